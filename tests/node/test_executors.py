@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import gc
 import threading
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from typing import Any
 
 import pytest
 
+from tfloom.interfaces.example_interfaces.srv import AddTwoInts
 from tfloom.interfaces.std_msgs.msg import Int32
+from tfloom.node import client_library
 from tfloom.node.context.context import Context
-from tfloom.node.executing import executors
+from tfloom.node.executing import executors, work_queue
 from tfloom.node.executing.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from tfloom.node.executing.executor_exceptions import ShutdownException
 from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
@@ -402,6 +406,7 @@ def test_no_thread_continues_after_the_awaited_future_is_complete(
         executor.spin_until_future_complete(future, timeout_sec=30)
         assert executor._running.wait(30)
         assert numbers.heard == [0, 1, 2]
+        assert executor._awaited is None
         numbers.hear_the_rest(executor)
 
 
@@ -531,3 +536,250 @@ def test_five_hundred_topics_in_one_node(
     for index, publisher in enumerate(publishers):
         publisher.publish(Int32(data=index))
     spin_until(lambda: len(heard) == 500)
+
+
+@pytest.mark.parametrize("kind", [SingleThreadedExecutor, MultiThreadedExecutor])
+def test_callback_that_begins_at_a_shutdown_does_not_keep_its_group(
+    kind: type[SingleThreadedExecutor | MultiThreadedExecutor], context: Context, node: Node
+) -> None:
+    ticks: list[int] = []
+    group = MutuallyExclusiveCallbackGroup()
+    node.create_timer(0.0, lambda: ticks.append(1), callback_group=group)
+    executor = kind(context=context)
+    executor.add_node(node)
+    work = executor._wait_for_work(None, None)
+    assert executor.shutdown(30)
+    if isinstance(executor, MultiThreadedExecutor):
+        executor._submit(work)
+        assert executor._busy == 0
+    else:
+        executor._run(work)
+    assert ticks == []
+    with SingleThreadedExecutor(context=context) as other:
+        other.add_node(node)
+        other.spin_once(timeout_sec=30)
+    assert ticks == [1]
+
+
+def test_callback_that_completes_while_another_is_parked_lets_it_run(
+    node: Node, executor: SingleThreadedExecutor, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    group = MutuallyExclusiveCallbackGroup()
+    ran: list[int] = []
+    running = node.create_guard_condition(lambda: None, callback_group=group)
+    waiting = node.create_guard_condition(lambda: ran.append(1), callback_group=group)
+    executor.add_node(node)
+    assert group.beginning_execution(running)  # as on another thread
+    park = group.park
+
+    def complete_and_park(entity: Any, post_again: Callable[[], None]) -> None:
+        group.ending_execution(running)
+        group.release_parked()
+        park(entity, post_again)
+
+    monkeypatch.setattr(group, "park", complete_and_park)
+    waiting.trigger()
+    executor.spin_once(timeout_sec=30)
+    assert ran == [1]
+
+
+def test_many_responses_at_once_are_all_taken(
+    context: Context, make_node: Callable[..., Node], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(work_queue, "MOST_AT_ONCE", 2)
+    asking, answering = make_node("asking"), make_node("answering")
+    client = asking.create_client(AddTwoInts, "add")
+    answering.create_service(AddTwoInts, "add", lambda _, response: response)
+    with (
+        SingleThreadedExecutor(context=context) as executor,
+        SingleThreadedExecutor(context=context) as there,
+    ):
+        executor.add_node(asking)
+        there.add_node(answering)
+        futures = [client.call_async(AddTwoInts.Request()) for _ in range(7)]
+        for _ in futures:
+            there.spin_once(timeout_sec=30)
+        for _ in futures:
+            executor.spin_once(timeout_sec=1)
+        assert all(future.done() for future in futures)
+
+
+def test_future_completed_on_another_thread_ends_a_single_wait(
+    executor: SingleThreadedExecutor, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    future: Future[int] = Future()
+    waits = threading.Event()
+    collect = executor._collect
+
+    def begin_wait(*args: Any, **options: Any) -> None:
+        waits.set()
+        collect(*args, **options)
+
+    monkeypatch.setattr(executor, "_collect", begin_wait)
+    spin = executor.spin_once_until_future_complete
+    thread = threading.Thread(target=spin, args=(future, 60.0))
+    thread.start()
+    assert waits.wait(30)
+    future.set_result(1)
+    thread.join(30)
+    assert not thread.is_alive()
+
+
+def test_shutdown_in_a_callback_does_not_wait_for_it(context: Context, node: Node) -> None:
+    for kind in (SingleThreadedExecutor, MultiThreadedExecutor):
+        executor = kind(context=context)
+        ended: list[bool] = []
+        timer = node.create_timer(0.0, lambda ended=ended, end=executor.shutdown: ended.append(end(60)))
+        executor.add_node(node)
+        thread = threading.Thread(target=executor.spin, daemon=True)
+        thread.start()
+        thread.join(30)
+        assert not thread.is_alive()
+        assert executor._running.wait(30)
+        assert ended == [True]
+        node.destroy_timer(timer)
+
+
+def test_shutdown_waits_for_a_callback_on_another_thread(context: Context, node: Node) -> None:
+    executor = SingleThreadedExecutor(context=context)
+    begun, may_end = threading.Event(), threading.Event()
+
+    def wait() -> None:
+        begun.set()
+        assert may_end.wait(30)
+
+    node.create_timer(0.0, wait)
+    executor.add_node(node)
+    spinning = threading.Thread(target=executor.spin)
+    spinning.start()
+    assert begun.wait(30)
+    assert not executor.shutdown(0.0)
+    ended: list[bool] = []
+    ending = threading.Thread(target=lambda: ended.append(executor.shutdown(60)), daemon=True)
+    ending.start()
+    while not executor._running._waiters:
+        time.sleep(0.001)
+    may_end.set()
+    ending.join(30)
+    assert ended == [True]
+    spinning.join(30)
+
+
+def test_shutdown_closes_what_it_leaves(context: Context, node: Node) -> None:
+    executor = SingleThreadedExecutor(context=context)
+    closed: list[bool] = []
+
+    async def wait_in_vain() -> None:
+        try:
+            await Future()
+        finally:
+            closed.append(True)
+
+    task = executor.create_task(wait_in_vain)
+    executor.spin_once(timeout_sec=30)
+    guard = node.create_guard_condition(lambda: None)
+    executor.add_entity(guard)  # without its node
+    assert closed == []
+    executor.shutdown()
+    assert closed == [True]
+    assert not task.done()
+    queue = executor._queue
+    queue.wait(0)
+    guard.trigger()
+    context.shutdown()
+    assert queue.wait(0) == []
+
+
+def test_no_thread_continues_after_the_context_ends(long_batches: None, context: Context, node: Node) -> None:
+    numbers = Numbers(node, context.shutdown)
+    with MultiThreadedExecutor(2, context=context) as executor:
+        executor.add_node(node)
+        with suppress(ExternalShutdownException):
+            executor.spin()
+        assert executor._running.wait(30)
+        assert numbers.heard == [0, 1, 2]
+
+
+def test_a_spin_inside_a_long_one_is_over_with_itself(node: Node, executor: SingleThreadedExecutor) -> None:
+    long: list[bool] = []
+    done, end = Future[None](), Future[None]()
+    done.set_result(None)
+
+    def spin_inside() -> None:
+        executor.spin_until_future_complete(done)
+        long.append(executor._is_in_long_spin)
+        end.set_result(None)
+
+    node.create_timer(0.0, spin_inside)
+    executor.add_node(node)
+    executor.spin_until_future_complete(end, timeout_sec=30)
+    assert long == [True]
+    assert not executor._is_in_long_spin
+
+
+def test_hint_is_timed_from_the_present_wait(node: Node, executor: SingleThreadedExecutor) -> None:
+    group = MutuallyExclusiveCallbackGroup()
+    running, waiting = (node.create_guard_condition(lambda: None, callback_group=group) for _ in range(2))
+    executor.add_node(node)
+    hints_ns: list[int] = []
+    with executor._running:
+        for _ in range(2):
+            assert group.beginning_execution(running)
+            group.park(waiting, lambda: None)
+            hint_ns = executor._end_of_nested_wait(None)
+            assert hint_ns is not None
+            hints_ns.append(hint_ns)
+            group.ending_execution(running)
+            group.release_parked()
+            assert executor._end_of_nested_wait(None) is None
+    assert hints_ns[0] < hints_ns[1]
+
+
+def test_guard_condition_that_was_triggered_before_runs(node: Node, executor: SingleThreadedExecutor) -> None:
+    ran: list[int] = []
+    node.create_guard_condition(lambda: ran.append(1)).trigger()
+    executor.add_node(node)
+    executor.spin_once(timeout_sec=1)
+    assert ran == [1]
+
+
+def test_group_is_free_only_when_its_own_callback_ends(node: Node) -> None:
+    group = MutuallyExclusiveCallbackGroup()
+    running, other = (node.create_guard_condition(lambda: None, callback_group=group) for _ in range(2))
+    assert group.beginning_execution(running)
+    group.ending_execution(other)
+    assert not group.can_execute(other)
+    group.park(other, lambda: None)
+    assert group.has_parked(other)
+    assert not group.has_parked(running)
+    assert group.has_parked_another(running)
+    assert not group.has_parked_another(other)
+    group.ending_execution(running)
+    assert group.can_execute(other)
+
+
+def test_global_executor_of_a_former_context_is_shut_down(ros_domain: int) -> None:
+    kept: list[executors.Executor] = []
+    for _ in range(2):
+        client_library.init(args=[], domain_id=ros_domain)
+        kept.append(executors.get_global_executor())
+        assert executors.get_global_executor() is kept[-1]
+        client_library.shutdown()
+    former, _ = kept
+    assert former._is_shutdown
+
+
+def test_future_wakes_each_waiter_once(capfd: pytest.CaptureFixture[str]) -> None:
+    woken: list[int] = []
+    future: Future[int] = Future()
+    wake = lambda: woken.append(1)  # noqa: E731
+    future.when_complete(wake)
+    future.when_complete(wake)
+    future.set_result(1)
+    assert woken == [1]
+    late: Future[int] = Future()
+    assert late.exception() is None
+    late.set_exception(KeyError("nobody asked again"))
+    del late
+    gc.collect()
+    assert "never retrieved: 'nobody asked again'" in capfd.readouterr().err

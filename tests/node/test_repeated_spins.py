@@ -13,6 +13,7 @@ from tfloom.interfaces.std_msgs.msg import Int32
 from tfloom.node import client_library as rclpy
 from tfloom.node.context.context import Context
 from tfloom.node.endpoints.publisher import Publisher
+from tfloom.node.executing.callback_groups import CallbackGroup
 from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from tfloom.node.node import Node
 
@@ -139,3 +140,41 @@ def test_a_node_without_references_is_freed(
     assert reference() is None
     watcher = make_node("watcher")
     wait_until(lambda: watcher.get_node_names() == ["watcher"])
+
+
+class Hesitant(CallbackGroup):
+    """A group of a program: until `is_open`, it refuses each callback, when asked or when one begins."""
+
+    def __init__(self, refuses_when_asked: bool) -> None:
+        super().__init__()
+        self.is_open = False
+        self.refusals = 0
+        self._refuses_when_asked = refuses_when_asked
+
+    def can_execute(self, entity: object) -> bool:
+        return self._is_admitted(self.is_open or not self._refuses_when_asked)
+
+    def beginning_execution(self, entity: object) -> bool:
+        return self._is_admitted(self.is_open)
+
+    def _is_admitted(self, answer: bool) -> bool:
+        self.refusals += not answer
+        return answer
+
+    def ending_execution(self, entity: object) -> None:
+        pass
+
+
+@pytest.mark.parametrize("refuses_when_asked", [True, False])
+def test_a_message_that_a_group_refused_is_kept_between_spins(
+    refuses_when_asked: bool, make_node: Callable[..., Node], executor: SingleThreadedExecutor
+) -> None:
+    node, group, heard = make_node(), Hesitant(refuses_when_asked), list[int]()
+    publisher = node.create_publisher(Int32, "numbers", 10)
+    node.create_subscription(Int32, "numbers", lambda msg: heard.append(msg.data), 10, callback_group=group)
+    wait_until(lambda: publisher.get_subscription_count() > 0)
+    publisher.publish(Int32(data=1))
+    wait_until(lambda: rclpy.spin_once(node, executor=executor, timeout_sec=0.01) or group.refusals)
+    group.is_open = True
+    spin_until(node, executor, lambda: bool(heard))
+    assert heard == [1]

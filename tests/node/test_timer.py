@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import gc
 import threading
 import time
+import weakref
 from collections.abc import Callable
 
 import pytest
 
+from tfloom._native import ReadyQueue
 from tfloom.node.clock.clock import ROSClock
 from tfloom.node.context.context import Context
 from tfloom.node.executing.executors import SingleThreadedExecutor
@@ -123,6 +126,38 @@ def test_activation_of_simulated_time_keeps_the_remaining_period(node: Node) -> 
     assert abs(timer.time_until_next_call() - before_ns) < 10**9
     clock.set_ros_time_is_active(False)
     assert 90 * 10**9 < timer.time_until_next_call() <= 100 * 10**9
+
+
+def test_call_that_is_due_just_now_is_not_missed(
+    node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
+) -> None:
+    clock = ROSClock()
+    clock.set_ros_time_override(ros_time(100))
+    clock.set_ros_time_is_active(True)
+    ticks: list[int] = []
+    timer = node.create_timer(1.0, lambda: ticks.append(1), clock=clock)
+    executor.add_node(node)
+    clock.set_ros_time_override(ros_time(102))
+    spin_until(lambda: len(ticks) == 2)
+    assert timer.time_until_next_call() == 1_000_000_000
+
+
+def test_timer_wakes_nobody_before_it_is_due_and_after_its_end(node: Node) -> None:
+    clock = ROSClock()
+    clock.set_ros_time_override(ros_time(100))
+    clock.set_ros_time_is_active(True)
+    timer, queue = node.create_timer(1.0, print, clock=clock), ReadyQueue()
+    timer.attach(queue, 5)
+    assert queue.wait(0) == [5]
+    clock.set_ros_time_override(ros_time(100.5))
+    assert queue.wait(0) == []
+    clock.set_ros_time_override(ros_time(101))
+    assert queue.wait(0) == [5]
+    node.destroy_timer(timer)
+    gone = weakref.ref(timer)
+    del timer
+    gc.collect()
+    assert gone() is None  # the clock, which goes on, doesn't hold it
 
 
 def test_rate_paces_a_loop_on_another_thread(

@@ -213,6 +213,8 @@ def test_waitable_without_items_is_checked_at_each_wake(node: Node, executor: Ex
     threading.Timer(0.01, fill).start()
     executor.spin_until_future_complete(waitable.done, timeout_sec=10)
     assert waitable.ran == [1, 2, 3]
+    executor.remove_node(node)
+    assert executor._polled == []
 
 
 def test_removed_waitable_does_not_run(node: Node, executor: Executor) -> None:

@@ -566,10 +566,10 @@ def test_one_timer_waits_for_room_and_ends_with_the_client(wait_until) -> None:
 
 
 def server_with_a_request(
-    monkeypatch: pytest.MonkeyPatch, reader: FakeEnd, writer: FakeEnd
+    monkeypatch: pytest.MonkeyPatch, reader: FakeEnd, writer: FakeEnd, vendor: str = FAST
 ) -> tuple[HeaderResponder, RequestId]:
-    """Return a server that has taken a request of a client on Fast DDS, whose reader isn't matched yet."""
-    client = bytes.fromhex(FAST) + bytes(14)
+    """Return a server that has taken a request of a client, by default on Fast DDS, whose reader isn't matched yet."""
+    client = bytes.fromhex(vendor) + bytes(14)
     monkeypatch.setattr(cyclone_services, "dds_inline_client", lambda _: AWAITING)
     reader.peers = [(client, b"")]
     samples = [Sample(HEADER + struct.pack("<8sq", b"client 1", 1) + b"ask!", 1, 1, client)]
@@ -605,11 +605,12 @@ def test_client_on_fast_dds_that_names_its_writer_is_matched(monkeypatch: pytest
 
 
 def test_nothing_is_sent_to_a_client_that_has_left(monkeypatch: pytest.MonkeyPatch) -> None:
-    reader, writer = FakeEnd(), FakeEnd((FAST, b""))
-    server, request = server_with_a_request(monkeypatch, reader, writer)
-    reader.peers = []
-    server.send(request, HEADER + b"say!")
-    assert writer.written == []
+    for vendor in (FAST, CYCLONE):
+        reader, writer = FakeEnd(), FakeEnd((vendor, b""))
+        server, request = server_with_a_request(monkeypatch, reader, writer, vendor)
+        reader.peers = []
+        server.send(request, HEADER + b"say!")
+        assert writer.written == []
 
 
 def test_response_follows_a_probe_of_its_clients_reader(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -36,6 +36,9 @@ class Entity:
 
     callback_group: CallbackGroup | None
 
+    refused_item: Any = None
+    """What `take` returned before the group refused to begin. It stays here, where the next executor finds it."""
+
     _part_of: Any = None  # the node: a reference to the entity keeps it alive
 
     def attach(self, queue: ReadyQueue, token: int) -> None:

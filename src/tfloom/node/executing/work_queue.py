@@ -70,11 +70,9 @@ class WorkQueue:
         self._numbers = count(WAKE + 1)
         """Counter of tokens; taking the next is a single operation."""
         self._ready: deque[int] = deque()
-        """Tokens to check, the oldest first. Used by the thread that spins alone, as are the five below."""
+        """Tokens to check, the oldest first. Used by the thread that spins alone, as are the four below."""
         self._refused: list[int] = []
         """Tokens of entities that their group, of a class of the program's own, has not admitted."""
-        self._held: dict[int, Any] = {}
-        """Items taken from such entities before the refusal. `remove_entity` removes from it, too."""
         self._pass_left = 0
         """Number of tokens in `_ready` that belong to the present pass."""
         self._has_response = False
@@ -102,6 +100,8 @@ class WorkQueue:
                     self._polled = [*self._polled, token]
         for entity, token in added:
             entity.attach(queue, token)
+            if entity.refused_item is not None:  # nothing else says that there is one
+                queue.post(token)
 
     def remove_entity(self, entity: Entity) -> None:
         """Remove an entity; its posted tokens are ignored."""
@@ -109,15 +109,13 @@ class WorkQueue:
 
     def remove_entities(self, entities: Iterable[Entity]) -> None:
         """Remove entities; their posted tokens are ignored."""
-        tokens, by_token, held = self._tokens, self._entities, self._held
+        tokens, by_token = self._tokens, self._entities
         with self._lock:
             for entity in entities:
                 token = tokens.pop(entity, None)
                 if token is None:
                     continue
                 del by_token[token]
-                if held:
-                    held.pop(token, None)
                 if entity.is_polled:
                     self._polled = [each for each in self._polled if each != token]
                 entity.detach()
@@ -267,12 +265,12 @@ class WorkQueue:
         if not group.can_execute(entity):
             self._refused.append(token)
             return None
-        taken = self._held.pop(token, None)
+        taken, entity.refused_item = entity.refused_item, None
         if taken is None:
             taken = entity.take()
             self._reschedule(entity, token, taken)
         if taken is not None and not group.beginning_execution(entity):
-            self._held[token] = taken
+            entity.refused_item = taken
             self._refused.append(token)
             return None
         return taken
