@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import errno
 import os
+import sqlite3
 from collections.abc import Callable
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -18,9 +20,11 @@ from tfloom.bag.metadata import read_metadata
 from tfloom.bag.reindexing import reindex
 from tfloom.bag.rosbag2_names.storage import ConverterOptions, StorageOptions, TopicMetadata
 from tfloom.bag.rosbag2_names.writers import SequentialWriter
-from tfloom.bag.writing import bag_writer, mcap_records, sqlite_file, topic_table
+from tfloom.bag.writing import bag_writer, compression, mcap_records, sqlite_file, topic_table
 from tfloom.bag.writing.bag_writer import BagWriter, State, WriterSettings
+from tfloom.bag.writing.sqlite_file import SqliteFile
 from tfloom.bag.writing.storage import StorageSettings
+from tfloom.bag.writing.storage_files import open_storage_file
 
 STORAGES = ("mcap", "sqlite3")
 CHATTER = topic("/chatter", "std_msgs/msg/String")
@@ -300,3 +304,70 @@ def test_cache_holds_twice_its_size() -> None:
     while queue.push(1, bytes(100), 1, 1):
         size += 100
     assert 10_000 < size <= 20_000
+
+
+def test_failed_beginning_of_a_database_leaves_nothing_open(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    databases: list[sqlite3.Connection] = []
+    begin = SqliteFile._begin
+
+    def begin_and_fail(self: SqliteFile, database: sqlite3.Connection, metadata: str) -> None:
+        begin(self, database, metadata)
+        databases.append(database)
+        full_disk()
+
+    monkeypatch.setattr(SqliteFile, "_begin", begin_and_fail)
+    arguments = (tmp_path / "file.db3", topic_table.TopicTable(), StorageSettings(), "")
+    with pytest.raises(OSError, match="No space left"):
+        open_storage_file("sqlite3", *arguments)
+    with pytest.raises(sqlite3.ProgrammingError, match="closed database"):
+        databases[0].execute("SELECT 1")
+    assert list(tmp_path.iterdir()) == []  # nor a log
+
+
+@pytest.mark.parametrize("fails", [False, True])
+def test_database_is_closed_even_if_it_cannot_be_completed(
+    fails: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    file = SqliteFile(tmp_path / "file.db3", topic_table.TopicTable(), StorageSettings(), "")
+    database = file._database
+    assert database is not None
+    if fails:
+        monkeypatch.setattr(file, "_insert_metadata", full_disk)
+        with pytest.raises(OSError, match="No space left"):
+            file.close("")
+    file.close("")
+    with pytest.raises(sqlite3.ProgrammingError, match="closed database"):
+        database.execute("SELECT 1")
+
+
+@pytest.mark.parametrize("storage_id", STORAGES)
+def test_file_of_somebody_else_is_left(storage_id: str, tmp_path: Path) -> None:
+    path = tmp_path / "file"
+    path.write_bytes(b"mine")
+    with pytest.raises(FileExistsError):
+        open_storage_file(storage_id, path, topic_table.TopicTable(), StorageSettings(), "")
+    assert path.read_bytes() == b"mine"
+
+
+def test_file_that_cannot_be_compressed_is_left_alone(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    compressor = SimpleNamespace(compress=full_disk)
+    zstd = SimpleNamespace(ZstdCompressor=lambda **_: SimpleNamespace(compressobj=lambda **_: compressor))
+    monkeypatch.setattr(compression, "zstd", lambda: zstd)
+    path = tmp_path / "file.mcap"
+    path.write_bytes(b"whole")
+    with pytest.raises(OSError, match="No space left"):
+        compression.compress_file(path)
+    assert {each.name: each.read_bytes() for each in tmp_path.iterdir()} == {"file.mcap": b"whole"}
+
+
+def test_topic_that_is_replaced_after_its_removal_is_there(tmp_path: Path) -> None:
+    writer = BagWriter(tmp_path / "bag")
+    channel = writer.add_topic(CHATTER)
+    writer.remove_topic("/chatter")
+    writer.set_topic(channel, CHATTER)
+    writer.close()
+    assert [each.name for each in read_metadata(tmp_path / "bag").topics] == ["/chatter"]

@@ -31,6 +31,8 @@ from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
 from tfloom.node.values.time import Time
+from tfloom.rmw import local
+from tfloom.rmw.base import NodeName, Topic
 from tfloom.rmw.events import Count, Event
 from tfloom.rmw.qos import PROFILES, HistoryPolicy, QoS, ReliabilityPolicy
 from tfloom.rmw.qos import DurabilityPolicy as Durability
@@ -214,6 +216,22 @@ def test_topic_that_appears_while_others_are_listed_is_recorded(
         assert topics._recorded == {}
         topics.subscribe_changed()
         assert topics._recorded.keys() == {"/late"}
+
+
+def test_type_that_is_unknown_is_asked_for_once(local_context: Context, tmp_path: Path, capfd: Any) -> None:
+    wire = local.open_participant(local_context.get_domain_id())
+    odd = Topic("/odd", "odd_msgs/msg/Odd", "")
+    wire.create_writer(NodeName("/", "odd"), odd, QoS())
+    asked: list[str] = []
+    options = RecordOptions(TopicChoice(["/odd"]), has_keyboard=False)
+    learn = lambda _, type_name: asked.append(type_name)  # noqa: E731
+    recorder = Recorder(tmp_path / "bag", WriterSettings(), options, learn=learn, context=local_context)
+    recorder.start()
+    recorder.stop()
+    recorder.destroy_node()
+    wire.close()
+    assert asked == ["odd_msgs/msg/Odd"]
+    assert "There is no definition of 'odd_msgs/msg/Odd' here" in capfd.readouterr().err
 
 
 def test_overridden_profile_keeps_all_and_what_it_refuses_is_told_once(

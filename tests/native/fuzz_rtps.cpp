@@ -244,7 +244,12 @@ void check_known_answers() {
   check(fresh.forms.rewrite(fast_address, acknowledgement(1, false), sent) &&
             sent == Datagrams{acknowledgement(4, true)},
         "the first sample is requested");
+  sent.clear();
+  check(fresh.forms.rewrite(fast_address, acknowledgement(4, false), sent) && sent == Datagrams{acknowledgement(4, true)},
+        "the first sample is requested by who awaits it");
+  sent.clear();
   check(!fresh.forms.rewrite(fast_address, acknowledgement(5, false), sent), "an acknowledgement stays");
+  check(contains(received(fresh.forms, inline_request(5, 8)), heartbeat(4, 4, 1)), "one missing sample is requested");
   const Datagram later = received(fresh.forms, inline_request(6, 9));
   check(contains(later, heartbeat(4, 3, 3)) && contains(later, heartbeat(4, 5, 1)), "the missing samples");
   check(fresh.server->take_header(fast_writer, 8'000'000'000).has_value(), "a first request");
@@ -253,6 +258,171 @@ void check_known_answers() {
   // Another program takes the address.
   received(forms, announcement(our_writer, fast_address.port));
   check(!forms.is_of_inline_peer(fast_address), "an address follows its owner");
+  check(!forms.knows(rtps::prefix_of(fast_writer)), "a participant without an address is not known");
+}
+
+Builder inline_response(std::uint32_t number, std::uint32_t seconds, std::uint32_t request) {
+  return Builder(fast_writer).stamp(seconds).data(fast_writer, number, true).related(our_reader, 0, request)
+      .encapsulation().text("say!").end();
+}
+
+constexpr std::int64_t second_ns = 1'000'000'000;
+
+// Let a client's request number 11 pass, as sample 3.
+void send_request(ServiceForms& forms) {
+  Datagrams sent;
+  const Datagram request = Builder(our_writer).data(our_writer, 3, false).encapsulation().header(11).text("ask!").end();
+  check(forms.rewrite(fast_address, request, sent), "a request is rewritten");
+}
+
+void check_beginnings() {
+  const auto heartbeat = [](std::uint32_t first, std::uint32_t last, int flags) {
+    return Builder(fast_writer).begin(7, flags).u32(0).octets({0, 0, 5, 3}).u32(0).u32(first).u32(0).u32(last)
+        .u32(last + 1).end();
+  };
+  Target target;
+  ServiceForms& forms = target.forms;
+  received(forms, writer_announcement(fast_writer));
+  check(contains(received(forms, inline_request(6, 8)), tail(heartbeat(6, 5, 3))), "the beginning at a first sample");
+  check(contains(received(forms, inline_request(4, 8)), tail(heartbeat(4, 3, 3))), "the beginning at an earlier one");
+  check(contains(received(forms, heartbeat(9, 12, 1)), tail(heartbeat(9, 8, 3))), "what has gone is not awaited");
+  check(contains(received(forms, heartbeat(2, 12, 1)), tail(heartbeat(4, 3, 3))), "what was dropped is awaited");
+
+  // A buffer without room for a heartbeat is left as it is; ASan looks beyond its end.
+  Datagram full = inline_request(7, 9);
+  check(forms.receive(full, full.size()) == full.size() && full == Datagram(inline_request(7, 9)), "a full buffer");
+
+  Target fresh;
+  send_request(fresh.forms);
+  received(fresh.forms, inline_response(1, 5, 3));
+  check(fresh.client->take_header(fast_writer, 5 * second_ns).has_value(), "a first response");
+  const Datagram later = inline_response(2, 6, 3);
+  check(received(fresh.forms, later) == later, "nothing is inserted after a response was taken");
+}
+
+void check_order_and_ends() {
+  Target target;
+  ServiceForms& forms = target.forms;
+  send_request(forms);
+  for (const std::uint32_t number : {1U, 2U, 3U}) received(forms, inline_response(number, number, 3));
+  check(target.client->take_header(fast_writer, 2 * second_ns).has_value(), "a response");
+  check(!target.client->take_header(fast_writer, 1 * second_ns), "those before a response that was taken are over");
+  check(target.client->take_header(fast_writer, 3 * second_ns).has_value(), "the response after it");
+
+  // Two servers of a service in this process, each of which takes a request once.
+  constexpr Gid other_writer = {1, 0x10, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 0, 0, 7, 3};
+  constexpr Gid other_reader = {1, 0x10, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 0, 0, 8, 4};
+  std::shared_ptr<ServiceEnd> other = forms.add_server("/s", other_writer, other_reader);
+  received(forms, inline_request(4, 8));
+  check(target.server->take_header(fast_writer, 8 * second_ns).has_value(), "a request");
+  check(!target.server->take_header(fast_writer, 8 * second_ns), "a request is taken once by a server");
+  check(other->take_header(fast_writer, 8 * second_ns).has_value(), "a request is taken by each server");
+  received(forms, inline_request(5, 9));
+  check(target.server->take_header(fast_writer, 9 * second_ns).has_value(), "a next request");
+  other.reset();
+  other = forms.add_server("/s", other_writer, other_reader);
+  check(!other->take_header(fast_writer, 9 * second_ns), "what all that were there have taken is forgotten");
+
+  // Ends that leave while others stay, and what arrives for them then.
+  other.reset();
+  target.server.reset();
+  check(forms.has_ends(), "a client is left");
+  target.client.reset();
+  check(!forms.has_ends(), "no end is left");
+  const auto late = forms.add_server("/s", server_writer, server_reader);
+  received(forms, inline_response(9, 9, 3));
+  Target parents;  // of a forked child
+  parents.forms.abandon();
+  parents.client.reset();
+  parents.server.reset();
+  check(parents.forms.has_ends(), "an object that was abandoned is left as it is");
+}
+
+void check_bounds() {
+  Target target;
+  ServiceForms& forms = target.forms;
+  Datagrams sent;
+  constexpr std::uint32_t more_than_sent = 1100;
+  for (std::uint32_t number = 1; number <= more_than_sent; ++number) {
+    forms.rewrite(fast_address, Builder(our_writer).data(our_writer, number, false).encapsulation().header(number).end(),
+                  sent);
+  }
+  received(forms, inline_response(1, 5, 1));
+  check(!target.client->take_header(fast_writer, 5 * second_ns), "the first of many requests is remembered");
+  received(forms, inline_response(2, 6, more_than_sent));
+  check(target.client->take_header(fast_writer, 6 * second_ns).has_value(), "the last of many requests is forgotten");
+
+  const auto participant = [](std::uint32_t number) {
+    Gid gid = fast_writer;
+    gid[3] = 1;  // none is that of the target
+    gid[4] = static_cast<std::uint8_t>(number >> 8);
+    gid[5] = static_cast<std::uint8_t>(number);
+    return gid;
+  };
+  for (std::uint32_t number = 0; number <= rtps::max_addresses; ++number) {
+    received(forms, announcement(participant(number), 10'000 + number));
+  }
+  check(!forms.knows(rtps::prefix_of(fast_writer)) && !forms.knows(rtps::prefix_of(participant(0))),
+        "of many addresses the first are remembered");
+  check(forms.knows(rtps::prefix_of(participant(1))), "of many addresses too many are forgotten");
+  for (std::uint32_t number = 0; number <= 1024; ++number) {
+    received(forms, version_announcement(participant(number), 0x8000, Datagram(4, std::byte{3})));
+  }
+  check(forms.version_of(rtps::prefix_of(participant(0))).empty(), "of many versions the first is remembered");
+  check(!forms.version_of(rtps::prefix_of(participant(1024))).empty(), "of many versions the last is forgotten");
+}
+
+void check_large_datagrams() {
+  Target target;
+  Datagrams sent;
+  const auto sample = [](std::uint32_t number, std::size_t size) {
+    return Builder(our_writer).data(our_writer, number, false).encapsulation().header(number).text(std::string(size, 'x'));
+  };
+  // One that is too large in inline form: there is nothing to divide. Its length doesn't fit its field either.
+  Datagram large = sample(3, 65'500);
+  large[22] = large[23] = std::byte{0};  // to the end of the message
+  check(target.forms.rewrite(fast_address, large, sent) && sent.size() == 1, "one large sample is one datagram");
+  const auto data = rtps::Data::of(*rtps::Message::of(sent[0])->next());
+  check(data && data->payload.size() == 65'504, "a sample of any length");
+
+  // Two that fit in header form alone: each has a datagram, with the destination and the stamp of the first.
+  Datagram two = Builder(our_writer).begin(0x0e, 1).gid(fast_writer).end().stamp(5);
+  two.resize(rtps::message_header_size + 16);  // the destination is a prefix
+  two[rtps::message_header_size + 2] = std::byte{12};
+  const Datagram stamp = tail(Builder(our_writer).stamp(5));
+  const Datagram destination = tail(two);
+  two.insert(two.end(), stamp.begin(), stamp.end());
+  for (const std::uint32_t number : {4U, 5U}) {
+    const Datagram part = tail(sample(number, 32'670).end());
+    two.insert(two.end(), part.begin(), part.end());
+  }
+  sent.clear();
+  check(two.size() <= 65'507 && target.forms.rewrite(fast_address, two, sent) && sent.size() == 2, "two datagrams");
+  for (const Datagram& each : sent) {
+    Datagram begin = destination;
+    begin.insert(begin.end(), stamp.begin(), stamp.end());
+    check(contains(each, begin), "each datagram has its destination and stamp");
+  }
+
+  // Two answers to one request, in fragments: each fragment is of its own sample.
+  target.client->release();
+  Datagrams samples;
+  for (const char fill : {'a', 'b'}) {
+    samples.push_back(tail(Builder(our_writer).encapsulation().header(12).text(std::string(60, fill))));
+    target.client->keep(samples.back());
+  }
+  check(target.client->kept_size() == 160, "the size of all that is kept");
+  for (const std::uint32_t number : {6U, 7U}) {
+    const Datagram& whole = samples[number - 6];
+    Builder message(our_writer);
+    message.begin(0x16, 1).u16(0).u16(28).u32(0).octets({0, 0, 1, 3}).u32(0).u32(number);
+    message.u32(1).u16(1).u16(32).u32(static_cast<std::uint32_t>(whole.size()));
+    for (std::size_t at = 0; at < 32; ++at) message.octets({std::to_integer<int>(whole[at])});
+    sent.clear();
+    check(target.forms.rewrite(fast_address, message.end(), sent) && sent.size() == 1 &&
+              sent[0].back() == std::byte{static_cast<unsigned char>(number == 6 ? 'a' : 'b')},
+          "a fragment of its own sample");
+  }
 }
 
 void check_versions() {
@@ -319,6 +489,10 @@ fuzzing::Bytes seed(int action, int stamp_s, const Datagram& datagram) {
 int main(int count, char** arguments) {
   check_known_answers();
   check_versions();
+  check_beginnings();
+  check_order_and_ends();
+  check_bounds();
+  check_large_datagrams();
   const fuzzing::Bytes request =
       seed(1, 1, Builder(our_writer).stamp(5).data(our_writer, 3, false).encapsulation().header(11).text("ask!").end());
   const fuzzing::Bytes response = seed(0, 6, Builder(fast_writer).stamp(6).data(fast_writer, 1, true)

@@ -75,23 +75,36 @@ class Server {
 
   bool take(std::uint32_t client, std::uint32_t number) {
     const auto header = end_->take_header(gid_of_client(client, 0x03), std::int64_t{number} * 1'000'000'000);
+    if (header) last_key_ = header->client;
     return header && header->number == number;
   }
+
+  // The key of the client whose request was taken last, and whether responses to it find it.
+  std::array<std::uint8_t, 8> last_key() const { return last_key_; }
+  bool knows(const std::array<std::uint8_t, 8>& key) { return forms_.inline_client(key).has_value(); }
 
  private:
   ServiceForms forms_;
   std::shared_ptr<ServiceEnd> end_;
+  std::array<std::uint8_t, 8> last_key_{};
   std::array<std::byte, 4096> buffer_{};
 };
 
 void serve_all_that_come() {
   Server server;
+  constexpr std::uint32_t waiting_client = client_count;
+  server.receive(waiting_client, 1);
   int lost = 0;
+  std::array<std::uint8_t, 8> first_key{};
   for (std::uint32_t client = 0; client < client_count; ++client) {
     server.receive(client, 1);
     lost += server.take(client, 1) ? 0 : 1;
+    if (client == 0) first_key = server.last_key();
   }
   check(lost == 0, "requests of new clients were lost");
+  check(server.knows(server.last_key()), "the last client is not known");
+  check(!server.knows(first_key), "the first client is known for ever");
+  check(server.take(waiting_client, 1), "a request that waited beside those that were taken was lost");
 }
 
 // Forged datagrams of clients whose requests nobody takes displace one another.
@@ -117,7 +130,12 @@ void serve_another_beside_a_flood() {
   server.receive(1, 1);
   for (std::uint32_t number = 1; number <= 300'000; ++number) server.receive(2, number);
   check(server.take(1, 1), "the request before a flood was lost");
-  check(server.take(2, 300'000), "the last request of a flood was lost");
+  // With those of two others, more wait than are remembered: the flood's own go, and no others with them.
+  for (std::uint32_t number = 1; number <= 100'000; ++number) server.receive(3, number);
+  server.receive(4, 1);
+  server.receive(5, 1);
+  check(!server.take(2, 300'000), "more requests are remembered than there is room for");
+  check(server.take(3, 100'000) && server.take(4, 1) && server.take(5, 1), "too many requests were forgotten");
 }
 
 }  // namespace

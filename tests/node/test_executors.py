@@ -596,6 +596,9 @@ def test_many_responses_at_once_are_all_taken(
     ):
         executor.add_node(asking)
         there.add_node(answering)
+        executor.spin_once(
+            timeout_sec=0.0
+        )  # the arrival of the server is over, which looks for all responses
         futures = [client.call_async(AddTwoInts.Request()) for _ in range(7)]
         for _ in futures:
             there.spin_once(timeout_sec=30)
