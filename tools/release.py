@@ -117,8 +117,6 @@ def build(tools: Tools, folder: Path, projects: Sequence[Path] = PROJECTS) -> li
             shutil.copy(sdist, folder)
             if sys.platform == "linux" and not wheel.name.endswith("-none-any.whl"):
                 tools.run("auditwheel", "repair", "--wheel-dir", folder, wheel)
-                (repaired,) = folder.glob(f"{wheel.name.rpartition('-')[0]}-*.whl")
-                tools.run("python", "-m", "tools.smaller_wheel", repaired)
             else:
                 shutil.copy(wheel, folder)
             say(f"Built {sdist.name} and {wheel.name}, in {time.monotonic() - started:.0f} s")

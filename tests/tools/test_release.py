@@ -224,28 +224,6 @@ def test_the_distributions_have_one_version(monkeypatch: pytest.MonkeyPatch) -> 
         release.check_tag(f"v{tfloom.__version__}")
 
 
-@pytest.mark.slow
-def test_a_wheel_compressed_again_is_smaller_and_holds_the_same(tools: Tools, tmp_path: Path) -> None:
-    wheel = tmp_path / "some-1-py3-none-any.whl"
-    contents = {f"some/ü{number}.py": f"print({number})\n".encode() * number for number in range(9)}
-    with zipfile.ZipFile(wheel, "w", zipfile.ZIP_DEFLATED) as archive:
-        archive.writestr("some/", b"")
-        for name, content in contents.items():
-            archive.writestr(name, content)
-        program = zipfile.ZipInfo("some/program", (2026, 11, 23, 15, 59, 58))
-        program.external_attr = 0o755 << 16
-        archive.writestr(program, bytes(10_000))
-    size = wheel.stat().st_size
-    assert "some-1" in tools.run("python", "-m", "tools.smaller_wheel", wheel)
-    assert wheel.stat().st_size < size
-    with zipfile.ZipFile(wheel) as archive:
-        assert {name: archive.read(name) for name in archive.namelist()} == contents | {
-            "some/program": bytes(10_000)
-        }
-        info = archive.getinfo("some/program")
-        assert (info.date_time, info.external_attr) == ((2026, 11, 23, 15, 59, 58), 0o755 << 16)
-
-
 def test_the_changes_of_this_version_are_listed() -> None:
     text = (ROOT / "CHANGELOG.md").read_text("utf-8")
     headings = re.findall(r"^## (\d+\.\d+\.\d+)", text, re.MULTILINE)
