@@ -49,10 +49,10 @@ def scripts() -> FrameTree:
     long_name = "very_long_namespace/with_a_robot_of_the_third_generation/and_its_camera_optical_frame/" * 2
     records = [
         *(record("a", "c"), record("b", "a"), static("c", "b")),
-        *(record("лазер/передний", "база"), static("激光雷達", "база"), record("カメラ", "база")),
-        *(record("레이저", "база", age_s=4.0), record(long_name, "base")),
+        *(record("лазер/передний", "база"), static("λέιζερ", "база"), record("კამერა", "база")),
+        *(record("լազեր", "база", age_s=4.0), record(long_name, "base")),
     ]
-    return build_tree(records, NOW_S + 0.1, {"激光雷達": ["/驅動"], "カメラ": ["/камера", "/camera"]})
+    return build_tree(records, NOW_S + 0.1, {"λέιζερ": ["/οδηγός"], "კამერა": ["/камера", "/camera"]})
 
 
 def fan(children: int) -> FrameTree:

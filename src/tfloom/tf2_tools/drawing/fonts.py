@@ -16,29 +16,30 @@ from reportlab.pdfbase.ttfonts import TTFError, TTFont
 
 FACES = (
     ("Vera.ttf", "VeraBd.ttf"),  # part of reportlab
-    (
-        "DejaVuSans.ttf",
-        "DejaVuSans-Bold.ttf",
-    ),  # the same with Cyrillic, Greek, Arabic, Hebrew, Armenian, Georgian
-    ("wqy-microhei.ttc", "wqy-microhei.ttc"),  # Chinese, Japanese, Korean, Cyrillic, Greek: the extra `fonts`
+    # The same with Cyrillic, Greek, Arabic, Hebrew, Armenian, Georgian.
+    ("DejaVuSans.ttf", "DejaVuSans-Bold.ttf"),
     ("arial.ttf", "arialbd.ttf"),
     ("Arial Unicode.ttf", "Arial Unicode.ttf"),
-    ("DroidSansFallbackFull.ttf", "DroidSansFallbackFull.ttf"),  # Chinese, Japanese, Korean
-    ("DroidSansFallback.ttf", "DroidSansFallback.ttf"),
     ("msyh.ttc", "msyhbd.ttc"),
     ("malgun.ttf", "malgunbd.ttf"),
 )
-"""Plain and bold, by the names of files that are searched in packages and in reportlab's and the system's folders."""
+"""Plain and bold, by the names of files that are searched in packages and in reportlab's and the system's folders.
+
+They come first so that a picture looks the same on most machines. Letters that none of them has, as Chinese ones on
+Linux, are searched in the fonts that fontconfig lists.
+"""
 
 PACKAGES = {
-    "wqy-microhei.ttc": ("paperang_p2_fonts_cjk", "fonts"),
     "DejaVuSans.ttf": ("matplotlib", "mpl-data/fonts/ttf"),
     "DejaVuSans-Bold.ttf": ("matplotlib", "mpl-data/fonts/ttf"),
 }
 """Python packages with a font, if they are installed, and the folder in them."""
 
-EXTRA = "tfloom[fonts]"
-"""What to install for the letters of most scripts."""
+FONT_LIST_TIMEOUT_S = 10.0
+"""Time in which fontconfig lists the fonts that have a letter; longer only while it reads new fonts."""
+
+_BOLD = 180
+"""Least weight of bold fonts, as fontconfig counts it: demibold."""
 
 UNKNOWN_WIDTH = 0.62
 """Width of a letter that no font here has [em]; wide ones have 1."""
@@ -51,6 +52,8 @@ class Face:
     name: str
     """Its name in reportlab."""
     path: str
+    index: int
+    """Number of the font in the file, which may be a collection."""
     glyphs: Container[int]
     """The code points that it has."""
 
@@ -128,7 +131,59 @@ def face_of(letter: str, is_bold: bool) -> Face | None:
         face = _load(names[is_bold])
         if face is not None and ord(letter) in face.glyphs:
             return face
+    return _system_face(ord(letter), is_bold)
+
+
+def _system_face(code: int, is_bold: bool) -> Face | None:
+    """Return a face of the system's that has a code point; one that already serves for other letters, if possible."""
+    loaded = _system_faces(is_bold)
+    for face in loaded:
+        if code in face.glyphs:
+            return face
+    for path, index in _system_fonts(code, is_bold):
+        new = _load_file(f"{Path(path).name} {index}", path, index)
+        if new is not None and code in new.glyphs:
+            loaded.append(new)
+            return new
     return None
+
+
+@cache
+def _system_faces(is_bold: bool) -> list[Face]:  # noqa: ARG001  # the key of the cache
+    """Return the list of the system's faces that are in use, which grows."""
+    return []
+
+
+def _system_fonts(code: int, is_bold: bool) -> list[tuple[str, int]]:
+    """Return the path and index of each TrueType font that has a code point, those of the wanted weight first.
+
+    The source is the command `fc-list` of fontconfig; without it the list is empty. Other kinds of fonts are left out,
+    because reportlab embeds TrueType alone.
+    """
+    import subprocess
+
+    pattern = f":charset={code:x}:fontformat=TrueType"
+    command = ["fc-list", "--format", "%{file}\t%{index}\t%{weight}\n", pattern]
+    try:
+        done = subprocess.run(
+            command,
+            capture_output=True,
+            text=True,
+            timeout=FONT_LIST_TIMEOUT_S,
+            check=False,
+            errors="replace",
+        )
+    except (OSError, subprocess.TimeoutExpired):
+        return []
+    fonts = []
+    for line in done.stdout.splitlines():
+        path, index, weight = (*line.split("\t"), "", "")[:3]
+        # The weight of a variable font is a range, in which each weight is.
+        has_weight = not weight.isdigit() or (int(weight) >= _BOLD) == is_bold
+        # The upper half of an index is an instance of a variable font, which reportlab does not know.
+        if index.isdigit() and int(index) < 1 << 16:
+            fonts.append((not has_weight, path, int(index)))
+    return [(path, index) for _, path, index in sorted(fonts)]
 
 
 def plain_face(is_bold: bool) -> Face:
@@ -142,13 +197,21 @@ def plain_face(is_bold: bool) -> Face:
 @cache
 def _load(file: str) -> Face | None:
     for path in (*_paths_in_packages(file), file):
-        try:
-            font = TTFont(file, path)
-        except (TTFError, OSError):
-            continue  # not installed on this machine
-        pdfmetrics.registerFont(font)
-        return Face(file, str(font.face.filename), font.face.charToGlyph)
+        face = _load_file(file, path, 0)
+        if face is not None:
+            return face
     return None
+
+
+@cache
+def _load_file(name: str, path: str, index: int) -> Face | None:
+    """Return a font of a file, registered in reportlab; None if it is not on this machine, or no TrueType font."""
+    try:
+        font = TTFont(name, path, subfontIndex=index)
+    except (TTFError, OSError):
+        return None
+    pdfmetrics.registerFont(font)
+    return Face(name, str(font.face.filename), index, font.face.charToGlyph)
 
 
 def _paths_in_packages(file: str) -> Iterator[str]:

@@ -36,8 +36,8 @@ def png_bytes(picture: Picture) -> bytes:
 
 
 @cache
-def _face(path: str, size: float) -> ImageFont.FreeTypeFont:
-    return ImageFont.truetype(path, size, layout_engine=ImageFont.Layout.BASIC)
+def _face(path: str, index: int, size: float) -> ImageFont.FreeTypeFont:
+    return ImageFont.truetype(path, size, index, layout_engine=ImageFont.Layout.BASIC)
 
 
 class _Painter:
@@ -92,7 +92,7 @@ class _Painter:
 
     def _draw_text(self, text: Text) -> None:
         for face, x, part in text.font.placed_runs(text.x, text.text):
-            font = _face(face.path, text.font.size * self._scale)
+            font = _face(face.path, face.index, text.font.size * self._scale)
             place = x * self._scale, text.y * self._scale
             self._image.text(place, part, fill=text.color, font=font, anchor="ls")
 

@@ -1,4 +1,9 @@
-"""A picture as SVG. Text stays text, in fonts of whoever looks at it; each group has its description as a title."""
+"""A picture as SVG. Text stays text, in fonts of whoever looks at it; each group has its description as a title.
+
+It is written here and not by `reportlab.graphics.renderSVG`, whose groups have neither a title, which viewers show as a
+tooltip, nor an attribute, by which the web page finds a frame. It also names the one font of a text, without others for
+whoever lacks it, fills open lines, and turns each text by a transformation because its axis points upwards.
+"""
 
 from __future__ import annotations
 

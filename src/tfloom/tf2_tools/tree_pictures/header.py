@@ -15,13 +15,14 @@ from tfloom.tf2_tools.drawing.colors import (
     TEXT,
     TITLE,
 )
-from tfloom.tf2_tools.drawing.fonts import EXTRA, missing_letters
+from tfloom.tf2_tools.drawing.fonts import missing_letters
 from tfloom.tf2_tools.drawing.shapes import Box, Path, Pen, Shape, Text
 from tfloom.tf2_tools.text.times import utc_text
 from tfloom.tf2_tools.tree_pictures.records import NO_DATA
 from tfloom.tf2_tools.tree_pictures.tree import FrameTree
 
 HEADING = "view_frames Result"
+HOW_TO_GET_FONTS = "install one, such as WenQuanYi Micro Hei (fonts-wqy-microhei)"
 MARGIN = 28.0
 SAMPLE = 20.0
 """Length of a line in the legend."""
@@ -58,7 +59,7 @@ def missing_note(tree: FrameTree) -> str:
         return ""
     codes = " ".join(f"U+{ord(letter):04X}" for letter in missing[:4])
     more = f" and {len(missing) - 4} more" if len(missing) > 4 else ""
-    return f"No font here has {codes}{more}, written as escapes: pip install '{EXTRA}'"
+    return f"No TrueType font here has {codes}{more}, written as escapes: {HOW_TO_GET_FONTS}"
 
 
 class Header:
