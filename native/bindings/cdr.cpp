@@ -77,8 +77,8 @@ PyType_Slot plan_slots[] = {{Py_tp_traverse, reinterpret_cast<void*>(&traverse_p
 
 template <class Visit>
 int for_each_hook(MessageHooks& hooks, Visit&& visit) {
-  for (nb::object* hook : {&hooks.compile, &hooks.convert, &hooks.check, &hooks.check_names, &hooks.encode_error,
-                           &hooks.decode_error}) {
+  for (nb::object* hook : {&hooks.compile, &hooks.convert, &hooks.check, &hooks.check_names, &hooks.warn_names,
+                           &hooks.encode_error, &hooks.decode_error}) {
     if (const int result = visit(*hook)) return result;
   }
   return 0;
@@ -111,14 +111,14 @@ void bind_message_hooks(nb::module_& m) {
   m.def(
       "set_message_hooks",
       [module = nb::handle(m)](nb::object compile, nb::object convert, nb::object check, nb::object check_names,
-                               nb::object encode_error, nb::object decode_error) {
+                               nb::object warn_names, nb::object encode_error, nb::object decode_error) {
         const nb::object hooks = nb::cast(MessageHooks{std::move(compile), std::move(convert), std::move(check),
-                                                       std::move(check_names), std::move(encode_error),
-                                                       std::move(decode_error)});
+                                                       std::move(check_names), std::move(warn_names),
+                                                       std::move(encode_error), std::move(decode_error)});
         set_message_hooks(nb::inst_ptr<MessageHooks>(hooks));
         module.attr("_message_hooks") = hooks;
       },
-      "compile"_a, "convert"_a, "check"_a, "check_names"_a, "encode_error"_a, "decode_error"_a,
+      "compile"_a, "convert"_a, "check"_a, "check_names"_a, "warn_names"_a, "encode_error"_a, "decode_error"_a,
       "Set the functions that compile classes, convert arrays and check fields, and the errors that the codec raises.");
 }
 

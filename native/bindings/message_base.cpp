@@ -53,14 +53,15 @@ nb::object convert(PyObject* self, const ObjectPlan::Slot& slot, const nb::objec
   return message_hooks().convert(class_of(self), slot.name, value);
 }
 
-void take_check_fields(PyObject* self, PyObject* kwargs) {
+// Take `check_fields` from the keywords; return how many of them that is.
+Py_ssize_t take_check_fields(PyObject* self, PyObject* kwargs) {
   static PyObject* const key = PyUnicode_InternFromString("check_fields");
   bool check = check_by_default();
-  if (PyObject* given = kwargs == nullptr ? nullptr : PyDict_GetItemWithError(kwargs, key); given != nullptr) {
-    if (given != Py_None) check = PyObject_IsTrue(given) == 1;
-  }
+  PyObject* const given = kwargs == nullptr ? nullptr : PyDict_GetItemWithError(kwargs, key);
+  if (given != nullptr && given != Py_None) check = PyObject_IsTrue(given) == 1;
   if (PyErr_Occurred() != nullptr) throw nb::python_error();
   reinterpret_cast<MessageObject*>(self)->check_fields = check;
+  return given != nullptr ? 1 : 0;
 }
 
 void init(PyObject* self, PyObject* args, PyObject* kwargs) {
@@ -69,7 +70,7 @@ void init(PyObject* self, PyObject* args, PyObject* kwargs) {
   }
   const ObjectPlan& plan = plan_of(Py_TYPE(self));
   plan.pool.tag(self);
-  take_check_fields(self, kwargs);
+  Py_ssize_t known = take_check_fields(self, kwargs);
   const bool check = reinterpret_cast<MessageObject*>(self)->check_fields != 0;
   if (check && kwargs != nullptr) message_hooks().check_names(class_of(self), nb::borrow(kwargs));
   for (std::size_t i = 0; i < plan.slots.size(); ++i) {
@@ -80,9 +81,13 @@ void init(PyObject* self, PyObject* args, PyObject* kwargs) {
       put(self, plan.offsets[i], initial_value(plan, i));
       continue;
     }
+    ++known;
     const auto value = convert(self, slot, nb::borrow(given));
     if (check) message_hooks().check(class_of(self), slot.name, value);
     put(self, plan.offsets[i], value);
+  }
+  if (kwargs != nullptr && PyDict_GET_SIZE(kwargs) > known) {
+    message_hooks().warn_names(class_of(self), nb::borrow(kwargs));
   }
 }
 

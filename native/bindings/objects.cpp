@@ -57,9 +57,10 @@ ObjectSink::Value ObjectSink::octet(std::uint8_t value) {
 
 namespace {
 
+// Whether a text is ASCII without a NUL.
 bool is_ascii(std::string_view text) noexcept {
   unsigned char all = 0;
-  for (const char octet : text) all |= static_cast<unsigned char>(octet);
+  for (const char octet : text) all |= static_cast<unsigned char>(octet | (octet - 1));  // 0 - 1 has the high bit, too
   return all < 0x80;
 }
 
@@ -72,6 +73,8 @@ ObjectSink::Value ObjectSink::string(std::string_view text, std::size_t offset) 
     if (!text.empty()) std::memcpy(PyUnicode_1BYTE_DATA(object.ptr()), text.data(), text.size());
     return object;
   }
+  // rclpy's texts end before their first NUL. The files in a real node's GetTypeDescription have one behind them.
+  text = text.substr(0, text.find('\0'));
   PyObject* object = PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "strict");
   if (object != nullptr) return nb::steal(object);
   if (PyErr_ExceptionMatches(PyExc_UnicodeDecodeError) == 0) throw nb::python_error();

@@ -45,6 +45,7 @@ struct MessageHooks {
   nb::object convert;       // (class, name, value) -> numeric array
   nb::object check;         // (class, name, value) -> None, or raises AssertionError
   nb::object check_names;   // (class, kwargs) -> None, or raises AssertionError
+  nb::object warn_names;    // (class, kwargs) -> None
   nb::object encode_error;  // exception classes
   nb::object decode_error;
 

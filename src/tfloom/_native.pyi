@@ -293,7 +293,7 @@ def decode(message_class: type, data: object) -> Any:
     Return a message of `message_class`, decoded from encapsulation header and CDR.
     """
 
-def set_message_hooks(compile: object, convert: object, check: object, check_names: object, encode_error: object, decode_error: object) -> None:
+def set_message_hooks(compile: object, convert: object, check: object, check_names: object, warn_names: object, encode_error: object, decode_error: object) -> None:
     """
     Set the functions that compile classes, convert arrays and check fields, and the errors that the codec raises.
     """

@@ -23,7 +23,7 @@ from tfloom.interfaces.sensor_msgs.msg import Image, JointState, PointCloud2, Po
 from tfloom.interfaces.shape_msgs.msg import SolidPrimitive
 from tfloom.interfaces.std_msgs.msg import Bool, Byte, ColorRGBA, Empty, Header, Int8, String, UInt64
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
-from tfloom.interfaces.type_description_interfaces.msg import FieldType
+from tfloom.interfaces.type_description_interfaces.msg import FieldType, TypeSource
 from tfloom.rosidl import cdr
 from tfloom.rosidl.message import Message
 from tfloom.rosidl.registry import get_message_class
@@ -300,7 +300,7 @@ def test_damaged_bytes_are_decoded_or_rejected(name: str) -> None:
 
 
 finite = st.floats(allow_nan=False)
-text = st.text(st.characters(blacklist_categories=["Cs"]))
+text = st.text(st.characters(blacklist_categories=["Cs"], blacklist_characters="\0"))
 
 
 @settings(deadline=None, max_examples=200)
@@ -316,3 +316,20 @@ def test_decode_undoes_encode(rows: list[tuple[str, int, int, float, float]]) ->
         transform.transform.rotation.w = w
         message.transforms.append(transform)
     assert cdr.decode(TFMessage, cdr.encode(message)) == message
+
+
+@pytest.mark.parametrize(
+    ("octets", "text"),
+    [
+        (b"\4\0\0\0a\0b\0", "a"),
+        (b"\3\0\0\0a\0\0", "a"),
+        (b"\2\0\0\0\0\0", ""),
+        (b"\5\0\0\0\xc3\xa9\0\xff\0", "é"),
+    ],
+)
+def test_a_text_ends_before_its_first_nul(octets: bytes, text: str) -> None:
+    """As in rclpy: the contents of files in a real node's GetTypeDescription have one behind them."""
+    assert cdr.decode(String, LE + octets).data == text
+    empty = b"\1\0\0\0\0\0\0\0"
+    source = cdr.decode(TypeSource, LE + empty + empty + octets)
+    assert source.raw_file_contents == text

@@ -190,6 +190,26 @@ def test_equality_compares_fields_and_class() -> None:
     assert JointState(position=[1.0]) != JointState(position=[1.0, 2.0])
 
 
+def test_an_unknown_keyword_warns_once_and_names_the_line() -> None:
+    class_text = "std_msgs/msg/UInt8 has no field"
+    with pytest.warns(
+        UserWarning, match=f"{class_text} 'dat', so this keyword is ignored; its fields are data"
+    ) as caught:
+        assert std_msgs.UInt8(dat=1) == std_msgs.UInt8()
+    assert [warning.filename for warning in caught] == [__file__]
+    std_msgs.UInt8(dat=1)  # warnings are errors here
+    std_msgs.UInt8(data=1, check_fields=None)
+    std_msgs.UInt8(date=1, check_fields=False)
+    with pytest.warns(UserWarning, match=f"{class_text} 'date'"):
+        std_msgs.UInt8(dat=1, date=1)
+    with pytest.warns(UserWarning, match="std_msgs/msg/Int8 has no field 'dat'"):
+        std_msgs.Int8(dat=1)
+    with pytest.warns(
+        UserWarning, match="std_msgs/msg/Empty has no field 'a', so this keyword is ignored; it has no"
+    ):
+        std_msgs.Empty(a=1)
+
+
 @pytest.mark.parametrize(
     ("make", "text"),
     [

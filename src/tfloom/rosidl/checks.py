@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import warnings
 from array import array
 from collections.abc import Collection
 from typing import Any
@@ -19,6 +20,9 @@ if TYPE_CHECKING:
 # The largest finite numbers, in the reference's spelling.
 _FLOAT_LIMITS = {"float32": ("float", "3.402823466e+38"), "float64": ("double", "1.7976931348623157e+308")}
 
+_warned: set[tuple[type[MessageClass], str]] = set()
+"""The keywords that `warn_of_unknown_names` has warned of, by class. Changed by single operations."""
+
 
 def check_names(cls: type[MessageClass], kwargs: dict[str, object]) -> None:
     """Check that all keywords are fields of the class.
@@ -29,6 +33,24 @@ def check_names(cls: type[MessageClass], kwargs: dict[str, object]) -> None:
     unknown = sorted(name for name in kwargs if name not in cls._FIELDS and name != "check_fields")
     if unknown:
         raise AssertionError(f"Invalid arguments passed to constructor: {', '.join(unknown)}")
+
+
+def warn_of_unknown_names(cls: type[MessageClass], kwargs: dict[str, object]) -> None:
+    """Warn of keywords that are no fields of the class and are therefore ignored, of each once.
+
+    To be called by the constructor of the class, so that the warning names the line that calls this. No warning follows
+    where `check_fields=False` says that none is wanted.
+    """
+    if kwargs.get("check_fields") is False:
+        return
+    for name in kwargs:
+        if name in cls._FIELDS or name == "check_fields" or (cls, name) in _warned:
+            continue
+        _warned.add((cls, name))
+        fields = f"its fields are {', '.join(cls._FIELDS)}" if cls._FIELDS else "it has no fields"
+        warnings.warn(
+            f"{cls._TYPE_NAME} has no field '{name}', so this keyword is ignored; {fields}", stacklevel=3
+        )
 
 
 def check_field(cls: type[MessageClass], name: str, value: Any) -> None:

@@ -153,6 +153,12 @@ def _check_names(cls: type[Message], kwargs: dict[str, object]) -> None:
     check_names(cls, kwargs)
 
 
+def _warn_names(cls: type[Message], kwargs: dict[str, object]) -> None:
+    from tfloom.rosidl.checks import warn_of_unknown_names
+
+    warn_of_unknown_names(cls, kwargs)
+
+
 class EncodeError(ValueError):
     """A message holds a value that does not fit its field's type. The text starts with the field's path."""
 
@@ -177,6 +183,7 @@ set_message_hooks(
     convert=_convert,
     check=_check,
     check_names=_check_names,
+    warn_names=_warn_names,
     encode_error=EncodeError,
     decode_error=DecodeError,
 )
