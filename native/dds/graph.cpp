@@ -5,6 +5,7 @@
 #include "dds/serdata.hpp"
 #include "rtps/announcements.hpp"
 #include "rtps/message.hpp"
+#include "rtps/service_forms.hpp"
 
 namespace tfloom::dds {
 namespace {
@@ -130,6 +131,7 @@ void Graph::update_participants() {
     const Gid gid = to_gid(sample.key.octets);
     if (!is_alive) {
       participants_.erase(gid);
+      rtps::ServiceForms::of_process().forget(rtps::prefix_of(gid));  // it has said so, or its lease has ended
       return;
     }
     ParticipantInfo& info = participants_[gid];

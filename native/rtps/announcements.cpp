@@ -130,6 +130,11 @@ void Addresses::forget(const GuidPrefix& participant) {
   if (const auto known = known_.find(participant); --known->second == 0) known_.erase(known);
 }
 
+void Addresses::erase(const GuidPrefix& participant) {
+  if (known_.erase(participant) == 0) return;
+  participants_.erase_if([&](const Address&, const GuidPrefix& receiver) { return receiver == participant; });
+}
+
 std::optional<GuidPrefix> Addresses::participant_at(const Address& address) const {
   const GuidPrefix* const participant = participants_.find(address);
   if (participant == nullptr) return std::nullopt;

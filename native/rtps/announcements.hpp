@@ -36,6 +36,9 @@ class Addresses {
   // Read what `source` announces of itself in a submessage to the built-in readers; ignore all others.
   void read(const GuidPrefix& source, const Data& data);
 
+  // Forget the addresses of a participant that has left.
+  void erase(const GuidPrefix& participant);
+
   // Return the participant that receives at an address, or nullopt if none has announced it.
   [[nodiscard]] std::optional<GuidPrefix> participant_at(const Address& address) const;
 
@@ -55,6 +58,9 @@ class Versions {
  public:
   // Read what `source` announces in a submessage to the built-in readers; ignore all others.
   void read(const GuidPrefix& source, const Data& data);
+
+  // Forget the version of a participant that has left.
+  void erase(const GuidPrefix& participant) { versions_.erase(participant); }
 
   // Return the version of a participant, as 11.0.1; empty if it has not announced one.
   [[nodiscard]] std::string of(const GuidPrefix& participant) const;

@@ -62,7 +62,24 @@ class RecentMap {
   // Remove each entry of which `is_over(key, value)` is true.
   template <typename Predicate>
   void erase_if(Predicate is_over) {
-    for (auto entry = entries_.begin(); entry != entries_.end();) {
+    erase_if(entries_.begin(), entries_.end(), is_over);
+  }
+
+  // The same, of the keys in [first, last].
+  template <typename Predicate>
+  void erase_range_if(const Key& first, const Key& last, Predicate is_over) {
+    erase_if(entries_.lower_bound(first), entries_.upper_bound(last), is_over);
+  }
+
+ private:
+  struct Entry {
+    Value value{};
+    typename std::list<Key>::iterator place{};  // in uses_
+  };
+
+  template <typename Iterator, typename Predicate>
+  void erase_if(Iterator entry, Iterator end, Predicate& is_over) {
+    while (entry != end) {
       if (is_over(entry->first, entry->second.value)) {
         uses_.erase(entry->second.place);
         entry = entries_.erase(entry);
@@ -72,15 +89,10 @@ class RecentMap {
     }
   }
 
- private:
-  struct Entry {
-    Value value{};
-    typename std::list<Key>::iterator place{};  // in uses_
-  };
-
   std::size_t max_size_;
   std::map<Key, Entry> entries_;
-  std::list<Key> uses_;  // the last used one at the end
+  // The last used one at the end. It has a copy of each key, because what entries_ holds can't hold its iterators.
+  std::list<Key> uses_;
 };
 
 }  // namespace tfloom::rtps

@@ -105,6 +105,17 @@ void append_gap(std::vector<std::byte>& out, const Data& data, const EntityId& r
   store_sequence_number(at + 20, data.sequence_number + 1);
 }
 
+// Return the inline QoS that names a related sample, with its sentinel.
+std::array<std::byte, 32> related_identity(const Related& related) {
+  std::array<std::byte, 32> list{};
+  store(list.data(), related_sample_id);
+  store(list.data() + 2, static_cast<std::uint16_t>(related_sample_size));
+  std::memcpy(list.data() + 4, related.gid.data(), related.gid.size());
+  store_sequence_number(list.data() + 20, related.sequence_number);
+  store(list.data() + 28, sentinel_id);
+  return list;
+}
+
 // Erase the smallest keys, which are sequence numbers.
 template <typename Map>
 void erase_oldest(Map& map, std::size_t most) {
@@ -392,6 +403,28 @@ bool ServiceForms::knows(const GuidPrefix& participant) {
   return addresses_.knows(participant);
 }
 
+void ServiceForms::forget(const GuidPrefix& participant) {
+  const Gid first = gid_of(participant, EntityId{});
+  const Gid last = gid_of(participant, EntityId{0xff, 0xff, 0xff, 0xff});
+  const std::lock_guard lock(mutex_);
+  addresses_.erase(participant);
+  versions_.erase(participant);
+  beginnings_.erase_range_if(first, last, [](const Gid&, const Beginning&) { return true; });
+  keys_.erase_range_if(first, last, [this](const Gid&, const auto& key) { return inline_clients_.erase(key) != 0; });
+  for (const auto& [gid, end] : ends_by_writer_) {
+    if (end->is_client_) continue;
+    // Which request of a writer was taken last matters while others wait.
+    end->taken_.erase_range_if(first, last, [this](const Gid& writer, auto) { return requests_.find(writer) == nullptr; });
+  }
+}
+
+std::size_t ServiceForms::remembered() {
+  const std::lock_guard lock(mutex_);
+  std::size_t count = beginnings_.size() + keys_.size() + inline_clients_.size() + requests_.size();
+  for (const auto& [gid, end] : ends_by_writer_) count += end->taken_.size() + end->responses_.size();
+  return count;
+}
+
 std::string ServiceForms::version_of(const GuidPrefix& participant) {
   const std::lock_guard lock(mutex_);
   return versions_.of(participant);
@@ -519,7 +552,8 @@ bool ServiceForms::append_rewritten(ServiceEnd& end, const GuidPrefix& participa
   // libddsc writes each response to every client of the service. The reader of a client on Fast DDS keeps ten samples
   // until they are taken: if other clients' responses filled it, they would replace the one that this client waits for,
   // and its call would never end.
-  if (!end.is_client_ && !is_awaited_by(participant, header)) {
+  const auto related = related_to(end, participant, header);
+  if (!related) {
     append_gap(out, data, octets_at<4>(submessage.octets, 8));
     return true;
   }
@@ -531,7 +565,7 @@ bool ServiceForms::append_rewritten(ServiceEnd& end, const GuidPrefix& participa
   const std::size_t start = out.size();
   append(out, submessage.octets.first(data.inline_qos_at));
   if (!data.inline_qos.empty()) append(out, data.inline_qos.first(data.inline_qos.size() - 4));
-  append(out, related_identity(end, header));
+  append(out, related_identity(*related));
   append(out, payload[0]);
   append(out, payload[1]);
   out[start + 1] |= std::byte{inline_qos_flag};
@@ -541,28 +575,14 @@ bool ServiceForms::append_rewritten(ServiceEnd& end, const GuidPrefix& participa
   return true;
 }
 
-// Return whether the client of a response is in this participant.
-bool ServiceForms::is_awaited_by(const GuidPrefix& participant, const ServiceHeader& response) const {
-  const auto client = inline_clients_.find(response.client);
-  return client != inline_clients_.end() && prefix_of(client->second) == participant;
-}
-
-// Return the inline QoS that names the related sample, with its sentinel. Of a request: the reader of its response. Of a
-// response: the request; `is_awaited_by` has found its client.
-std::array<std::byte, 32> ServiceForms::related_identity(const ServiceEnd& end, const ServiceHeader& header) const {
-  std::array<std::byte, 32> list{};
-  store(list.data(), related_sample_id);
-  store(list.data() + 2, static_cast<std::uint16_t>(related_sample_size));
-  Related related;
-  if (end.is_client_) {
-    related = {end.reader_, unknown_sequence_number};
-  } else if (const auto client = inline_clients_.find(header.client); client != inline_clients_.end()) {
-    related = {client->second, static_cast<std::uint64_t>(header.number)};
-  }
-  std::memcpy(list.data() + 4, related.gid.data(), related.gid.size());
-  store_sequence_number(list.data() + 20, related.sequence_number);
-  store(list.data() + 28, sentinel_id);
-  return list;
+// Return what a sample is related to, as its inline QoS names it. Of a request: the reader of its response. Of a response:
+// the request; nullopt if its client is not in the participant.
+std::optional<Related> ServiceForms::related_to(const ServiceEnd& end, const GuidPrefix& participant,
+                                                const ServiceHeader& header) const {
+  if (end.is_client_) return Related{end.reader_, unknown_sequence_number};
+  const auto client = inline_clients_.find(header.client);
+  if (client == inline_clients_.end() || prefix_of(client->second) != participant) return std::nullopt;
+  return Related{client->second, static_cast<std::uint64_t>(header.number)};
 }
 
 }  // namespace tfloom::rtps

@@ -148,6 +148,13 @@ class ServiceForms {
   // requests; nullopt for other clients.
   [[nodiscard]] std::optional<Gid> inline_client(const std::array<std::uint8_t, 8>& key);
 
+  // Forget what is remembered of a participant that has left, but for its samples that nobody has taken yet, because a
+  // reader may still hold them.
+  void forget(const GuidPrefix& participant);
+
+  // Return how much is remembered of other participants: writers, clients and their keys.
+  [[nodiscard]] std::size_t remembered();
+
   // Return whether the addresses of a participant are known, so that samples for it are rewritten.
   [[nodiscard]] bool knows(const GuidPrefix& participant);
 
@@ -194,8 +201,8 @@ class ServiceForms {
   bool append_request(const GuidPrefix& participant, const Submessage& acknack, std::vector<std::byte>& out) const;
   bool append_rewritten(ServiceEnd& end, const GuidPrefix& participant, const Submessage& submessage, const Data& data,
                         std::vector<std::byte>& out);
-  [[nodiscard]] bool is_awaited_by(const GuidPrefix& participant, const ServiceHeader& response) const;
-  std::array<std::byte, 32> related_identity(const ServiceEnd& end, const ServiceHeader& header) const;
+  std::optional<Related> related_to(const ServiceEnd& end, const GuidPrefix& participant,
+                                    const ServiceHeader& header) const;
 
   std::atomic<bool> is_abandoned_ = false;
   std::mutex mutex_;

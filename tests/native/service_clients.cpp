@@ -73,6 +73,11 @@ class Server {
     forms_.receive(buffer_, datagram.size());
   }
 
+  // The participant of a client leaves.
+  void forget(std::uint32_t client) { forms_.forget(prefix_of(gid_of_client(client, 0x03))); }
+
+  std::size_t remembered() { return forms_.remembered(); }
+
   bool take(std::uint32_t client, std::uint32_t number) {
     const auto header = end_->take_header(gid_of_client(client, 0x03), std::int64_t{number} * 1'000'000'000);
     if (header) last_key_ = header->client;
@@ -124,6 +129,26 @@ void serve_one_among_many() {
   check(server.take(client_count - 1, 1), "the last client is not remembered");
 }
 
+// A participant that leaves is forgotten; what it has sent before is still served.
+void serve_those_that_have_left() {
+  Server server;
+  server.receive(1, 1);
+  check(server.take(1, 1), "the request of a client that stays was lost");
+  const std::size_t before = server.remembered();
+  for (std::uint32_t client = 2; client < 1000; ++client) {
+    server.receive(client, 1);
+    server.receive(client, 2);
+    check(server.take(client, 1), "a first request was lost");
+    if (client % 2 == 0) check(server.take(client, 2), "a second request was lost");
+    server.forget(client);
+    check(server.take(client, 2) == (client % 2 != 0), "the request of a client that has left was lost, or came twice");
+    server.forget(client);
+  }
+  check(server.remembered() == before, "clients that have left are remembered");
+  server.receive(1, 2);
+  check(server.take(1, 2), "a request of the client that stays was lost");
+}
+
 // One client that sends without end displaces its own requests.
 void serve_another_beside_a_flood() {
   Server server;
@@ -144,6 +169,7 @@ int main() {
   serve_all_that_come();
   serve_one_among_many();
   serve_another_beside_a_flood();
+  serve_those_that_have_left();
   std::printf("service clients: %d faults\n", faults);
   return faults == 0 ? 0 : 1;
 }

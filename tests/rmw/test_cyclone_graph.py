@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import sys
 from itertools import pairwise
 from pathlib import Path
 from types import SimpleNamespace
@@ -11,7 +12,14 @@ from typing import Any
 
 import pytest
 
-from tfloom._native import DdsParticipant, DdsWriter, ReadyQueue
+from tfloom._native import (
+    DdsParticipant,
+    DdsWriter,
+    ReadyQueue,
+    dds_knows_address,
+    dds_read_versions,
+    dds_version,
+)
 from tfloom.rmw import node_lists
 from tfloom.rmw.base import NodeName, Service, Topic
 from tfloom.rmw.cyclone_config import configuration
@@ -290,3 +298,26 @@ def test_participants_of_fast_dds_are_late_until_their_lists_and_ends_arrive(
     known = [(participant, user_data, told if has_list else b""), (OTHER_FAST, b"enclave=/;", NO_NODES)]
     graph._native = SimpleNamespace(snapshot=lambda: (known, []))
     assert len(graph._read(1).late) == late
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="datagrams are read on Linux alone")
+@pytest.mark.parametrize("is_killed", [False, True])
+@pytest.mark.usefixtures("short_lease")
+def test_what_a_participant_announced_is_forgotten_when_it_leaves(
+    participant, start_peer, wait_until, is_killed: bool
+) -> None:
+    """When it says so, and when its lease ends."""
+    dds_read_versions()
+    peer = start_peer()
+
+    def remembered() -> list[bytes]:
+        others = [info.gid for info in participant.graph.participants() if not info.is_own]
+        return [gid for gid in others if dds_version(gid) and dds_knows_address(gid)]
+
+    wait_until(lambda: len(remembered()) == 1, what="the peer's announcement")
+    (gid,) = remembered()
+    if is_killed:
+        peer.program.process.kill()
+    else:
+        peer.program.process.stdin.close()
+    wait_until(lambda: not dds_version(gid) and not dds_knows_address(gid), what="the peer's departure")
