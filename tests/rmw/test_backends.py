@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from importlib import import_module
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -40,18 +41,26 @@ def test_cyclone_replaces_fast_dds_with_one_message(monkeypatch, capsys) -> None
 
 
 @pytest.mark.parametrize(
-    ("variable", "platform", "passing"),
+    ("variable", "platform", "processor", "passing"),
     [
-        ("", "linux", "topics and services pass between the two"),
-        ("0", "linux", "services don't, because TFLOOM_FASTDDS_SERVICES is 0"),
-        ("", "darwin", "services don't, because they are translated on Linux only"),
+        ("", "linux", "x86_64", "topics and services pass between the two"),
+        ("", "linux", "aarch64", "topics and services pass between the two"),
+        ("0", "linux", "x86_64", "services don't, because TFLOOM_FASTDDS_SERVICES is 0"),
+        ("", "darwin", "arm64", "services don't, because they are translated on Linux only"),
+        (
+            *("", "linux", "riscv64"),
+            "services don't, because they are translated on x86_64 and aarch64 only, and this is riscv64",
+        ),
     ],
 )
-def test_stand_in_says_whether_services_pass(monkeypatch, capsys, variable, platform, passing) -> None:
+def test_stand_in_says_whether_services_pass(
+    monkeypatch, capsys, variable, platform, processor, passing
+) -> None:
     monkeypatch.setattr(backends, "_reported_replacements", set())
     monkeypatch.setenv("RMW_IMPLEMENTATION", "rmw_fastrtps_cpp")
     monkeypatch.setenv("TFLOOM_FASTDDS_SERVICES", variable)
     monkeypatch.setattr(backends.sys, "platform", platform)
+    monkeypatch.setattr(backends.os, "uname", lambda: SimpleNamespace(machine=processor), raising=False)
     assert backends.implementation_identifier() == "rmw_cyclonedds_cpp"
     assert capsys.readouterr().err.endswith(f"{passing}\n")
 

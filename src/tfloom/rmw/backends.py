@@ -27,6 +27,9 @@ STAND_INS = {
 }
 """Wires that are not implemented, and the interoperable one that is used instead."""
 
+TRANSLATING_PROCESSORS = ("x86_64", "aarch64")
+"""The processors of Linux on which services pass between libddsc and Fast DDS; see `native/dds/imports.cpp`."""
+
 DEFAULT = "rmw_cyclonedds_cpp"
 LARGEST_DOMAIN_ID = 232
 
@@ -78,7 +81,11 @@ def _untranslated() -> str:
 
     if os.environ.get(TRANSLATION_VARIABLE) == "0":
         return f"{TRANSLATION_VARIABLE} is 0"
-    return "" if sys.platform == "linux" else "they are translated on Linux only"
+    if sys.platform != "linux":
+        return "they are translated on Linux only"
+    if (processor := os.uname().machine) not in TRANSLATING_PROCESSORS:
+        return f"they are translated on {' and '.join(TRANSLATING_PROCESSORS)} only, and this is {processor}"
+    return ""
 
 
 def is_installed(name: str) -> bool:
