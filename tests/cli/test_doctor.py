@@ -91,7 +91,7 @@ def test_report_flags_print_details() -> None:
     [
         (("daemon", "status"), 0, "There is no daemon"),
         (("daemon", "start", "--debug"), 0, "There is no daemon"),
-        (("component", "list", "--containers-only"), 1, "Components are C++"),
+        (("component", "types", "composition"), 1, "Components are C++"),
     ],
 )
 def test_unneeded_commands_print_an_explanation(words: tuple[str, ...], exit_code: int, said: str) -> None:

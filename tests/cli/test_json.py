@@ -54,12 +54,14 @@ ASKED = {
 }
 """What each verb is asked; its answer is never empty."""
 ELSEWHERE = {
+    "component list": "tests/cli/test_component.py",
     "service echo": "tests/cli/test_service.py",
     "tf diff": "tests/cli/test_tf_statics.py",
     "tf doctor": "tests/tf2_tools/doctor/test_command.py",
     "tf explain": "tests/cli/test_tf_explain.py",
 }
 WITHOUT = {
+    **dict.fromkeys(["component load", "component unload"], "changes something"),
     **dict.fromkeys(["action send_goal", "service call", "topic pub", "demo", "run"], "does something"),
     **dict.fromkeys(
         ["param delete", "param load", "param set", "lifecycle set", "pkg create", "interface stubs"],
@@ -73,7 +75,8 @@ WITHOUT = {
     "tf publish": "publishes until Ctrl-C",
     **dict.fromkeys(["topic bw", "topic delay", "topic hz"], "reports until Ctrl-C"),
     **dict.fromkeys(
-        ["daemon start", "daemon status", "daemon stop", "component", "launch"], "prints a sentence"
+        ["daemon start", "daemon status", "daemon stop", "component standalone", "component types", "launch"],
+        "prints a sentence",
     ),
     **dict.fromkeys(
         ["interface proto", "interface show", "pkg prefix", "pkg xml"], "prints a text of its own form"

@@ -15,9 +15,7 @@ USAGES: dict[str, str | None] = json.loads(
     (Path(__file__).parents[1] / "golden" / "cli_usage.json").read_text("utf-8")
 )
 
-NOT_HERE = {
-    **dict.fromkeys(["component list", "component load"], "`component` says that it needs C++"),
-}
+NOT_HERE = {}
 """Verbs that ros2 has and we don't, each with its reason."""
 
 

@@ -150,6 +150,14 @@ def _lifecycle_nodes(_: argparse.Namespace) -> list[str]:
         return lifecycle_nodes(found, hidden=False)
 
 
+def _containers(_: argparse.Namespace) -> list[str]:
+    from tfloom.cli import graph
+    from tfloom.cli.component.common import container_names
+
+    with graph.settled_graph(argparse.Namespace(spin_time=MOST_S)) as found:
+        return container_names(found)
+
+
 def _transitions(args: argparse.Namespace) -> list[str]:
     """Return the transitions that are available on the node."""
     from tfloom.cli.lifecycle.common import lifecycles
@@ -208,6 +216,7 @@ _OFFERS: dict[tuple[str, ...], Callable[[argparse.Namespace], Iterable[str]]] = 
     ("source_frame",): _frames,
     ("transition",): _transitions,
     ("lifecycle", "node_name"): _lifecycle_nodes,
+    ("container_node_name",): _containers,
     ("node_name",): _nodes,
     ("package_name",): _packages,
     ("run", "package_name"): _packages_with_programs,

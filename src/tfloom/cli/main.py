@@ -38,7 +38,16 @@ COMMANDS: dict[str, str | Group] = {
             "reindex": "Reconstruct metadata file for a bag",
         },
     ),
-    "component": "Explain that components need C++",
+    "component": Group(
+        "Inspect the containers of components that others run, and load components into them",
+        {
+            "list": "List the containers and the components in them",
+            "load": "Load a component into a container",
+            "standalone": "Explain that a container needs C++",
+            "types": "Explain that components need C++",
+            "unload": "Unload components from a container",
+        },
+    ),
     "daemon": Group(
         "Explain that there is no daemon, and that none is needed",
         {

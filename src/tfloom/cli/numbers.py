@@ -113,6 +113,15 @@ def whole(text: str) -> int:
     return value
 
 
+def unsigned(text: str) -> int:
+    """Return a whole number of 64 bits that isn't negative.
+
+    Raises:
+        argparse.ArgumentTypeError: it is none.
+    """
+    return _whole(text, 0, 2 * INT64_END - 1)
+
+
 def _number(text: str) -> float:
     try:
         return float(text)

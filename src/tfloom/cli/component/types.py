@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli.errors import CommandError
+from tfloom.cli.component.explained import needs_cpp
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -13,7 +13,5 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def main(_: argparse.Namespace) -> int:
-    """Print why there are no components."""
-    raise CommandError(
-        "Components are C++ libraries that a C++ container loads; tfloom runs Python nodes, each by `run`."
-    )
+    """Raise the explanation."""
+    raise needs_cpp()

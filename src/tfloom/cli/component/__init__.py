@@ -1,0 +1,1 @@
+"""`component`: the nodes that containers hold."""

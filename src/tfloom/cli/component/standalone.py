@@ -1,0 +1,17 @@
+"""Explain that a container needs C++."""
+
+from __future__ import annotations
+
+import argparse
+
+from tfloom.cli.component.explained import needs_cpp
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Accept all arguments of ros2's verb."""
+    parser.add_argument("argv", nargs=argparse.REMAINDER, help="accepted and not used")
+
+
+def main(_: argparse.Namespace) -> int:
+    """Raise the explanation."""
+    raise needs_cpp()
