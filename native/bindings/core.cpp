@@ -55,6 +55,8 @@ void bind_core(nb::module_& m) {
         "Block every other thread for ever at the end of its wait, and where Python would end it, from now on.\n\n"
         "Called at the end of the program, because Python would end threads inside native calls, and the process with "
         "them. Registered with `atexit`; calling it again does nothing.");
+  m.def("block_if_ending", &block_if_ending,
+        "Block this thread for ever if `block_waits_at_exit` was called on another one.");
   nb::module_::import_("atexit").attr("register")(m.attr("block_waits_at_exit"));
 
   nb::class_<Sink>(m, "Sink", "A receiver of serialized samples that needs no Python; see `Reader.feed`.")

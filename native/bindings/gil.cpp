@@ -130,6 +130,12 @@ void block_waits_at_exit() {
   PyEval_RestoreThread(state);
 }
 
+void block_if_ending() {
+  if (!is_ending() || depth > 0) return;
+  PyEval_SaveThread();
+  block_forever();
+}
+
 void count_threads_anew_in_forks() {
 #ifndef _WIN32
   pthread_atfork(nullptr, nullptr, [] { users = depth; });

@@ -14,8 +14,8 @@
 // they have begun.
 //
 // While the functions of `atexit` run, a thread may hold a lock of Python's that they need, to close the wires. So it goes
-// on until then, but for the end of a wait, where it holds none: a spin on a daemon thread would else raise an exception
-// because its context has been closed.
+// on until then, but for the end of a wait, where it holds none, and the end of a spin: on a daemon thread it would else
+// raise an exception, because its context has been closed.
 //
 // Python's functions for this are called here only: tests/architecture.py checks it.
 #pragma once
@@ -77,6 +77,10 @@ class ClosedWithoutGil : public Closable {
 // that has begun; one that takes longer goes on. Calling it again does nothing. Must be called with the GIL held, on the
 // thread that ends the interpreter.
 void block_waits_at_exit();
+
+// Block this thread for ever if the interpreter is ending on another thread, unless this one is inside an AcquiredGil. Must
+// be called with the GIL held, where the caller holds no lock that closing a wire needs.
+void block_if_ending();
 
 // From now on, a fork of this process counts only the thread that it has. Must be called once.
 void count_threads_anew_in_forks();

@@ -15,6 +15,11 @@ def block_waits_at_exit() -> None:
     Called at the end of the program, because Python would end threads inside native calls, and the process with them. Registered with `atexit`; calling it again does nothing.
     """
 
+def block_if_ending() -> None:
+    """
+    Block this thread for ever if `block_waits_at_exit` was called on another one.
+    """
+
 class Sink:
     """
     A receiver of serialized samples that needs no Python; see `Reader.feed`.

@@ -64,7 +64,7 @@ def faults_of(numbers: Iterator[int], domain_id: int, wait_s: float = 0.0) -> tu
         return found
 
     numbers_left = _Shared(numbers)
-    workers = 2 * (os.cpu_count() or 1)
+    workers = 5 * (os.cpu_count() or 1)  # most wait for a long callback
     with ThreadPoolExecutor(workers) as pool:
         ends = [end for ends in pool.map(run, range(workers)) for end in ends]
     return len(ends), [end for end in ends if end is not None]

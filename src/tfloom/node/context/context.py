@@ -27,6 +27,7 @@ from tfloom.node.values.exceptions import (
     ROSInterruptException,
 )
 from tfloom.node.values.handle import Handle
+from tfloom.rmw.errors import ClosedError
 
 if TYPE_CHECKING:
     from typing_extensions import Self
@@ -198,9 +199,9 @@ class Context:
         return self._interrupted
 
     def explains(self, error: BaseException) -> bool:
-        """Return whether an error is a consequence of the context being shut down by a signal."""
-        return self._interrupted and isinstance(
-            error, (RCLError, NotInitializedException, ROSInterruptException)
+        """Return whether an error follows from the context being shut down by a signal, or at the program's end."""
+        return (self._interrupted or _is_ending) and isinstance(
+            error, (RCLError, NotInitializedException, ROSInterruptException, ClosedError)
         )
 
     def shutdown(self) -> None:
@@ -413,6 +414,8 @@ if hasattr(os, "register_at_fork"):
     os.register_at_fork(after_in_child=_inherit_all)
 
 _will_close_at_exit = False
+_is_ending = False
+"""Whether the program's end has begun to close all contexts."""
 
 
 def _close_at_exit() -> None:
@@ -427,6 +430,8 @@ def _close_at_exit() -> None:
 def _destroy_all() -> None:
     import signal
 
+    global _is_ending  # noqa: PLW0603  # once a process
+    _is_ending = True
     # Launchers send Ctrl-C to the process and to its group: the second one is ignored.
     if threading.current_thread() is threading.main_thread():
         signal.signal(signal.SIGINT, signal.SIG_IGN)

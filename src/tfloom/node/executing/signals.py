@@ -16,6 +16,7 @@ from enum import IntFlag
 from types import FrameType
 from typing import Any
 
+from tfloom._native import block_if_ending
 from tfloom.node.context.context import Context, live_contexts
 from tfloom.node.context.postponed_interrupt import postponed
 from tfloom.node.executing.guard_condition import GuardCondition
@@ -132,7 +133,12 @@ def _end_as_before_init(number: signal.Signals) -> None:
 
 
 def shutdown_exception() -> BaseException:
-    """Return what a spin raises after its context was shut down: KeyboardInterrupt if that is still to be raised."""
+    """Return what a spin raises after its context was shut down: KeyboardInterrupt if that is still to be raised.
+
+    Where the program's end has closed the context, a spin on a daemon thread ends with the program, without a
+    traceback.
+    """
+    block_if_ending()
     return KeyboardInterrupt() if postponed.take() else ExternalShutdownException()
 
 
