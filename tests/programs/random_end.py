@@ -35,6 +35,9 @@ PARTS = CHOICES.sample(
 )
 
 os.environ["RMW_IMPLEMENTATION"] = WIRE
+signal.signal(
+    signal.SIGINT, signal.default_int_handler
+)  # a shell's job in the background inherits that it is ignored
 
 import rclpy  # noqa: E402  # after the selection of the wire
 from example_interfaces.action import Fibonacci  # noqa: E402
