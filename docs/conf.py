@@ -3,7 +3,13 @@
 from __future__ import annotations
 
 import re
+import sys
+from pathlib import Path
 from typing import TYPE_CHECKING
+
+sys.path.insert(0, str(Path(__file__).parents[1]))  # for docs and tools, wherever the build is started
+
+from docs import rclpy_api
 
 from tfloom import __version__
 
@@ -19,7 +25,6 @@ copyright = "the tfloom developers, Apache-2.0"  # noqa: A001 Sphinx's name
 version = release = __version__
 
 extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinx.ext.viewcode"]
-exclude_patterns = ["rclpy_api_missing.txt"]
 html_theme = "furo"
 html_title = f"tfloom {__version__}"
 html_show_sphinx = False
@@ -86,7 +91,16 @@ def find_by_end(
     return make_refnode(app.builder, node["refdoc"], entry.docname, entry.node_id, content, name)
 
 
+def write_rclpy_api(app: Sphinx) -> None:
+    """Write the page of the recorded names, which is not kept, unless it is there with this text."""
+    path = Path(app.srcdir, "rclpy_api.md")
+    text = rclpy_api.page()
+    if not path.is_file() or path.read_text("utf-8") != text:  # otherwise Sphinx reads it again
+        path.write_text(text, "utf-8")
+
+
 def setup(app: Sphinx) -> None:
     """Connect the functions above."""
+    app.connect("builder-inited", write_rclpy_api)
     app.connect("autodoc-process-signature", short_signature)
     app.connect("missing-reference", find_by_end)

@@ -16,6 +16,9 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+from tools.facades import rooms
+from tools.facades.generate import Generator, generate_all
+from tools.facades.table import Facade, Package, TableError, read_table
 
 ROS_NAMES = Path(__file__).parents[1] / "src" / "tfloom" / "ros_names"
 Rule = Callable[[Path], Iterator[str]]
@@ -143,6 +146,89 @@ RULES: list[Rule] = [
     deferred_otherwise_than_typed,
     names_that_are_missing,
 ]
+
+
+def test_facades_equal_what_is_generated() -> None:
+    files = generate_all()
+    packages = {name.split("/")[0] for name in files}
+    kept = {
+        path.relative_to(ROS_NAMES).as_posix(): path.read_text("utf-8")
+        for package in packages
+        for path in (ROS_NAMES / package).rglob("*")
+        if path.is_file() and path.suffix != ".pyc"
+    }
+    differ = sorted(name for name in files.keys() | kept.keys() if files.get(name) != kept.get(name))
+    assert not differ, f"{differ}: `make facades` writes them anew"
+
+
+def planted_generator(folder: Path, modules: dict[str, Facade], *, keeps_imports: bool = True) -> Generator:
+    """Return the generator of a package `planted`, whose names are looked for in the modules of a folder."""
+    table = {"planted": Package(("house.room",), keeps_imports, modules)}
+    return Generator(table, rooms.index_names(folder / "house"))
+
+
+@pytest.fixture
+def room(tmp_path: Path) -> Path:
+    """Return a room of a house that has two functions, in a module of each."""
+    folder = tmp_path / "house" / "room"
+    folder.mkdir(parents=True)
+    (folder / "left.py").write_text("__all__ = ['walk']\ndef walk(): ...\n")
+    (folder / "right.py").write_text("__all__ = ['run']\ndef run(): ...\nTWICE = 1\n")
+    return folder
+
+
+def test_names_are_found_in_the_modules_that_define_them(room: Path, tmp_path: Path) -> None:
+    modules = {"planted": Facade("All."), "planted.legs": Facade("Legs.", also=("TWICE", "run", "walk"))}
+    files = planted_generator(tmp_path, modules).files()
+    assert files["planted/legs.py"].splitlines()[3:] == [
+        "from house.room.left import walk as walk",
+        "from house.room.right import TWICE as TWICE",
+        "from house.room.right import run as run",
+    ]
+    assert 'deferred(\n        __name__,\n        legs="planted",\n' in files["planted/__init__.py"]
+    assert set(files) == {"planted/__init__.py", "planted/legs.py", "planted/py.typed"}
+
+
+def test_a_name_that_two_modules_define_is_an_error_until_the_table_says_which(
+    room: Path, tmp_path: Path
+) -> None:
+    (room / "third.py").write_text("__all__ = ['walk']\ndef walk(): ...\n")
+    with pytest.raises(
+        TableError, match=r"planted\.walk may be that of house\.room\.left, house\.room\.third: "
+    ):
+        planted_generator(tmp_path, {"planted": Facade("All.", also=("walk",))}).files()
+    told = {"planted": Facade("All.", names={"walk": "house.room.third.walk"})}
+    assert 'walk="house.room.third"' in planted_generator(tmp_path, told).files()["planted/__init__.py"]
+
+
+def test_a_name_that_no_module_has_is_an_error(room: Path, tmp_path: Path) -> None:
+    with pytest.raises(TableError, match=r"planted\.fly is nowhere in house\.room: "):
+        planted_generator(tmp_path, {"planted": Facade("All.", also=("fly",))}).files()
+
+
+@pytest.mark.parametrize(
+    ("text", "error"),
+    [
+        ("planted:\n  modules:\n    planted: {doc: All., nams: {}}\n", "the row of planted .*'nams'"),
+        ("planted:\n  modules:\n    other.legs: Legs.\n", "other.legs stands under planted"),
+    ],
+)
+def test_wrong_rows_of_the_table_are_errors(text: str, error: str, tmp_path: Path) -> None:
+    path = tmp_path / "names.yaml"
+    path.write_text(text)
+    with pytest.raises(TableError, match=error):
+        read_table(path)
+
+
+def test_star_import_has_the_deferred_names_and_no_submodule() -> None:
+    code = "from {} import *; print(sorted(name for name in dir() if name[0] != '_'))"
+    names = python(code.format("rclpy.clock")).stdout
+    assert "'Clock', 'ClockChange', 'ClockType', 'Context'" in names
+    assert "deferred" not in names
+    assert "TYPE_CHECKING" not in names
+    names = python(code.format("launch_ros.actions")).stdout
+    assert "'Node'" in names
+    assert "'node'" not in names
 
 
 @pytest.mark.filterwarnings("ignore:importing 'qos_event'")

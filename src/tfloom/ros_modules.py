@@ -5,8 +5,8 @@ same reason `rclpy.client` has `Clock`, and programs import it from there. The f
 They defer such imports until first use, because `import rclpy` would be slower otherwise.
 
 A façade has the deferred names twice: as imports under `if TYPE_CHECKING:`, for type checkers, and in the `else:` as
-`__getattr__, __dir__ = deferred(__name__, Clock="tfloom.node.clock.clock")`. A package that also has names of its own
-has its submodules there, too: `from launch import actions as actions`, and `deferred(__name__, actions="launch")`.
+`__getattr__, __dir__ = deferred(__name__, Clock="tfloom.node.clock.clock")`. A package has its submodules there, too:
+`from launch import actions as actions`, and `deferred(__name__, actions="launch")`. Both are generated from one table.
 """
 
 from __future__ import annotations
@@ -20,6 +20,9 @@ if TYPE_CHECKING:
     from typing import Any
 
 __all__ = ["deferred", "submodules"]
+
+_OF_FACADES = {"TYPE_CHECKING", "claim", "deferred"}
+"""What façades use themselves."""
 
 
 def submodules(package: str) -> Callable[[str], ModuleType]:
@@ -49,7 +52,9 @@ def submodules(package: str) -> Callable[[str], ModuleType]:
 def deferred(module: str, **homes: str) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
     """Return a module's `__getattr__`, which imports the home of a name, and the `__dir__` that lists these names.
 
-    The `__getattr__` raises AttributeError for any other name.
+    The `__getattr__` gives an `__all__`, too, so that `from rclpy.node import *` imports the deferred names like the
+    others. Submodules are not in it, because a star import would load them all. For any other name it raises
+    AttributeError.
 
     Args:
         module: Name of the module.
@@ -59,6 +64,8 @@ def deferred(module: str, **homes: str) -> tuple[Callable[[str], Any], Callable[
     def load(name: str) -> Any:
         home = homes.get(name)
         if home is None:
+            if name == "__all__":
+                return public()
             raise AttributeError(f"module {module!r} has no attribute {name!r}")
         if home == module:
             __import__(f"{module}.{name}")
@@ -70,5 +77,12 @@ def deferred(module: str, **homes: str) -> tuple[Callable[[str], Any], Callable[
 
     def names() -> list[str]:
         return sorted({*vars(sys.modules[module]), *homes})
+
+    def public() -> list[str]:
+        return [
+            name
+            for name in names()
+            if not name.startswith("_") and name not in _OF_FACADES and homes.get(name) != module
+        ]
 
     return load, names

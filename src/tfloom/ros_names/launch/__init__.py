@@ -1,6 +1,5 @@
 """Describe systems of programs, and launch them."""
-
-from typing import TYPE_CHECKING
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
 __all__ = [
     "Action",
@@ -30,6 +29,7 @@ __all__ = [
     "substitutions",
 ]
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launch import action as action
     from launch import actions as actions
@@ -69,9 +69,7 @@ if TYPE_CHECKING:
     from tfloom.launch.some_entities_type import SomeEntitiesType as SomeEntitiesType
     from tfloom.launch.some_entities_type import SomeEntitiesType_types_tuple as SomeEntitiesType_types_tuple
     from tfloom.launch.some_substitutions_type import SomeSubstitutionsType as SomeSubstitutionsType
-    from tfloom.launch.some_substitutions_type import (
-        SomeSubstitutionsType_types_tuple as SomeSubstitutionsType_types_tuple,
-    )
+    from tfloom.launch.some_substitutions_type import SomeSubstitutionsType_types_tuple as SomeSubstitutionsType_types_tuple
     from tfloom.launch.substitution import Substitution as Substitution
 else:
     from tfloom.ros_modules import deferred

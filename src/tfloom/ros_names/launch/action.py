@@ -1,6 +1,15 @@
 """The base class of actions."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
 from tfloom.launch.action import Action as Action
-from tfloom.launch.condition import Condition as Condition
-from tfloom.launch.launch_context import LaunchContext as LaunchContext
-from tfloom.launch.launch_description_entity import LaunchDescriptionEntity as LaunchDescriptionEntity
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from tfloom.launch.launch_context import LaunchContext as LaunchContext
+else:
+    from tfloom.ros_modules import deferred
+
+    __getattr__, __dir__ = deferred(
+        __name__,
+        LaunchContext="tfloom.launch.launch_context",
+    )

@@ -1,18 +1,17 @@
 """Launch descriptions."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
-
-from tfloom.launch.action import Action as Action
-from tfloom.launch.launch_context import LaunchContext as LaunchContext
 from tfloom.launch.launch_description import LaunchDescription as LaunchDescription
-from tfloom.launch.launch_description_entity import LaunchDescriptionEntity as LaunchDescriptionEntity
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.launch.actions.declare_launch_argument import DeclareLaunchArgument as DeclareLaunchArgument
+    from tfloom.launch.launch_context import LaunchContext as LaunchContext
 else:
     from tfloom.ros_modules import deferred
 
     __getattr__, __dir__ = deferred(
         __name__,
         DeclareLaunchArgument="tfloom.launch.actions.declare_launch_argument",
+        LaunchContext="tfloom.launch.launch_context",
     )

@@ -1,5 +1,5 @@
 """What an argument accepts where it takes entities: one, or several."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from tfloom.launch.launch_description_entity import LaunchDescriptionEntity as LaunchDescriptionEntity
 from tfloom.launch.some_entities_type import SomeEntitiesType as SomeEntitiesType
 from tfloom.launch.some_entities_type import SomeEntitiesType_types_tuple as SomeEntitiesType_types_tuple

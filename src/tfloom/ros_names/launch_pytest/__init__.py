@@ -1,10 +1,14 @@
 """Launch descriptions as fixtures of pytest."""
-
-from typing import TYPE_CHECKING
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
 import launch_pytest.fixture
 from tfloom.launch.testing.fixtures.fixture import fixture as fixture
 
+__all__ = [
+    "fixture",
+]
+
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launch_pytest import actions as actions
     from launch_pytest import plugin as plugin

@@ -1,3 +1,4 @@
 """Actions of tests."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
 from tfloom.launch.testing.actions.ready import ReadyToTest as ReadyToTest

@@ -1,11 +1,11 @@
 """Nodes in launch files."""
-
-from typing import TYPE_CHECKING
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
 from tfloom.ros_guard import claim
 
 claim("launch_ros")
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launch_ros import actions as actions
     from launch_ros import descriptions as descriptions

@@ -1,14 +1,23 @@
 """Test launch descriptions."""
-
-from typing import TYPE_CHECKING
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
 import launch_testing.parametrize
 import launch_testing.ready_to_test_action_timeout
 from tfloom.launch.testing.parametrize import parametrize as parametrize
-from tfloom.launch.testing.ready_to_test_action_timeout import (
-    ready_to_test_action_timeout as ready_to_test_action_timeout,
-)
+from tfloom.launch.testing.ready_to_test_action_timeout import ready_to_test_action_timeout as ready_to_test_action_timeout
 
+__all__ = [
+    "ActiveIoHandler",
+    "ActiveProcInfoHandler",
+    "IoHandler",
+    "ProcInfoHandler",
+    "ReadyAggregator",
+    "parametrize",
+    "post_shutdown_test",
+    "ready_to_test_action_timeout",
+]
+
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launch_testing import actions as actions
     from launch_testing import asserts as asserts
@@ -40,6 +49,11 @@ else:
 
     __getattr__, __dir__ = deferred(
         __name__,
+        ActiveIoHandler="tfloom.launch.testing.io_handler",
+        ActiveProcInfoHandler="tfloom.launch.testing.proc_info_handler",
+        IoHandler="tfloom.launch.testing.io_handler",
+        ProcInfoHandler="tfloom.launch.testing.proc_info_handler",
+        ReadyAggregator="tfloom.launch.testing.ready_aggregator",
         actions="launch_testing",
         asserts="launch_testing",
         decorator="launch_testing",
@@ -51,6 +65,7 @@ else:
         loader="launch_testing",
         markers="launch_testing",
         parse_arguments="launch_testing",
+        post_shutdown_test="tfloom.launch.testing.decorator",
         print_arguments="launch_testing",
         proc_info_handler="launch_testing",
         pytest="launch_testing",
@@ -59,10 +74,4 @@ else:
         test_runner="launch_testing",
         tools="launch_testing",
         util="launch_testing",
-        ActiveIoHandler="tfloom.launch.testing.io_handler",
-        ActiveProcInfoHandler="tfloom.launch.testing.proc_info_handler",
-        IoHandler="tfloom.launch.testing.io_handler",
-        ProcInfoHandler="tfloom.launch.testing.proc_info_handler",
-        ReadyAggregator="tfloom.launch.testing.ready_aggregator",
-        post_shutdown_test="tfloom.launch.testing.decorator",
     )

@@ -1,6 +1,5 @@
 """The launches of a test file."""
-
-from typing import TYPE_CHECKING
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
 from tfloom.launch.testing.loader import LoadTestsFromPythonModule as LoadTestsFromPythonModule
 from tfloom.launch.testing.loader import PostShutdownTestLoader as PostShutdownTestLoader
@@ -8,6 +7,7 @@ from tfloom.launch.testing.loader import PreShutdownTestLoader as PreShutdownTes
 from tfloom.launch.testing.loader import TestRun as TestRun
 from tfloom.launch.testing.loader import slim_formatwarning as slim_formatwarning
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.launch.testing.actions.ready import ReadyToTest as ReadyToTest
 else:

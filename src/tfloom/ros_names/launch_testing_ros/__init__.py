@@ -1,11 +1,18 @@
 """Test launch descriptions with nodes."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
 from tfloom.ros_guard import claim
 
 claim("launch_testing_ros")
 
-from typing import TYPE_CHECKING
+__all__ = [
+    "DataRepublisher",
+    "LaunchTestRunner",
+    "MessagePump",
+    "WaitForTopics",
+]
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launch_testing_ros import data_republisher as data_republisher
     from launch_testing_ros import message_pump as message_pump
@@ -22,14 +29,14 @@ else:
 
     __getattr__, __dir__ = deferred(
         __name__,
+        DataRepublisher="tfloom.launch.testing.ros.data_republisher",
+        LaunchTestRunner="tfloom.launch.testing.ros.test_runner",
+        MessagePump="tfloom.launch.testing.ros.message_pump",
+        WaitForTopics="tfloom.launch.testing.ros.wait_for_topics",
         data_republisher="launch_testing_ros",
         message_pump="launch_testing_ros",
         pytest="launch_testing_ros",
         test_runner="launch_testing_ros",
         tools="launch_testing_ros",
         wait_for_topics="launch_testing_ros",
-        DataRepublisher="tfloom.launch.testing.ros.data_republisher",
-        LaunchTestRunner="tfloom.launch.testing.ros.test_runner",
-        MessagePump="tfloom.launch.testing.ros.message_pump",
-        WaitForTopics="tfloom.launch.testing.ros.wait_for_topics",
     )

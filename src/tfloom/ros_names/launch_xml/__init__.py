@@ -1,9 +1,12 @@
 """Launch files in XML."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
+__all__ = [
+    "Entity",
+    "Parser",
+]
 
-__all__ = ["Entity", "Parser"]
-
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launch_xml import entity as entity
     from launch_xml import launch_description_sources as launch_description_sources
@@ -15,9 +18,9 @@ else:
 
     __getattr__, __dir__ = deferred(
         __name__,
+        Entity="tfloom.launch.xml.entity",
+        Parser="tfloom.launch.xml.parser",
         entity="launch_xml",
         launch_description_sources="launch_xml",
         parser="launch_xml",
-        Entity="tfloom.launch.xml.entity",
-        Parser="tfloom.launch.xml.parser",
     )

@@ -1,9 +1,9 @@
 """The parser of launch files in XML."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
+from tfloom.launch.xml.parser import Parser as Parser
 
-from tfloom.launch.xml.parser import *
-
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.launch.xml.entity import Entity as Entity
 else:

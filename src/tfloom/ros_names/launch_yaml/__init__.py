@@ -1,9 +1,12 @@
 """Launch files in YAML."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
+__all__ = [
+    "Entity",
+    "Parser",
+]
 
-__all__ = ["Entity", "Parser"]
-
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launch_yaml import entity as entity
     from launch_yaml import launch_description_sources as launch_description_sources
@@ -15,9 +18,9 @@ else:
 
     __getattr__, __dir__ = deferred(
         __name__,
+        Entity="tfloom.launch.yaml.entity",
+        Parser="tfloom.launch.yaml.parser",
         entity="launch_yaml",
         launch_description_sources="launch_yaml",
         parser="launch_yaml",
-        Entity="tfloom.launch.yaml.entity",
-        Parser="tfloom.launch.yaml.parser",
     )

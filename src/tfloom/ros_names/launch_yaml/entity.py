@@ -1,9 +1,10 @@
 """Elements of launch files in YAML."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
+from tfloom.launch.yaml.entity import Entity as Entity
+from tfloom.launch.yaml.entity import Places as Places
 
-from tfloom.launch.yaml.entity import *
-
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.launch.frontend.type_utils import check_is_list_entity as check_is_list_entity
     from tfloom.launch.utilities.type_utils import AllowedTypesType as AllowedTypesType
@@ -14,8 +15,8 @@ else:
 
     __getattr__, __dir__ = deferred(
         __name__,
-        check_is_list_entity="tfloom.launch.frontend.type_utils",
         AllowedTypesType="tfloom.launch.utilities.type_utils",
         AllowedValueType="tfloom.launch.utilities.type_utils",
+        check_is_list_entity="tfloom.launch.frontend.type_utils",
         is_instance_of="tfloom.launch.utilities.type_utils",
     )

@@ -1,9 +1,9 @@
 """The parser of launch files in YAML."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
+from tfloom.launch.yaml.parser import Parser as Parser
 
-from tfloom.launch.yaml.parser import *
-
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.launch.utilities.typing_file_path import FilePath as FilePath
     from tfloom.launch.yaml.entity import Entity as Entity
@@ -12,6 +12,6 @@ else:
 
     __getattr__, __dir__ = deferred(
         __name__,
-        FilePath="tfloom.launch.utilities.typing_file_path",
         Entity="tfloom.launch.yaml.entity",
+        FilePath="tfloom.launch.utilities.typing_file_path",
     )

@@ -1,9 +1,15 @@
 """The ROS 2 client library for Python, implemented by tfloom."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
+from tfloom.node.client_library import create_node as create_node
+from tfloom.node.client_library import get_global_executor as get_global_executor
+from tfloom.node.client_library import init as init
+from tfloom.node.client_library import shutdown as shutdown
+from tfloom.node.client_library import spin as spin
+from tfloom.node.client_library import spin_once as spin_once
+from tfloom.node.client_library import spin_until_future_complete as spin_until_future_complete
 
-from tfloom.node.client_library import *
-
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from rclpy import action as action
     from rclpy import callback_groups as callback_groups
@@ -55,7 +61,81 @@ if TYPE_CHECKING:
     from rclpy import validate_topic_name as validate_topic_name
     from rclpy import wait_for_message as wait_for_message
     from rclpy import waitable as waitable
+    from tfloom.node.client_library import InitContextManager as InitContextManager
+    from tfloom.node.context.context import Context as Context
+    from tfloom.node.context.utilities import get_default_context as get_default_context
+    from tfloom.node.context.utilities import get_rmw_implementation_identifier as get_rmw_implementation_identifier
+    from tfloom.node.context.utilities import ok as ok
+    from tfloom.node.context.utilities import try_shutdown as try_shutdown
+    from tfloom.node.executing.signals import SignalHandlerOptions as SignalHandlerOptions
+    from tfloom.node.executing.signals import install_signal_handlers as install_signal_handlers
+    from tfloom.node.executing.signals import uninstall_signal_handlers as uninstall_signal_handlers
+    from tfloom.node.executing.task import Future as Future
+    from tfloom.node.parameters.parameter import Parameter as Parameter
 else:
-    from tfloom.ros_modules import submodules
+    from tfloom.ros_modules import deferred
 
-    __getattr__ = submodules("rclpy")
+    __getattr__, __dir__ = deferred(
+        __name__,
+        Context="tfloom.node.context.context",
+        Future="tfloom.node.executing.task",
+        InitContextManager="tfloom.node.client_library",
+        Parameter="tfloom.node.parameters.parameter",
+        SignalHandlerOptions="tfloom.node.executing.signals",
+        action="rclpy",
+        callback_groups="rclpy",
+        client="rclpy",
+        clock="rclpy",
+        clock_type="rclpy",
+        constants="rclpy",
+        context="rclpy",
+        destroyable="rclpy",
+        duration="rclpy",
+        event_handler="rclpy",
+        exceptions="rclpy",
+        executors="rclpy",
+        expand_topic_name="rclpy",
+        experimental="rclpy",
+        get_default_context="tfloom.node.context.utilities",
+        get_rmw_implementation_identifier="tfloom.node.context.utilities",
+        guard_condition="rclpy",
+        impl="rclpy",
+        install_signal_handlers="tfloom.node.executing.signals",
+        lifecycle="rclpy",
+        logging="rclpy",
+        logging_service="rclpy",
+        node="rclpy",
+        ok="tfloom.node.context.utilities",
+        parameter="rclpy",
+        parameter_client="rclpy",
+        parameter_event_handler="rclpy",
+        parameter_service="rclpy",
+        publisher="rclpy",
+        qos="rclpy",
+        qos_event="rclpy",
+        qos_overriding_options="rclpy",
+        serialization="rclpy",
+        service="rclpy",
+        service_introspection="rclpy",
+        signals="rclpy",
+        subscription="rclpy",
+        task="rclpy",
+        time="rclpy",
+        time_source="rclpy",
+        timer="rclpy",
+        topic_endpoint_info="rclpy",
+        topic_or_service_is_hidden="rclpy",
+        try_shutdown="tfloom.node.context.utilities",
+        type_description_service="rclpy",
+        type_hash="rclpy",
+        type_support="rclpy",
+        uninstall_signal_handlers="tfloom.node.executing.signals",
+        utilities="rclpy",
+        validate_full_topic_name="rclpy",
+        validate_namespace="rclpy",
+        validate_node_name="rclpy",
+        validate_parameter_name="rclpy",
+        validate_topic_name="rclpy",
+        wait_for_message="rclpy",
+        waitable="rclpy",
+    )

@@ -1,4 +1,4 @@
 """The kinds of clocks."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from tfloom.node.values.clock_type import *
-from tfloom.node.values.clock_type import __all__
+from tfloom.node.values.clock_type import ClockType as ClockType

@@ -1,9 +1,9 @@
 """Contexts: the state of the library from `init` to `shutdown`."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
+from tfloom.node.context.context import Context as Context
 
-from tfloom.node.context.context import *
-
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.node.values.destroyable import DestroyableType as DestroyableType
 else:

@@ -1,14 +1,15 @@
 """Subscriptions."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
+from tfloom.node.endpoints.subscription import MsgType as MsgType
+from tfloom.node.endpoints.subscription import Subscription as Subscription
 
-from tfloom.node.endpoints.subscription import *
-from tfloom.node.qos.qos import QoSProfile as QoSProfile
-
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.node.executing.callback_groups import CallbackGroup as CallbackGroup
     from tfloom.node.executing.event_handler import EventHandler as EventHandler
     from tfloom.node.executing.event_handler import SubscriptionEventCallbacks as SubscriptionEventCallbacks
+    from tfloom.node.qos.qos import QoSProfile as QoSProfile
 else:
     from tfloom.ros_modules import deferred
 
@@ -16,5 +17,6 @@ else:
         __name__,
         CallbackGroup="tfloom.node.executing.callback_groups",
         EventHandler="tfloom.node.executing.event_handler",
+        QoSProfile="tfloom.node.qos.qos",
         SubscriptionEventCallbacks="tfloom.node.executing.event_handler",
     )

@@ -1,7 +1,7 @@
 """The functions of the command `ros2 launch`."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
-
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ros2launch import api as api
 else:

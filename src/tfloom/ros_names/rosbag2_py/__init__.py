@@ -1,17 +1,54 @@
 """Read, write, record and play bags."""
-
-from typing import TYPE_CHECKING
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
 from tfloom.ros_guard import claim
 
 claim("rosbag2_py")
 
+__all__ = [
+    "BagMetadata",
+    "CompressionMode",
+    "CompressionOptions",
+    "ConverterOptions",
+    "FileInformation",
+    "Info",
+    "LocalMessageDefinitionSource",
+    "MessageDefinition",
+    "MetadataIo",
+    "PlayOptions",
+    "Player",
+    "ReadOrder",
+    "ReadOrderSortBy",
+    "RecordOptions",
+    "Recorder",
+    "Reindexer",
+    "SequentialCompressionReader",
+    "SequentialCompressionWriter",
+    "SequentialReader",
+    "SequentialWriter",
+    "ServiceRequestsSource",
+    "StorageFilter",
+    "StorageOptions",
+    "TopicInformation",
+    "TopicMetadata",
+    "add_dll_directories_from_env",
+    "bag_rewrite",
+    "compression_mode_from_string",
+    "compression_mode_to_string",
+    "convert_rclcpp_qos_to_rclpy_qos",
+    "get_default_storage_id",
+    "get_registered_compressors",
+    "get_registered_readers",
+    "get_registered_serializers",
+    "get_registered_writers",
+    "to_rclcpp_qos_vector",
+]
+
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.bag.rosbag2_names.info import Info as Info
     from tfloom.bag.rosbag2_names.info import Reindexer as Reindexer
-    from tfloom.bag.rosbag2_names.qos import (
-        convert_rclcpp_qos_to_rclpy_qos as convert_rclcpp_qos_to_rclpy_qos,
-    )
+    from tfloom.bag.rosbag2_names.qos import convert_rclcpp_qos_to_rclpy_qos as convert_rclcpp_qos_to_rclpy_qos
     from tfloom.bag.rosbag2_names.qos import to_rclcpp_qos_vector as to_rclcpp_qos_vector
     from tfloom.bag.rosbag2_names.readers import SequentialCompressionReader as SequentialCompressionReader
     from tfloom.bag.rosbag2_names.readers import SequentialReader as SequentialReader
@@ -29,10 +66,10 @@ if TYPE_CHECKING:
     from tfloom.bag.rosbag2_names.storage import TopicInformation as TopicInformation
     from tfloom.bag.rosbag2_names.storage import TopicMetadata as TopicMetadata
     from tfloom.bag.rosbag2_names.storage import get_default_storage_id as get_default_storage_id
-    from tfloom.bag.rosbag2_names.transport import Player as Player
     from tfloom.bag.rosbag2_names.transport import PlayOptions as PlayOptions
-    from tfloom.bag.rosbag2_names.transport import Recorder as Recorder
+    from tfloom.bag.rosbag2_names.transport import Player as Player
     from tfloom.bag.rosbag2_names.transport import RecordOptions as RecordOptions
+    from tfloom.bag.rosbag2_names.transport import Recorder as Recorder
     from tfloom.bag.rosbag2_names.transport import ServiceRequestsSource as ServiceRequestsSource
     from tfloom.bag.rosbag2_names.transport import bag_rewrite as bag_rewrite
     from tfloom.bag.rosbag2_names.writers import CompressionMode as CompressionMode

@@ -1,115 +1,57 @@
 """Classes for IDL types and interface definitions."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from tfloom.rosidl.definition import (
-    ACTION_FEEDBACK_MESSAGE_SUFFIX,
-    ACTION_FEEDBACK_SUFFIX,
-    ACTION_GOAL_SERVICE_SUFFIX,
-    ACTION_GOAL_SUFFIX,
-    ACTION_RESULT_SERVICE_SUFFIX,
-    ACTION_RESULT_SUFFIX,
-    BASIC_TYPES,
-    BOOLEAN_TYPE,
-    CHARACTER_TYPES,
-    CONSTANT_MODULE_SUFFIX,
-    EMPTY_STRUCTURE_REQUIRED_MEMBER_NAME,
-    EXPLICIT_INTEGER_TYPES,
-    FLOATING_POINT_TYPES,
-    INTEGER_TYPES,
-    NONEXPLICIT_INTEGER_TYPES,
-    OCTET_TYPE,
-    SERVICE_EVENT_MESSAGE_SUFFIX,
-    SERVICE_REQUEST_MESSAGE_SUFFIX,
-    SERVICE_RESPONSE_MESSAGE_SUFFIX,
-    SIGNED_EXPLICIT_INTEGER_TYPES,
-    SIGNED_INTEGER_TYPES,
-    SIGNED_NONEXPLICIT_INTEGER_TYPES,
-    UNSIGNED_EXPLICIT_INTEGER_TYPES,
-    UNSIGNED_INTEGER_TYPES,
-    UNSIGNED_NONEXPLICIT_INTEGER_TYPES,
-    AbstractGenericString,
-    AbstractNestableType,
-    AbstractNestedType,
-    AbstractSequence,
-    AbstractString,
-    AbstractType,
-    AbstractWString,
-    Action,
-    Annotatable,
-    Annotation,
-    Array,
-    BasicType,
-    BoundedSequence,
-    BoundedString,
-    BoundedWString,
-    Constant,
-    IdlContent,
-    IdlFile,
-    IdlLocator,
-    Include,
-    Member,
-    Message,
-    NamedType,
-    NamespacedType,
-    Service,
-    Structure,
-    UnboundedSequence,
-    UnboundedString,
-    UnboundedWString,
-)
-
-__all__ = [
-    "ACTION_FEEDBACK_MESSAGE_SUFFIX",
-    "ACTION_FEEDBACK_SUFFIX",
-    "ACTION_GOAL_SERVICE_SUFFIX",
-    "ACTION_GOAL_SUFFIX",
-    "ACTION_RESULT_SERVICE_SUFFIX",
-    "ACTION_RESULT_SUFFIX",
-    "BASIC_TYPES",
-    "BOOLEAN_TYPE",
-    "CHARACTER_TYPES",
-    "CONSTANT_MODULE_SUFFIX",
-    "EMPTY_STRUCTURE_REQUIRED_MEMBER_NAME",
-    "EXPLICIT_INTEGER_TYPES",
-    "FLOATING_POINT_TYPES",
-    "INTEGER_TYPES",
-    "NONEXPLICIT_INTEGER_TYPES",
-    "OCTET_TYPE",
-    "SERVICE_EVENT_MESSAGE_SUFFIX",
-    "SERVICE_REQUEST_MESSAGE_SUFFIX",
-    "SERVICE_RESPONSE_MESSAGE_SUFFIX",
-    "SIGNED_EXPLICIT_INTEGER_TYPES",
-    "SIGNED_INTEGER_TYPES",
-    "SIGNED_NONEXPLICIT_INTEGER_TYPES",
-    "UNSIGNED_EXPLICIT_INTEGER_TYPES",
-    "UNSIGNED_INTEGER_TYPES",
-    "UNSIGNED_NONEXPLICIT_INTEGER_TYPES",
-    "AbstractGenericString",
-    "AbstractNestableType",
-    "AbstractNestedType",
-    "AbstractSequence",
-    "AbstractString",
-    "AbstractType",
-    "AbstractWString",
-    "Action",
-    "Annotatable",
-    "Annotation",
-    "Array",
-    "BasicType",
-    "BoundedSequence",
-    "BoundedString",
-    "BoundedWString",
-    "Constant",
-    "IdlContent",
-    "IdlFile",
-    "IdlLocator",
-    "Include",
-    "Member",
-    "Message",
-    "NamedType",
-    "NamespacedType",
-    "Service",
-    "Structure",
-    "UnboundedSequence",
-    "UnboundedString",
-    "UnboundedWString",
-]
+from tfloom.rosidl.definition import ACTION_FEEDBACK_MESSAGE_SUFFIX as ACTION_FEEDBACK_MESSAGE_SUFFIX
+from tfloom.rosidl.definition import ACTION_FEEDBACK_SUFFIX as ACTION_FEEDBACK_SUFFIX
+from tfloom.rosidl.definition import ACTION_GOAL_SERVICE_SUFFIX as ACTION_GOAL_SERVICE_SUFFIX
+from tfloom.rosidl.definition import ACTION_GOAL_SUFFIX as ACTION_GOAL_SUFFIX
+from tfloom.rosidl.definition import ACTION_RESULT_SERVICE_SUFFIX as ACTION_RESULT_SERVICE_SUFFIX
+from tfloom.rosidl.definition import ACTION_RESULT_SUFFIX as ACTION_RESULT_SUFFIX
+from tfloom.rosidl.definition import AbstractGenericString as AbstractGenericString
+from tfloom.rosidl.definition import AbstractNestableType as AbstractNestableType
+from tfloom.rosidl.definition import AbstractNestedType as AbstractNestedType
+from tfloom.rosidl.definition import AbstractSequence as AbstractSequence
+from tfloom.rosidl.definition import AbstractString as AbstractString
+from tfloom.rosidl.definition import AbstractType as AbstractType
+from tfloom.rosidl.definition import AbstractWString as AbstractWString
+from tfloom.rosidl.definition import Action as Action
+from tfloom.rosidl.definition import Annotatable as Annotatable
+from tfloom.rosidl.definition import Annotation as Annotation
+from tfloom.rosidl.definition import Array as Array
+from tfloom.rosidl.definition import BASIC_TYPES as BASIC_TYPES
+from tfloom.rosidl.definition import BOOLEAN_TYPE as BOOLEAN_TYPE
+from tfloom.rosidl.definition import BasicType as BasicType
+from tfloom.rosidl.definition import BoundedSequence as BoundedSequence
+from tfloom.rosidl.definition import BoundedString as BoundedString
+from tfloom.rosidl.definition import BoundedWString as BoundedWString
+from tfloom.rosidl.definition import CHARACTER_TYPES as CHARACTER_TYPES
+from tfloom.rosidl.definition import CONSTANT_MODULE_SUFFIX as CONSTANT_MODULE_SUFFIX
+from tfloom.rosidl.definition import Constant as Constant
+from tfloom.rosidl.definition import EMPTY_STRUCTURE_REQUIRED_MEMBER_NAME as EMPTY_STRUCTURE_REQUIRED_MEMBER_NAME
+from tfloom.rosidl.definition import EXPLICIT_INTEGER_TYPES as EXPLICIT_INTEGER_TYPES
+from tfloom.rosidl.definition import FLOATING_POINT_TYPES as FLOATING_POINT_TYPES
+from tfloom.rosidl.definition import INTEGER_TYPES as INTEGER_TYPES
+from tfloom.rosidl.definition import IdlContent as IdlContent
+from tfloom.rosidl.definition import IdlFile as IdlFile
+from tfloom.rosidl.definition import IdlLocator as IdlLocator
+from tfloom.rosidl.definition import Include as Include
+from tfloom.rosidl.definition import Member as Member
+from tfloom.rosidl.definition import Message as Message
+from tfloom.rosidl.definition import NONEXPLICIT_INTEGER_TYPES as NONEXPLICIT_INTEGER_TYPES
+from tfloom.rosidl.definition import NamedType as NamedType
+from tfloom.rosidl.definition import NamespacedType as NamespacedType
+from tfloom.rosidl.definition import OCTET_TYPE as OCTET_TYPE
+from tfloom.rosidl.definition import SERVICE_EVENT_MESSAGE_SUFFIX as SERVICE_EVENT_MESSAGE_SUFFIX
+from tfloom.rosidl.definition import SERVICE_REQUEST_MESSAGE_SUFFIX as SERVICE_REQUEST_MESSAGE_SUFFIX
+from tfloom.rosidl.definition import SERVICE_RESPONSE_MESSAGE_SUFFIX as SERVICE_RESPONSE_MESSAGE_SUFFIX
+from tfloom.rosidl.definition import SIGNED_EXPLICIT_INTEGER_TYPES as SIGNED_EXPLICIT_INTEGER_TYPES
+from tfloom.rosidl.definition import SIGNED_INTEGER_TYPES as SIGNED_INTEGER_TYPES
+from tfloom.rosidl.definition import SIGNED_NONEXPLICIT_INTEGER_TYPES as SIGNED_NONEXPLICIT_INTEGER_TYPES
+from tfloom.rosidl.definition import Service as Service
+from tfloom.rosidl.definition import Structure as Structure
+from tfloom.rosidl.definition import UNSIGNED_EXPLICIT_INTEGER_TYPES as UNSIGNED_EXPLICIT_INTEGER_TYPES
+from tfloom.rosidl.definition import UNSIGNED_INTEGER_TYPES as UNSIGNED_INTEGER_TYPES
+from tfloom.rosidl.definition import UNSIGNED_NONEXPLICIT_INTEGER_TYPES as UNSIGNED_NONEXPLICIT_INTEGER_TYPES
+from tfloom.rosidl.definition import UnboundedSequence as UnboundedSequence
+from tfloom.rosidl.definition import UnboundedString as UnboundedString
+from tfloom.rosidl.definition import UnboundedWString as UnboundedWString

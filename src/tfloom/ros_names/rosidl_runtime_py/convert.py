@@ -1,11 +1,7 @@
 """Convert messages to YAML, CSV and dicts."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from tfloom.rosidl.runtime import get_message_slot_types
-from tfloom.rosidl.yaml_text import message_to_csv, message_to_ordereddict, message_to_yaml
-
-__all__ = [
-    "get_message_slot_types",
-    "message_to_csv",
-    "message_to_ordereddict",
-    "message_to_yaml",
-]
+from tfloom.rosidl.runtime import get_message_slot_types as get_message_slot_types
+from tfloom.rosidl.yaml_text import message_to_csv as message_to_csv
+from tfloom.rosidl.yaml_text import message_to_ordereddict as message_to_ordereddict
+from tfloom.rosidl.yaml_text import message_to_yaml as message_to_yaml

@@ -1,6 +1,5 @@
 """List packages and their interfaces."""
-
-from typing import TYPE_CHECKING
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
 from tfloom.workspace.get_interfaces import get_action_interfaces as get_action_interfaces
 from tfloom.workspace.get_interfaces import get_interface_packages as get_interface_packages
@@ -9,6 +8,7 @@ from tfloom.workspace.get_interfaces import get_interfaces as get_interfaces
 from tfloom.workspace.get_interfaces import get_message_interfaces as get_message_interfaces
 from tfloom.workspace.get_interfaces import get_service_interfaces as get_service_interfaces
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.workspace.ament import get_resource as get_resource
     from tfloom.workspace.ament import get_resources as get_resources

@@ -1,4 +1,4 @@
 """Serve lookups of other programs from one buffer, by an action."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from tfloom.tf2_ros.buffer_server import *
-from tfloom.tf2_ros.buffer_server import __all__
+from tfloom.tf2_ros.buffer_server import BufferServer as BufferServer

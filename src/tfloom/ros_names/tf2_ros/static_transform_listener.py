@@ -1,5 +1,4 @@
 """Fill a buffer from /tf_static."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from tfloom.tf2_ros.transform_listener import StaticTransformListener
-
-__all__ = ["StaticTransformListener"]
+from tfloom.tf2_ros.transform_listener import StaticTransformListener as StaticTransformListener

@@ -1,7 +1,21 @@
 """Publish transforms on /tf."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from tfloom.interfaces.geometry_msgs.msg import TransformStamped as TransformStamped
-from tfloom.interfaces.tf2_msgs.msg import TFMessage as TFMessage
-from tfloom.node.node import Node as Node
-from tfloom.node.qos.qos import QoSProfile as QoSProfile
-from tfloom.tf2_ros.transform_broadcaster import *
+from tfloom.tf2_ros.transform_broadcaster import TransformBroadcaster as TransformBroadcaster
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from tfloom.interfaces.geometry_msgs.msg import TransformStamped as TransformStamped
+    from tfloom.interfaces.tf2_msgs.msg import TFMessage as TFMessage
+    from tfloom.node.node import Node as Node
+    from tfloom.node.qos.qos import QoSProfile as QoSProfile
+else:
+    from tfloom.ros_modules import deferred
+
+    __getattr__, __dir__ = deferred(
+        __name__,
+        Node="tfloom.node.node",
+        QoSProfile="tfloom.node.qos.qos",
+        TFMessage="tfloom.interfaces.tf2_msgs.msg",
+        TransformStamped="tfloom.interfaces.geometry_msgs.msg",
+    )

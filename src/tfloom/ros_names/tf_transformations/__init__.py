@@ -1,5 +1,44 @@
 """Functions for rotations and homogeneous matrices; quaternions are (x, y, z, w)."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from tfloom.tf2_ros.arcball import *
-from tfloom.tf2_ros.projections import *
-from tfloom.tf2_ros.transformations import *
+from tfloom.tf2_ros.arcball import Arcball as Arcball
+from tfloom.tf2_ros.arcball import arcball_constrain_to_axis as arcball_constrain_to_axis
+from tfloom.tf2_ros.arcball import arcball_map_to_sphere as arcball_map_to_sphere
+from tfloom.tf2_ros.arcball import arcball_nearest_axis as arcball_nearest_axis
+from tfloom.tf2_ros.projections import clip_matrix as clip_matrix
+from tfloom.tf2_ros.projections import orthogonalization_matrix as orthogonalization_matrix
+from tfloom.tf2_ros.projections import projection_from_matrix as projection_from_matrix
+from tfloom.tf2_ros.projections import projection_matrix as projection_matrix
+from tfloom.tf2_ros.projections import superimposition_matrix as superimposition_matrix
+from tfloom.tf2_ros.transformations import compose_matrix as compose_matrix
+from tfloom.tf2_ros.transformations import concatenate_matrices as concatenate_matrices
+from tfloom.tf2_ros.transformations import decompose_matrix as decompose_matrix
+from tfloom.tf2_ros.transformations import euler_from_matrix as euler_from_matrix
+from tfloom.tf2_ros.transformations import euler_from_quaternion as euler_from_quaternion
+from tfloom.tf2_ros.transformations import euler_matrix as euler_matrix
+from tfloom.tf2_ros.transformations import identity_matrix as identity_matrix
+from tfloom.tf2_ros.transformations import inverse_matrix as inverse_matrix
+from tfloom.tf2_ros.transformations import is_same_transform as is_same_transform
+from tfloom.tf2_ros.transformations import quaternion_about_axis as quaternion_about_axis
+from tfloom.tf2_ros.transformations import quaternion_conjugate as quaternion_conjugate
+from tfloom.tf2_ros.transformations import quaternion_from_euler as quaternion_from_euler
+from tfloom.tf2_ros.transformations import quaternion_from_matrix as quaternion_from_matrix
+from tfloom.tf2_ros.transformations import quaternion_inverse as quaternion_inverse
+from tfloom.tf2_ros.transformations import quaternion_matrix as quaternion_matrix
+from tfloom.tf2_ros.transformations import quaternion_multiply as quaternion_multiply
+from tfloom.tf2_ros.transformations import quaternion_slerp as quaternion_slerp
+from tfloom.tf2_ros.transformations import random_quaternion as random_quaternion
+from tfloom.tf2_ros.transformations import random_rotation_matrix as random_rotation_matrix
+from tfloom.tf2_ros.transformations import random_vector as random_vector
+from tfloom.tf2_ros.transformations import reflection_from_matrix as reflection_from_matrix
+from tfloom.tf2_ros.transformations import reflection_matrix as reflection_matrix
+from tfloom.tf2_ros.transformations import rotation_from_matrix as rotation_from_matrix
+from tfloom.tf2_ros.transformations import rotation_matrix as rotation_matrix
+from tfloom.tf2_ros.transformations import scale_from_matrix as scale_from_matrix
+from tfloom.tf2_ros.transformations import scale_matrix as scale_matrix
+from tfloom.tf2_ros.transformations import shear_from_matrix as shear_from_matrix
+from tfloom.tf2_ros.transformations import shear_matrix as shear_matrix
+from tfloom.tf2_ros.transformations import translation_from_matrix as translation_from_matrix
+from tfloom.tf2_ros.transformations import translation_matrix as translation_matrix
+from tfloom.tf2_ros.transformations import unit_vector as unit_vector
+from tfloom.tf2_ros.transformations import vector_norm as vector_norm

@@ -1,4 +1,5 @@
 """Log the serialized bytes of each message on chatter."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from tfloom.demos.demo_nodes_py.listener_serialized import *
-from tfloom.demos.demo_nodes_py.listener_serialized import __all__
+from tfloom.demos.demo_nodes_py.listener_serialized import SerializedSubscriber as SerializedSubscriber
+from tfloom.demos.demo_nodes_py.listener_serialized import main as main

@@ -1,6 +1,5 @@
 """Actions, of which launch descriptions consist."""
-
-from typing import TYPE_CHECKING
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
 __all__ = [
     "AppendEnvironmentVariable",
@@ -35,6 +34,7 @@ __all__ = [
     "UnsetLaunchConfiguration",
 ]
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launch.actions import append_environment_variable as append_environment_variable
     from launch.actions import declare_launch_argument as declare_launch_argument
@@ -62,9 +62,7 @@ if TYPE_CHECKING:
     from launch.actions import unregister_event_handler as unregister_event_handler
     from launch.actions import unset_environment_variable as unset_environment_variable
     from launch.actions import unset_launch_configuration as unset_launch_configuration
-    from tfloom.launch.actions.append_environment_variable import (
-        AppendEnvironmentVariable as AppendEnvironmentVariable,
-    )
+    from tfloom.launch.actions.append_environment_variable import AppendEnvironmentVariable as AppendEnvironmentVariable
     from tfloom.launch.actions.declare_launch_argument import DeclareLaunchArgument as DeclareLaunchArgument
     from tfloom.launch.actions.emit_event import EmitEvent as EmitEvent
     from tfloom.launch.actions.execute_local import ExecuteLocal as ExecuteLocal
@@ -72,9 +70,7 @@ if TYPE_CHECKING:
     from tfloom.launch.actions.for_loop import ForEach as ForEach
     from tfloom.launch.actions.for_loop import ForLoop as ForLoop
     from tfloom.launch.actions.group_action import GroupAction as GroupAction
-    from tfloom.launch.actions.include_launch_description import (
-        IncludeLaunchDescription as IncludeLaunchDescription,
-    )
+    from tfloom.launch.actions.include_launch_description import IncludeLaunchDescription as IncludeLaunchDescription
     from tfloom.launch.actions.log import Log as Log
     from tfloom.launch.actions.log import LogDebug as LogDebug
     from tfloom.launch.actions.log import LogError as LogError
@@ -83,35 +79,19 @@ if TYPE_CHECKING:
     from tfloom.launch.actions.opaque_coroutine import OpaqueCoroutine as OpaqueCoroutine
     from tfloom.launch.actions.opaque_function import OpaqueFunction as OpaqueFunction
     from tfloom.launch.actions.pop_environment import PopEnvironment as PopEnvironment
-    from tfloom.launch.actions.pop_launch_configurations import (
-        PopLaunchConfigurations as PopLaunchConfigurations,
-    )
+    from tfloom.launch.actions.pop_launch_configurations import PopLaunchConfigurations as PopLaunchConfigurations
     from tfloom.launch.actions.push_environment import PushEnvironment as PushEnvironment
-    from tfloom.launch.actions.push_launch_configurations import (
-        PushLaunchConfigurations as PushLaunchConfigurations,
-    )
+    from tfloom.launch.actions.push_launch_configurations import PushLaunchConfigurations as PushLaunchConfigurations
     from tfloom.launch.actions.register_event_handler import RegisterEventHandler as RegisterEventHandler
     from tfloom.launch.actions.reset_environment import ResetEnvironment as ResetEnvironment
-    from tfloom.launch.actions.reset_launch_configurations import (
-        ResetLaunchConfigurations as ResetLaunchConfigurations,
-    )
-    from tfloom.launch.actions.set_environment_variable import (
-        SetEnvironmentVariable as SetEnvironmentVariable,
-    )
-    from tfloom.launch.actions.set_launch_configuration import (
-        SetLaunchConfiguration as SetLaunchConfiguration,
-    )
+    from tfloom.launch.actions.reset_launch_configurations import ResetLaunchConfigurations as ResetLaunchConfigurations
+    from tfloom.launch.actions.set_environment_variable import SetEnvironmentVariable as SetEnvironmentVariable
+    from tfloom.launch.actions.set_launch_configuration import SetLaunchConfiguration as SetLaunchConfiguration
     from tfloom.launch.actions.shutdown_action import Shutdown as Shutdown
     from tfloom.launch.actions.timer_action import TimerAction as TimerAction
-    from tfloom.launch.actions.unregister_event_handler import (
-        UnregisterEventHandler as UnregisterEventHandler,
-    )
-    from tfloom.launch.actions.unset_environment_variable import (
-        UnsetEnvironmentVariable as UnsetEnvironmentVariable,
-    )
-    from tfloom.launch.actions.unset_launch_configuration import (
-        UnsetLaunchConfiguration as UnsetLaunchConfiguration,
-    )
+    from tfloom.launch.actions.unregister_event_handler import UnregisterEventHandler as UnregisterEventHandler
+    from tfloom.launch.actions.unset_environment_variable import UnsetEnvironmentVariable as UnsetEnvironmentVariable
+    from tfloom.launch.actions.unset_launch_configuration import UnsetLaunchConfiguration as UnsetLaunchConfiguration
 else:
     from tfloom.ros_modules import deferred
 

@@ -1,4 +1,5 @@
 """Log a message."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
 from tfloom.launch.actions.log import Log as Log
 from tfloom.launch.actions.log import LogDebug as LogDebug

@@ -1,5 +1,4 @@
 """End a scope of launch configurations."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from tfloom.launch.action import Action as Action
 from tfloom.launch.actions.pop_launch_configurations import PopLaunchConfigurations as PopLaunchConfigurations
-from tfloom.launch.launch_context import LaunchContext as LaunchContext

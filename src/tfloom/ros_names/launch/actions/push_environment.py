@@ -1,5 +1,4 @@
 """Begin a scope of environment variables."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from tfloom.launch.action import Action as Action
 from tfloom.launch.actions.push_environment import PushEnvironment as PushEnvironment
-from tfloom.launch.launch_context import LaunchContext as LaunchContext

@@ -1,7 +1,4 @@
 """Begin a scope of launch configurations."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from tfloom.launch.action import Action as Action
-from tfloom.launch.actions.push_launch_configurations import (
-    PushLaunchConfigurations as PushLaunchConfigurations,
-)
-from tfloom.launch.launch_context import LaunchContext as LaunchContext
+from tfloom.launch.actions.push_launch_configurations import PushLaunchConfigurations as PushLaunchConfigurations

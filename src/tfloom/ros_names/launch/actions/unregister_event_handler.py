@@ -1,6 +1,4 @@
 """Unregister an event handler."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from tfloom.launch.action import Action as Action
 from tfloom.launch.actions.unregister_event_handler import UnregisterEventHandler as UnregisterEventHandler
-from tfloom.launch.event_handler import BaseEventHandler as BaseEventHandler
-from tfloom.launch.launch_context import LaunchContext as LaunchContext

@@ -1,15 +1,4 @@
 """The error of a condition that is neither true nor false."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
-
-from tfloom.launch.conditions.invalid_condition_expression_error import *
-
-if TYPE_CHECKING:
-    from tfloom.launch.substitution import Substitution as Substitution
-else:
-    from tfloom.ros_modules import deferred
-
-    __getattr__, __dir__ = deferred(
-        __name__,
-        Substitution="tfloom.launch.substitution",
-    )
+from tfloom.launch.conditions.invalid_condition_expression_error import InvalidConditionExpressionError as InvalidConditionExpressionError

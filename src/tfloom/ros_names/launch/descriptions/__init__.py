@@ -1,9 +1,11 @@
 """Descriptions of what actions run."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
+__all__ = [
+    "Executable",
+]
 
-__all__ = ["Executable"]
-
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launch.descriptions import executable as executable
     from tfloom.launch.descriptions.executable import Executable as Executable

@@ -1,8 +1,6 @@
 """Handlers of the events that launch files react to."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
-
-# Imported before the function of the same name, because a later import of the module would replace the function.
 import launch.event_handlers.event_named
 from tfloom.launch.event_handlers.event_named import event_named as event_named
 
@@ -16,6 +14,7 @@ __all__ = [
     "event_named",
 ]
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launch.event_handlers import on_action_event_base as on_action_event_base
     from launch.event_handlers import on_execution_complete as on_execution_complete
@@ -25,9 +24,7 @@ if TYPE_CHECKING:
     from launch.event_handlers import on_process_start as on_process_start
     from launch.event_handlers import on_shutdown as on_shutdown
     from tfloom.launch.event_handlers.on_execution_complete import OnExecutionComplete as OnExecutionComplete
-    from tfloom.launch.event_handlers.on_include_launch_description import (
-        OnIncludeLaunchDescription as OnIncludeLaunchDescription,
-    )
+    from tfloom.launch.event_handlers.on_include_launch_description import OnIncludeLaunchDescription as OnIncludeLaunchDescription
     from tfloom.launch.event_handlers.on_process_exit import OnProcessExit as OnProcessExit
     from tfloom.launch.event_handlers.on_process_io import OnProcessIO as OnProcessIO
     from tfloom.launch.event_handlers.on_process_start import OnProcessStart as OnProcessStart

@@ -1,9 +1,15 @@
 """Events that the launch itself emits or handles."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
+__all__ = [
+    "ExecutionComplete",
+    "IncludeLaunchDescription",
+    "Shutdown",
+    "TimerEvent",
+    "matches_action",
+]
 
-__all__ = ["ExecutionComplete", "IncludeLaunchDescription", "Shutdown", "TimerEvent", "matches_action"]
-
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launch.events import execution_complete as execution_complete
     from launch.events import include_launch_description as include_launch_description
@@ -12,9 +18,7 @@ if TYPE_CHECKING:
     from launch.events import shutdown as shutdown
     from launch.events import timer_event as timer_event
     from tfloom.launch.events.execution_complete import ExecutionComplete as ExecutionComplete
-    from tfloom.launch.events.include_launch_description import (
-        IncludeLaunchDescription as IncludeLaunchDescription,
-    )
+    from tfloom.launch.events.include_launch_description import IncludeLaunchDescription as IncludeLaunchDescription
     from tfloom.launch.events.matchers import matches_action as matches_action
     from tfloom.launch.events.shutdown import Shutdown as Shutdown
     from tfloom.launch.events.timer_event import TimerEvent as TimerEvent

@@ -1,4 +1,4 @@
 """The end of a launch."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from tfloom.launch.event import Event as Event
 from tfloom.launch.events.shutdown import Shutdown as Shutdown

@@ -1,9 +1,15 @@
 """Launch files in other languages than Python: their elements, the parser, and how a tag gets its action."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
+__all__ = [
+    "Entity",
+    "InvalidFrontendLaunchFileError",
+    "Parser",
+    "expose_action",
+    "expose_substitution",
+]
 
-__all__ = ["Entity", "InvalidFrontendLaunchFileError", "Parser", "expose_action", "expose_substitution"]
-
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launch.frontend import entity as entity
     from launch.frontend import expose as expose
@@ -20,14 +26,14 @@ else:
 
     __getattr__, __dir__ = deferred(
         __name__,
+        Entity="tfloom.launch.frontend.entity",
+        InvalidFrontendLaunchFileError="tfloom.launch.frontend.parser",
+        Parser="tfloom.launch.frontend.parser",
         entity="launch.frontend",
         expose="launch.frontend",
+        expose_action="tfloom.launch.frontend.expose",
+        expose_substitution="tfloom.launch.frontend.expose",
         parse_substitution="launch.frontend",
         parser="launch.frontend",
         type_utils="launch.frontend",
-        Entity="tfloom.launch.frontend.entity",
-        expose_action="tfloom.launch.frontend.expose",
-        expose_substitution="tfloom.launch.frontend.expose",
-        InvalidFrontendLaunchFileError="tfloom.launch.frontend.parser",
-        Parser="tfloom.launch.frontend.parser",
     )

@@ -1,19 +1,9 @@
 """How a tag gets its action, and a name after `$(` its substitution."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
-
-from tfloom.launch.frontend.expose import *
-
-if TYPE_CHECKING:
-    from tfloom.launch.action import Action as Action
-    from tfloom.launch.some_substitutions_type import SomeSubstitutionsType as SomeSubstitutionsType
-    from tfloom.launch.substitution import Substitution as Substitution
-else:
-    from tfloom.ros_modules import deferred
-
-    __getattr__, __dir__ = deferred(
-        __name__,
-        Action="tfloom.launch.action",
-        SomeSubstitutionsType="tfloom.launch.some_substitutions_type",
-        Substitution="tfloom.launch.substitution",
-    )
+from tfloom.launch.frontend.expose import action_parse_methods as action_parse_methods
+from tfloom.launch.frontend.expose import expose_action as expose_action
+from tfloom.launch.frontend.expose import expose_substitution as expose_substitution
+from tfloom.launch.frontend.expose import instantiate_action as instantiate_action
+from tfloom.launch.frontend.expose import instantiate_substitution as instantiate_substitution
+from tfloom.launch.frontend.expose import substitution_parse_methods as substitution_parse_methods

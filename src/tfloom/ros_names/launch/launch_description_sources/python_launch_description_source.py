@@ -1,21 +1,4 @@
 """Launch descriptions in Python files."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
-
-from tfloom.launch.launch_description_sources.python_launch_description_source import *
-
-if TYPE_CHECKING:
-    from tfloom.launch.launch_description_source import LaunchDescriptionSource as LaunchDescriptionSource
-    from tfloom.launch.launch_description_sources.python_launch_file_utilities import (
-        get_launch_description_from_python_launch_file as get_launch_description_from_python_launch_file,
-    )
-    from tfloom.launch.some_substitutions_type import SomeSubstitutionsType as SomeSubstitutionsType
-else:
-    from tfloom.ros_modules import deferred
-
-    __getattr__, __dir__ = deferred(
-        __name__,
-        LaunchDescriptionSource="tfloom.launch.launch_description_source",
-        get_launch_description_from_python_launch_file="tfloom.launch.launch_description_sources.python_launch_file_utilities",
-        SomeSubstitutionsType="tfloom.launch.some_substitutions_type",
-    )
+from tfloom.launch.launch_description_sources.python_launch_description_source import PythonLaunchDescriptionSource as PythonLaunchDescriptionSource

@@ -1,15 +1,6 @@
 """The loading of launch files in Python."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
-
-from tfloom.launch.launch_description_sources.python_launch_file_utilities import *
-
-if TYPE_CHECKING:
-    from tfloom.launch.launch_description import LaunchDescription as LaunchDescription
-else:
-    from tfloom.ros_modules import deferred
-
-    __getattr__, __dir__ = deferred(
-        __name__,
-        LaunchDescription="tfloom.launch.launch_description",
-    )
+from tfloom.launch.launch_description_sources.python_launch_file_utilities import InvalidPythonLaunchFileError as InvalidPythonLaunchFileError
+from tfloom.launch.launch_description_sources.python_launch_file_utilities import get_launch_description_from_python_launch_file as get_launch_description_from_python_launch_file
+from tfloom.launch.launch_description_sources.python_launch_file_utilities import load_python_launch_file_as_module as load_python_launch_file_as_module

@@ -1,37 +1,22 @@
 """Logs of a launch: on the screen, in the launch's log folder, and a process's own files."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
+from tfloom.launch.logging import LaunchConfig as LaunchConfig
+from tfloom.launch.logging import LaunchLogger as LaunchLogger
+from tfloom.launch.logging import get_logger as get_logger
+from tfloom.launch.logging import get_output_loggers as get_output_loggers
+from tfloom.launch.logging import log_launch_config as log_launch_config
+from tfloom.launch.logging import reset as reset
 
-__all__ = [
-    "LaunchConfig",
-    "LaunchLogger",
-    "get_logger",
-    "get_output_loggers",
-    "launch_config",
-    "log_launch_config",
-    "reset",
-]
-
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launch.logging import handlers as handlers
-    from tfloom.launch.logging import LaunchConfig as LaunchConfig
-    from tfloom.launch.logging import LaunchLogger as LaunchLogger
-    from tfloom.launch.logging import get_logger as get_logger
-    from tfloom.launch.logging import get_output_loggers as get_output_loggers
     from tfloom.launch.logging import launch_config as launch_config
-    from tfloom.launch.logging import log_launch_config as log_launch_config
-    from tfloom.launch.logging import reset as reset
 else:
     from tfloom.ros_modules import deferred
 
     __getattr__, __dir__ = deferred(
         __name__,
-        LaunchConfig="tfloom.launch.logging",
-        LaunchLogger="tfloom.launch.logging",
-        get_logger="tfloom.launch.logging",
-        get_output_loggers="tfloom.launch.logging",
         handlers="launch.logging",
         launch_config="tfloom.launch.logging",
-        log_launch_config="tfloom.launch.logging",
-        reset="tfloom.launch.logging",
     )

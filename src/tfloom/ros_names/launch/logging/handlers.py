@@ -1,1 +1,2 @@
 """Handlers of logs: nothing public."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.

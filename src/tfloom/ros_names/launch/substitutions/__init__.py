@@ -1,6 +1,5 @@
 """Texts that are only known when the launch runs."""
-
-from typing import TYPE_CHECKING
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
 __all__ = [
     "AllSubstitution",
@@ -31,6 +30,7 @@ __all__ = [
     "ThisLaunchFileDir",
 ]
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launch.substitutions import anon_name as anon_name
     from launch.substitutions import boolean_substitution as boolean_substitution
@@ -69,17 +69,11 @@ if TYPE_CHECKING:
     from tfloom.launch.substitutions.launch_configuration import LaunchConfiguration as LaunchConfiguration
     from tfloom.launch.substitutions.launch_log_dir import LaunchLogDir as LaunchLogDir
     from tfloom.launch.substitutions.local_substitution import LocalSubstitution as LocalSubstitution
-    from tfloom.launch.substitutions.not_equals_substitution import (
-        NotEqualsSubstitution as NotEqualsSubstitution,
-    )
-    from tfloom.launch.substitutions.path_join_substitution import (
-        PathJoinSubstitution as PathJoinSubstitution,
-    )
+    from tfloom.launch.substitutions.not_equals_substitution import NotEqualsSubstitution as NotEqualsSubstitution
+    from tfloom.launch.substitutions.path_join_substitution import PathJoinSubstitution as PathJoinSubstitution
     from tfloom.launch.substitutions.path_join_substitution import PathSubstitution as PathSubstitution
     from tfloom.launch.substitutions.python_expression import PythonExpression as PythonExpression
-    from tfloom.launch.substitutions.string_join_substitution import (
-        StringJoinSubstitution as StringJoinSubstitution,
-    )
+    from tfloom.launch.substitutions.string_join_substitution import StringJoinSubstitution as StringJoinSubstitution
     from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure as SubstitutionFailure
     from tfloom.launch.substitutions.text_substitution import TextSubstitution as TextSubstitution
     from tfloom.launch.substitutions.this_launch_file import ThisLaunchFile as ThisLaunchFile
@@ -89,6 +83,32 @@ else:
 
     __getattr__, __dir__ = deferred(
         __name__,
+        AllSubstitution="tfloom.launch.substitutions.boolean_substitution",
+        AndSubstitution="tfloom.launch.substitutions.boolean_substitution",
+        AnonName="tfloom.launch.substitutions.anon_name",
+        AnySubstitution="tfloom.launch.substitutions.boolean_substitution",
+        Command="tfloom.launch.substitutions.command",
+        EnvironmentVariable="tfloom.launch.substitutions.environment_variable",
+        EqualsSubstitution="tfloom.launch.substitutions.equals_substitution",
+        FileContent="tfloom.launch.substitutions.file_content",
+        FindExecutable="tfloom.launch.substitutions.find_executable",
+        ForEachVar="tfloom.launch.substitutions.for_loop_var",
+        ForLoopIndex="tfloom.launch.substitutions.for_loop_var",
+        IfElseSubstitution="tfloom.launch.substitutions.if_else_substitution",
+        LaunchConfiguration="tfloom.launch.substitutions.launch_configuration",
+        LaunchLogDir="tfloom.launch.substitutions.launch_log_dir",
+        LocalSubstitution="tfloom.launch.substitutions.local_substitution",
+        NotEqualsSubstitution="tfloom.launch.substitutions.not_equals_substitution",
+        NotSubstitution="tfloom.launch.substitutions.boolean_substitution",
+        OrSubstitution="tfloom.launch.substitutions.boolean_substitution",
+        PathJoinSubstitution="tfloom.launch.substitutions.path_join_substitution",
+        PathSubstitution="tfloom.launch.substitutions.path_join_substitution",
+        PythonExpression="tfloom.launch.substitutions.python_expression",
+        StringJoinSubstitution="tfloom.launch.substitutions.string_join_substitution",
+        SubstitutionFailure="tfloom.launch.substitutions.substitution_failure",
+        TextSubstitution="tfloom.launch.substitutions.text_substitution",
+        ThisLaunchFile="tfloom.launch.substitutions.this_launch_file",
+        ThisLaunchFileDir="tfloom.launch.substitutions.this_launch_file_dir",
         anon_name="launch.substitutions",
         boolean_substitution="launch.substitutions",
         command="launch.substitutions",
@@ -109,30 +129,4 @@ else:
         text_substitution="launch.substitutions",
         this_launch_file="launch.substitutions",
         this_launch_file_dir="launch.substitutions",
-        AnonName="tfloom.launch.substitutions.anon_name",
-        AllSubstitution="tfloom.launch.substitutions.boolean_substitution",
-        AndSubstitution="tfloom.launch.substitutions.boolean_substitution",
-        AnySubstitution="tfloom.launch.substitutions.boolean_substitution",
-        NotSubstitution="tfloom.launch.substitutions.boolean_substitution",
-        OrSubstitution="tfloom.launch.substitutions.boolean_substitution",
-        Command="tfloom.launch.substitutions.command",
-        EnvironmentVariable="tfloom.launch.substitutions.environment_variable",
-        EqualsSubstitution="tfloom.launch.substitutions.equals_substitution",
-        FileContent="tfloom.launch.substitutions.file_content",
-        FindExecutable="tfloom.launch.substitutions.find_executable",
-        ForEachVar="tfloom.launch.substitutions.for_loop_var",
-        ForLoopIndex="tfloom.launch.substitutions.for_loop_var",
-        IfElseSubstitution="tfloom.launch.substitutions.if_else_substitution",
-        LaunchConfiguration="tfloom.launch.substitutions.launch_configuration",
-        LaunchLogDir="tfloom.launch.substitutions.launch_log_dir",
-        LocalSubstitution="tfloom.launch.substitutions.local_substitution",
-        NotEqualsSubstitution="tfloom.launch.substitutions.not_equals_substitution",
-        PathJoinSubstitution="tfloom.launch.substitutions.path_join_substitution",
-        PathSubstitution="tfloom.launch.substitutions.path_join_substitution",
-        PythonExpression="tfloom.launch.substitutions.python_expression",
-        StringJoinSubstitution="tfloom.launch.substitutions.string_join_substitution",
-        SubstitutionFailure="tfloom.launch.substitutions.substitution_failure",
-        TextSubstitution="tfloom.launch.substitutions.text_substitution",
-        ThisLaunchFile="tfloom.launch.substitutions.this_launch_file",
-        ThisLaunchFileDir="tfloom.launch.substitutions.this_launch_file_dir",
     )

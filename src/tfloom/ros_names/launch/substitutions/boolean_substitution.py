@@ -1,29 +1,9 @@
 """Logic on substitutions whose texts are true or false."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
-
-from tfloom.launch.substitutions.boolean_substitution import *
-
-if TYPE_CHECKING:
-    from tfloom.launch.frontend.expose import expose_substitution as expose_substitution
-    from tfloom.launch.launch_context import LaunchContext as LaunchContext
-    from tfloom.launch.some_substitutions_type import SomeSubstitutionsType as SomeSubstitutionsType
-    from tfloom.launch.substitution import Substitution as Substitution
-    from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure as SubstitutionFailure
-    from tfloom.launch.utilities.normalize_to_list_of_substitutions import (
-        normalize_to_list_of_substitutions as normalize_to_list_of_substitutions,
-    )
-    from tfloom.launch.utilities.type_utils import perform_typed_substitution as perform_typed_substitution
-else:
-    from tfloom.ros_modules import deferred
-
-    __getattr__, __dir__ = deferred(
-        __name__,
-        expose_substitution="tfloom.launch.frontend.expose",
-        LaunchContext="tfloom.launch.launch_context",
-        SomeSubstitutionsType="tfloom.launch.some_substitutions_type",
-        Substitution="tfloom.launch.substitution",
-        SubstitutionFailure="tfloom.launch.substitutions.substitution_failure",
-        normalize_to_list_of_substitutions="tfloom.launch.utilities.normalize_to_list_of_substitutions",
-        perform_typed_substitution="tfloom.launch.utilities.type_utils",
-    )
+from tfloom.launch.substitutions.boolean_substitution import AllSubstitution as AllSubstitution
+from tfloom.launch.substitutions.boolean_substitution import AndSubstitution as AndSubstitution
+from tfloom.launch.substitutions.boolean_substitution import AnySubstitution as AnySubstitution
+from tfloom.launch.substitutions.boolean_substitution import NotSubstitution as NotSubstitution
+from tfloom.launch.substitutions.boolean_substitution import OrSubstitution as OrSubstitution
+from tfloom.launch.substitutions.boolean_substitution import perform_boolean as perform_boolean

@@ -1,17 +1,4 @@
 """A text as a substitution."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
-
-from tfloom.launch.substitutions.text_substitution import *
-
-if TYPE_CHECKING:
-    from tfloom.launch.launch_context import LaunchContext as LaunchContext
-    from tfloom.launch.substitution import Substitution as Substitution
-else:
-    from tfloom.ros_modules import deferred
-
-    __getattr__, __dir__ = deferred(
-        __name__,
-        LaunchContext="tfloom.launch.launch_context",
-        Substitution="tfloom.launch.substitution",
-    )
+from tfloom.launch.substitutions.text_substitution import TextSubstitution as TextSubstitution

@@ -1,5 +1,4 @@
 """The text of several substitutions."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from tfloom.launch.launch_context import LaunchContext as LaunchContext
-from tfloom.launch.substitution import Substitution as Substitution
 from tfloom.launch.utilities.perform_substitutions import perform_substitutions as perform_substitutions

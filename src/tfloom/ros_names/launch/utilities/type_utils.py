@@ -1,14 +1,6 @@
 """Values of launch files and parameters: int, float, bool, str, lists of one of them, and substitutions for them."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
-
-from tfloom.launch.launch_context import LaunchContext as LaunchContext
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType as SomeSubstitutionsType
-from tfloom.launch.substitution import Substitution as Substitution
-from tfloom.launch.utilities.normalize_to_list_of_substitutions import (
-    normalize_to_list_of_substitutions as normalize_to_list_of_substitutions,
-)
-from tfloom.launch.utilities.perform_substitutions import perform_substitutions as perform_substitutions
 from tfloom.launch.utilities.type_utils import AllowedTypesTuple as AllowedTypesTuple
 from tfloom.launch.utilities.type_utils import AllowedTypesType as AllowedTypesType
 from tfloom.launch.utilities.type_utils import AllowedValueType as AllowedValueType
@@ -40,13 +32,3 @@ from tfloom.launch.utilities.type_utils import is_typing_list as is_typing_list
 from tfloom.launch.utilities.type_utils import is_valid_scalar_type as is_valid_scalar_type
 from tfloom.launch.utilities.type_utils import normalize_typed_substitution as normalize_typed_substitution
 from tfloom.launch.utilities.type_utils import perform_typed_substitution as perform_typed_substitution
-
-if TYPE_CHECKING:
-    from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type as ensure_argument_type
-else:
-    from tfloom.ros_modules import deferred
-
-    __getattr__, __dir__ = deferred(
-        __name__,
-        ensure_argument_type="tfloom.launch.utilities.ensure_argument_type",
-    )

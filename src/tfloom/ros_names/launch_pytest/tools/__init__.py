@@ -1,7 +1,22 @@
 """Waits for what a process does."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
+__all__ = [
+    "assert_output",
+    "assert_output_sync",
+    "assert_stderr",
+    "assert_stderr_sync",
+    "wait_for_exit",
+    "wait_for_exit_sync",
+    "wait_for_output",
+    "wait_for_output_sync",
+    "wait_for_start",
+    "wait_for_start_sync",
+    "wait_for_stderr",
+    "wait_for_stderr_sync",
+]
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launch_pytest.tools import process as process
     from tfloom.launch.testing.fixtures.process import assert_output as assert_output
@@ -21,11 +36,11 @@ else:
 
     __getattr__, __dir__ = deferred(
         __name__,
-        process="launch_pytest.tools",
         assert_output="tfloom.launch.testing.fixtures.process",
         assert_output_sync="tfloom.launch.testing.fixtures.process",
         assert_stderr="tfloom.launch.testing.fixtures.process",
         assert_stderr_sync="tfloom.launch.testing.fixtures.process",
+        process="launch_pytest.tools",
         wait_for_exit="tfloom.launch.testing.fixtures.process",
         wait_for_exit_sync="tfloom.launch.testing.fixtures.process",
         wait_for_output="tfloom.launch.testing.fixtures.process",

@@ -1,4 +1,5 @@
 """Waits for what a process does."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
 from tfloom.launch.testing.fixtures.process import assert_output as assert_output
 from tfloom.launch.testing.fixtures.process import assert_output_sync as assert_output_sync

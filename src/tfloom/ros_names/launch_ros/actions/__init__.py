@@ -1,6 +1,5 @@
 """Actions that start nodes, or that change how later ones are started."""
-
-from typing import TYPE_CHECKING
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
 __all__ = [
     "ComposableNodeContainer",
@@ -19,6 +18,7 @@ __all__ = [
     "SetUseSimTime",
 ]
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launch_ros.actions import composable_node_container as composable_node_container
     from launch_ros.actions import lifecycle_node as lifecycle_node
@@ -32,9 +32,7 @@ if TYPE_CHECKING:
     from launch_ros.actions import set_remap as set_remap
     from launch_ros.actions import set_ros_log_dir as set_ros_log_dir
     from launch_ros.actions import set_use_sim_time as set_use_sim_time
-    from tfloom.launch.ros.actions.composable_node_container import (
-        ComposableNodeContainer as ComposableNodeContainer,
-    )
+    from tfloom.launch.ros.actions.composable_node_container import ComposableNodeContainer as ComposableNodeContainer
     from tfloom.launch.ros.actions.lifecycle_node import LifecycleNode as LifecycleNode
     from tfloom.launch.ros.actions.lifecycle_transition import LifecycleTransition as LifecycleTransition
     from tfloom.launch.ros.actions.load_composable_nodes import LoadComposableNodes as LoadComposableNodes
@@ -44,9 +42,7 @@ if TYPE_CHECKING:
     from tfloom.launch.ros.actions.ros_timer import ROSTimer as ROSTimer
     from tfloom.launch.ros.actions.ros_timer import RosTimer as RosTimer
     from tfloom.launch.ros.actions.set_parameter import SetParameter as SetParameter
-    from tfloom.launch.ros.actions.set_parameters_from_file import (
-        SetParametersFromFile as SetParametersFromFile,
-    )
+    from tfloom.launch.ros.actions.set_parameters_from_file import SetParametersFromFile as SetParametersFromFile
     from tfloom.launch.ros.actions.set_remap import SetRemap as SetRemap
     from tfloom.launch.ros.actions.set_ros_log_dir import SetROSLogDir as SetROSLogDir
     from tfloom.launch.ros.actions.set_use_sim_time import SetUseSimTime as SetUseSimTime

@@ -1,9 +1,14 @@
 """Descriptions of what a node is given."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
+__all__ = [
+    "ComposableNode",
+    "Parameter",
+    "ParameterFile",
+    "ParameterValue",
+]
 
-__all__ = ["ComposableNode", "Parameter", "ParameterFile", "ParameterValue"]
-
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launch_ros.descriptions import composable_node as composable_node
     from tfloom.launch.ros.descriptions.composable_node import ComposableNode as ComposableNode

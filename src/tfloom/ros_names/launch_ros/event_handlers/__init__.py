@@ -1,9 +1,11 @@
 """Handlers of the events of nodes."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
+__all__ = [
+    "OnStateTransition",
+]
 
-__all__ = ["OnStateTransition"]
-
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launch_ros.event_handlers import on_state_transition as on_state_transition
     from tfloom.launch.ros.event_handlers.on_state_transition import OnStateTransition as OnStateTransition

@@ -1,9 +1,11 @@
 """Events of nodes."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
+__all__ = [
+    "matches_node_name",
+]
 
-__all__ = ["matches_node_name"]
-
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launch_ros.events import lifecycle as lifecycle
     from launch_ros.events import matchers as matchers

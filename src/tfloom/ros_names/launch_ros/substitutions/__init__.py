@@ -1,16 +1,20 @@
 """Substitutions by packages and parameters."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
+__all__ = [
+    "ExecutableInPackage",
+    "FindPackage",
+    "FindPackagePrefix",
+    "FindPackageShare",
+    "Parameter",
+]
 
-__all__ = ["ExecutableInPackage", "FindPackage", "FindPackagePrefix", "FindPackageShare", "Parameter"]
-
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launch_ros.substitutions import executable_in_package as executable_in_package
     from launch_ros.substitutions import find_package as find_package
     from launch_ros.substitutions import parameter as parameter
-    from tfloom.launch.ros.substitutions.executable_in_package import (
-        ExecutableInPackage as ExecutableInPackage,
-    )
+    from tfloom.launch.ros.substitutions.executable_in_package import ExecutableInPackage as ExecutableInPackage
     from tfloom.launch.ros.substitutions.find_package import FindPackage as FindPackage
     from tfloom.launch.ros.substitutions.find_package import FindPackagePrefix as FindPackagePrefix
     from tfloom.launch.ros.substitutions.find_package import FindPackageShare as FindPackageShare

@@ -1,6 +1,5 @@
 """Names, parameters and remappings of nodes."""
-
-from typing import TYPE_CHECKING
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
 import launch_ros.utilities.evaluate_parameters
 import launch_ros.utilities.normalize_parameters
@@ -25,6 +24,7 @@ __all__ = [
     "to_parameters_list",
 ]
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launch_ros.utilities import namespace_utils as namespace_utils
     from launch_ros.utilities import plugin_support as plugin_support
@@ -33,9 +33,7 @@ if TYPE_CHECKING:
     from tfloom.launch.ros.utilities.namespace_utils import is_root_namespace as is_root_namespace
     from tfloom.launch.ros.utilities.namespace_utils import make_namespace_absolute as make_namespace_absolute
     from tfloom.launch.ros.utilities.namespace_utils import prefix_namespace as prefix_namespace
-    from tfloom.launch.ros.utilities.normalize_remap_rule import (
-        normalize_remap_rules as normalize_remap_rules,
-    )
+    from tfloom.launch.ros.utilities.normalize_remap_rule import normalize_remap_rules as normalize_remap_rules
     from tfloom.launch.ros.utilities.track_node_names import add_node_name as add_node_name
     from tfloom.launch.ros.utilities.track_node_names import get_node_name_count as get_node_name_count
 else:

@@ -1,7 +1,14 @@
 """Actions of tests."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
+__all__ = [
+    "GTest",
+    "PyTest",
+    "ReadyToTest",
+    "Test",
+]
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launch_testing.actions import gtest as gtest
     from launch_testing.actions import pytest as pytest
@@ -16,12 +23,12 @@ else:
 
     __getattr__, __dir__ = deferred(
         __name__,
-        gtest="launch_testing.actions",
-        pytest="launch_testing.actions",
-        ready="launch_testing.actions",
-        test="launch_testing.actions",
         GTest="tfloom.launch.testing.actions.gtest",
         PyTest="tfloom.launch.testing.actions.pytest",
         ReadyToTest="tfloom.launch.testing.actions.ready",
         Test="tfloom.launch.testing.actions.test",
+        gtest="launch_testing.actions",
+        pytest="launch_testing.actions",
+        ready="launch_testing.actions",
+        test="launch_testing.actions",
     )

@@ -1,7 +1,23 @@
 """Assertions on processes."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
+__all__ = [
+    "EXIT_OK",
+    "EXIT_SIGINT",
+    "EXIT_SIGKILL",
+    "EXIT_SIGQUIT",
+    "EXIT_SIGSEGV",
+    "NO_CMD_ARGS",
+    "SequentialTextChecker",
+    "assertDefaultStream",
+    "assertExitCodes",
+    "assertInStderr",
+    "assertInStdout",
+    "assertInStream",
+    "assertSequentialStdout",
+]
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launch_testing.asserts import assert_exit_codes as assert_exit_codes
     from launch_testing.asserts import assert_output as assert_output
@@ -17,18 +33,13 @@ if TYPE_CHECKING:
     from tfloom.launch.testing.assert_output import assertInStdout as assertInStdout
     from tfloom.launch.testing.assert_output import assertInStream as assertInStream
     from tfloom.launch.testing.assert_sequential_output import SequentialTextChecker as SequentialTextChecker
-    from tfloom.launch.testing.assert_sequential_output import (
-        assertSequentialStdout as assertSequentialStdout,
-    )
+    from tfloom.launch.testing.assert_sequential_output import assertSequentialStdout as assertSequentialStdout
     from tfloom.launch.testing.proc_lookup import NO_CMD_ARGS as NO_CMD_ARGS
 else:
     from tfloom.ros_modules import deferred
 
     __getattr__, __dir__ = deferred(
         __name__,
-        assert_exit_codes="launch_testing.asserts",
-        assert_output="launch_testing.asserts",
-        assert_sequential_output="launch_testing.asserts",
         EXIT_OK="tfloom.launch.testing.assert_exit_codes",
         EXIT_SIGINT="tfloom.launch.testing.assert_exit_codes",
         EXIT_SIGKILL="tfloom.launch.testing.assert_exit_codes",
@@ -42,4 +53,7 @@ else:
         assertInStdout="tfloom.launch.testing.assert_output",
         assertInStream="tfloom.launch.testing.assert_output",
         assertSequentialStdout="tfloom.launch.testing.assert_sequential_output",
+        assert_exit_codes="launch_testing.asserts",
+        assert_output="launch_testing.asserts",
+        assert_sequential_output="launch_testing.asserts",
     )

@@ -1,7 +1,11 @@
 """Event handlers of tests."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
+__all__ = [
+    "StdoutReadyListener",
+]
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launch_testing.event_handlers import stdout_ready_listener as stdout_ready_listener
     from tfloom.launch.testing.stdout_ready_listener import StdoutReadyListener as StdoutReadyListener
@@ -10,6 +14,6 @@ else:
 
     __getattr__, __dir__ = deferred(
         __name__,
-        stdout_ready_listener="launch_testing.event_handlers",
         StdoutReadyListener="tfloom.launch.testing.stdout_ready_listener",
+        stdout_ready_listener="launch_testing.event_handlers",
     )

@@ -1,7 +1,19 @@
 """The older way to test a launch."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
+__all__ = [
+    "EmitEvent",
+    "ExecuteProcess",
+    "LaunchTestService",
+    "OnExecutionComplete",
+    "OnProcessExit",
+    "OnProcessIO",
+    "OnShutdown",
+    "RegisterEventHandler",
+    "Shutdown",
+]
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launch_testing.legacy import output as output
     from tfloom.launch.actions.emit_event import EmitEvent as EmitEvent
@@ -18,7 +30,6 @@ else:
 
     __getattr__, __dir__ = deferred(
         __name__,
-        output="launch_testing.legacy",
         EmitEvent="tfloom.launch.actions.emit_event",
         ExecuteProcess="tfloom.launch.actions.execute_process",
         LaunchTestService="tfloom.launch.testing.legacy",
@@ -28,4 +39,5 @@ else:
         OnShutdown="tfloom.launch.event_handlers.on_shutdown",
         RegisterEventHandler="tfloom.launch.actions.register_event_handler",
         Shutdown="tfloom.launch.events.shutdown",
+        output="launch_testing.legacy",
     )

@@ -1,11 +1,15 @@
 """Launch tests under pytest."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
-
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launch_testing.pytest import hooks as hooks
     from launch_testing.pytest import hookspecs as hookspecs
 else:
-    from tfloom.ros_modules import submodules
+    from tfloom.ros_modules import deferred
 
-    __getattr__ = submodules("launch_testing.pytest")
+    __getattr__, __dir__ = deferred(
+        __name__,
+        hooks="launch_testing.pytest",
+        hookspecs="launch_testing.pytest",
+    )

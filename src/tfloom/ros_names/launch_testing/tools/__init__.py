@@ -1,7 +1,15 @@
 """Tools of tests."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
+__all__ = [
+    "ProcessProxy",
+    "basic_output_filter",
+    "expect_output",
+    "expected_output_from_file",
+    "launch_process",
+]
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launch_testing.tools import output as output
     from launch_testing.tools import process as process
@@ -16,12 +24,12 @@ else:
 
     __getattr__, __dir__ = deferred(
         __name__,
-        output="launch_testing.tools",
-        process="launch_testing.tools",
-        text="launch_testing.tools",
         ProcessProxy="tfloom.launch.testing.process",
         basic_output_filter="tfloom.launch.testing.output",
         expect_output="tfloom.launch.testing.output",
         expected_output_from_file="tfloom.launch.testing.output",
         launch_process="tfloom.launch.testing.process",
+        output="launch_testing.tools",
+        process="launch_testing.tools",
+        text="launch_testing.tools",
     )

@@ -1,7 +1,14 @@
 """Helpers of tests."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
+__all__ = [
+    "KeepAliveProc",
+    "NO_CMD_ARGS",
+    "NoMatchingProcessException",
+    "resolveProcesses",
+]
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launch_testing.util import proc_lookup as proc_lookup
     from tfloom.launch.testing.keep_alive import KeepAliveProc as KeepAliveProc
@@ -13,9 +20,9 @@ else:
 
     __getattr__, __dir__ = deferred(
         __name__,
-        proc_lookup="launch_testing.util",
         KeepAliveProc="tfloom.launch.testing.keep_alive",
         NO_CMD_ARGS="tfloom.launch.testing.proc_lookup",
         NoMatchingProcessException="tfloom.launch.testing.proc_lookup",
+        proc_lookup="launch_testing.util",
         resolveProcesses="tfloom.launch.testing.proc_lookup",
     )

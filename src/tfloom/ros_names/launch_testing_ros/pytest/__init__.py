@@ -1,10 +1,13 @@
 """Launch tests with nodes, under pytest."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
-
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launch_testing_ros.pytest import hooks as hooks
 else:
-    from tfloom.ros_modules import submodules
+    from tfloom.ros_modules import deferred
 
-    __getattr__ = submodules("launch_testing_ros.pytest")
+    __getattr__, __dir__ = deferred(
+        __name__,
+        hooks="launch_testing_ros.pytest",
+    )

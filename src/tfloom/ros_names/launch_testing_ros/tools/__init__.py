@@ -1,7 +1,11 @@
 """Tools of tests with nodes."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
+__all__ = [
+    "basic_output_filter",
+]
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launch_testing_ros.tools import output as output
     from tfloom.launch.testing.ros.output import basic_output_filter as basic_output_filter
@@ -10,6 +14,6 @@ else:
 
     __getattr__, __dir__ = deferred(
         __name__,
-        output="launch_testing_ros.tools",
         basic_output_filter="tfloom.launch.testing.ros.output",
+        output="launch_testing_ros.tools",
     )

@@ -1,21 +1,19 @@
 """Launch descriptions in YAML files."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
+__all__ = [
+    "YAMLLaunchDescriptionSource",
+]
 
-__all__ = ["YAMLLaunchDescriptionSource"]
-
+TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from launch_yaml.launch_description_sources import (
-        yaml_launch_description_source as yaml_launch_description_source,
-    )
-    from tfloom.launch.yaml.yaml_launch_description_source import (
-        YAMLLaunchDescriptionSource as YAMLLaunchDescriptionSource,
-    )
+    from launch_yaml.launch_description_sources import yaml_launch_description_source as yaml_launch_description_source
+    from tfloom.launch.yaml.yaml_launch_description_source import YAMLLaunchDescriptionSource as YAMLLaunchDescriptionSource
 else:
     from tfloom.ros_modules import deferred
 
     __getattr__, __dir__ = deferred(
         __name__,
-        yaml_launch_description_source="launch_yaml.launch_description_sources",
         YAMLLaunchDescriptionSource="tfloom.launch.yaml.yaml_launch_description_source",
+        yaml_launch_description_source="launch_yaml.launch_description_sources",
     )

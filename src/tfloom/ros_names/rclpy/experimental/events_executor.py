@@ -1,4 +1,4 @@
 """The events executor, which runs callbacks in the order of their events."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from tfloom.node.executing.events_executor import *
-from tfloom.node.executing.events_executor import __all__
+from tfloom.node.executing.events_executor import EventsExecutor as EventsExecutor

@@ -1,4 +1,4 @@
 """The name under which programs import rclpy's compiled module."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from tfloom.node.implementation_singleton import *
-from tfloom.node.implementation_singleton import __all__
+from tfloom.node.implementation_singleton import rclpy_implementation as rclpy_implementation

@@ -1,4 +1,4 @@
 """The severities of log records."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from tfloom.node.log.logging_severity import *
-from tfloom.node.log.logging_severity import __all__
+from tfloom.node.log.logging_severity import LoggingSeverity as LoggingSeverity

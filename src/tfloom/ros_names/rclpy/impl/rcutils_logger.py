@@ -1,4 +1,5 @@
 """Loggers."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from tfloom.node.log.rcutils_logger import *
-from tfloom.node.log.rcutils_logger import __all__
+from tfloom.node.log.rcutils_logger import CallerId as CallerId
+from tfloom.node.log.rcutils_logger import RcutilsLogger as RcutilsLogger

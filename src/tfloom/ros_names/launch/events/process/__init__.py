@@ -1,6 +1,5 @@
 """Events of processes."""
-
-from typing import TYPE_CHECKING
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
 __all__ = [
     "ProcessExited",
@@ -18,6 +17,7 @@ __all__ = [
     "matches_pid",
 ]
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launch.events.process import process_exited as process_exited
     from launch.events.process import process_io as process_io
@@ -39,9 +39,7 @@ if TYPE_CHECKING:
     from tfloom.launch.events.process.process_stderr import ProcessStderr as ProcessStderr
     from tfloom.launch.events.process.process_stdin import ProcessStdin as ProcessStdin
     from tfloom.launch.events.process.process_stdout import ProcessStdout as ProcessStdout
-    from tfloom.launch.events.process.process_targeted_event import (
-        ProcessTargetedEvent as ProcessTargetedEvent,
-    )
+    from tfloom.launch.events.process.process_targeted_event import ProcessTargetedEvent as ProcessTargetedEvent
     from tfloom.launch.events.process.running_process_event import RunningProcessEvent as RunningProcessEvent
     from tfloom.launch.events.process.shutdown_process import ShutdownProcess as ShutdownProcess
     from tfloom.launch.events.process.signal_process import SignalProcess as SignalProcess

@@ -1,4 +1,4 @@
 """The end of a process."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
 from tfloom.launch.events.process.process_exited import ProcessExited as ProcessExited
-from tfloom.launch.events.process.running_process_event import RunningProcessEvent as RunningProcessEvent

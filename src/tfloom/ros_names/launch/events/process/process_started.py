@@ -1,4 +1,4 @@
 """The start of a process."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
 from tfloom.launch.events.process.process_started import ProcessStarted as ProcessStarted
-from tfloom.launch.events.process.running_process_event import RunningProcessEvent as RunningProcessEvent

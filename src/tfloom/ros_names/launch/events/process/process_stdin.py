@@ -1,15 +1,4 @@
 """Input for some processes."""
-
-from typing import TYPE_CHECKING
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
 from tfloom.launch.events.process.process_stdin import ProcessStdin as ProcessStdin
-
-if TYPE_CHECKING:
-    from tfloom.launch.events.process.process_io import ProcessIO as ProcessIO
-else:
-    from tfloom.ros_modules import deferred
-
-    __getattr__, __dir__ = deferred(
-        __name__,
-        ProcessIO="tfloom.launch.events.process.process_io",
-    )

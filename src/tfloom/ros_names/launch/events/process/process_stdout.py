@@ -1,4 +1,4 @@
 """Output of a process."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from tfloom.launch.events.process.process_io import ProcessIO as ProcessIO
 from tfloom.launch.events.process.process_stdout import ProcessStdout as ProcessStdout

@@ -1,17 +1,19 @@
 """Events of lifecycle nodes."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
+__all__ = [
+    "ChangeState",
+    "StateTransition",
+    "matches_node_name",
+]
 
-__all__ = ["ChangeState", "StateTransition", "matches_node_name"]
-
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launch_ros.events.lifecycle import change_state as change_state
     from launch_ros.events.lifecycle import lifecycle_node_matchers as lifecycle_node_matchers
     from launch_ros.events.lifecycle import state_transition as state_transition
     from tfloom.launch.ros.events.lifecycle.change_state import ChangeState as ChangeState
-    from tfloom.launch.ros.events.lifecycle.lifecycle_node_matchers import (
-        matches_node_name as matches_node_name,
-    )
+    from tfloom.launch.ros.events.lifecycle.lifecycle_node_matchers import matches_node_name as matches_node_name
     from tfloom.launch.ros.events.lifecycle.state_transition import StateTransition as StateTransition
 else:
     from tfloom.ros_modules import deferred

@@ -1,13 +1,4 @@
 """Matchers of actions of nodes."""
+# Written by `python -m tools.facades`, from tools/facades/names.yaml.
 
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from tfloom.launch.ros.events.matchers import matches_node_name as matches_node_name
-else:
-    from tfloom.ros_modules import deferred
-
-    __getattr__, __dir__ = deferred(
-        __name__,
-        matches_node_name="tfloom.launch.ros.events.matchers",
-    )
+from tfloom.launch.ros.events.matchers import matches_node_name as matches_node_name
