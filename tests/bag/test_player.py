@@ -300,7 +300,7 @@ def test_reading_ahead_is_bounded_by_number_and_size() -> None:
 
     for size, most in ((10, 700), (1_000_000, 80)):
         taken = 0
-        ahead = ReadAhead(messages(size), 500)
+        ahead = ReadAhead("bag", messages(size), 500)
         assert [next(ahead).log_time_ns for _ in range(10)] == list(range(10))
         ahead.close()
         assert taken <= most, size
@@ -312,7 +312,7 @@ def test_error_of_the_bag_is_raised_where_it_is_used() -> None:
         yield RawMessage("/x", 1, 1, b"")
         raise OSError("gone")
 
-    ahead = ReadAhead(messages(), 500)
+    ahead = ReadAhead("bag", messages(), 500)
     assert next(ahead).log_time_ns == 1
     with pytest.raises(OSError, match="gone"):
         next(ahead)

@@ -36,7 +36,12 @@ def handled_keys(actions: Mapping[str, Callable[[], object]], *, enabled: bool =
             return
         ended = threading.Event()
         thread = threading.Thread(target=_read, args=(keyboard, actions, ended), daemon=True)
-        thread.start()
+        try:
+            thread.start()
+        except RuntimeError as error:
+            print(f"Keyboard handling disabled: {error}.", file=sys.stderr)
+            yield
+            return
         try:
             yield
         finally:
@@ -52,4 +57,11 @@ def _read(keyboard: Keyboard, actions: Mapping[str, Callable[[], object]], ended
             return
         for key in without_repetitions(keys):
             if key in actions:
-                actions[key]()
+                _call(actions[key])
+
+
+def _call(action: Callable[[], object]) -> None:
+    try:
+        action()
+    except Exception:  # noqa: BLE001  # of one key; the next must work
+        threading.excepthook(threading.ExceptHookArgs((*sys.exc_info(), threading.current_thread())))

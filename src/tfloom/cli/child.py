@@ -35,8 +35,12 @@ def run_child(command: Sequence[str]) -> int:
         if child and not (number == signal.SIGINT and _terminal_signals_us()):
             timer = threading.Timer(GRACE_S, _send, (child[0], number))
             timer.daemon = True
-            timer.start()
-            waiting.append(timer)
+            try:
+                timer.start()
+            except RuntimeError:  # no thread can be started: better twice than not at all
+                _send(child[0], number)
+            else:
+                waiting.append(timer)
 
     old = {number: signal.signal(number, pass_on) for number in passed_on}
     try:

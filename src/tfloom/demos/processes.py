@@ -72,7 +72,12 @@ class ProcessProgram:
             start_new_session=True,  # a Ctrl-C reaches this process alone, which then ends the others
         )
         self._reader = threading.Thread(target=self._read, args=(on_line,), daemon=True)
-        self._reader.start()
+        try:
+            self._reader.start()
+        except RuntimeError:
+            self._process.kill()  # nobody would read what it prints, or end it
+            self._process.wait()
+            raise
 
     def _read(self, on_line: Callable[[str], object] | None) -> None:
         for line in self._process.stdout or ():

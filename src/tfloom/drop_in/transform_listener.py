@@ -117,10 +117,17 @@ class TransformListener(ListenerBase):
         node.context.on_shutdown(self._on_shutdown)
         call_after(CHECK_S, _check_callback(weakref.ref(self)))
         if spin_thread:
-            executors = real_ros.module("rclpy.executors")
-            self._spin(
-                executors.SingleThreadedExecutor(context=node.context), executors.ExternalShutdownException
-            )
+            self._spin_on_thread()
+
+    def _spin_on_thread(self) -> None:
+        executors = real_ros.module("rclpy.executors")
+        executor = executors.SingleThreadedExecutor(context=self.node.context)
+
+        def run() -> None:
+            with suppress(executors.ExternalShutdownException):
+                executor.spin()
+
+        self._spin(executor, run)
 
     def _subscribe(self) -> None:
         is_direct = isinstance(self._buffer, NativeBuffer) and all(

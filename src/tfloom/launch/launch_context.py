@@ -183,8 +183,17 @@ class LaunchContext:
         self.run_state.handlers.remove(event_handler)
 
     def would_handle_event(self, event: Event) -> bool:
-        """Return whether any handler handles an event."""
-        return any(handler.matches(event) for handler in self.run_state.handlers)
+        """Return whether any handler handles an event. The exception of a matcher ends the launch that runs."""
+        for handler in tuple(self.run_state.handlers):
+            try:
+                if handler.matches(event):
+                    return True
+            except Exception as error:  # noqa: PERF203
+                if self.run_state.report is None:
+                    raise
+                # The caller goes on: it prints what a process has written, for example.
+                self.run_state.report(error)
+        return False
 
     def emit_event_sync(self, event: Event) -> None:
         """Add an event to those that the service handles, in order."""

@@ -35,6 +35,7 @@ from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.logging import get_logger, launch_config, log_launch_config
 from tfloom.launch.processes.running import guard_of
+from tfloom.launch.run_state import HandlesEvents
 from tfloom.launch.utilities.error_places import describe_failure
 from tfloom.launch.utilities.normalize_to_list_of_entities import normalize_to_list_of_entities
 from tfloom.launch.utilities.signal_management import AsyncSafeSignalManager
@@ -67,6 +68,8 @@ class LaunchService:
         self._logger = get_logger("launch")
         self._context = LaunchContext(argv=argv, noninteractive=noninteractive)
         self._state = self._context.run_state
+        self._has_begun_shutdown = False
+        """Whether a Shutdown event is being handled, or was."""
         self._context.register_event_handler(OnIncludeLaunchDescription())
         self._context.register_event_handler(OnShutdown(on_shutdown=self._on_shutdown))
         self._open: list[tuple[LaunchDescriptionEntity, asyncio.Future[Any]]] = []
@@ -132,10 +135,7 @@ class LaunchService:
         state = self._state
         while True:
             if state.events:
-                try:
-                    self._handle(state.events.popleft())
-                except Exception as error:  # noqa: BLE001  # of a user's description
-                    self._fail(error)
+                self._handle(state.events.popleft())
                 await asyncio.sleep(0)  # processes and timers go on between events
             elif self._has_open_futures():
                 await self._wake.wait()
@@ -150,13 +150,22 @@ class LaunchService:
     def _handle(self, event: Event) -> None:
         """Visit what the handlers of an event return."""
         self._logger.debug("processing event: '%s'", event)
+        if isinstance(event, Shutdown):
+            self._has_begun_shutdown = True  # before its handlers: an error in one must not emit another
         for handler in tuple(self._state.handlers):
-            if not handler.matches(event):
-                continue
-            self._logger.debug("processing event: '%s' ✓ '%s'", event, handler)
-            returned = handler.handle(event, self._context)
-            for entity in normalize_to_list_of_entities([returned] if returned is not None else []):
-                self._visit(entity)
+            try:
+                self._handle_by(handler, event)
+            except Exception as error:  # noqa: BLE001, PERF203  # of a user's description
+                # The other handlers are called: at the shutdown, those that end the processes and the launch itself.
+                self._fail(error)
+
+    def _handle_by(self, handler: HandlesEvents, event: Event) -> None:
+        if not handler.matches(event):
+            return
+        self._logger.debug("processing event: '%s' ✓ '%s'", event, handler)
+        returned = handler.handle(event, self._context)
+        for entity in normalize_to_list_of_entities([returned] if returned is not None else []):
+            self._visit(entity)
 
     def _visit(self, entity: LaunchDescriptionEntity) -> None:
         for pair in visit_all_entities(entity, self._context):
@@ -177,7 +186,7 @@ class LaunchService:
         self._state.is_shutdown = True
 
     def _shut_down(self, reason: str, *, due_to_sigint: bool = False) -> None:
-        if not self._state.is_shutdown:
+        if not self._state.is_shutdown and not self._has_begun_shutdown:
             self._context.emit_event_sync(Shutdown(reason=reason, due_to_sigint=due_to_sigint))
 
     def _fail(self, error: BaseException) -> None:
@@ -215,7 +224,8 @@ class LaunchService:
                 raise RuntimeError("LaunchService is already running")
             self._loop, self._thread, self._task = loop, threading.get_ident(), asyncio.current_task()
         self._wake = asyncio.Event()
-        self._state.start(loop, self._wake.set)
+        self._has_begun_shutdown = False
+        self._state.start(loop, self._wake.set, self._fail)
         try:
             yield loop
         finally:

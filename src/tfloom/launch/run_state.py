@@ -38,15 +38,25 @@ class RunState:
         """Whether a Shutdown event has been handled."""
         self.wake: Callable[[], None] = _do_nothing
         """Wakes the service, while one waits for events."""
+        self.report: Callable[[Exception], None] | None = None
+        """Ends the launch because of an error; None while it doesn't run."""
         self._futures: list[Future[Any]] = []
 
-    def start(self, loop: AbstractEventLoop, wake: Callable[[], None]) -> None:
-        """Begin a run on an asyncio loop; `wake` is called when there is something to do."""
-        self.loop, self.wake, self.is_shutdown = loop, wake, False
+    def start(
+        self, loop: AbstractEventLoop, wake: Callable[[], None], report: Callable[[Exception], None]
+    ) -> None:
+        """Begin a run on an asyncio loop.
+
+        Args:
+            loop: The loop.
+            wake: Called when there is something to do.
+            report: Called with an error that is to end the launch.
+        """
+        self.loop, self.wake, self.report, self.is_shutdown = loop, wake, report, False
 
     def stop(self) -> None:
         """End the run; events are kept for the next one."""
-        self.loop, self.wake = None, _do_nothing
+        self.loop, self.wake, self.report = None, _do_nothing, None
 
     def emit(self, event: Event) -> None:
         """Add an event to those to handle."""

@@ -32,6 +32,7 @@ from tfloom.rmw.cyclone_services import (
     end_user_data,
     untranslated,
 )
+from tfloom.rmw.cyclone_threads import check_threads
 from tfloom.rmw.errors import ClosedError, WireError
 from tfloom.rmw.forks import Inherited, refuse
 from tfloom.rmw.machine_clock import describe_machine_clock
@@ -134,6 +135,7 @@ class CycloneParticipant:
             cyclone_config.refuse_enforced_security()
             cyclone_config.look_up_peers()
             library, _ = open_library(_library())
+            check_threads(domain_id)
             self._vendors = Vendors(untranslated(library), self._find_node)
             self._native = DdsParticipant(
                 library,

@@ -12,6 +12,7 @@ import time
 from collections.abc import Iterable
 from collections.abc import Set as AbstractSet
 from contextlib import suppress
+from functools import partial
 from typing import Protocol
 
 from tfloom._native import ReadyQueue
@@ -188,9 +189,12 @@ class RequestsInFlight:
                     self._sent_s[key] = now_s
                 client.write(data, key[1])
             if self._held:
-                self._timer = threading.Timer(UNANSWERED_S, self._send_held)
-                self._timer.daemon = True
-                self._timer.start()
+                timer = threading.Timer(UNANSWERED_S, self._send_held)
+                timer.daemon = True
+                # Where no thread can be started, the next response or request sends those that are held.
+                with suppress(RuntimeError):
+                    timer.start()
+                    self._timer = timer
 
     def leave(self, client: HeaderRequester) -> None:
         """Forget the requests of a client that closes."""
@@ -360,9 +364,11 @@ class HeaderResponder:
             if is_matched is None:
                 return
             if not is_matched and self._clients.may_be_late(publisher_gid):
-                threading.Thread(
-                    target=self._send_late, args=(key, publisher_gid, response), daemon=True
-                ).start()
+                late = partial(self._send_late, key, publisher_gid, response)
+                try:
+                    threading.Thread(target=late, daemon=True).start()
+                except RuntimeError:  # no more threads: the response must not be lost, so this one waits
+                    late()
                 return
         self._responses.write(response)
 

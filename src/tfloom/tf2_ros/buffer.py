@@ -238,7 +238,11 @@ class Buffer(BufferCore, BufferInterface):
 
         future.add_done_callback(lambda ended: ended.cancelled() and self.cancel_request(handle))
         if timeout is not None:
-            deadline = call_after(duration_ns(timeout) / 1e9, expire)
+            try:
+                deadline = call_after(duration_ns(timeout) / 1e9, expire)
+            except RuntimeError:  # no thread: without its timeout, the request must not stay
+                self.cancel_request(handle)
+                raise
             self._on_completion(future, deadline.cancel)
         return future
 

@@ -142,7 +142,11 @@ class _Query:
             if self._buffer.cancel_request(request):  # otherwise it is being completed
                 waiting.set_result(False)
 
-        deadline = call_after(self._timeout_s, expire)
+        try:
+            deadline = call_after(self._timeout_s, expire)
+        except RuntimeError:  # no thread: without its timeout, the request must not stay
+            self._buffer.cancel_request(request)
+            raise
 
         def forget() -> None:
             deadline.cancel()

@@ -37,15 +37,19 @@ class Deadline:
 
 
 def call_after(delay_s: float, function: Callable[[], None]) -> Deadline:
-    """Call `function()` once, after `delay_s` by the steady clock, on a thread that all such calls share."""
+    """Call `function()` once, after `delay_s` by the steady clock, on a thread that all such calls share.
+
+    Raises:
+        RuntimeError: that thread doesn't run, and can't be started; the call will not be made.
+    """
     global _thread  # noqa: PLW0603, one for the process
     with _changed:
-        number = next(_numbers)
-        _functions[number] = function
-        heapq.heappush(_waiting, (time.monotonic() + delay_s, number))
         if _thread is None or not _thread.is_alive():
             _thread = threading.Thread(target=_run, name="tf2_deadlines", daemon=True)
             _thread.start()
+        number = next(_numbers)
+        _functions[number] = function
+        heapq.heappush(_waiting, (time.monotonic() + delay_s, number))
         _changed.notify()
     return Deadline(number)
 

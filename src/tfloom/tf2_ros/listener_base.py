@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from collections.abc import Callable
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
@@ -74,17 +75,28 @@ class ListenerBase:
         if int(jump.clock_change) != ClockChange.ROS_TIME_NO_CHANGE or jump.delta.nanoseconds < 0:
             sink.forget_all()
 
-    def _spin(self, executor: Any, ended: type[Exception]) -> None:
-        """Spin the node on a thread, until `ended` is raised: rclpy's error after a shutdown."""
+    def _spin(self, executor: Any, run: Callable[[], None]) -> None:
+        """Spin the node in an executor by `run()`, on a thread.
+
+        Raises:
+            RuntimeError: the thread can't be started. The listener is unregistered, and the node is in the executor in
+                which it was before.
+        """
+        before = self.node.executor
         executor.add_node(self.node)
-
-        def run() -> None:
-            with suppress(ended):
-                executor.spin()
-
+        thread = threading.Thread(target=run, name="tf_listener", daemon=True)
+        try:
+            thread.start()
+        except RuntimeError as error:
+            executor.shutdown()
+            self.unregister()
+            if before is not None:
+                before.add_node(self.node)
+            raise RuntimeError(
+                f"a TransformListener with spin_thread=True needs a thread: {error}"
+            ) from error
         self.executor = executor
-        self.dedicated_listener_thread = threading.Thread(target=run, name="tf_listener", daemon=True)
-        self.dedicated_listener_thread.start()
+        self.dedicated_listener_thread = thread
 
     def __del__(self) -> None:
         # Runs on any thread, at any time, perhaps after a failed __init__ or at the interpreter's end.

@@ -10,6 +10,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from tfloom.node.log.logging import get_logger
+from tfloom.node.values.call_all import call_all
 from tfloom.tf2_ros.buffer_core import duration_ns, time_ns
 from tfloom.tf2_ros.deadlines import call_after
 from tfloom.tf2_ros.message_filters import SimpleFilter
@@ -191,7 +192,11 @@ class MessageFilter(SimpleFilter):
         elif is_ready:
             self.signalMessage(held.message)
         elif self._timeout_s is not None:
-            call_after(self._timeout_s, partial(self._fail, held, FilterFailureReason.NoTransformFound))
+            try:
+                call_after(self._timeout_s, partial(self._fail, held, FilterFailureReason.NoTransformFound))
+            except RuntimeError:  # no thread: without its timeout, the message must not be held
+                self._fail(held, FilterFailureReason.Unknown)
+                raise
 
     def _answer(self, held: _Held, _handle: int, is_available: bool) -> None:
         if not is_available:
@@ -224,8 +229,9 @@ class MessageFilter(SimpleFilter):
             f"Message Filter dropping message: frame '{header.frame_id}' at time {time_ns(header.stamp) / 1e9:.3f} "
             f"for reason '{_TEXTS[reason]}'"
         )
-        for callback in self._failure_callbacks:
-            self._call(partial(callback, message, reason))
+        call_all(
+            [partial(self._call, partial(callback, message, reason)) for callback in self._failure_callbacks]
+        )
 
     def _call(self, function: Callable[[], Any]) -> None:
         if self._guard is None:
@@ -236,4 +242,9 @@ class MessageFilter(SimpleFilter):
 
     def _call_all(self) -> None:
         while self._calls:
-            self._calls.popleft()()
+            try:
+                self._calls.popleft()()
+            except BaseException:  # noqa: PERF203
+                if self._calls and self._guard is not None:
+                    self._guard.trigger()  # the other messages are passed on by the next spin
+                raise

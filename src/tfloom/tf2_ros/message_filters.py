@@ -5,9 +5,11 @@ from __future__ import annotations
 import threading
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Sequence
+from functools import partial
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
+from tfloom.node.values.call_all import call_all
 from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.time import Time
@@ -39,9 +41,8 @@ class SimpleFilter:
         self.callbacks.pop(conn, None)
 
     def signalMessage(self, *msg: Any) -> None:  # noqa: N802, message_filters' name
-        """Call all callbacks."""
-        for callback, args in list(self.callbacks.values()):
-            callback(*msg, *args)
+        """Call all callbacks; if one raises, the others first."""
+        call_all([partial(callback, *msg, *args) for callback, args in self.callbacks.values()])
 
 
 class Subscriber(SimpleFilter):

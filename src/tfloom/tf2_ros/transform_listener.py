@@ -5,6 +5,7 @@ from __future__ import annotations
 import secrets
 import weakref
 from contextlib import suppress
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
@@ -12,9 +13,9 @@ from tfloom.node.clock.clock import ROSClock
 from tfloom.node.clock.time_jump import ANY_JUMP
 from tfloom.node.executing.callback_groups import ReentrantCallbackGroup
 from tfloom.node.executing.executors import SingleThreadedExecutor
+from tfloom.node.executing.own_thread import spin_on_own_thread
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
-from tfloom.node.values.exceptions import ExternalShutdownException
 from tfloom.tf2_ros.far_stamps import held_callback, jump_callback, warn_of_held
 from tfloom.tf2_ros.listener_base import AUTHORITY, ListenerBase
 
@@ -48,7 +49,8 @@ class TransformListener(ListenerBase):
     Args:
         buffer: The buffer to fill.
         node: The node that subscribes; None: a hidden node of the listener.
-        spin_thread: Whether to spin the node on a thread of the listener. The transforms don't need it.
+        spin_thread: Whether to spin the node on a thread of the listener. The transforms don't need it. An exception of
+            one of the node's callbacks is reported by `threading.excepthook`, and the thread goes on.
         qos: The requested QoS of /tf; None: reliable, volatile, depth 100.
         static_qos: The requested QoS of /tf_static; None: reliable, transient local, depth 100.
         tf_topic: Topic of the transforms that change.
@@ -84,7 +86,7 @@ class TransformListener(ListenerBase):
         )
         self.buffer = buffer
         if spin_thread:
-            self._spin(SingleThreadedExecutor(context=self.node.context), ExternalShutdownException)
+            self._spin_on_thread()
 
     def _subscribe(self, topic: str, callback: Any, qos: QoSProfile | int) -> Subscription[TFMessage]:
         return self.node.create_subscription(TFMessage, topic, callback, qos, callback_group=self.group)
@@ -129,6 +131,15 @@ class TransformListener(ListenerBase):
         if self.tf_sub is None:
             return
         warn_of_held(self.node, self.tf_sub.topic_name, gid, child_frame_id, stamp_ns, now_ns)
+
+    def _spin_on_thread(self) -> None:
+        executor = SingleThreadedExecutor(context=self.node.context)
+        try:
+            self._spin(executor, partial(spin_on_own_thread, executor))
+        except RuntimeError:
+            if self._owns_node:
+                self.node.destroy_node()
+            raise
 
     def unregister(self) -> None:
         """Destroy the subscriptions. The buffer keeps its content."""

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any, overload
 
 from tfloom.interfaces.diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from tfloom.node.node import Node
+from tfloom.node.values.call_all import call_all
 from tfloom_sensing.diagnostic_status_wrapper import DiagnosticStatusWrapper
 from tfloom_sensing.diagnostic_tasks import DiagnosticTask
 
@@ -117,18 +119,19 @@ class Updater(DiagnosticTaskVector):
         return self.node.get_parameter(name).value
 
     def update(self) -> None:
-        """Run all tasks and publish their statuses; the timer calls this."""
-        statuses = []
+        """Run all tasks and publish their statuses; the timer calls this.
+
+        The status of a task that raises is an error with the exception's text; the exception is raised afterwards.
+        """
+        statuses: list[DiagnosticStatus] = []
+        raised: list[Callable[[], None]] = []
         with self.lock:
             for task in list(self.tasks):
-                status = task.run(
-                    DiagnosticStatusWrapper(
-                        level=DiagnosticStatus.ERROR,
-                        name=task.name,
-                        message="No message was set",
-                        hardware_id=self.hwid,
-                    )
-                )
+                try:
+                    status = task.run(self._new_status(task.name))
+                except Exception as error:  # noqa: BLE001  # raised below, when the other tasks have been published
+                    raised.append(partial(_raise, error))
+                    status = self._new_status(task.name, f"The task raised {type(error).__name__}: {error}")
                 statuses.append(status)
                 if self.verbose and status.level != DiagnosticStatus.OK:
                     self.node.get_logger().warn(
@@ -139,6 +142,12 @@ class Updater(DiagnosticTaskVector):
             self.node.get_logger().warn(_NO_HARDWARE_ID)
             self.warn_nohwid_done = True
         self.publish(statuses)
+        call_all(raised)
+
+    def _new_status(self, name: str, message: str = "No message was set") -> DiagnosticStatusWrapper:
+        return DiagnosticStatusWrapper(
+            level=DiagnosticStatus.ERROR, name=name, message=message, hardware_id=self.hwid
+        )
 
     @property
     def period(self) -> float:
@@ -193,3 +202,7 @@ class Updater(DiagnosticTaskVector):
         status = DiagnosticStatusWrapper(name=task.name)
         status.summary(DiagnosticStatus.OK, "Node starting up")
         self.publish(status)
+
+
+def _raise(error: Exception) -> None:
+    raise error

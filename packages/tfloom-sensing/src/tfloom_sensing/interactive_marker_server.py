@@ -303,9 +303,11 @@ class InteractiveMarkerServer:
                 update = self.pending_updates.get(feedback.marker_name)
                 self._set_pose(update, feedback.marker_name, feedback.pose, header)
             callback = context.feedback_callbacks.get(feedback.event_type, context.default_feedback_callback)
-        if callback is not None:
-            callback(feedback)
-        self.applyChanges()
+        try:
+            if callback is not None:
+                callback(feedback)
+        finally:  # the user has moved the marker, whatever the callback does
+            self.applyChanges()
 
     def publish(self, update: InteractiveMarkerUpdate) -> None:
         """Publish an update under the current sequence number."""

@@ -184,7 +184,8 @@ class Playback:
 
     def _play_from(self, start_ns: int) -> int | None:
         """Play from a time on; return the time of a seek, or None at the end."""
-        messages = ReadAhead(self._bag.messages(self._topics, start_ns, self._bounds[1]), self._read_ahead)
+        wanted = self._bag.messages(self._topics, start_ns, self._bounds[1])
+        messages = ReadAhead(self._bag.path, wanted, self._read_ahead)
         try:
             for message in messages:
                 turn = self._wait_for(message.log_time_ns)

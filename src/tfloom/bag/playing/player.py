@@ -93,12 +93,16 @@ class Player(Node):
         }
 
     def start(self) -> None:
-        """Begin to play on a thread."""
+        """Begin to play on a thread.
+
+        Raises:
+            BagError: a thread can't be started; then `stop` ends the others.
+        """
         self.get_logger().info(f"Playback until timestamp: {self._until_ns()}")
         self.playback.set_paused(self.options.is_start_paused)
-        self._begin(self._play_all)
         if self.options.clock_hz > 0.0:
             self._begin(self._publish_clock_regularly)
+        self._begin(self._play_all)
 
     def play_again(self, start_ns: int, end_ns: int) -> bool:
         """Play a part of the bag, if the last one has ended; otherwise return False."""
@@ -106,7 +110,12 @@ class Player(Node):
             return False
         self.ended.clear()
         self.playback.set_bounds(start_ns, end_ns)
-        self._begin(self._play_all)
+        try:
+            self._begin(self._play_all)
+        except BagError as error:
+            self.get_logger().error(str(error))
+            self.ended.set()
+            return False
         return True
 
     def stop(self) -> None:
@@ -136,8 +145,11 @@ class Player(Node):
 
     def _begin(self, run: Callable[[], None]) -> None:
         thread = threading.Thread(target=run, daemon=True)
+        try:
+            thread.start()
+        except RuntimeError as error:
+            raise BagError(self.bag.path, f"it can't be played: {error}") from error
         self._threads.append(thread)
-        thread.start()
 
     def _play_all(self) -> None:
         try:
@@ -150,6 +162,9 @@ class Player(Node):
                 )
         except BagError as error:
             self.failure = error
+        except Exception as error:  # noqa: BLE001  # a thread's end alone would look like the bag's
+            self.failure = BagError(self.bag.path, f"playing has ended: {type(error).__name__}: {error}")
+            self.failure.__cause__ = error
         finally:
             self.ended.set()
 

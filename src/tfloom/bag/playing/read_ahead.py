@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import os
 import queue
 import threading
 from collections.abc import Iterator
 
+from tfloom.bag.errors import BagError
 from tfloom.bag.values import RawMessage
 
 __all__ = ["ReadAhead"]
@@ -21,17 +23,24 @@ class ReadAhead:
     """An iterator over the messages of another one, which a thread reads.
 
     Args:
+        path: The bag, for errors.
         messages: What is read.
         count: Number of messages that are read ahead, at most; fewer if they are large.
+
+    Raises:
+        BagError: no thread can be started.
     """
 
-    def __init__(self, messages: Iterator[RawMessage], count: int) -> None:
+    def __init__(self, path: str | os.PathLike[str], messages: Iterator[RawMessage], count: int) -> None:
         batches = min(max(count // _BATCH, 2), _MOST_BATCHES)
         self._batches: queue.Queue[list[RawMessage] | BaseException | None] = queue.Queue(batches)
         self._ended = threading.Event()
         self._batch: Iterator[RawMessage] = iter(())
         self._thread = threading.Thread(target=self._read, args=(messages,), daemon=True)
-        self._thread.start()
+        try:
+            self._thread.start()
+        except RuntimeError as error:
+            raise BagError(path, f"it can't be read ahead: {error}") from error
 
     def __iter__(self) -> ReadAhead:
         return self

@@ -80,7 +80,11 @@ class Recorder(Node):
         self._serve()
 
     def start(self) -> None:
-        """Subscribe to the topics that exist, and go on in threads: with discovery, and with writing."""
+        """Subscribe to the topics that exist, and go on in threads: with discovery, and with writing.
+
+        Raises:
+            BagError: a thread can't be started; the recording has ended.
+        """
         self.get_logger().info("Listening for topics...")
         self.get_logger().info("Event publisher thread: Starting")
         if self.options.use_sim_time:
@@ -89,7 +93,11 @@ class Recorder(Node):
         self.get_logger().info("Recording...")
         for run in (self._write, self._discover):
             thread = threading.Thread(target=run, daemon=True)
-            thread.start()
+            try:
+                thread.start()
+            except RuntimeError as error:
+                self.stop()
+                raise BagError(self.writer.folder, f"recording needs two threads: {error}") from error
             self._threads.append(thread)
 
     def stop(self) -> None:

@@ -75,8 +75,13 @@ class ROSAdapter:
         self._node = Node(f"launch_ros_{os.getpid()}", context=self._context)
         self._executor = SingleThreadedExecutor(context=self._context)
         self._executor.add_node(self._node)
-        self._thread = threading.Thread(target=_spin, args=(self._executor,), name="launch_ros", daemon=True)
-        self._thread.start()
+        thread = threading.Thread(target=_spin, args=(self._executor,), name="launch_ros", daemon=True)
+        try:
+            thread.start()
+        except RuntimeError as error:
+            self._destroy()
+            raise RuntimeError(f"the launch's node has no thread: {error}") from error
+        self._thread = thread
 
     def shutdown(self) -> None:
         """Destroy the node.
@@ -88,17 +93,24 @@ class ROSAdapter:
             raise RuntimeError("Cannot shutdown a ROS adapter that is not running")
         self._executor.shutdown()
         self._thread.join()
-        self._node.destroy_node()
-        self._context.try_shutdown()
+        self._destroy()
+
+    def _destroy(self) -> None:
+        if self._executor is not None:
+            self._executor.shutdown()
+        if self._node is not None:
+            self._node.destroy_node()
+        if self._context is not None:
+            self._context.try_shutdown()
         self._thread = self._executor = self._node = self._context = None
 
 
 def _spin(executor: SingleThreadedExecutor) -> None:
     from tfloom.node.executing.executor_exceptions import ShutdownException
-    from tfloom.node.values.exceptions import ExternalShutdownException
+    from tfloom.node.executing.own_thread import spin_on_own_thread
 
-    with contextlib.suppress(ExternalShutdownException, ShutdownException):
-        executor.spin()
+    with contextlib.suppress(ShutdownException):
+        spin_on_own_thread(executor)
 
 
 def get_ros_node(context: LaunchContext) -> Node:

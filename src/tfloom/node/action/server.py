@@ -8,6 +8,7 @@ import traceback
 from collections.abc import Callable, Coroutine
 from contextlib import suppress
 from enum import Enum
+from functools import partial
 from typing import TYPE_CHECKING, Any, Generic
 
 from tfloom.interfaces.action_msgs.msg import GoalInfo, GoalStatus, GoalStatusArray
@@ -272,15 +273,21 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
 
     async def _on_cancel(
         self, request: CancelGoal_Request, response: CancelGoal_Response
-    ) -> CancelGoal_Response:
+    ) -> CancelGoal_Response | ResponseFirst:
         goals = self._to_cancel(request)
         key = key_of(request.goal_info.goal_id)
         if not goals and key != _NO_ID and not _stamp_ns(request.goal_info):
             known = key in self._goals
             response.return_code = response.ERROR_GOAL_TERMINATED if known else response.ERROR_UNKNOWN_GOAL_ID
             return response
+        raised: list[Exception] = []
         for handle in goals:
-            if await await_or_execute(self._cancel_callback, handle) is not CancelResponse.ACCEPT:
+            try:
+                answer = await await_or_execute(self._cancel_callback, handle)
+            except Exception as error:  # noqa: BLE001  # raised below; the others are asked, and the client gets a response
+                raised.append(error)
+                continue
+            if answer is not CancelResponse.ACCEPT:
                 continue
             try:
                 handle.update(GoalEvent.CANCEL_GOAL)
@@ -289,7 +296,7 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
             response.goals_canceling.append(handle.goal_info)
         if goals and not response.goals_canceling:
             response.return_code = response.ERROR_REJECTED
-        return response
+        return ResponseFirst(response, partial(_raise_all, raised)) if raised else response
 
     def _to_cancel(self, request: CancelGoal_Request) -> list[ServerGoalHandle[GoalT, ResultT, FeedbackT]]:
         """Return the goals of a request: one by its id, all up to a time, or all."""
@@ -384,6 +391,12 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
 
     def __exit__(self, *_: object) -> None:
         self.destroy()
+
+
+async def _raise_all(errors: list[Exception]) -> None:
+    for error in errors[1:]:
+        traceback.print_exception(error)
+    raise errors[0]
 
 
 def _callable(callback: Any, what: str) -> Any:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from tfloom.interfaces.rcl_interfaces.msg import Parameter, ParameterEvent
 from tfloom.node.qos.qos import QoSProfile, qos_profile_parameter_events
+from tfloom.node.values.call_all import call_all
 from tfloom.node.values.names import full_node_name
 
 if TYPE_CHECKING:
@@ -113,12 +115,13 @@ class ParameterEventHandler:
         self.node.destroy_subscription(self._subscription)
 
     def _on_event(self, event: ParameterEvent) -> None:
-        for handle in list(self._for_parameters):
+        calls: list[Callable[[], None]] = []
+        for handle in self._for_parameters:
             parameter = self.get_parameter_from_event(event, handle.parameter_name, handle.node_name)
             if parameter is not None:
-                handle.callback(parameter)
-        for each in list(self._for_events):
-            each.callback(event)
+                calls.append(partial(handle.callback, parameter))
+        calls += [partial(handle.callback, event) for handle in self._for_events]
+        call_all(calls)
 
     @staticmethod
     def get_parameter_from_event(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 from tfloom.interfaces.rcl_interfaces import msg as rcl_msg
@@ -10,6 +11,7 @@ from tfloom.node.clock.clock import ROSClock
 from tfloom.node.log.throttled_warning import ThrottledWarning
 from tfloom.node.parameters.parameter import Parameter, ParameterType
 from tfloom.node.qos.qos import QoSProfile, ReliabilityPolicy
+from tfloom.node.values.call_all import call_all
 from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.time import Time
 
@@ -51,12 +53,9 @@ class TimeSource:
         if enabled == self._ros_time_is_active:
             return
         self._ros_time_is_active = enabled
-        for clock in self._clocks:
-            clock.set_ros_time_is_active(enabled)
-        if enabled:
-            self._subscribe()
-        else:
-            self._unsubscribe()
+        # A jump callback may raise: the other clocks are set nevertheless, and /clock is heard.
+        calls = [partial(clock.set_ros_time_is_active, enabled) for clock in self._clocks]
+        call_all([*calls, self._subscribe if enabled else self._unsubscribe])
 
     def attach_node(self, node: NodeBase) -> None:
         """Follow a node's `use_sim_time`, declare it if necessary, and subscribe to /clock on that node.
@@ -70,8 +69,8 @@ class TimeSource:
         self._warning = ThrottledWarning(node.get_logger())
         if not node.has_parameter(USE_SIM_TIME_NAME):
             node.declare_parameter(USE_SIM_TIME_NAME, False)
-        self.ros_time_is_active = bool(node.get_parameter(USE_SIM_TIME_NAME).value)
         node.add_on_set_parameters_callback(self._on_parameters)
+        self.ros_time_is_active = bool(node.get_parameter(USE_SIM_TIME_NAME).value)
 
     def detach_node(self) -> None:
         """Leave the node; the clocks return system time again."""
@@ -99,8 +98,7 @@ class TimeSource:
                 self._warning.log(f"Dropped a time on {CLOCK_TOPIC} that is before 0: {msg.clock.sec} s")
             return
         self._last_time = Time.from_msg(msg.clock)
-        for clock in self._clocks:
-            clock.set_ros_time_override(self._last_time)
+        call_all([partial(clock.set_ros_time_override, self._last_time) for clock in self._clocks])
 
     def _on_parameters(self, parameters: list[Parameter]) -> rcl_msg.SetParametersResult:
         for parameter in parameters:

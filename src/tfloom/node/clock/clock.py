@@ -5,10 +5,12 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable
+from functools import partial
 from typing import TYPE_CHECKING
 
 from tfloom.node.clock.time_jump import ANY_JUMP, SOURCE_CHANGES, ClockChange, JumpThreshold, TimeJump
 from tfloom.node.context.utilities import get_default_context
+from tfloom.node.values.call_all import call_all
 from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.duration import Duration
@@ -208,12 +210,15 @@ class ROSClock(Clock):
                 return
             before_ns = self.now_ns()
             after_ns = self._override_ns if enabled else time.time_ns()
-            change = ClockChange.ROS_TIME_ACTIVATED if enabled else ClockChange.ROS_TIME_DEACTIVATED
-            jump = TimeJump(change, Duration(nanoseconds=after_ns - before_ns))
-            handles = self._begin_jump(jump)
-            self._is_active = enabled
-            self._read_ns = self._read_override_ns if enabled else time.time_ns
-        self._end_jump(handles, jump)
+            kind = ClockChange.ROS_TIME_ACTIVATED if enabled else ClockChange.ROS_TIME_DEACTIVATED
+            jump = TimeJump(kind, Duration(nanoseconds=after_ns - before_ns))
+
+        def change() -> None:
+            with self._lock:
+                self._is_active = enabled
+                self._read_ns = self._read_override_ns if enabled else time.time_ns
+
+        self._jump(jump, change)
 
     def set_ros_time_override(self, time: Time) -> None:
         """Set simulated time, which the clock returns while simulated time is active.
@@ -229,22 +234,25 @@ class ROSClock(Clock):
                 return
             delta = Duration(nanoseconds=time.nanoseconds - self._override_ns)
             jump = TimeJump(ClockChange.ROS_TIME_NO_CHANGE, delta)
-            handles = self._begin_jump(jump)
-            self._override_ns = time.nanoseconds
-        self._end_jump(handles, jump)
+
+        def change() -> None:
+            with self._lock:
+                self._override_ns = time.nanoseconds
+
+        self._jump(jump, change)
 
     def _read_override_ns(self) -> int:
         return self._override_ns
 
-    def _begin_jump(self, jump: TimeJump) -> list[JumpHandle]:
-        handles = [handle for handle in self._handles if handle.threshold.is_passed_by(jump)]
-        for handle in handles:
-            if handle.pre_callback is not None:
-                handle.pre_callback()
-        return handles
+    def _jump(self, jump: TimeJump, change: Callable[[], None]) -> None:
+        """Make a change, with the callbacks of those that it concerns before and after it.
 
-    @staticmethod
-    def _end_jump(handles: list[JumpHandle], jump: TimeJump) -> None:
-        for handle in handles:
-            if handle.post_callback is not None:
-                handle.post_callback(jump)
+        They run without the lock. One that raises prevents neither the change nor the others: its exception is raised
+        at the end, to the thread that sets the clock.
+        """
+        handles = [handle for handle in self.jump_handles() if handle.threshold.is_passed_by(jump)]
+        before = [handle.pre_callback for handle in handles if handle.pre_callback is not None]
+        after = [
+            partial(handle.post_callback, jump) for handle in handles if handle.post_callback is not None
+        ]
+        call_all([*before, change, *after])

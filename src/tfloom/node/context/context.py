@@ -9,6 +9,7 @@ import threading
 import weakref
 from collections import deque
 from collections.abc import Callable
+from contextlib import suppress
 from itertools import count
 from types import MethodType, TracebackType
 from typing import TYPE_CHECKING, Any, Protocol
@@ -222,9 +223,11 @@ class Context:
         """Shut down unless that has been done; return whether this call did it."""
         postponed.take()  # the program ends by itself
         with self._lock:
-            if not self._valid:
-                return False
-            self._valid = False
+            was_valid, self._valid = self._valid, False
+        if not was_valid:
+            if self._interrupted:
+                self._run_hooks()  # those that are left
+            return False
         self._wake_all()
         self._run_hooks()
         self._destroy_abandoned()
@@ -240,7 +243,9 @@ class Context:
             self._interrupted = True
             self._valid = False
             self._wake_all()
-            _thread.start_new_thread(self._run_hooks, ())
+            # Where no thread can be started, the hooks run when the program ends the context.
+            with suppress(RuntimeError):
+                _thread.start_new_thread(self._run_hooks, ())
 
     def on_shutdown(self, callback: Callable[[], Any]) -> None:
         """Call `callback()` at shutdown, or at once after shutdown. A bound method does not keep its object alive.

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import sys
 import threading
 import time
+import traceback
 from collections import deque
 from collections.abc import Callable, Coroutine
 from contextlib import suppress
@@ -82,6 +84,10 @@ class MultiThreadedExecutor(Executor):
         """Number of callbacks in the pool. Changed under `_busy_lock`, read without it."""
         self._errors: deque[BaseException] = deque()
         """Exceptions of callbacks, for the thread that spins. Changed by single operations, without a lock."""
+        self._has_thread = False
+        """Whether the pool has a thread. Set once, by the first callback that runs there, without a lock."""
+        self._lacks_thread = False
+        """Whether the pool's queue has a callback for which no thread could be started. Of the thread that spins."""
         self._awaited: Future[Any] | None = None
         """The future at whose completion the present spin ends. Written by the thread that spins, without a lock."""
 
@@ -95,6 +101,8 @@ class MultiThreadedExecutor(Executor):
         def stop() -> bool:
             return bool(self._errors) or (condition is not None and condition())
 
+        if self._lacks_thread:
+            self._start_thread(lambda: None)
         with suppress(TimeoutException, ShutdownException, ConditionReachedException):
             work = self._wait_for_work(end_ns, stop, until_response=True)
             self._submit(work)
@@ -112,17 +120,36 @@ class MultiThreadedExecutor(Executor):
     def _submit(self, work: Work) -> None:
         with self._busy_lock:
             self._busy += 1
+        self._start_thread(lambda: self._run_in_pool(work), work)
+
+    def _start_thread(self, run: Callable[[], None], work: Work | None = None) -> None:
+        """Call `run()` on a thread of the pool, which is started if none is free.
+
+        Where the system allows no other thread, the call is in the pool's queue nevertheless: a thread that is there
+        makes it when it is free; otherwise the next spin tries again to start one.
+
+        Raises:
+            RuntimeError: there is no thread at all.
+        """
         try:
-            self._pool.submit(self._run_in_pool, work)
-        except RuntimeError:
+            self._pool.submit(run)
+            self._lacks_thread = False
+        except RuntimeError as error:
             if not self._is_shutdown:
-                raise
+                self._lacks_thread = not self._has_thread
+                if self._lacks_thread:
+                    raise RuntimeError(
+                        f"A MultiThreadedExecutor could not start a thread for a callback: {error}. Spin again when "
+                        "there are fewer threads, or raise the limit of processes (ulimit -u)"
+                    ) from error
+                return
             with self._busy_lock:  # another thread has just shut this executor down: the callback isn't run
-                self._busy -= 1
-            if work.entity is not None:
+                self._busy -= work is not None
+            if work is not None and work.entity is not None:
                 self._end(work.entity)
 
     def _run_in_pool(self, work: Work) -> None:
+        self._has_thread = True
         try:
             self._run(work)
         except BaseException as error:  # noqa: BLE001  # raised on the thread that spins
@@ -176,6 +203,10 @@ class MultiThreadedExecutor(Executor):
         if not super().shutdown(timeout_sec):
             return False
         self._pool.shutdown(wait=False)
+        while self._errors:  # of callbacks that ended after the last spin
+            error = self._errors.popleft()
+            print("An exception was raised in a callback, and no spin has raised it:", file=sys.stderr)
+            traceback.print_exception(error)
         return True
 
 

@@ -12,6 +12,7 @@ import sys
 import threading
 import time
 import weakref
+from contextlib import suppress
 from enum import IntFlag
 from types import FrameType
 from typing import Any
@@ -102,7 +103,9 @@ def _interrupt_main_thread(frame: FrameType | None) -> None:
         postponed.take()
         _call_previous(signal.SIGINT, frame)
     else:
-        _thread.start_new_thread(_retry, ())  # not a Thread: its start may be what was interrupted
+        # Not a Thread, because its start may be what was interrupted. Without one, a spin raises what is postponed.
+        with suppress(RuntimeError):
+            _thread.start_new_thread(_retry, ())
 
 
 def _retry() -> None:

@@ -9,6 +9,7 @@ from collections.abc import Callable, Coroutine, Generator, Iterable, Mapping
 from typing import Any, Generic, Protocol, TypeVar, cast
 
 from tfloom.node.executing.asyncio_wait import is_driven_by_asyncio, step, wait_in_asyncio
+from tfloom.node.values.call_all import call_all
 
 __all__ = ["Future", "Task", "TaskRunner"]
 
@@ -147,10 +148,11 @@ class Future(Generic[T]):
         with self._lock:
             callbacks, self._callbacks = self._callbacks, []
             resumers, self._resumers = self._resumers, []
-        for resume in resumers:
-            resume()
-        for callback in callbacks:
-            self._run_callback(callback)
+        try:
+            call_all(resumers)
+        finally:  # what one of them raises reaches the thread that completes the future, and holds up nobody else
+            for callback in callbacks:
+                self._run_callback(callback)
 
     def _run_callback(self, callback: Callable[[Future[T]], Any]) -> None:
         executor = self._executor() if self._executor is not None else None
@@ -244,6 +246,12 @@ class Task(Future[T]):
             self.set_result(end.value)
         except Exception as exc:  # noqa: BLE001  # the future raises it
             self.set_exception(exc)
+        except (
+            BaseException
+        ) as exc:  # SystemExit, for example, which ends the spin: complete, the task frees its group
+            self.set_exception(exc)
+            self._exception_fetched = True
+            raise
         return None
 
     def _notify_runnable(self) -> None:

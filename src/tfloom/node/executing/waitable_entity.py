@@ -47,9 +47,10 @@ class WaitableEntity(Entity):
         if queue is None:
             return
         before = self._wait_set.everything()
-        self._wait_set = WaitSet()
-        self.waitable.add_to_wait_set(self._wait_set)
-        now = self._wait_set.everything()
+        wait_set = WaitSet()
+        self.waitable.add_to_wait_set(wait_set)  # if it raises, the items of the last call go on posting
+        self._wait_set = wait_set
+        now = wait_set.everything()
         for each in before:
             if not any(each is other for other in now):
                 each.detach()

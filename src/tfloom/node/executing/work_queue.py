@@ -193,8 +193,7 @@ class WorkQueue:
         if responses and self._runs_tasks_first and any(token in self._tasks for token in tokens):
             self._ready.extend(responses)
         else:
-            for token in responses:
-                self._take_responses(token)
+            self._take_all_responses(responses)
         self._ready.extend(self._timers.take_due(time.monotonic_ns()))
         if self._polled:
             self._ready.extend(token for token in self._polled if token not in tokens)
@@ -208,6 +207,15 @@ class WorkQueue:
             if entity is not None:
                 (self._ready if self.can_execute(entity) else self._refused).append(token)
 
+    def _take_all_responses(self, tokens: list[int]) -> None:
+        for index, token in enumerate(tokens):
+            try:
+                self._take_responses(token)
+            except BaseException:  # noqa: PERF203  # of a callback for feedback; the rest is for the next spin
+                for other in tokens[index + 1 :]:
+                    self._queue.post(other)
+                raise
+
     def _take_responses(self, token: int) -> None:
         """Run an entity without callbacks of the program on this thread, to the end of what it has."""
         entity = self._entities.get(token)
@@ -218,7 +226,11 @@ class WorkQueue:
             if taken is None:
                 return
             self._has_response = True
-            entity.run(taken)
+            try:
+                entity.run(taken)
+            except BaseException:
+                self._queue.post(token)  # there may be more
+                raise
         self._queue.post(token)
 
     def _wait_ns(self, end_ns: int | None) -> int:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any
 
 from tfloom.interfaces.rcl_interfaces import msg as rcl_msg
@@ -19,6 +20,7 @@ from tfloom.node.parameters.parameter import Parameter, ParameterType
 from tfloom.node.parameters.parameter_declaration import Declaration, read_declarations
 from tfloom.node.parameters.parameter_rules import check_against_descriptor
 from tfloom.node.parameters.validate_parameter_name import validate_parameter_name
+from tfloom.node.values.call_all import call_all
 from tfloom.node.values.set_by_init import SET_BY_INIT
 
 __all__ = ["NodeParameters"]
@@ -224,8 +226,8 @@ class NodeParameters(DeclaredParameters):
         for parameter in parameters:
             self.__store(parameter, descriptors[parameter.name], event)
         self.__publish_event(event)
-        for post_callback in self.__post_set_callbacks:
-            post_callback(parameters)
+        # The parameters are set: each callback is called, and one that raises is reported by its exception.
+        call_all([partial(callback, parameters) for callback in self.__post_set_callbacks])
         return result
 
     def __store(

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import sys
 import threading
 
 from tfloom.node.context.context import Context
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
+from tfloom.node.values.exceptions import ExternalShutdownException
 
 __all__ = ["MessagePump"]
 
@@ -38,11 +40,17 @@ class MessagePump:
         """
         self._is_to_end.set()
         self._executor.wake()
-        self._thread.join(timeout=5.0)
+        if self._thread.ident is not None:  # else it was not started
+            self._thread.join(timeout=5.0)
         if self._thread.is_alive():
             raise Exception("Timed out waiting for message pump to stop")  # noqa: TRY002  # launch_testing_ros's type
         self._executor.shutdown()
 
     def _run(self) -> None:
         while not self._is_to_end.is_set():
-            self._executor.spin_once(timeout_sec=1.0)
+            try:
+                self._executor.spin_once(timeout_sec=1.0)
+            except ExternalShutdownException:  # noqa: PERF203
+                return
+            except Exception:  # noqa: BLE001  # of one of the test's callbacks; the others go on
+                threading.excepthook(threading.ExceptHookArgs((*sys.exc_info(), threading.current_thread())))

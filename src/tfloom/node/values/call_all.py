@@ -1,0 +1,28 @@
+"""Calls of several callbacks, of which one that raises does not prevent the others."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+
+__all__ = ["call_all"]
+
+
+def call_all(calls: Iterable[Callable[[], object]]) -> None:
+    """Make all calls, in order; then raise the first exception, and print the traceback of each other one.
+
+    The callbacks of a list are of several users, of which each relies on being called: a timer's callback for jumps
+    of its clock, for example, stands beside those of the program. KeyboardInterrupt and SystemExit end the calls.
+    """
+    first: Exception | None = None
+    for call in calls:
+        try:
+            call()
+        except Exception as error:  # noqa: BLE001, PERF203  # raised below
+            if first is None:
+                first = error
+            else:
+                import traceback
+
+                traceback.print_exception(error)
+    if first is not None:
+        raise first
