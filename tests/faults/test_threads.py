@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import _thread
 import ast
+import asyncio
 import os
 import shutil
 import signal
@@ -35,6 +36,7 @@ from tfloom.bag.writing.bag_writer import BagWriter, WriterSettings
 from tfloom.cli import child
 from tfloom.demos import processes
 from tfloom.interfaces.std_msgs.msg import Int32
+from tfloom.launch.background_writing import BackgroundWriting
 from tfloom.launch.ros.ros_adapters import ROSAdapter
 from tfloom.launch.testing.ros.message_pump import MessagePump
 from tfloom.node.context.context import Context
@@ -64,7 +66,7 @@ PLACES = {
     "demos/demo_nodes_py/use_logger_service.py": [TOLD],
     "demos/processes.py": ["demo_process"],
     "demos/threads.py": [TOLD],
-    "drop_in/transform_listener.py": ["as that of tf2_ros/transform_listener.py"],
+    "launch/background_writing.py": ["launch_output"],
     "launch/ros/actions/lifecycle_node.py": ["raised in the event handler, which ends the launch"],
     "launch/ros/ros_adapters.py": ["ros_adapter"],
     "launch/testing/ros/message_pump.py": ["message_pump"],
@@ -76,7 +78,7 @@ PLACES = {
     "rmw/cyclone_threads.py": ["participant"],
     "rmw/services.py": ["held_requests", "late_response"],
     "tf2_ros/deadlines.py": ["deadline"],
-    "tf2_ros/transform_listener.py": ["listener"],
+    "tf2_ros/listener_base.py": ["listener"],
     "turtlesim/teleop_key.py": [TOLD],
 }
 """By file, one entry for each place that starts threads: the row that refuses it one, or why there is none."""
@@ -557,6 +559,19 @@ def test_ros_adapter_that_is_shut_down_before_its_thread_has_begun() -> None:
         adapter._executor.shutdown()
         begin()
     adapter.shutdown()
+
+
+def test_launch_output_without_a_thread() -> None:
+    """What a launch prints is then written by the caller."""
+    writing = BackgroundWriting()
+
+    async def write() -> None:
+        async with writing.running(lambda *_: None):
+            with no_threads():
+                assert writing.writer("screen") is None
+            assert writing.writer("screen") is not None
+
+    asyncio.run(write())
 
 
 def test_message_pump_without_a_thread(node: Node) -> None:

@@ -147,12 +147,18 @@ class BackgroundWriting:
         self._is_hurried = False
 
     def writer(self, name: str) -> BackgroundWriter | None:
-        """Return the writer of a destination; None while no launch runs, when callers write by themselves."""
+        """Return the writer of a destination; None while no launch runs, when callers write by themselves.
+
+        None also where the system starts no more threads: callers then wait for the destination.
+        """
         with self._lock:
             if not self._running:
                 return None
             if name not in self._writers:
-                self._writers[name] = BackgroundWriter(name)
+                try:
+                    self._writers[name] = BackgroundWriter(name)
+                except RuntimeError:
+                    return None
                 if self._is_hurried:
                     self._writers[name].hurry()
             return self._writers[name]

@@ -205,8 +205,11 @@ class MultiThreadedExecutor(Executor):
         self._pool.shutdown(wait=False)
         while self._errors:  # of callbacks that ended after the last spin
             error = self._errors.popleft()
-            print("An exception was raised in a callback, and no spin has raised it:", file=sys.stderr)
-            traceback.print_exception(error)
+            if not isinstance(
+                error, (ExternalShutdownException, KeyboardInterrupt)
+            ):  # which a spin has raised once
+                print("An exception was raised in a callback, and no spin has raised it:", file=sys.stderr)
+                traceback.print_exception(error)
         return True
 
 
