@@ -179,7 +179,16 @@ def test_messages_beside_the_index_are_read(stamps: list[int], tmp_path: Path) -
     path = write(tmp_path / "a.bag", [Chunk(content, stamps)])
     found, said, _ = read(path)
     assert found == [b"a", b"b"]
-    assert all("outside those of its index" in each for each in said)
+    assert f"its index has {len(stamps)} messages, and 2 are there; these are read" in said[0]
+    assert all("outside those of its index" in each for each in said[1:])
+
+
+def test_chunk_with_fewer_messages_than_indexed_is_told_of(tmp_path: Path) -> None:
+    content = connection() + message(5, b"a") + message(6, b"b")[:-1]
+    found, said, _ = read(write(tmp_path / "a.bag", [Chunk(content, [5, 6])]))
+    assert found == [b"a"]
+    assert len(said) == 1
+    assert "its index has 2 messages, and 1 are there; these are read" in said[0]
 
 
 def test_messages_outside_the_times_of_their_index_are_counted(tmp_path: Path) -> None:

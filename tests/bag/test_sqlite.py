@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import shutil
 import sqlite3
+import struct
 import sys
 import tracemalloc
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Iterator
+from contextlib import closing, contextmanager
 from pathlib import Path
 
 import pytest
 import zstandard
 from tests.bag.recordings import SECOND, START, drive, found_in, write_sqlite
 
-from tfloom.bag import BagError, frames, open_bag
+from tfloom.bag import BagError, BagWarning, frames, open_bag
 from tfloom.bag.reading import sqlite_reader
 
 DRIVE = drive()
@@ -226,3 +227,60 @@ def test_messages_that_are_compressed_one_by_one(tmp_path: Path) -> None:
 
 if sys.platform == "win32":  # pragma: no cover
     pytestmark = pytest.mark.skip(reason="Windows holds files that are open")
+
+
+def without_index(path: Path, change: Callable[[sqlite3.Connection], object]) -> None:
+    """Give a database an index of times, and change it while that is away and doesn't follow."""
+    with closing(sqlite3.connect(path)) as database, database:
+        database.execute("CREATE INDEX timestamp_idx ON messages (timestamp ASC)")
+        database.execute("PRAGMA writable_schema = ON")
+        row = database.execute("SELECT * FROM sqlite_master WHERE name = 'timestamp_idx'").fetchone()
+        database.execute("DELETE FROM sqlite_master WHERE name = 'timestamp_idx'")
+    with closing(sqlite3.connect(path)) as database, database:
+        change(database)
+        database.execute("PRAGMA writable_schema = ON")
+        database.execute("INSERT INTO sqlite_master VALUES (?, ?, ?, ?, ?)", row)
+
+
+def test_messages_that_the_index_of_times_lacks_are_read(tmp_path: Path) -> None:
+    path = write_sqlite(tmp_path / "a.db3", DRIVE)
+    with open_bag(path) as bag:
+        expected = [(each.log_time_ns, each.data) for each in bag.messages()]
+    copy = "INSERT INTO messages (topic_id, timestamp, data) SELECT topic_id, timestamp, data FROM messages"
+    without_index(path, lambda database: database.execute(copy))
+    with pytest.warns(
+        BagWarning, match=r"a\.db3: the database is damaged: its index of times has \d+ messages"
+    ):
+        found = [(each.log_time_ns, each.data) for each in open_bag(path).messages()]
+    assert sorted(found) == sorted(expected * 2)
+    assert [stamp for stamp, _ in found] == sorted(stamp for stamp, _ in found)
+
+
+def test_index_of_times_that_is_out_of_order_is_told_of(tmp_path: Path) -> None:
+    path = write_sqlite(tmp_path / "a.db3", DRIVE)
+    with closing(sqlite3.connect(path)) as database, database:
+        database.execute("CREATE INDEX timestamp_idx ON messages (timestamp ASC)")
+        (stamp,) = database.execute("SELECT MAX(timestamp) FROM messages").fetchone()
+    data = path.read_bytes()
+    place = data.rindex(struct.pack(">q", stamp))  # in the index, whose pages are the last ones
+    path.write_bytes(data[:place] + struct.pack(">q", START) + data[place + 8 :])
+    with pytest.warns(
+        BagWarning, match="its index of times isn't in order, so messages come in another order"
+    ):
+        assert len(list(open_bag(path).messages())) == len(DRIVE)
+
+
+def test_messages_of_topics_without_a_row_are_told_of(tmp_path: Path) -> None:
+    path = write_sqlite(tmp_path / "a.db3", DRIVE)
+    with closing(sqlite3.connect(path)) as database, database:
+        database.execute("UPDATE messages SET topic_id = 99 WHERE id IN (4, 5)")
+    with pytest.warns(BagWarning, match="2 messages are of topics that it doesn't name, and are left out"):
+        assert len(list(open_bag(path).messages())) == len(DRIVE) - 2
+
+
+def test_messages_before_1970_are_told_of(tmp_path: Path) -> None:
+    path = write_sqlite(tmp_path / "a.db3", DRIVE)
+    with closing(sqlite3.connect(path)) as database, database:
+        database.execute("UPDATE messages SET timestamp = -1 WHERE id = 4")
+    with pytest.warns(BagWarning, match="1 messages have times before 1970, and are left out"):
+        list(open_bag(path).messages())

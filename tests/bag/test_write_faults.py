@@ -48,7 +48,7 @@ FAULTS = {
     "EINTR": errno.EINTR,
     "short": 0,
 }
-MESSAGES = 24
+MESSAGES = 16
 MAX_SIZE = 60_000
 """Of files on a disk that is full [bytes]."""
 

@@ -126,7 +126,13 @@ def _add_chunk(file: io.FileIO, layout: Ros1Layout, info: _ChunkInfo, limit: int
     elif info.counts:
         layout.counts += info.counts
         span = Span(
-            *times, record.begin, record.size, compression_of(record), size, frozenset(info.counts), False
+            *times,
+            record.begin,
+            record.size,
+            compression_of(record),
+            size,
+            frozenset(info.counts),
+            info.counts.total(),
         )
         layout.spans.append(span)
 

@@ -44,8 +44,8 @@ class Span(NamedTuple):
     size: int
     """Decompressed [bytes]."""
     connections: frozenset[int]
-    is_walked: bool = True
-    """Whether these are of its records; False: of its index."""
+    indexed_count: int | None = None
+    """How many messages its index has; None if times and connections are those of its records."""
 
 
 class Ros1Layout:
@@ -136,11 +136,12 @@ class Ros1Layout:
     ) -> list[Found]:
         data = self.decompressed(file, span.offset, span.stored_size, span.compression, span.size)
         found: list[Found] = []
-        outside = unknown = 0
+        count = outside = unknown = 0
         try:
             for record in records(data, 0):
                 if record.kind != MESSAGE:
                     continue
+                count += 1
                 stamp = record.stamp_ns()
                 outside += not span.start_ns <= stamp <= span.end_ns
                 number = record.number("conn", 4)
@@ -148,10 +149,14 @@ class Ros1Layout:
                 if number in connections and times[0] <= stamp <= times[1]:
                     found.append((stamp, number, stamp, data[record.begin : record.end]))
         except DamagedRecordError as error:
-            if not span.is_walked:
+            if span.indexed_count is not None:  # else the walk has warned of it
                 self.warn_of_damage(span.offset, str(error))
-        if unknown and not span.is_walked:
-            self._warn_of_unknown(unknown)
+        if span.indexed_count is not None:
+            if count != span.indexed_count:
+                reason = f"its index has {span.indexed_count} messages, and {count} are there"
+                self.warn_of_damage(span.offset, reason, "these are read")
+            if unknown:
+                self._warn_of_unknown(unknown)
         if outside:
             reason = f"{outside} of its messages have log times outside those of its index"
             self.warn_of_damage(span.offset, reason, "a part of the bag, chosen by times, may lack them")

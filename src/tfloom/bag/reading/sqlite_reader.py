@@ -5,6 +5,7 @@ from __future__ import annotations
 import shutil
 import sqlite3
 import tempfile
+import warnings
 from collections.abc import Collection, Iterator, Mapping
 from contextlib import closing, contextmanager
 from functools import cached_property
@@ -12,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from tfloom._native import TfRecords
-from tfloom.bag.errors import BagError
+from tfloom.bag.errors import BagError, BagWarning
 from tfloom.bag.metadata import is_message_compression
 from tfloom.bag.reading.compression import CompressionError, decompress_message
 from tfloom.bag.reading.file_bytes import check_is_file
@@ -24,6 +25,8 @@ __all__ = ["SqliteFile"]
 SIGNATURE = b"SQLite format 3\0"
 _TOPIC_COLUMNS = {"id", "name", "type", "serialization_format"}
 """Of all schema versions."""
+_LEAST = -(1 << 63)
+"""The least integer of a database."""
 _READ_TABLES = {"topics", "messages", "metadata", "message_definitions"}
 _BESIDE = ("-wal", "-shm", "-journal")
 
@@ -51,13 +54,15 @@ class SqliteFile:
                 raise BagError(path, f"the database generates the column {generated}, which no recorder does")
             rows = database.execute(
                 "SELECT topic_id, COUNT(*), MIN(timestamp), MAX(timestamp), "
-                "SUM(typeof(topic_id) != 'integer' OR typeof(timestamp) != 'integer') FROM messages GROUP BY topic_id"
+                "SUM(typeof(topic_id) != 'integer' OR typeof(timestamp) != 'integer'), SUM(timestamp < 0) "
+                "FROM messages GROUP BY topic_id"
             ).fetchall()
             if any(row[4] for row in rows):
                 raise BagError(
                     path, "the database is damaged: a message has a time or topic that is no integer"
                 )
             self._counts = {row[0]: row[1] for row in rows}
+            indexed = _count_indexed(database)
             if missing := sorted(_TOPIC_COLUMNS - set(_columns(database, "topics"))):
                 raise BagError(path, f"the database's table of topics has no column {', '.join(missing)}")
             self._topics = _topics(database, self._counts)
@@ -70,6 +75,14 @@ class SqliteFile:
             says_compressed if is_message_compressed is None else is_message_compressed
         )
         self.message_count = sum(self._counts.values())
+        self._has_whole_index = indexed is None or indexed == self.message_count
+        if not self._has_whole_index:
+            reason = f"its index of times has {indexed} messages, and its table {self.message_count}"
+            self._warn(f"{reason}; they are read without the index")
+        if unknown := sum(count for key, count in self._counts.items() if key not in self._topics):
+            self._warn(f"{unknown} messages are of topics that it doesn't name, and are left out")
+        if early := sum(row[5] for row in rows):
+            self._warn(f"{early} messages have times before 1970, and are left out")
         self.start_ns = min((row[2] for row in rows), default=0)
         self.end_ns = max((row[3] for row in rows), default=0)
 
@@ -101,8 +114,20 @@ class SqliteFile:
             key: each.name for key, each in self._topics.items() if topics is None or each.name in topics
         }
         with self._open() as database:
-            for topic, stamp, data in _rows(database, names, start_ns, end_ns):
+            latest = start_ns
+            is_told = False
+            for topic, stamp, data in _rows(
+                database, names, start_ns, end_ns, uses_index=self._has_whole_index
+            ):
+                if stamp < latest and not is_told:
+                    is_told = True
+                    self._warn("its index of times isn't in order, so messages come in another order")
+                latest = stamp
                 yield RawMessage(names[topic], stamp, stamp, self._message(data))
+
+    def _warn(self, reason: str) -> None:
+        text = f"{self.path}: the database is damaged: {reason}"
+        warnings.warn(BagWarning(text), stacklevel=2)
 
     def _message(self, data: Any) -> bytes:
         if not isinstance(data, bytes):
@@ -197,6 +222,29 @@ def _columns(database: sqlite3.Connection, table: str) -> list[str]:
     return [row[1] for row in database.execute(f"PRAGMA table_info({table})")]
 
 
+def _count_indexed(database: sqlite3.Connection) -> int | None:
+    """Return how many messages the index has by which they are read in the order of time; None if there is none.
+
+    Reading by an index that lacks a part of the table would lose that part in silence.
+    """
+    columns = {
+        name: [row[2] for row in database.execute(f"PRAGMA index_info({_quoted(name)})")]
+        for _, name, *_ in database.execute("PRAGMA index_list(messages)")
+    }
+    name = next((name for name, names in columns.items() if names == ["timestamp"]), None)
+    if name is None:
+        return None
+    (count,) = database.execute(
+        f"SELECT COUNT(timestamp) FROM messages INDEXED BY {_quoted(name)} WHERE timestamp >= ?",  # noqa: S608
+        (_LEAST,),
+    ).fetchone()
+    return int(count)
+
+
+def _quoted(name: str) -> str:
+    return '"' + name.replace('"', '""') + '"'
+
+
 def _topics(database: sqlite3.Connection, counts: Mapping[int, int]) -> dict[int, Topic]:
     """Return the topics by their ids; early versions lack some columns."""
     found = {}
@@ -227,11 +275,12 @@ def _says_compressed(database: sqlite3.Connection) -> bool:
 
 
 def _rows(
-    database: sqlite3.Connection, topics: Collection[int], start_ns: int, end_ns: int
+    database: sqlite3.Connection, topics: Collection[int], start_ns: int, end_ns: int, *, uses_index: bool
 ) -> Iterator[tuple[int, int, Any]]:
     ids = ",".join(str(int(each)) for each in topics)
     cursor = database.execute(
-        f"SELECT topic_id, timestamp, data FROM messages WHERE topic_id IN ({ids}) "  # noqa: S608  # integers
+        f"SELECT topic_id, timestamp, data FROM messages {'' if uses_index else 'NOT INDEXED '}"  # noqa: S608
+        f"WHERE topic_id IN ({ids}) "  # integers
         "AND timestamp BETWEEN ? AND ? ORDER BY timestamp, id",
         (start_ns, end_ns),
     )
