@@ -31,6 +31,8 @@ from tfloom.rosidl.idl_spec import parse_idl
 from tfloom.rosidl.parse import ParseError, parse_interface
 from tfloom.rosidl.recorded import recorded_class
 from tfloom.rosidl.yaml_text import message_to_yaml
+from tfloom.workspace.cmake_lists import read_plan
+from tfloom.workspace.cmake_syntax import CMakeSyntaxError
 
 KINDS = ("msg", "srv", "action")
 QUALITY = (1, 1, 1, 1, 0, 0, 1, 0)
@@ -158,22 +160,53 @@ def cdr_bytes(data: bytes) -> bool:
 
 
 def mcap(data: bytes) -> bool:
-    """Read an MCAP file: its topics, its messages, its transforms and the classes of its types."""
+    """Read an MCAP file."""
+    return _recording(data, "fuzz.mcap")
+
+
+def ros1(data: bytes) -> bool:
+    """Read a bag of ROS 1."""
+    return _recording(data, "fuzz.bag")
+
+
+def _recording(data: bytes, name: str) -> bool:
+    """Read a recording: its topics, its messages, its transforms and the classes of its types.
+
+    What it declares and doesn't hold is told of, and so is a message that a part of the time lacks.
+    """
     with tempfile.TemporaryDirectory() as folder, warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
-        path = Path(folder) / "fuzz.mcap"
+        path = Path(folder) / name
         path.write_bytes(data)
         try:
             bag = open_bag(path)
             messages = list(bag.messages())
-            assert [each.log_time_ns for each in messages] == sorted(each.log_time_ns for each in messages)
+            stamps = [each.log_time_ns for each in messages]
+            assert stamps == sorted(stamps) or caught
+            if stamps:
+                part = list(bag.messages(None, stamps[len(stamps) // 2], stamps[-1]))
+                assert sorted(part) == sorted(messages[-len(part) :]) or caught
+            assert len(messages) == bag.message_count or caught or name.endswith(".mcap")
             frames(bag)
             for topic in bag.topics.values():
-                class_of(path, topic)
+                if topic.serialization_format == "cdr":
+                    class_of(path, topic)
         except BagError as error:
             return _refused(error, is_clear=error.path == str(path))
         assert all(str(path) in str(each.message) for each in caught)
     return bool(messages)
+
+
+def cmake(data: bytes) -> bool:
+    """Read a CMakeLists.txt."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "CMakeLists.txt"
+        path.write_bytes(data)
+        try:
+            read_plan(path.parent, path.parent / "install")
+        except CMakeSyntaxError as error:
+            return _refused(error, is_clear=str(error).startswith(f"{path}:"))
+    return True
 
 
 def recorded_definitions(data: bytes) -> bool:
@@ -227,6 +260,7 @@ def _arm() -> StateTransforms:
 
 TARGETS: dict[str, Callable[[bytes], bool]] = {
     "cdr": cdr_bytes,
+    "cmake": cmake,
     "definitions": definitions,
     "descriptions": descriptions,
     "graph": graph,
@@ -234,6 +268,7 @@ TARGETS: dict[str, Callable[[bytes], bool]] = {
     "joint_states": joint_states,
     "urdf": urdf,
     "mcap": mcap,
+    "ros1": ros1,
     "recorded_definitions": recorded_definitions,
     "yaml": yaml,
 }
