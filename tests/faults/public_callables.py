@@ -30,10 +30,7 @@ def public_modules(package: str) -> Iterator[ModuleType]:
     yield top
     for info in pkgutil.walk_packages(top.__path__, f"{top.__name__}."):
         if not any(part.startswith("_") for part in info.name.split(".")):
-            with warnings.catch_warnings():
-                warnings.simplefilter("ignore")  # of names that are deprecated
-                module = importlib.import_module(info.name)
-            yield module
+            yield importlib.import_module(info.name)
 
 
 def own_names(module: ModuleType) -> Iterator[Any]:
@@ -68,13 +65,18 @@ def takes_function(parameter: inspect.Parameter) -> bool:
 
 def public_callables() -> set[str]:
     """Return `module.function(parameter)` for every function of a program's that the public names take."""
-    found = set()
-    for package in PACKAGES:
-        for module in public_modules(package):
-            for value in own_names(module):
-                for function in functions_of(value):
-                    for parameter in inspect.signature(function).parameters.values():
-                        if takes_function(parameter):
-                            where = function.__module__.removeprefix("tfloom.")
-                            found.add(f"{where}.{function.__qualname__}({parameter.name})")
-    return found
+    with warnings.catch_warnings():
+        warnings.simplefilter(
+            "ignore"
+        )  # of modules that are deprecated, which some names import on first use
+        return {function for package in PACKAGES for function in _callables_of(package)}
+
+
+def _callables_of(package: str) -> Iterator[str]:
+    for module in public_modules(package):
+        for value in own_names(module):
+            for function in functions_of(value):
+                for parameter in inspect.signature(function).parameters.values():
+                    if takes_function(parameter):
+                        where = function.__module__.removeprefix("tfloom.")
+                        yield f"{where}.{function.__qualname__}({parameter.name})"
