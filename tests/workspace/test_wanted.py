@@ -66,6 +66,21 @@ def test_workspace_is_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
     assert check_workspace().verdict is Verdict.OK
 
 
+@pytest.mark.parametrize(
+    ("package", "distribution"), [("cv_bridge", "tfloom-sensing"), ("nav2_msgs", "tfloom-interfaces")]
+)
+def test_a_distribution_beside_tfloom_is_named_where_it_is_missing(
+    package: str, distribution: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    write_manifest(tmp_path / "src" / "camera", "ament_python", "rclpy", package)
+    monkeypatch.chdir(tmp_path)
+    assert check_workspace().verdict is Verdict.OK
+    monkeypatch.setattr("tfloom.distributions.find_prefix", lambda _distribution: None)
+    finding = check_workspace()
+    assert finding.verdict is Verdict.WARNING
+    assert finding.advice == f"{package}: pip install ./packages/{distribution}, in tfloom's sources"
+
+
 def test_folder_without_a_workspace_has_no_finding(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     finding = check_workspace()
