@@ -183,6 +183,7 @@ def test_programs_of_a_workspace_are_completed(tmp_path: Path, monkeypatch: pyte
 
 
 FREE = {
+    "plugin_name",
     "path",
     "bag_path",
     "value",
@@ -207,6 +208,16 @@ def test_each_argument_has_completions_or_is_free_text(verb: str) -> None:
             and action.dest not in FREE
         ):
             assert find_offer(verb.split(), action.dest), action.dest
+
+
+def test_containers_and_their_components_are_completed(
+    domain_id: int, tmp_path: Path, start_program: Callable[..., object]
+) -> None:
+    start_program("python", Path(__file__).with_name("a_container.py")).wait_for("ready")
+    assert complete("tfloom component list /", tmp_path) == ["/a_container"]
+    assert complete("tfloom component unload /a_container ", tmp_path) == []
+    loaded = transcript.run("component", "load", "-q", "/a_container", "composition", "composition::Talker")
+    assert complete("tfloom component unload /a_container ", tmp_path) == [loaded.text.split()[0]]
 
 
 def test_lifecycle_nodes_and_their_transitions_are_completed(

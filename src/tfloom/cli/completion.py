@@ -158,6 +158,14 @@ def _containers(_: argparse.Namespace) -> list[str]:
         return container_names(found)
 
 
+def _components(args: argparse.Namespace) -> list[str]:
+    """Return the ids of the components in the container."""
+    from tfloom.cli.component.common import containers
+
+    with containers(argparse.Namespace(spin_time=MOST_S), args.container_node_name) as (container,):
+        return [str(unique_id) for unique_id in container.components()]
+
+
 def _transitions(args: argparse.Namespace) -> list[str]:
     """Return the transitions that are available on the node."""
     from tfloom.cli.lifecycle.common import lifecycles
@@ -216,6 +224,7 @@ _OFFERS: dict[tuple[str, ...], Callable[[argparse.Namespace], Iterable[str]]] = 
     ("source_frame",): _frames,
     ("transition",): _transitions,
     ("lifecycle", "node_name"): _lifecycle_nodes,
+    ("component_uid",): _components,
     ("container_node_name",): _containers,
     ("node_name",): _nodes,
     ("package_name",): _packages,
