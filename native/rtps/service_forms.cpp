@@ -537,12 +537,12 @@ bool ServiceForms::append_rewritten(ServiceEnd& end, const GuidPrefix& participa
       if (kept != end.kept_.end()) kept->sequence_number = data.sequence_number;
     }
     // Of a sample that was not kept, because nobody was there to receive it, no fragment is for this peer.
-    if (kept == end.kept_.end() || data.first_fragment == 0) return true;
+    if (kept == end.kept_.end()) return true;
     header = read_header(kept->sample);
     const std::size_t size = kept->sample.size() - ServiceHeader::size;
     const std::size_t begin = std::size_t{data.first_fragment - 1} * data.fragment_size;
     const std::size_t end_at = std::min(begin + std::size_t{data.fragment_count} * data.fragment_size, size);
-    if (begin >= end_at) return true;  // the last fragment, which the shorter sample does not have
+    if (begin >= end_at) return true;  // the last fragment, which the shorter sample does not have, or none: number 0
     const Octets sample(kept->sample);  // in header form
     if (begin < encapsulation_size) append(fragment, sample.subspan(begin, std::min(end_at, encapsulation_size) - begin));
     const std::size_t first = std::max(begin, encapsulation_size);

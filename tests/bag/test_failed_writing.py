@@ -306,15 +306,20 @@ def test_cache_holds_twice_its_size() -> None:
     assert 10_000 < size <= 20_000
 
 
-def test_failed_beginning_of_a_database_leaves_nothing_open(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize("is_log_left", [False, True])
+def test_failed_beginning_of_a_database_leaves_nothing(
+    is_log_left: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     databases: list[sqlite3.Connection] = []
     begin = SqliteFile._begin
 
     def begin_and_fail(self: SqliteFile, database: sqlite3.Connection, metadata: str) -> None:
-        begin(self, database, metadata)
         databases.append(database)
+        if is_log_left:  # as where the disk is too full for sqlite to end its log
+            for suffix in ("-wal", "-shm"):
+                (tmp_path / f"file.db3{suffix}").touch()
+        else:
+            begin(self, database, metadata)
         full_disk()
 
     monkeypatch.setattr(SqliteFile, "_begin", begin_and_fail)
@@ -323,7 +328,7 @@ def test_failed_beginning_of_a_database_leaves_nothing_open(
         open_storage_file("sqlite3", *arguments)
     with pytest.raises(sqlite3.ProgrammingError, match="closed database"):
         databases[0].execute("SELECT 1")
-    assert list(tmp_path.iterdir()) == []  # nor a log
+    assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.parametrize("fails", [False, True])
@@ -371,3 +376,26 @@ def test_topic_that_is_replaced_after_its_removal_is_there(tmp_path: Path) -> No
     writer.set_topic(channel, CHATTER)
     writer.close()
     assert [each.name for each in read_metadata(tmp_path / "bag").topics] == ["/chatter"]
+
+
+@pytest.mark.parametrize("storage_id", STORAGES)
+def test_write_that_fails_at_the_end_is_tried_once_more(
+    storage_id: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    writer = BagWriter(tmp_path / "bag", WriterSettings(storage_id))
+    channel = writer.add_topic(CHATTER)
+    push_all(writer, channel, range(3))
+    file = writer._file
+    assert file is not None
+    write, tries = file.write, list[object]()
+
+    def fail_at_first(chunk: Any) -> None:
+        tries.append(chunk)
+        if len(tries) == 1:
+            full_disk()
+        write(chunk)
+
+    monkeypatch.setattr(file, "write", fail_at_first)
+    with pytest.raises(BagError, match="No space left"):
+        writer.close()
+    assert rows_of(tmp_path / "bag") == [row(number) for number in range(3)]

@@ -163,6 +163,48 @@ void serve_another_beside_a_flood() {
   check(server.take(3, 100'000) && server.take(4, 1) && server.take(5, 1), "too many requests were forgotten");
 }
 
+// A server whose responses nobody takes displaces its own.
+void be_answered_without_end() {
+  constexpr Address address{{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 127, 0, 0, 1}, 7421};
+  constexpr Gid writer = {1, 16, 7, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 3};
+  constexpr Gid reader = {1, 16, 7, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 4};
+  ServiceForms forms;
+  const auto client = forms.add_client("/s", writer, reader, {1, 2, 3, 4, 5, 6, 7, 8});
+  std::array<std::byte, 4096> buffer{};
+  const auto receive = [&](const Datagram& datagram) {
+    std::memcpy(buffer.data(), datagram.octets_.data(), datagram.octets_.size());
+    forms.receive(buffer, datagram.octets_.size());
+  };
+  const Gid server = gid_of_client(1, 0x03);
+  const auto from = [](const Gid& source) {
+    Datagram datagram;
+    datagram.range(std::string_view("RTPS")).octets({2, 3, source[0], source[1]});
+    for (std::size_t i = 0; i < 12; ++i) datagram.octets({source[i]});
+    return datagram;
+  };
+  // Where the server receives; then a request, sample 3.
+  receive(from(server).octets({0x15, 5, 56, 0, 0, 0, 16, 0}).u32(0).octets({0, 1, 0, 0xc2}).u32(0).u32(1)
+              .octets({0, 3, 0, 0, 0x31, 0, 24, 0}).u32(1).u32(address.port).u32(0).u32(0).u32(0)
+              .octets({127, 0, 0, 1, 1, 0, 0, 0}));
+  std::vector<std::vector<std::byte>> sent;
+  const Datagram request = from(writer).octets({0x15, 5, 44, 0, 0, 0, 16, 0}).u32(0).octets({0, 0, 1, 3}).u32(0).u32(3)
+                               .octets({0, 1, 0, 0}).octets({1, 2, 3, 4, 5, 6, 7, 8}).u32(11).u32(0).u32(0);
+  check(forms.rewrite(address, request.octets_, sent), "a request was not rewritten");
+  constexpr std::uint32_t responses = 200'001;
+  for (std::uint32_t number = 1; number <= responses; ++number) {
+    receive(from(server).octets({9, 1, 8, 0}).u32(number).u32(0).octets({0x15, 7, 56, 0, 0, 0, 16, 0}).u32(0)
+                .octets({server[12], server[13], server[14], server[15]}).u32(0).u32(number)
+                .octets({0x83, 0, 24, 0}).range(reader).u32(0).u32(3).octets({1, 0, 0, 0, 0, 1, 0, 0}));
+  }
+  const auto take = [&](std::uint32_t number) {
+    const auto header = client->take_header(server, std::int64_t{number} * 1'000'000'000);
+    return header && header->number == 11;
+  };
+  check(!take(1), "more responses are remembered than there is room for");
+  check(take(2), "a response that there is room for was lost");
+  check(take(responses), "the last response of a flood was lost");
+}
+
 }  // namespace
 
 int main() {
@@ -170,6 +212,7 @@ int main() {
   serve_one_among_many();
   serve_another_beside_a_flood();
   serve_those_that_have_left();
+  be_answered_without_end();
   std::printf("service clients: %d faults\n", faults);
   return faults == 0 ? 0 : 1;
 }
