@@ -7,6 +7,7 @@ import sqlite3
 import struct
 import sys
 import tracemalloc
+import warnings
 from collections.abc import Callable, Iterator
 from contextlib import closing, contextmanager
 from pathlib import Path
@@ -268,6 +269,28 @@ def test_index_of_times_that_is_out_of_order_is_told_of(tmp_path: Path) -> None:
         BagWarning, match="its index of times isn't in order, so messages come in another order"
     ):
         assert len(list(open_bag(path).messages())) == len(DRIVE)
+
+
+def test_messages_that_an_index_of_times_hides_are_counted(tmp_path: Path) -> None:
+    path = write_sqlite(tmp_path / "a.db3", DRIVE)
+    with closing(sqlite3.connect(path)) as database, database:
+        database.execute("CREATE INDEX timestamp_idx ON messages (timestamp ASC)")
+        stamps = [
+            row[0] for row in database.execute("SELECT DISTINCT timestamp FROM messages ORDER BY timestamp")
+        ]
+    data = path.read_bytes()
+    for stamp in stamps[
+        len(stamps) * 2 // 5 : len(stamps) * 3 // 5
+    ]:  # by which the first ones are looked for
+        place = data.rindex(struct.pack(">q", stamp))
+        data = data[:place] + struct.pack(">q", -1) + data[place + 8 :]
+    path.write_bytes(data)
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        found = list(open_bag(path).messages())
+    assert len(found) < len(DRIVE)
+    reason = f"{len(DRIVE) - len(found)} messages aren't found by its index of times"
+    assert reason in str(caught[-1].message)
 
 
 def test_messages_of_topics_without_a_row_are_told_of(tmp_path: Path) -> None:

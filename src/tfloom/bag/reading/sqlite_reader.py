@@ -18,7 +18,7 @@ from tfloom.bag.metadata import is_message_compression
 from tfloom.bag.reading.compression import CompressionError, decompress_message
 from tfloom.bag.reading.file_bytes import check_is_file
 from tfloom.bag.reading.message_transforms import insert_messages
-from tfloom.bag.values import Definition, Progress, RawMessage, TfTopic, Topic
+from tfloom.bag.values import EARLIEST, LATEST, Definition, Progress, RawMessage, TfTopic, Topic
 
 __all__ = ["SqliteFile"]
 
@@ -81,7 +81,8 @@ class SqliteFile:
             self._warn(f"{reason}; they are read without the index")
         if unknown := sum(count for key, count in self._counts.items() if key not in self._topics):
             self._warn(f"{unknown} messages are of topics that it doesn't name, and are left out")
-        if early := sum(row[5] for row in rows):
+        self._early = {row[0]: row[5] for row in rows}
+        if early := sum(self._early.values()):
             self._warn(f"{early} messages have times before 1970, and are left out")
         self.start_ns = min((row[2] for row in rows), default=0)
         self.end_ns = max((row[3] for row in rows), default=0)
@@ -116,6 +117,7 @@ class SqliteFile:
         with self._open() as database:
             latest = start_ns
             is_told = False
+            count = 0
             for topic, stamp, data in _rows(
                 database, names, start_ns, end_ns, uses_index=self._has_whole_index
             ):
@@ -123,7 +125,16 @@ class SqliteFile:
                     is_told = True
                     self._warn("its index of times isn't in order, so messages come in another order")
                 latest = stamp
+                count += 1
                 yield RawMessage(names[topic], stamp, stamp, self._message(data))
+        if (start_ns, end_ns) == (EARLIEST, LATEST):
+            missing = sum(self._counts.get(key, 0) for key in names) - self._early_count(names) - count
+            if missing:
+                self._warn(f"{missing} messages aren't found by its index of times")
+
+    def _early_count(self, topics: Collection[int]) -> int:
+        """Return how many messages of topics are left out because of their times; a warning has told of them."""
+        return sum(count for key, count in self._early.items() if key in topics)
 
     def _warn(self, reason: str) -> None:
         text = f"{self.path}: the database is damaged: {reason}"
