@@ -31,7 +31,7 @@ def generate_launch_description():
         bash(f"exec -a {{mark}} sleep 600"),
         bash(f"(exec -a {{mark}} sleep 600); true"),
         bash(f"setsid bash -c 'exec -a {{mark}} sleep 600' & echo begun; wait"),
-        bash(f"exec -a {{mark}} env -i sleep 600"),
+        bash(f"exec env -i bash -c 'sleep 600; true' {{mark}}"),
         ExecuteProcess(cmd=[sys.executable, "-c", "import time\\ntime.sleep(600)", mark], respawn=True),
     ])
 """
