@@ -282,3 +282,38 @@ def test_arguments_of_the_command_line_are_in_the_context(launch: Launch) -> Non
     seen: list[list[str]] = []
     launch(OpaqueFunction(function=lambda context: seen.append(context.argv)), argv=("a:=b",))
     assert seen == [["a:=b"]]
+
+
+@pytest.mark.skipif(os.name == "nt", reason="the signals are of POSIX")
+def test_a_second_signal_emits_no_second_shutdown(launch: Launch) -> None:
+    reasons: list[str] = []
+
+    def on_shutdown(event: Event, _: LaunchContext) -> None:
+        reasons.append(event.reason)
+        if len(reasons) == 1:
+            os.kill(os.getpid(), signal.SIGTERM)
+
+    launch(
+        RegisterEventHandler(OnShutdown(on_shutdown=on_shutdown)),
+        TimerAction(period=0.3, actions=[], cancel_on_shutdown=False),
+        OpaqueFunction(function=lambda _: os.kill(os.getpid(), signal.SIGTERM)),
+    )
+    assert reasons == ["SIGTERM received"]
+
+
+def test_a_cancelled_task_ends_what_waits(wait_until: Callable[..., None]) -> None:
+    started: list[str] = []
+
+    async def main() -> None:
+        service = LaunchService()
+        service.include_launch_description(
+            LaunchDescription([TimerAction(period=600.0, actions=[]), Note(started, "visited")])
+        )
+        task = asyncio.ensure_future(service.run_async())
+        while not started:  # noqa: ASYNC110  # of the launch
+            await asyncio.sleep(0.01)
+        task.cancel()
+        await asyncio.wait([task], timeout=8.0)
+        assert task.cancelled()
+
+    asyncio.run(asyncio.wait_for(main(), 60.0))
