@@ -20,6 +20,8 @@ from tools.facades import rooms
 from tools.facades.generate import Generator, generate_all
 from tools.facades.table import Facade, Package, TableError, read_table
 
+from tfloom.rosidl.generate import load_definitions
+
 ROS_NAMES = Path(__file__).parents[1] / "src" / "tfloom" / "ros_names"
 Rule = Callable[[Path], Iterator[str]]
 
@@ -150,20 +152,30 @@ RULES: list[Rule] = [
 
 def test_facades_equal_what_is_generated() -> None:
     files = generate_all()
-    packages = {name.split("/")[0] for name in files}
     kept = {
-        path.relative_to(ROS_NAMES).as_posix(): path.read_text("utf-8")
-        for package in packages
-        for path in (ROS_NAMES / package).rglob("*")
+        path.relative_to(rooms.ROOT).as_posix(): path.read_text("utf-8")
+        for package, rows in read_table().items()
+        for path in (rooms.ROOT / rows.folder / package).rglob("*")
         if path.is_file() and path.suffix != ".pyc"
     }
     differ = sorted(name for name in files.keys() | kept.keys() if files.get(name) != kept.get(name))
     assert not differ, f"{differ}: `make facades` writes them anew"
 
 
+def test_each_facade_is_generated() -> None:
+    """Either by this command, or with the messages."""
+    messages = {name.split("/")[0] for name in load_definitions()}
+    for folder in ("src/tfloom/ros_names", "packages/tfloom-sensing/src/tfloom_sensing/ros_names"):
+        found = {path.name for path in (rooms.ROOT / folder).iterdir() if path.name != "__pycache__"}
+        assert (
+            found - messages
+            == {name for name, rows in read_table().items() if rows.folder == folder} - messages
+        )
+
+
 def planted_generator(folder: Path, modules: dict[str, Facade], *, keeps_imports: bool = True) -> Generator:
     """Return the generator of a package `planted`, whose names are looked for in the modules of a folder."""
-    table = {"planted": Package(("house.room",), keeps_imports, modules)}
+    table = {"planted": Package(("house.room",), keeps_imports, modules, folder="names")}
     return Generator(table, rooms.index_names(folder / "house"))
 
 
@@ -180,13 +192,13 @@ def room(tmp_path: Path) -> Path:
 def test_names_are_found_in_the_modules_that_define_them(room: Path, tmp_path: Path) -> None:
     modules = {"planted": Facade("All."), "planted.legs": Facade("Legs.", also=("TWICE", "run", "walk"))}
     files = planted_generator(tmp_path, modules).files()
-    assert files["planted/legs.py"].splitlines()[3:] == [
+    assert files["names/planted/legs.py"].splitlines()[3:] == [
         "from house.room.left import walk as walk",
         "from house.room.right import TWICE as TWICE",
         "from house.room.right import run as run",
     ]
-    assert 'deferred(\n        __name__,\n        legs="planted",\n' in files["planted/__init__.py"]
-    assert set(files) == {"planted/__init__.py", "planted/legs.py", "planted/py.typed"}
+    assert 'deferred(\n        __name__,\n        legs="planted",\n' in files["names/planted/__init__.py"]
+    assert set(files) == {f"names/planted/{name}" for name in ("__init__.py", "legs.py", "py.typed")}
 
 
 def test_a_name_that_two_modules_define_is_an_error_until_the_table_says_which(
@@ -198,7 +210,7 @@ def test_a_name_that_two_modules_define_is_an_error_until_the_table_says_which(
     ):
         planted_generator(tmp_path, {"planted": Facade("All.", also=("walk",))}).files()
     told = {"planted": Facade("All.", names={"walk": "house.room.third.walk"})}
-    assert 'walk="house.room.third"' in planted_generator(tmp_path, told).files()["planted/__init__.py"]
+    assert 'walk="house.room.third"' in planted_generator(tmp_path, told).files()["names/planted/__init__.py"]
 
 
 def test_a_name_that_no_module_has_is_an_error(room: Path, tmp_path: Path) -> None:

@@ -1,14 +1,12 @@
-"""Write the façades in `src/tfloom/ros_names/` anew: `python -m tools.facades`."""
+"""Write the façades, as `src/tfloom/ros_names/rclpy`, anew: `python -m tools.facades`."""
 
 from __future__ import annotations
 
 import sys
 
 from tools.facades.generate import generate_all
-from tools.facades.rooms import HOUSE
-from tools.facades.table import TableError
-
-FACADES = HOUSE / "ros_names"
+from tools.facades.rooms import ROOT
+from tools.facades.table import TableError, read_table
 
 
 def main() -> int:
@@ -19,14 +17,14 @@ def main() -> int:
         print(error, file=sys.stderr)
         return 1
     for name, text in files.items():
-        path = FACADES / name
+        path = ROOT / name
         if not path.is_file() or path.read_text("utf-8") != text:
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, "utf-8")
             print(f"wrote {name}")
-    for package in {name.split("/")[0] for name in files}:
-        for path in (FACADES / package).rglob("*.py"):
-            name = path.relative_to(FACADES).as_posix()
+    for package, rows in read_table().items():
+        for path in (ROOT / rows.folder / package).rglob("*.py"):
+            name = path.relative_to(ROOT).as_posix()
             if name not in files:
                 path.unlink()
                 print(f"removed {name}")

@@ -9,9 +9,11 @@ from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
-__all__ = ["HOUSE", "Provider", "exported", "index_names"]
+__all__ = ["HOUSES", "ROOT", "Provider", "exported", "index_names"]
 
-HOUSE = Path(__file__).parents[2] / "src" / "tfloom"
+ROOT = Path(__file__).parents[2]
+HOUSES = (ROOT / "src" / "tfloom", ROOT / "packages" / "tfloom-sensing" / "src" / "tfloom_sensing")
+"""The import packages that implement names."""
 _NOT_ROOMS = {"ros_names", "interfaces", "share", "__pycache__"}
 """Folders without implementations: the façades themselves, generated messages, and launch files."""
 
@@ -24,10 +26,10 @@ class Provider(NamedTuple):
     """0: defines it and lists it in `__all__`; 1: only lists it; 2: only defines it. Lower ranks come first."""
 
 
-def index_names(house: Path = HOUSE) -> dict[str, list[Provider]]:
-    """Return the modules that have each name of the house, those that define and export it first."""
+def index_names(*houses: Path) -> dict[str, list[Provider]]:
+    """Return the modules that have each name of some import packages, those that define and export it first."""
     index: dict[str, list[Provider]] = defaultdict(list)
-    for module, tree in _modules(house):
+    for module, tree in (item for house in houses or HOUSES for item in _modules(house)):
         defined, listed = set(_defined(tree.body)), set(_listed(tree.body))
         for name in defined | listed:
             rank = 0 if name in defined and name in listed else 1 if name in listed else 2
@@ -39,8 +41,9 @@ def index_names(house: Path = HOUSE) -> dict[str, list[Provider]]:
 
 
 @cache
-def exported(module: str, house: Path = HOUSE) -> list[str]:
+def exported(module: str) -> list[str]:
     """Return what a module lists in `__all__`."""
+    house = next(house for house in HOUSES if house.name == module.split(".", maxsplit=1)[0])
     path = house.parent.joinpath(*module.split("."))
     path = path / "__init__.py" if path.is_dir() else path.with_suffix(".py")
     return _listed(ast.parse(path.read_text("utf-8")).body)

@@ -37,7 +37,7 @@ class Facade:
     claim: bool = False
     """Whether its import raises an error beside the `rclpy` of another ROS."""
     eager: bool = False
-    """Whether a package loads what it has from its submodules: functions that register themselves."""
+    """Whether a package loads all of its own names at once, because they register themselves, or need OpenCV."""
 
 
 @dataclass(frozen=True)
@@ -45,12 +45,14 @@ class Package:
     """The modules of one top-level package."""
 
     rooms: tuple[str, ...]
-    """Where its names are implemented: the packages and modules of tfloom that are searched, in order."""
+    """Where its names are implemented: the packages and modules that are searched, in order."""
     keeps_imports: bool
     """Whether a module has the names that the original only imports there; otherwise it has those in `seen`."""
     modules: Mapping[str, Facade]
     late: tuple[str, ...] = ()
     """Rooms of which no façade loads a name before a program uses it, because they load more than the rest."""
+    folder: str = "src/tfloom/ros_names"
+    """Where its façades are, within the repository."""
 
 
 @cache
@@ -71,8 +73,14 @@ def _package(name: str, rows: dict[str, Any]) -> Package:
             raise TableError(
                 f"{module} stands under {name} in names.yaml: move it to the package of its name"
             )
-    rooms, late = (tuple(f"tfloom.{room}" for room in rows.get(key, ())) for key in ("rooms", "late"))
-    return Package(rooms, rows.get("keeps_imports", True), modules, late)
+    rooms, late = (tuple(map(_in_tfloom, rows.get(key, ()))) for key in ("rooms", "late"))
+    folder = rows.get("folder", Package.folder)
+    return Package(rooms, rows.get("keeps_imports", True), modules, late, folder)
+
+
+def _in_tfloom(room: str) -> str:
+    """Return the whole name of a room, which is one of tfloom's unless it begins with another distribution's."""
+    return room if room.startswith("tfloom_") else f"tfloom.{room}"
 
 
 def _facade(module: str, row: str | dict[str, Any]) -> Facade:
