@@ -51,7 +51,7 @@ DOORS = {
     "argcomplete": ("cli/tab_key.py",),
     "PIL": ("turtlesim/picture.py", "tf2_tools/drawing/png.py"),
     "psutil": ("launch/processes/",),
-    "transforms3d": ("tf2_ros/transformations.py",),
+    "transforms3d": ("tf2_ros/transformations/transformations.py",),
     "pandas": ("tf2/trajectory.py",),
     "lz4": ("bag/reading/compression.py",),
     "zstandard": ("bag/reading/compression.py",),

@@ -18,8 +18,8 @@ from tfloom.interfaces.std_msgs.msg import Header
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.rosidl import cdr
 from tfloom.tf2.buffer import Buffer
-from tfloom.tf2_ros.point_cloud import do_transform_cloud
-from tfloom.tf2_ros.point_cloud2 import create_cloud, create_cloud_xyz32, read_points_numpy
+from tfloom.tf2_ros.point_clouds.point_cloud import do_transform_cloud
+from tfloom.tf2_ros.point_clouds.point_cloud2 import create_cloud, create_cloud_xyz32, read_points_numpy
 
 GID = bytes(16)
 

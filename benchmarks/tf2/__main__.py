@@ -27,8 +27,8 @@ from tfloom.rosidl import cdr
 from tfloom.tf2.buffer import Buffer
 from tfloom.tf2.transform import Transform
 from tfloom.tf2_ros.buffer import Buffer as RosBuffer
-from tfloom.tf2_ros.point_cloud import do_transform_cloud, transform_points
-from tfloom.tf2_ros.point_cloud2 import create_cloud, create_cloud_xyz32, read_points_numpy
+from tfloom.tf2_ros.point_clouds.point_cloud import do_transform_cloud, transform_points
+from tfloom.tf2_ros.point_clouds.point_cloud2 import create_cloud, create_cloud_xyz32, read_points_numpy
 
 TURNS = 7
 CORES = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1

@@ -18,7 +18,7 @@ from tfloom.interfaces.std_msgs.msg import Header
 from tfloom.rosidl.cdr import encode
 from tfloom.tf2.buffer import Buffer
 from tfloom.tf2.errors import ExtrapolationException
-from tfloom.tf2_ros.point_cloud2 import create_cloud, read_points
+from tfloom.tf2_ros.point_clouds.point_cloud2 import create_cloud, read_points
 
 KINDS = {
     "t": (PointField.UINT32, 1.0, 0),

@@ -5,11 +5,10 @@ from __future__ import annotations
 import pytest
 
 from tfloom.launch.action import Action
-from tfloom.launch.actions.emit_event import EmitEvent
+from tfloom.launch.actions.event_actions import EmitEvent, RegisterEventHandler
 from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.actions.log import LogInfo, LogWarning
-from tfloom.launch.actions.register_event_handler import RegisterEventHandler
-from tfloom.launch.event_handlers.on_process_exit import OnProcessExit
+from tfloom.launch.event_handlers import OnProcessExit
 from tfloom.launch.events.shutdown import Shutdown
 from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
@@ -20,7 +19,7 @@ from tfloom.launch.launch_introspector import (
     indent,
     tree_like_indent,
 )
-from tfloom.launch.substitutions.launch_configuration import LaunchConfiguration
+from tfloom.launch.substitutions.variables import LaunchConfiguration
 
 
 def test_each_kind_of_action() -> None:

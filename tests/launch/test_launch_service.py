@@ -11,19 +11,14 @@ from collections.abc import Callable
 import pytest
 
 from tfloom.launch.action import Action
-from tfloom.launch.actions.emit_event import EmitEvent
-from tfloom.launch.actions.opaque_coroutine import OpaqueCoroutine
-from tfloom.launch.actions.opaque_function import OpaqueFunction
-from tfloom.launch.actions.register_event_handler import RegisterEventHandler
+from tfloom.launch.actions.event_actions import EmitEvent, RegisterEventHandler, UnregisterEventHandler
+from tfloom.launch.actions.opaque import OpaqueCoroutine, OpaqueFunction
 from tfloom.launch.actions.shutdown_action import Shutdown
 from tfloom.launch.actions.timer_action import TimerAction
-from tfloom.launch.actions.unregister_event_handler import UnregisterEventHandler
 from tfloom.launch.condition import Condition
 from tfloom.launch.event import Event
 from tfloom.launch.event_handler import EventHandler
-from tfloom.launch.event_handlers.event_named import event_named
-from tfloom.launch.event_handlers.on_execution_complete import OnExecutionComplete
-from tfloom.launch.event_handlers.on_shutdown import OnShutdown
+from tfloom.launch.event_handlers import OnExecutionComplete, OnShutdown, event_named
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.launch_service import LaunchService

@@ -21,11 +21,11 @@ import pytest
 
 from tfloom.launch import background_writing
 from tfloom.launch import logging as launch_logging
+from tfloom.launch.actions.event_actions import RegisterEventHandler
 from tfloom.launch.actions.execute_process import ExecuteProcess
-from tfloom.launch.actions.register_event_handler import RegisterEventHandler
 from tfloom.launch.actions.shutdown_action import Shutdown
 from tfloom.launch.background_writing import SCREEN, BackgroundWriter
-from tfloom.launch.event_handlers.on_process_io import OnProcessIO
+from tfloom.launch.event_handlers import OnProcessIO
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="the programs are of POSIX")
 

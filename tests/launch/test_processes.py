@@ -17,29 +17,30 @@ import psutil
 import pytest
 
 from tfloom.launch import logging as launch_logging
-from tfloom.launch.actions.emit_event import EmitEvent
+from tfloom.launch.actions.event_actions import EmitEvent, RegisterEventHandler
 from tfloom.launch.actions.execute_local import ExecuteLocal
 from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.actions.group_action import GroupAction
-from tfloom.launch.actions.opaque_function import OpaqueFunction
-from tfloom.launch.actions.register_event_handler import RegisterEventHandler
+from tfloom.launch.actions.opaque import OpaqueFunction
 from tfloom.launch.actions.shutdown_action import Shutdown
 from tfloom.launch.actions.timer_action import TimerAction
 from tfloom.launch.descriptions.executable import Executable
-from tfloom.launch.event_handlers.on_process_exit import OnProcessExit
-from tfloom.launch.event_handlers.on_process_io import OnProcessIO
-from tfloom.launch.event_handlers.on_process_start import OnProcessStart
+from tfloom.launch.event_handlers import OnProcessExit, OnProcessIO, OnProcessStart
 from tfloom.launch.events.matchers import matches_action
-from tfloom.launch.events.process.process_exited import ProcessExited
-from tfloom.launch.events.process.process_matchers import matches_executable, matches_name, matches_pid
-from tfloom.launch.events.process.process_started import ProcessStarted
-from tfloom.launch.events.process.process_stdin import ProcessStdin
-from tfloom.launch.events.process.shutdown_process import ShutdownProcess
-from tfloom.launch.events.process.signal_process import SignalProcess
+from tfloom.launch.events.process import (
+    ProcessExited,
+    ProcessStarted,
+    ProcessStdin,
+    ShutdownProcess,
+    SignalProcess,
+    matches_executable,
+    matches_name,
+    matches_pid,
+)
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.processes.family import TAG, find, members_of
-from tfloom.launch.substitutions.launch_configuration import LaunchConfiguration
 from tfloom.launch.substitutions.text_substitution import TextSubstitution
+from tfloom.launch.substitutions.variables import LaunchConfiguration
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="the programs are of a POSIX shell")
 

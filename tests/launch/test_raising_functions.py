@@ -13,27 +13,26 @@ from tests.launch.conftest import Ran
 
 from tfloom.interfaces.lifecycle_msgs.msg import TransitionEvent
 from tfloom.launch.action import Action
-from tfloom.launch.actions.emit_event import EmitEvent
+from tfloom.launch.actions.event_actions import EmitEvent, RegisterEventHandler
 from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.actions.for_loop import ForEach, ForLoop
 from tfloom.launch.actions.log import LogInfo
-from tfloom.launch.actions.opaque_coroutine import OpaqueCoroutine
-from tfloom.launch.actions.opaque_function import OpaqueFunction
-from tfloom.launch.actions.register_event_handler import RegisterEventHandler
+from tfloom.launch.actions.opaque import OpaqueCoroutine, OpaqueFunction
 from tfloom.launch.actions.shutdown_action import Shutdown
 from tfloom.launch.condition import Condition
 from tfloom.launch.event import Event
 from tfloom.launch.event_handler import EventHandler
-from tfloom.launch.event_handlers.on_action_event_base import OnActionEventBase
-from tfloom.launch.event_handlers.on_execution_complete import OnExecutionComplete
-from tfloom.launch.event_handlers.on_process_exit import OnProcessExit
-from tfloom.launch.event_handlers.on_process_io import OnProcessIO
-from tfloom.launch.event_handlers.on_process_start import OnProcessStart
-from tfloom.launch.event_handlers.on_shutdown import OnShutdown
-from tfloom.launch.events.process.process_exited import ProcessExited
-from tfloom.launch.events.process.signal_process import SignalProcess
+from tfloom.launch.event_handlers import (
+    OnActionEventBase,
+    OnExecutionComplete,
+    OnProcessExit,
+    OnProcessIO,
+    OnProcessStart,
+    OnShutdown,
+)
+from tfloom.launch.events.process import ProcessExited, SignalProcess
 from tfloom.launch.ros.event_handlers.on_state_transition import OnStateTransition
-from tfloom.launch.ros.events.lifecycle.state_transition import StateTransition
+from tfloom.launch.ros.events.lifecycle_events import StateTransition
 
 Launch = Callable[..., Ran]
 TEXT = "of a user's function"

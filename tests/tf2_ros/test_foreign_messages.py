@@ -13,10 +13,11 @@ from tfloom.interfaces.geometry_msgs import msg as g
 from tfloom.interfaces.sensor_msgs import msg as s
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.node.values.time import Time
-from tfloom.tf2_ros import geometry, point_cloud
+from tfloom.tf2_ros import geometry
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.buffer_interface import TypeException, convert
-from tfloom.tf2_ros.point_cloud2 import (
+from tfloom.tf2_ros.point_clouds import point_cloud
+from tfloom.tf2_ros.point_clouds.point_cloud2 import (
     create_cloud_xyz32,
     dtype_from_fields,
     read_points,

@@ -14,12 +14,12 @@ from tfloom.node.node import Node
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.time import Time
 from tfloom.tf2_ros.buffer import Buffer
-from tfloom.tf2_ros.message_filter import (
+from tfloom.tf2_ros.filters.message_filter import (
     FilterFailureReason,
     MessageFilter,
     get_filter_failure_reason_string,
 )
-from tfloom.tf2_ros.message_filters import SimpleFilter, Subscriber
+from tfloom.tf2_ros.filters.message_filters import SimpleFilter, Subscriber
 from tfloom.tf2_ros.transform_broadcaster import TransformBroadcaster
 from tfloom.tf2_ros.transform_listener import TransformListener
 

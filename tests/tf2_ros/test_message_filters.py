@@ -13,7 +13,7 @@ from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.time import Time
-from tfloom.tf2_ros.message_filters import (
+from tfloom.tf2_ros.filters.message_filters import (
     ApproximateTimeSynchronizer,
     Cache,
     Chain,

@@ -14,9 +14,9 @@ from tfloom import _native
 from tfloom.interfaces.sensor_msgs.msg import PointCloud2, PointField
 from tfloom.interfaces.std_msgs.msg import Header
 from tfloom.node.values.time import Time
-from tfloom.tf2_ros import point_cloud
 from tfloom.tf2_ros.buffer import Buffer
-from tfloom.tf2_ros.point_cloud2 import (
+from tfloom.tf2_ros.point_clouds import point_cloud
+from tfloom.tf2_ros.point_clouds.point_cloud2 import (
     create_cloud,
     create_cloud_xyz32,
     dtype_from_fields,

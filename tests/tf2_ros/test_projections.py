@@ -7,8 +7,8 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from tfloom.tf2_ros import arcball, projections
-from tfloom.tf2_ros import transformations as tf
+from tfloom.tf2_ros.transformations import arcball, projections
+from tfloom.tf2_ros.transformations import transformations as tf
 
 points = st.tuples(*[st.floats(-5, 5)] * 3).map(np.array)
 directions = st.tuples(*[st.floats(-1, 1)] * 3).filter(lambda v: np.linalg.norm(v) > 0.1).map(np.array)

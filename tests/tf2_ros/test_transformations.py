@@ -12,7 +12,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tfloom.tf2_ros import transformations as tf
+from tfloom.tf2_ros.transformations import transformations as tf
 
 SIGNATURES = """
 arcball_constrain_to_axis(point, axis)

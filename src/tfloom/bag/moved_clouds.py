@@ -109,7 +109,7 @@ def _moved_if_known(
 
 def _moved(buffer: Buffer, cloud: Any, target_frame: str) -> Any:
     from tfloom.interfaces.geometry_msgs.msg import Transform
-    from tfloom.tf2_ros.point_cloud import do_transform_cloud
+    from tfloom.tf2_ros.point_clouds.point_cloud import do_transform_cloud
 
     found = buffer.lookup(target_frame, cloud.header.frame_id, _stamp(cloud))
     transform = Transform()
@@ -124,7 +124,7 @@ def _moved(buffer: Buffer, cloud: Any, target_frame: str) -> Any:
 def _deskewed(
     buffer: Buffer, cloud: Any, stamps: NDArray[np.int64], target_frame: str, fixed_frame: str
 ) -> Any:
-    from tfloom.tf2_ros.point_cloud import deskew_cloud
+    from tfloom.tf2_ros.point_clouds.point_cloud import deskew_cloud
 
     return deskew_cloud(buffer, cloud, stamps, target_frame, fixed_frame, _stamp(cloud))
 
@@ -157,7 +157,7 @@ def point_stamps(
     """
     import numpy as np
 
-    from tfloom.tf2_ros.point_cloud2 import points_view
+    from tfloom.tf2_ros.point_clouds.point_cloud2 import points_view
 
     points = points_view(cloud)
     names = points.dtype.names or ()

@@ -173,7 +173,7 @@ def launch_a_launch_file(
     """
     from tfloom.launch.actions.include_launch_description import IncludeLaunchDescription
     from tfloom.launch.launch_description import LaunchDescription
-    from tfloom.launch.launch_description_sources.any_launch_description_source import (
+    from tfloom.launch.launch_description_sources.sources import (
         AnyLaunchDescriptionSource,
     )
     from tfloom.launch.launch_service import LaunchService
@@ -203,7 +203,7 @@ def _warning_of_undeclared(source: Any, file_name: str, given: Sequence[str]) ->
 
     It runs when all of the file has been visited, because what a condition or a function includes is known then.
     """
-    from tfloom.launch.actions.opaque_function import OpaqueFunction
+    from tfloom.launch.actions.opaque import OpaqueFunction
     from tfloom.launch.logging import get_logger
 
     def warn(context: Any) -> None:

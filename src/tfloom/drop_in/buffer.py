@@ -226,7 +226,7 @@ def _find_ours(kind: Any) -> Callable[..., Any] | None:
     from tfloom.tf2_ros.buffer_interface import TransformRegistration, TypeException
 
     if kind.__name__ == "PointCloud2":
-        from tfloom.tf2_ros import point_cloud  # noqa: F401, registers it
+        from tfloom.tf2_ros.point_clouds import point_cloud  # noqa: F401, registers it
     try:
         return TransformRegistration().get(kind)
     except TypeException:

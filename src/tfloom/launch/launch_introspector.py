@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from tfloom.launch.action import Action
-from tfloom.launch.actions.emit_event import EmitEvent
+from tfloom.launch.actions.event_actions import EmitEvent, RegisterEventHandler
 from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.actions.log import Log
-from tfloom.launch.actions.register_event_handler import RegisterEventHandler
 from tfloom.launch.event_handler import BaseEventHandler
 from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity

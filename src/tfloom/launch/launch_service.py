@@ -26,8 +26,7 @@ from typing import Any
 
 from tfloom.launch.background_writing import background_writing
 from tfloom.launch.event import Event
-from tfloom.launch.event_handlers.on_include_launch_description import OnIncludeLaunchDescription
-from tfloom.launch.event_handlers.on_shutdown import OnShutdown
+from tfloom.launch.event_handlers import OnIncludeLaunchDescription, OnShutdown
 from tfloom.launch.events.include_launch_description import IncludeLaunchDescription
 from tfloom.launch.events.shutdown import Shutdown
 from tfloom.launch.launch_context import LaunchContext

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from tfloom.launch.actions.pop_launch_configurations import PopLaunchConfigurations
-from tfloom.launch.actions.push_launch_configurations import PushLaunchConfigurations
-from tfloom.launch.actions.reset_launch_configurations import ResetLaunchConfigurations
-from tfloom.launch.actions.set_launch_configuration import SetLaunchConfiguration
-from tfloom.launch.actions.unset_launch_configuration import UnsetLaunchConfiguration
+from tfloom.launch.actions.launch_configurations import (
+    PopLaunchConfigurations,
+    PushLaunchConfigurations,
+    ResetLaunchConfigurations,
+    SetLaunchConfiguration,
+    UnsetLaunchConfiguration,
+)
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.substitutions.launch_configuration import LaunchConfiguration
 from tfloom.launch.substitutions.text_substitution import TextSubstitution
+from tfloom.launch.substitutions.variables import LaunchConfiguration
 
 
 def test_name_and_value_are_performed() -> None:

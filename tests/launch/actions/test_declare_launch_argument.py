@@ -6,8 +6,8 @@ import pytest
 
 from tfloom.launch.actions.declare_launch_argument import DeclareLaunchArgument
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.substitutions.launch_configuration import LaunchConfiguration
 from tfloom.launch.substitutions.text_substitution import TextSubstitution
+from tfloom.launch.substitutions.variables import LaunchConfiguration
 
 
 def test_default_is_performed_when_no_value_was_given() -> None:

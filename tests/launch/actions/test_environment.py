@@ -6,15 +6,17 @@ import os
 
 import pytest
 
-from tfloom.launch.actions.append_environment_variable import AppendEnvironmentVariable
-from tfloom.launch.actions.pop_environment import PopEnvironment
-from tfloom.launch.actions.push_environment import PushEnvironment
-from tfloom.launch.actions.reset_environment import ResetEnvironment
-from tfloom.launch.actions.set_environment_variable import SetEnvironmentVariable
-from tfloom.launch.actions.unset_environment_variable import UnsetEnvironmentVariable
+from tfloom.launch.actions.environment import (
+    AppendEnvironmentVariable,
+    PopEnvironment,
+    PushEnvironment,
+    ResetEnvironment,
+    SetEnvironmentVariable,
+    UnsetEnvironmentVariable,
+)
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.substitutions.launch_configuration import LaunchConfiguration
 from tfloom.launch.substitutions.text_substitution import TextSubstitution
+from tfloom.launch.substitutions.variables import LaunchConfiguration
 
 NAME = "TFLOOM_LAUNCH_TEST"
 

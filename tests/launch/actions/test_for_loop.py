@@ -7,9 +7,9 @@ from typing import Any
 import pytest
 
 from tfloom.launch.actions.for_loop import ForEach, ForLoop
-from tfloom.launch.actions.set_launch_configuration import SetLaunchConfiguration
+from tfloom.launch.actions.launch_configurations import SetLaunchConfiguration
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.substitutions.launch_configuration import LaunchConfiguration
+from tfloom.launch.substitutions.variables import LaunchConfiguration
 from tfloom.launch.utilities.visit_all_entities_and_collect_futures import (
     visit_all_entities_and_collect_futures,
 )

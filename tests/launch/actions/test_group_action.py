@@ -6,13 +6,13 @@ from typing import Any
 
 import pytest
 
+from tfloom.launch.actions.environment import SetEnvironmentVariable
 from tfloom.launch.actions.group_action import GroupAction
-from tfloom.launch.actions.opaque_function import OpaqueFunction
-from tfloom.launch.actions.set_environment_variable import SetEnvironmentVariable
-from tfloom.launch.actions.set_launch_configuration import SetLaunchConfiguration
-from tfloom.launch.conditions.if_condition import IfCondition
+from tfloom.launch.actions.launch_configurations import SetLaunchConfiguration
+from tfloom.launch.actions.opaque import OpaqueFunction
+from tfloom.launch.conditions import IfCondition
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.substitutions.launch_configuration import LaunchConfiguration
+from tfloom.launch.substitutions.variables import LaunchConfiguration
 from tfloom.launch.utilities.visit_all_entities_and_collect_futures import (
     visit_all_entities_and_collect_futures,
 )

@@ -9,16 +9,15 @@ import pytest
 from tfloom.launch.actions.declare_launch_argument import DeclareLaunchArgument
 from tfloom.launch.actions.group_action import GroupAction
 from tfloom.launch.actions.include_launch_description import IncludeLaunchDescription
-from tfloom.launch.actions.reset_launch_configurations import ResetLaunchConfigurations
+from tfloom.launch.actions.launch_configurations import ResetLaunchConfigurations
 from tfloom.launch.circular_includes import CircularIncludeError
-from tfloom.launch.conditions.if_condition import IfCondition
+from tfloom.launch.conditions import IfCondition
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.launch_description_source import LaunchDescriptionSource
-from tfloom.launch.ros.actions.set_parameter import SetParameter
-from tfloom.launch.ros.actions.set_remap import SetRemap
-from tfloom.launch.substitutions.launch_configuration import LaunchConfiguration
+from tfloom.launch.ros.actions.node_defaults import SetParameter, SetRemap
+from tfloom.launch.substitutions.variables import LaunchConfiguration
 from tfloom.launch.utilities.visit_all_entities_and_collect_futures import (
     visit_all_entities_and_collect_futures,
 )

@@ -10,7 +10,7 @@ import pytest
 from tfloom.launch.actions.log import Log, LogDebug, LogError, LogInfo, LogWarning
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.logging import get_logger
-from tfloom.launch.substitutions.launch_configuration import LaunchConfiguration
+from tfloom.launch.substitutions.variables import LaunchConfiguration
 
 
 @pytest.fixture

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import pytest
 
-from tfloom.launch.conditions.evaluate_condition_expression_impl import evaluate_condition_expression
-from tfloom.launch.conditions.if_condition import IfCondition
-from tfloom.launch.conditions.invalid_condition_expression_error import InvalidConditionExpressionError
-from tfloom.launch.conditions.launch_configuration_equals import LaunchConfigurationEquals
-from tfloom.launch.conditions.launch_configuration_not_equals import LaunchConfigurationNotEquals
-from tfloom.launch.conditions.unless_condition import UnlessCondition
+from tfloom.launch.conditions import (
+    IfCondition,
+    InvalidConditionExpressionError,
+    LaunchConfigurationEquals,
+    LaunchConfigurationNotEquals,
+    UnlessCondition,
+    evaluate_condition_expression,
+)
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.substitutions.launch_configuration import LaunchConfiguration
 from tfloom.launch.substitutions.text_substitution import TextSubstitution
+from tfloom.launch.substitutions.variables import LaunchConfiguration
 
 
 @pytest.mark.parametrize(

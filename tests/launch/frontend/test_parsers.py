@@ -11,8 +11,7 @@ from typing import Any, List
 import pytest
 
 from tfloom.launch.actions.log import LogInfo
-from tfloom.launch.conditions.if_condition import IfCondition
-from tfloom.launch.conditions.unless_condition import UnlessCondition
+from tfloom.launch.conditions import IfCondition, UnlessCondition
 from tfloom.launch.frontend.entity import Entity
 from tfloom.launch.frontend.parser import InvalidFrontendLaunchFileError, Parser
 from tfloom.launch.frontend.type_utils import check_is_list_entity, get_data_type_from_identifier

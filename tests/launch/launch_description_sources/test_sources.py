@@ -16,22 +16,20 @@ from tfloom.launch.invalid_launch_file_error import InvalidLaunchFileError
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.launch_description_source import LaunchDescriptionSource
-from tfloom.launch.launch_description_sources.any_launch_description_source import AnyLaunchDescriptionSource
 from tfloom.launch.launch_description_sources.any_launch_file_utilities import (
     get_launch_description_from_any_launch_file,
-)
-from tfloom.launch.launch_description_sources.frontend_launch_description_source import (
-    FrontendLaunchDescriptionSource,
-)
-from tfloom.launch.launch_description_sources.python_launch_description_source import (
-    PythonLaunchDescriptionSource,
 )
 from tfloom.launch.launch_description_sources.python_launch_file_utilities import (
     InvalidPythonLaunchFileError,
     get_launch_description_from_python_launch_file,
     load_python_launch_file_as_module,
 )
-from tfloom.launch.substitutions.launch_configuration import LaunchConfiguration
+from tfloom.launch.launch_description_sources.sources import (
+    AnyLaunchDescriptionSource,
+    FrontendLaunchDescriptionSource,
+    PythonLaunchDescriptionSource,
+)
+from tfloom.launch.substitutions.variables import LaunchConfiguration
 from tfloom.launch.xml.parser import Parser as XmlParser
 from tfloom.launch.xml.xml_launch_description_source import XMLLaunchDescriptionSource
 from tfloom.launch.yaml.yaml_launch_description_source import YAMLLaunchDescriptionSource

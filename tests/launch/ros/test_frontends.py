@@ -10,18 +10,19 @@ import pytest
 from tfloom.launch.actions.group_action import GroupAction
 from tfloom.launch.actions.include_launch_description import IncludeLaunchDescription
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.launch_description_sources.any_launch_description_source import AnyLaunchDescriptionSource
-from tfloom.launch.ros.actions.composable_node_container import ComposableNodeContainer
+from tfloom.launch.launch_description_sources.sources import AnyLaunchDescriptionSource
+from tfloom.launch.ros.actions.composable_nodes import ComposableNodeContainer, LoadComposableNodes
 from tfloom.launch.ros.actions.lifecycle_node import LifecycleNode
-from tfloom.launch.ros.actions.load_composable_nodes import LoadComposableNodes
 from tfloom.launch.ros.actions.node import Node
-from tfloom.launch.ros.actions.push_ros_namespace import PushROSNamespace
+from tfloom.launch.ros.actions.node_defaults import (
+    PushROSNamespace,
+    SetParameter,
+    SetParametersFromFile,
+    SetRemap,
+    SetROSLogDir,
+    SetUseSimTime,
+)
 from tfloom.launch.ros.actions.ros_timer import ROSTimer
-from tfloom.launch.ros.actions.set_parameter import SetParameter
-from tfloom.launch.ros.actions.set_parameters_from_file import SetParametersFromFile
-from tfloom.launch.ros.actions.set_remap import SetRemap
-from tfloom.launch.ros.actions.set_ros_log_dir import SetROSLogDir
-from tfloom.launch.ros.actions.set_use_sim_time import SetUseSimTime
 from tfloom.launch.substitutions.text_substitution import TextSubstitution
 
 XML = """\

@@ -9,9 +9,8 @@ from pathlib import Path
 import pytest
 
 from tfloom.interfaces.lifecycle_msgs.msg import State, Transition, TransitionEvent
-from tfloom.launch.actions.emit_event import EmitEvent
+from tfloom.launch.actions.event_actions import EmitEvent, RegisterEventHandler
 from tfloom.launch.actions.log import LogInfo
-from tfloom.launch.actions.register_event_handler import RegisterEventHandler
 from tfloom.launch.actions.shutdown_action import Shutdown
 from tfloom.launch.event import Event
 from tfloom.launch.launch_context import LaunchContext
@@ -24,8 +23,7 @@ from tfloom.launch.ros.actions.lifecycle_transition import (
 from tfloom.launch.ros.actions.node import Node
 from tfloom.launch.ros.event_handlers.on_state_transition import OnStateTransition
 from tfloom.launch.ros.events.lifecycle import lifecycle_node_matchers
-from tfloom.launch.ros.events.lifecycle.change_state import ChangeState
-from tfloom.launch.ros.events.lifecycle.state_transition import StateTransition
+from tfloom.launch.ros.events.lifecycle_events import ChangeState, StateTransition
 from tfloom.launch.ros.events.matchers import matches_node_name
 
 SENSOR = Path(__file__).parents[3] / "examples" / "lifecycle" / "sensor.py"

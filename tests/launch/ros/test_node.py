@@ -11,14 +11,15 @@ import pytest
 from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.actions.group_action import GroupAction
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.ros.actions.composable_node_container import ComposableNodeContainer
-from tfloom.launch.ros.actions.load_composable_nodes import LoadComposableNodes
+from tfloom.launch.ros.actions.composable_nodes import ComposableNodeContainer, LoadComposableNodes
 from tfloom.launch.ros.actions.node import Node
-from tfloom.launch.ros.actions.push_ros_namespace import PushROSNamespace
-from tfloom.launch.ros.actions.set_parameter import SetParameter
-from tfloom.launch.ros.actions.set_parameters_from_file import SetParametersFromFile
-from tfloom.launch.ros.actions.set_remap import SetRemap
-from tfloom.launch.ros.actions.set_ros_log_dir import SetROSLogDir
+from tfloom.launch.ros.actions.node_defaults import (
+    PushROSNamespace,
+    SetParameter,
+    SetParametersFromFile,
+    SetRemap,
+    SetROSLogDir,
+)
 from tfloom.launch.ros.descriptions.composable_node import ComposableNode
 from tfloom.launch.ros.parameter_descriptions import Parameter, ParameterFile, ParameterValue
 from tfloom.launch.ros.substitutions.executable_in_package import ExecutableInPackage

@@ -8,11 +8,11 @@ from collections.abc import Callable
 import pytest
 
 from tfloom.launch.actions.log import LogInfo
-from tfloom.launch.actions.opaque_function import OpaqueFunction
+from tfloom.launch.actions.opaque import OpaqueFunction
 from tfloom.launch.actions.shutdown_action import Shutdown
 from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.ros.actions.node_defaults import SetUseSimTime
 from tfloom.launch.ros.actions.ros_timer import ROSTimer
-from tfloom.launch.ros.actions.set_use_sim_time import SetUseSimTime
 from tfloom.launch.ros.ros_adapters import ROSAdapter, get_ros_adapter, get_ros_node
 from tfloom.launch.substitutions.text_substitution import TextSubstitution
 

@@ -8,7 +8,7 @@ import pytest
 
 from tfloom.launch.frontend.parse_substitution import parse_substitution
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.ros.actions.set_parameter import SetParameter
+from tfloom.launch.ros.actions.node_defaults import SetParameter
 from tfloom.launch.ros.substitutions.find_package import FindPackage, FindPackagePrefix, FindPackageShare
 from tfloom.launch.ros.substitutions.parameter import Parameter
 from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure

@@ -13,31 +13,31 @@ from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.logging import launch_config
 from tfloom.launch.substitution import Substitution
 from tfloom.launch.substitutions.anon_name import AnonName
-from tfloom.launch.substitutions.boolean_substitution import (
+from tfloom.launch.substitutions.command import Command
+from tfloom.launch.substitutions.comparisons import (
     AllSubstitution,
     AndSubstitution,
     AnySubstitution,
+    EqualsSubstitution,
+    IfElseSubstitution,
+    NotEqualsSubstitution,
     NotSubstitution,
     OrSubstitution,
 )
-from tfloom.launch.substitutions.command import Command
-from tfloom.launch.substitutions.environment_variable import EnvironmentVariable
-from tfloom.launch.substitutions.equals_substitution import EqualsSubstitution
 from tfloom.launch.substitutions.file_content import FileContent
 from tfloom.launch.substitutions.find_executable import FindExecutable
-from tfloom.launch.substitutions.for_loop_var import ForEachVar, ForLoopIndex
-from tfloom.launch.substitutions.if_else_substitution import IfElseSubstitution
-from tfloom.launch.substitutions.launch_configuration import LaunchConfiguration
-from tfloom.launch.substitutions.launch_log_dir import LaunchLogDir
-from tfloom.launch.substitutions.local_substitution import LocalSubstitution
-from tfloom.launch.substitutions.not_equals_substitution import NotEqualsSubstitution
-from tfloom.launch.substitutions.path_join_substitution import PathJoinSubstitution, PathSubstitution
+from tfloom.launch.substitutions.joins import PathJoinSubstitution, PathSubstitution, StringJoinSubstitution
+from tfloom.launch.substitutions.launch_files import LaunchLogDir, ThisLaunchFile, ThisLaunchFileDir
 from tfloom.launch.substitutions.python_expression import PythonExpression
-from tfloom.launch.substitutions.string_join_substitution import StringJoinSubstitution
 from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure
 from tfloom.launch.substitutions.text_substitution import TextSubstitution
-from tfloom.launch.substitutions.this_launch_file import ThisLaunchFile
-from tfloom.launch.substitutions.this_launch_file_dir import ThisLaunchFileDir
+from tfloom.launch.substitutions.variables import (
+    EnvironmentVariable,
+    ForEachVar,
+    ForLoopIndex,
+    LaunchConfiguration,
+    LocalSubstitution,
+)
 
 
 @pytest.fixture

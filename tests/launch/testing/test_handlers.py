@@ -10,11 +10,8 @@ import time
 import pytest
 
 from tfloom.launch.actions.execute_process import ExecuteProcess
-from tfloom.launch.events.process.process_exited import ProcessExited
-from tfloom.launch.events.process.process_started import ProcessStarted
-from tfloom.launch.events.process.process_stderr import ProcessStderr
-from tfloom.launch.events.process.process_stdout import ProcessStdout
-from tfloom.launch.substitutions.local_substitution import LocalSubstitution
+from tfloom.launch.events.process import ProcessExited, ProcessStarted, ProcessStderr, ProcessStdout
+from tfloom.launch.substitutions.variables import LocalSubstitution
 from tfloom.launch.testing.assert_exit_codes import EXIT_SIGINT, assertExitCodes
 from tfloom.launch.testing.assert_output import (
     assertDefaultStream,

@@ -13,6 +13,7 @@ import pytest
 
 from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.testing import legacy_output
+from tfloom.launch.testing.arguments import parse_launch_arguments
 from tfloom.launch.testing.decorator import post_shutdown_test
 from tfloom.launch.testing.junitxml import unittestResultsToXml
 from tfloom.launch.testing.loader import (
@@ -24,9 +25,7 @@ from tfloom.launch.testing.loader import (
 from tfloom.launch.testing.markers import is_kept_alive, keep_alive, retry_on_failure
 from tfloom.launch.testing.output import basic_output_filter, expect_output, expected_output_from_file
 from tfloom.launch.testing.parametrize import parametrize
-from tfloom.launch.testing.parse_arguments import parse_launch_arguments
-from tfloom.launch.testing.ready_aggregator import ReadyAggregator
-from tfloom.launch.testing.ready_to_test_action_timeout import ready_to_test_action_timeout, timeout_of
+from tfloom.launch.testing.readiness import ReadyAggregator, ready_to_test_action_timeout, timeout_of
 from tfloom.launch.testing.test_result import FailResult, SkipResult, TestResult
 from tfloom.launch.testing.text import build_line_match, build_text_match, remove_ansi_escape_sequences
 

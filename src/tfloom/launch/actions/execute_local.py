@@ -13,20 +13,21 @@ from tfloom.launch.actions.process_output import ProcessOutput
 from tfloom.launch.descriptions.executable import Executable
 from tfloom.launch.event import Event
 from tfloom.launch.event_handler import BaseEventHandler, EventHandler
-from tfloom.launch.event_handlers.on_process_exit import OnProcessExit
-from tfloom.launch.event_handlers.on_shutdown import OnShutdown
-from tfloom.launch.events.process.process_exited import ProcessExited
-from tfloom.launch.events.process.process_started import ProcessStarted
-from tfloom.launch.events.process.process_stdin import ProcessStdin
-from tfloom.launch.events.process.process_targeted_event import ProcessTargetedEvent
-from tfloom.launch.events.process.shutdown_process import ShutdownProcess
-from tfloom.launch.events.process.signal_process import SignalProcess
+from tfloom.launch.event_handlers import OnProcessExit, OnShutdown
+from tfloom.launch.events.process import (
+    ProcessExited,
+    ProcessStarted,
+    ProcessStdin,
+    ProcessTargetedEvent,
+    ShutdownProcess,
+    SignalProcess,
+)
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.logging import OutputConfig, get_logger
 from tfloom.launch.some_entities_type import SomeEntitiesType
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
-from tfloom.launch.substitutions.launch_configuration import LaunchConfiguration
+from tfloom.launch.substitutions.variables import LaunchConfiguration
 from tfloom.launch.utilities.normalize_to_list_of_entities import normalize_to_list_of_entities
 from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
 from tfloom.launch.utilities.perform_substitutions import perform_substitutions

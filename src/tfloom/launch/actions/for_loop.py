@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from tfloom.launch.action import Action
-from tfloom.launch.actions.opaque_function import OpaqueFunction
+from tfloom.launch.actions.opaque import OpaqueFunction
 from tfloom.launch.frontend.entity import Entity, ParsesActions
 from tfloom.launch.frontend.expose import expose_action
 from tfloom.launch.launch_context import LaunchContext
@@ -14,7 +14,7 @@ from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.logging import get_logger
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 from tfloom.launch.substitution import Substitution
-from tfloom.launch.substitutions.for_loop_var import ForEachVar
+from tfloom.launch.substitutions.variables import ForEachVar
 from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
 from tfloom.launch.utilities.perform_substitutions import perform_substitutions
 

@@ -6,13 +6,14 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from tfloom.launch.action import Action
-from tfloom.launch.actions.pop_environment import PopEnvironment
-from tfloom.launch.actions.pop_launch_configurations import PopLaunchConfigurations
-from tfloom.launch.actions.push_environment import PushEnvironment
-from tfloom.launch.actions.push_launch_configurations import PushLaunchConfigurations
-from tfloom.launch.actions.reset_environment import ResetEnvironment
-from tfloom.launch.actions.reset_launch_configurations import ResetLaunchConfigurations, parse_kept
-from tfloom.launch.actions.set_launch_configuration import SetLaunchConfiguration
+from tfloom.launch.actions.environment import PopEnvironment, PushEnvironment, ResetEnvironment
+from tfloom.launch.actions.launch_configurations import (
+    PopLaunchConfigurations,
+    PushLaunchConfigurations,
+    ResetLaunchConfigurations,
+    SetLaunchConfiguration,
+    parse_kept,
+)
 from tfloom.launch.frontend.entity import Entity, ParsesActions
 from tfloom.launch.frontend.expose import expose_action
 from tfloom.launch.launch_context import LaunchContext

@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Any
 
 from tfloom.launch.action import Action
-from tfloom.launch.actions.opaque_function import OpaqueFunction
-from tfloom.launch.actions.set_launch_configuration import SetLaunchConfiguration
+from tfloom.launch.actions.launch_configurations import SetLaunchConfiguration
+from tfloom.launch.actions.opaque import OpaqueFunction
 from tfloom.launch.circular_includes import refuse_circle
 from tfloom.launch.frontend.entity import Entity, ParsesActions
 from tfloom.launch.frontend.expose import expose_action
@@ -19,7 +19,7 @@ from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.launch_description_source import LaunchDescriptionSource
-from tfloom.launch.launch_description_sources.any_launch_description_source import AnyLaunchDescriptionSource
+from tfloom.launch.launch_description_sources.sources import AnyLaunchDescriptionSource
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 from tfloom.launch.utilities.perform_substitutions import perform_some_substitutions, perform_substitutions
 

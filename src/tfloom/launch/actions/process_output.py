@@ -6,8 +6,7 @@ import codecs
 import logging
 from typing import Any
 
-from tfloom.launch.events.process.process_stderr import ProcessStderr
-from tfloom.launch.events.process.process_stdout import ProcessStdout
+from tfloom.launch.events.process import ProcessStderr, ProcessStdout
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.log_handlers import around_field, is_behind, log_lines
 from tfloom.launch.logging import OutputConfig, get_output_loggers

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from tfloom.launch.action import Action
-from tfloom.launch.actions.emit_event import EmitEvent
-from tfloom.launch.events.process.process_exited import ProcessExited
+from tfloom.launch.actions.event_actions import EmitEvent
+from tfloom.launch.events.process import ProcessExited
 from tfloom.launch.events.shutdown import Shutdown as ShutdownEvent
 from tfloom.launch.frontend.entity import Entity, ParsesActions
 from tfloom.launch.frontend.expose import expose_action

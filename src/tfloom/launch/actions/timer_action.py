@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, cast
 from tfloom.launch.action import Action
 from tfloom.launch.event import Event
 from tfloom.launch.event_handler import BaseEventHandler
-from tfloom.launch.event_handlers.on_shutdown import OnShutdown
+from tfloom.launch.event_handlers import OnShutdown
 from tfloom.launch.events.timer_event import TimerEvent
 from tfloom.launch.frontend.entity import Entity, ParsesActions
 from tfloom.launch.frontend.expose import expose_action

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 from tfloom.launch.substitution import Substitution
-from tfloom.launch.substitutions.launch_configuration import LaunchConfiguration
+from tfloom.launch.substitutions.variables import LaunchConfiguration
 from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
 from tfloom.launch.utilities.perform_substitutions import perform_substitutions
 

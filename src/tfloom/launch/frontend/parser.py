@@ -10,8 +10,7 @@ from typing import Any, TextIO
 
 from tfloom.launch.action import Action
 from tfloom.launch.condition import Condition
-from tfloom.launch.conditions.if_condition import IfCondition
-from tfloom.launch.conditions.unless_condition import UnlessCondition
+from tfloom.launch.conditions import IfCondition, UnlessCondition
 from tfloom.launch.frontend.entity import Entity
 from tfloom.launch.frontend.expose import instantiate_action
 from tfloom.launch.frontend.extensions import load_entry_points, load_launch_extensions

@@ -7,7 +7,7 @@ import os
 import threading
 from typing import TYPE_CHECKING
 
-from tfloom.launch.event_handlers.on_shutdown import OnShutdown
+from tfloom.launch.event_handlers import OnShutdown
 from tfloom.launch.launch_context import LaunchContext
 
 if TYPE_CHECKING:

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from typing import Protocol
 
 from tfloom.launch.actions.execute_process import ExecuteProcess
-from tfloom.launch.events.process.process_exited import ProcessExited
+from tfloom.launch.events.process import ProcessExited
 from tfloom.launch.testing.proc_lookup import CmdArgs, Process, process_name, resolveProcesses
 
 __all__ = [

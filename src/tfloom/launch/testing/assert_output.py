@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Protocol
 
 from tfloom.launch.actions.execute_process import ExecuteProcess
-from tfloom.launch.events.process.process_io import ProcessIO
+from tfloom.launch.events.process import ProcessIO
 from tfloom.launch.testing.proc_lookup import CmdArgs, Process, process_name, resolveProcesses
 from tfloom.launch.testing.text import Expected, build_text_match, remove_ansi_escape_sequences
 

@@ -9,7 +9,7 @@ from typing import Any, cast
 
 from tfloom.launch.action import Action
 from tfloom.launch.actions.execute_process import ExecuteProcess
-from tfloom.launch.events.process.process_io import ProcessIO
+from tfloom.launch.events.process import ProcessIO
 from tfloom.launch.testing.active_record import ActiveRecord
 from tfloom.launch.testing.assert_output import assertInStream
 from tfloom.launch.testing.proc_lookup import (

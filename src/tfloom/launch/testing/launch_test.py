@@ -11,9 +11,9 @@ from io import BytesIO
 from pathlib import Path
 from types import ModuleType
 
+from tfloom.launch.testing.arguments import print_arguments_of_launch_description
 from tfloom.launch.testing.junitxml import unittestResultsToXml
 from tfloom.launch.testing.loader import DescriptionError, LoadTestsFromPythonModule
-from tfloom.launch.testing.print_arguments import print_arguments_of_launch_description
 from tfloom.launch.testing.test_result import FailResult
 from tfloom.launch.testing.test_runner import LaunchTestRunner
 from tfloom.whole_files import write_file

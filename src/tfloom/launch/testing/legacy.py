@@ -6,14 +6,10 @@ from collections.abc import Callable, Iterable
 from typing import Any
 
 from tfloom.launch.action import Action
-from tfloom.launch.actions.emit_event import EmitEvent
+from tfloom.launch.actions.event_actions import EmitEvent, RegisterEventHandler
 from tfloom.launch.actions.execute_process import ExecuteProcess
-from tfloom.launch.actions.register_event_handler import RegisterEventHandler
-from tfloom.launch.event_handlers.on_execution_complete import OnExecutionComplete
-from tfloom.launch.event_handlers.on_process_exit import OnProcessExit
-from tfloom.launch.event_handlers.on_process_io import OnProcessIO
-from tfloom.launch.events.process.process_exited import ProcessExited
-from tfloom.launch.events.process.process_io import ProcessIO
+from tfloom.launch.event_handlers import OnExecutionComplete, OnProcessExit, OnProcessIO
+from tfloom.launch.events.process import ProcessExited, ProcessIO
 from tfloom.launch.events.shutdown import Shutdown
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description import LaunchDescription

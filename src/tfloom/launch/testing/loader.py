@@ -11,7 +11,7 @@ from typing import Any, TypeAlias
 
 from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.testing.markers import is_kept_alive
-from tfloom.launch.testing.ready_to_test_action_timeout import timeout_of
+from tfloom.launch.testing.readiness import timeout_of
 
 __all__ = [
     "DescriptionError",

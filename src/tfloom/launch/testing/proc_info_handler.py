@@ -7,8 +7,7 @@ from typing import TypeAlias, cast
 
 from tfloom.launch.action import Action
 from tfloom.launch.actions.execute_process import ExecuteProcess
-from tfloom.launch.events.process.process_exited import ProcessExited
-from tfloom.launch.events.process.process_started import ProcessStarted
+from tfloom.launch.events.process import ProcessExited, ProcessStarted
 from tfloom.launch.testing.active_record import ActiveRecord
 from tfloom.launch.testing.proc_lookup import (
     CmdArgs,

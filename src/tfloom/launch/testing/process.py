@@ -9,9 +9,7 @@ from typing import Any
 from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.events.include_launch_description import IncludeLaunchDescription
 from tfloom.launch.events.matchers import matches_action
-from tfloom.launch.events.process.process_exited import ProcessExited
-from tfloom.launch.events.process.process_started import ProcessStarted
-from tfloom.launch.events.process.shutdown_process import ShutdownProcess
+from tfloom.launch.events.process import ProcessExited, ProcessStarted, ShutdownProcess
 from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.launch_service import LaunchService
 from tfloom.launch.testing.assert_output import text_of

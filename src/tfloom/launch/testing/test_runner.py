@@ -11,20 +11,19 @@ import unittest
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from tfloom.launch.event_handlers.on_process_io import OnProcessIO
-from tfloom.launch.events.process.process_exited import ProcessExited
-from tfloom.launch.events.process.process_started import ProcessStarted
+from tfloom.launch.event_handlers import OnProcessIO
+from tfloom.launch.events.process import ProcessExited, ProcessStarted
 from tfloom.launch.events.shutdown import Shutdown
 from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.launch_service import LaunchService
-from tfloom.launch.testing.actions.ready import TestsCanBegin
+from tfloom.launch.testing.actions import TestsCanBegin
+from tfloom.launch.testing.arguments import parse_launch_arguments
 from tfloom.launch.testing.assert_exit_codes import describe_exit_code
 from tfloom.launch.testing.assert_output import text_of
 from tfloom.launch.testing.io_handler import ActiveIoHandler
 from tfloom.launch.testing.keep_alive import KeepAliveProc
 from tfloom.launch.testing.loader import TestRun
-from tfloom.launch.testing.parse_arguments import parse_launch_arguments
 from tfloom.launch.testing.proc_info_handler import ActiveProcInfoHandler
 from tfloom.launch.testing.test_result import FailResult, SkipResult, TestResult
 from tfloom.launch.testing.watcher import Watcher

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tfloom.launch.launch_description_sources.frontend_launch_description_source import (
+from tfloom.launch.launch_description_sources.sources import (
     FrontendLaunchDescriptionSource,
 )
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType

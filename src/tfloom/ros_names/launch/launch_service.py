@@ -5,7 +5,7 @@ from tfloom.launch.launch_service import LaunchService as LaunchService
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from tfloom.launch.event_handlers.on_shutdown import OnShutdown as OnShutdown
+    from tfloom.launch.event_handlers import OnShutdown as OnShutdown
     from tfloom.launch.events.include_launch_description import IncludeLaunchDescription as IncludeLaunchDescription
 else:
     from tfloom.ros_modules import deferred
@@ -13,5 +13,5 @@ else:
     __getattr__, __dir__ = deferred(
         __name__,
         IncludeLaunchDescription="tfloom.launch.events.include_launch_description",
-        OnShutdown="tfloom.launch.event_handlers.on_shutdown",
+        OnShutdown="tfloom.launch.event_handlers",
     )

@@ -4,7 +4,7 @@
 import launch_testing.parametrize
 import launch_testing.ready_to_test_action_timeout
 from tfloom.launch.testing.parametrize import parametrize as parametrize
-from tfloom.launch.testing.ready_to_test_action_timeout import ready_to_test_action_timeout as ready_to_test_action_timeout
+from tfloom.launch.testing.readiness import ready_to_test_action_timeout as ready_to_test_action_timeout
 
 __all__ = [
     "ActiveIoHandler",
@@ -43,7 +43,7 @@ if TYPE_CHECKING:
     from tfloom.launch.testing.io_handler import IoHandler as IoHandler
     from tfloom.launch.testing.proc_info_handler import ActiveProcInfoHandler as ActiveProcInfoHandler
     from tfloom.launch.testing.proc_info_handler import ProcInfoHandler as ProcInfoHandler
-    from tfloom.launch.testing.ready_aggregator import ReadyAggregator as ReadyAggregator
+    from tfloom.launch.testing.readiness import ReadyAggregator as ReadyAggregator
 else:
     from tfloom.ros_modules import deferred
 
@@ -53,7 +53,7 @@ else:
         ActiveProcInfoHandler="tfloom.launch.testing.proc_info_handler",
         IoHandler="tfloom.launch.testing.io_handler",
         ProcInfoHandler="tfloom.launch.testing.proc_info_handler",
-        ReadyAggregator="tfloom.launch.testing.ready_aggregator",
+        ReadyAggregator="tfloom.launch.testing.readiness",
         actions="launch_testing",
         asserts="launch_testing",
         decorator="launch_testing",

@@ -8,9 +8,9 @@ from tfloom.launch.testing.launch_test import run as run
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from tfloom.launch.testing.arguments import print_arguments_of_launch_description as print_arguments_of_launch_description
     from tfloom.launch.testing.junitxml import unittestResultsToXml as unittestResultsToXml
     from tfloom.launch.testing.loader import LoadTestsFromPythonModule as LoadTestsFromPythonModule
-    from tfloom.launch.testing.print_arguments import print_arguments_of_launch_description as print_arguments_of_launch_description
     from tfloom.launch.testing.test_runner import LaunchTestRunner as LaunchTestRunner
 else:
     from tfloom.ros_modules import deferred
@@ -19,6 +19,6 @@ else:
         __name__,
         LaunchTestRunner="tfloom.launch.testing.test_runner",
         LoadTestsFromPythonModule="tfloom.launch.testing.loader",
-        print_arguments_of_launch_description="tfloom.launch.testing.print_arguments",
+        print_arguments_of_launch_description="tfloom.launch.testing.arguments",
         unittestResultsToXml="tfloom.launch.testing.junitxml",
     )

@@ -9,11 +9,11 @@ from tfloom.launch.testing.loader import slim_formatwarning as slim_formatwarnin
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from tfloom.launch.testing.actions.ready import ReadyToTest as ReadyToTest
+    from tfloom.launch.testing.actions import ReadyToTest as ReadyToTest
 else:
     from tfloom.ros_modules import deferred
 
     __getattr__, __dir__ = deferred(
         __name__,
-        ReadyToTest="tfloom.launch.testing.actions.ready",
+        ReadyToTest="tfloom.launch.testing.actions",
     )

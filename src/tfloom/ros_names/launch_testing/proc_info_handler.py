@@ -7,7 +7,7 @@ from tfloom.launch.testing.proc_info_handler import ProcInfoHandler as ProcInfoH
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.launch.actions.execute_process import ExecuteProcess as ExecuteProcess
-    from tfloom.launch.events.process.process_exited import ProcessExited as ProcessExited
+    from tfloom.launch.events.process import ProcessExited as ProcessExited
     from tfloom.launch.testing.proc_lookup import NoMatchingProcessException as NoMatchingProcessException
     from tfloom.launch.testing.proc_lookup import resolveProcesses as resolveProcesses
 else:
@@ -17,6 +17,6 @@ else:
         __name__,
         ExecuteProcess="tfloom.launch.actions.execute_process",
         NoMatchingProcessException="tfloom.launch.testing.proc_lookup",
-        ProcessExited="tfloom.launch.events.process.process_exited",
+        ProcessExited="tfloom.launch.events.process",
         resolveProcesses="tfloom.launch.testing.proc_lookup",
     )

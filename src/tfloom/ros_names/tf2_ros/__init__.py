@@ -18,9 +18,9 @@ from tfloom.tf2_ros.buffer_interface import TransformRegistration as TransformRe
 from tfloom.tf2_ros.buffer_interface import TypeException as TypeException
 from tfloom.tf2_ros.buffer_interface import convert as convert
 from tfloom.tf2_ros.buffer_server import BufferServer as BufferServer
-from tfloom.tf2_ros.message_filter import FilterFailureReason as FilterFailureReason
-from tfloom.tf2_ros.message_filter import MessageFilter as MessageFilter
-from tfloom.tf2_ros.message_filter import get_filter_failure_reason_string as get_filter_failure_reason_string
+from tfloom.tf2_ros.filters.message_filter import FilterFailureReason as FilterFailureReason
+from tfloom.tf2_ros.filters.message_filter import MessageFilter as MessageFilter
+from tfloom.tf2_ros.filters.message_filter import get_filter_failure_reason_string as get_filter_failure_reason_string
 from tfloom.tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster as StaticTransformBroadcaster
 from tfloom.tf2_ros.transform_broadcaster import TransformBroadcaster as TransformBroadcaster
 from tfloom.tf2_ros.transform_listener import DEFAULT_STATIC_TF_TOPIC as DEFAULT_STATIC_TF_TOPIC

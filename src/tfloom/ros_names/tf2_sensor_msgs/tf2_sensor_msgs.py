@@ -3,8 +3,8 @@
 
 from tfloom.tf2_ros.geometry import from_msg_msg as from_msg_msg
 from tfloom.tf2_ros.geometry import to_msg_msg as to_msg_msg
-from tfloom.tf2_ros.point_cloud import do_transform_cloud as do_transform_cloud
-from tfloom.tf2_ros.point_cloud import transform_points as transform_points
+from tfloom.tf2_ros.point_clouds.point_cloud import do_transform_cloud as do_transform_cloud
+from tfloom.tf2_ros.point_clouds.point_cloud import transform_points as transform_points
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -14,8 +14,8 @@ if TYPE_CHECKING:
     from tfloom.interfaces.std_msgs.msg import Header as Header
     from tfloom.tf2_ros.numpy_compat import structured_to_unstructured as structured_to_unstructured
     from tfloom.tf2_ros.numpy_compat import unstructured_to_structured as unstructured_to_structured
-    from tfloom.tf2_ros.point_cloud2 import create_cloud as create_cloud
-    from tfloom.tf2_ros.point_cloud2 import read_points as read_points
+    from tfloom.tf2_ros.point_clouds.point_cloud2 import create_cloud as create_cloud
+    from tfloom.tf2_ros.point_clouds.point_cloud2 import read_points as read_points
 else:
     from tfloom.ros_modules import deferred
 
@@ -25,8 +25,8 @@ else:
         PointCloud2="tfloom.interfaces.sensor_msgs.msg",
         Transform="tfloom.interfaces.geometry_msgs.msg",
         TransformStamped="tfloom.interfaces.geometry_msgs.msg",
-        create_cloud="tfloom.tf2_ros.point_cloud2",
-        read_points="tfloom.tf2_ros.point_cloud2",
+        create_cloud="tfloom.tf2_ros.point_clouds.point_cloud2",
+        read_points="tfloom.tf2_ros.point_clouds.point_cloud2",
         structured_to_unstructured="tfloom.tf2_ros.numpy_compat",
         unstructured_to_structured="tfloom.tf2_ros.numpy_compat",
     )

@@ -7,7 +7,7 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any, cast
 
 from tfloom.launch.action import Action
-from tfloom.launch.actions.opaque_function import OpaqueFunction
+from tfloom.launch.actions.opaque import OpaqueFunction
 from tfloom.launch.event import Event
 from tfloom.launch.event_handler import EventHandler
 from tfloom.launch.frontend.entity import Entity, ParsesActions
@@ -16,8 +16,7 @@ from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.logging import get_logger
 from tfloom.launch.ros.actions.node import Node
-from tfloom.launch.ros.events.lifecycle.change_state import ChangeState
-from tfloom.launch.ros.events.lifecycle.state_transition import StateTransition
+from tfloom.launch.ros.events.lifecycle_events import ChangeState, StateTransition
 from tfloom.launch.ros.ros_adapters import get_ros_node
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 

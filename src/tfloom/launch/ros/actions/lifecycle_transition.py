@@ -6,15 +6,14 @@ from collections.abc import Callable, Iterable
 from typing import Any, Union
 
 from tfloom.launch.action import Action
-from tfloom.launch.actions.emit_event import EmitEvent
-from tfloom.launch.actions.opaque_function import OpaqueFunction
+from tfloom.launch.actions.event_actions import EmitEvent
+from tfloom.launch.actions.opaque import OpaqueFunction
 from tfloom.launch.event import Event
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.logging import get_logger
 from tfloom.launch.ros.event_handlers.on_state_transition import OnStateTransition
-from tfloom.launch.ros.events.lifecycle.change_state import ChangeState
-from tfloom.launch.ros.events.lifecycle.state_transition import StateTransition
+from tfloom.launch.ros.events.lifecycle_events import ChangeState, StateTransition
 from tfloom.launch.ros.events.matchers import matches_node_name
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions

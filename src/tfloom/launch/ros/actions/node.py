@@ -18,12 +18,16 @@ from tfloom.launch.ros.parameter_descriptions import Parameter
 from tfloom.launch.ros.parameters_type import SomeParameters
 from tfloom.launch.ros.remap_rule_type import SomeRemapRules
 from tfloom.launch.ros.substitutions.executable_in_package import ExecutableInPackage
-from tfloom.launch.ros.utilities.namespace_utils import make_namespace_absolute, prefix_namespace
+from tfloom.launch.ros.utilities.names import (
+    add_node_name,
+    get_node_name_count,
+    make_namespace_absolute,
+    normalize_remap_rules,
+    prefix_namespace,
+)
 from tfloom.launch.ros.utilities.normalize_parameters import normalize_parameters
-from tfloom.launch.ros.utilities.normalize_remap_rule import normalize_remap_rules
-from tfloom.launch.ros.utilities.track_node_names import add_node_name, get_node_name_count
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
-from tfloom.launch.substitutions.local_substitution import LocalSubstitution
+from tfloom.launch.substitutions.variables import LocalSubstitution
 from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
 from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
 from tfloom.launch.utilities.perform_substitutions import perform_some_substitutions, perform_substitutions

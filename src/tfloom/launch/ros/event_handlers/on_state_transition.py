@@ -8,7 +8,7 @@ from typing import Any
 from tfloom.launch.event import Event
 from tfloom.launch.event_handler import EventHandler
 from tfloom.launch.ros.actions.lifecycle_node import LifecycleNode
-from tfloom.launch.ros.events.lifecycle.state_transition import StateTransition
+from tfloom.launch.ros.events.lifecycle_events import StateTransition
 from tfloom.launch.some_entities_type import SomeEntitiesType
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.ros.parameter_descriptions import Parameter as ParameterDescription
 from tfloom.launch.ros.parameters_type import EvaluatedParameters
-from tfloom.launch.ros.utilities.namespace_utils import prefix_namespace
+from tfloom.launch.ros.utilities.names import prefix_namespace
 
 if TYPE_CHECKING:
     from tfloom.node.parameters.parameter import Parameter

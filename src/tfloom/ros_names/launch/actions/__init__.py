@@ -62,44 +62,44 @@ if TYPE_CHECKING:
     from launch.actions import unregister_event_handler as unregister_event_handler
     from launch.actions import unset_environment_variable as unset_environment_variable
     from launch.actions import unset_launch_configuration as unset_launch_configuration
-    from tfloom.launch.actions.append_environment_variable import AppendEnvironmentVariable as AppendEnvironmentVariable
     from tfloom.launch.actions.declare_launch_argument import DeclareLaunchArgument as DeclareLaunchArgument
-    from tfloom.launch.actions.emit_event import EmitEvent as EmitEvent
+    from tfloom.launch.actions.environment import AppendEnvironmentVariable as AppendEnvironmentVariable
+    from tfloom.launch.actions.environment import PopEnvironment as PopEnvironment
+    from tfloom.launch.actions.environment import PushEnvironment as PushEnvironment
+    from tfloom.launch.actions.environment import ResetEnvironment as ResetEnvironment
+    from tfloom.launch.actions.environment import SetEnvironmentVariable as SetEnvironmentVariable
+    from tfloom.launch.actions.environment import UnsetEnvironmentVariable as UnsetEnvironmentVariable
+    from tfloom.launch.actions.event_actions import EmitEvent as EmitEvent
+    from tfloom.launch.actions.event_actions import RegisterEventHandler as RegisterEventHandler
+    from tfloom.launch.actions.event_actions import UnregisterEventHandler as UnregisterEventHandler
     from tfloom.launch.actions.execute_local import ExecuteLocal as ExecuteLocal
     from tfloom.launch.actions.execute_process import ExecuteProcess as ExecuteProcess
     from tfloom.launch.actions.for_loop import ForEach as ForEach
     from tfloom.launch.actions.for_loop import ForLoop as ForLoop
     from tfloom.launch.actions.group_action import GroupAction as GroupAction
     from tfloom.launch.actions.include_launch_description import IncludeLaunchDescription as IncludeLaunchDescription
+    from tfloom.launch.actions.launch_configurations import PopLaunchConfigurations as PopLaunchConfigurations
+    from tfloom.launch.actions.launch_configurations import PushLaunchConfigurations as PushLaunchConfigurations
+    from tfloom.launch.actions.launch_configurations import ResetLaunchConfigurations as ResetLaunchConfigurations
+    from tfloom.launch.actions.launch_configurations import SetLaunchConfiguration as SetLaunchConfiguration
+    from tfloom.launch.actions.launch_configurations import UnsetLaunchConfiguration as UnsetLaunchConfiguration
     from tfloom.launch.actions.log import Log as Log
     from tfloom.launch.actions.log import LogDebug as LogDebug
     from tfloom.launch.actions.log import LogError as LogError
     from tfloom.launch.actions.log import LogInfo as LogInfo
     from tfloom.launch.actions.log import LogWarning as LogWarning
-    from tfloom.launch.actions.opaque_coroutine import OpaqueCoroutine as OpaqueCoroutine
-    from tfloom.launch.actions.opaque_function import OpaqueFunction as OpaqueFunction
-    from tfloom.launch.actions.pop_environment import PopEnvironment as PopEnvironment
-    from tfloom.launch.actions.pop_launch_configurations import PopLaunchConfigurations as PopLaunchConfigurations
-    from tfloom.launch.actions.push_environment import PushEnvironment as PushEnvironment
-    from tfloom.launch.actions.push_launch_configurations import PushLaunchConfigurations as PushLaunchConfigurations
-    from tfloom.launch.actions.register_event_handler import RegisterEventHandler as RegisterEventHandler
-    from tfloom.launch.actions.reset_environment import ResetEnvironment as ResetEnvironment
-    from tfloom.launch.actions.reset_launch_configurations import ResetLaunchConfigurations as ResetLaunchConfigurations
-    from tfloom.launch.actions.set_environment_variable import SetEnvironmentVariable as SetEnvironmentVariable
-    from tfloom.launch.actions.set_launch_configuration import SetLaunchConfiguration as SetLaunchConfiguration
+    from tfloom.launch.actions.opaque import OpaqueCoroutine as OpaqueCoroutine
+    from tfloom.launch.actions.opaque import OpaqueFunction as OpaqueFunction
     from tfloom.launch.actions.shutdown_action import Shutdown as Shutdown
     from tfloom.launch.actions.timer_action import TimerAction as TimerAction
-    from tfloom.launch.actions.unregister_event_handler import UnregisterEventHandler as UnregisterEventHandler
-    from tfloom.launch.actions.unset_environment_variable import UnsetEnvironmentVariable as UnsetEnvironmentVariable
-    from tfloom.launch.actions.unset_launch_configuration import UnsetLaunchConfiguration as UnsetLaunchConfiguration
 else:
     from tfloom.ros_modules import deferred
 
     __getattr__, __dir__ = deferred(
         __name__,
-        AppendEnvironmentVariable="tfloom.launch.actions.append_environment_variable",
+        AppendEnvironmentVariable="tfloom.launch.actions.environment",
         DeclareLaunchArgument="tfloom.launch.actions.declare_launch_argument",
-        EmitEvent="tfloom.launch.actions.emit_event",
+        EmitEvent="tfloom.launch.actions.event_actions",
         ExecuteLocal="tfloom.launch.actions.execute_local",
         ExecuteProcess="tfloom.launch.actions.execute_process",
         ForEach="tfloom.launch.actions.for_loop",
@@ -111,22 +111,22 @@ else:
         LogError="tfloom.launch.actions.log",
         LogInfo="tfloom.launch.actions.log",
         LogWarning="tfloom.launch.actions.log",
-        OpaqueCoroutine="tfloom.launch.actions.opaque_coroutine",
-        OpaqueFunction="tfloom.launch.actions.opaque_function",
-        PopEnvironment="tfloom.launch.actions.pop_environment",
-        PopLaunchConfigurations="tfloom.launch.actions.pop_launch_configurations",
-        PushEnvironment="tfloom.launch.actions.push_environment",
-        PushLaunchConfigurations="tfloom.launch.actions.push_launch_configurations",
-        RegisterEventHandler="tfloom.launch.actions.register_event_handler",
-        ResetEnvironment="tfloom.launch.actions.reset_environment",
-        ResetLaunchConfigurations="tfloom.launch.actions.reset_launch_configurations",
-        SetEnvironmentVariable="tfloom.launch.actions.set_environment_variable",
-        SetLaunchConfiguration="tfloom.launch.actions.set_launch_configuration",
+        OpaqueCoroutine="tfloom.launch.actions.opaque",
+        OpaqueFunction="tfloom.launch.actions.opaque",
+        PopEnvironment="tfloom.launch.actions.environment",
+        PopLaunchConfigurations="tfloom.launch.actions.launch_configurations",
+        PushEnvironment="tfloom.launch.actions.environment",
+        PushLaunchConfigurations="tfloom.launch.actions.launch_configurations",
+        RegisterEventHandler="tfloom.launch.actions.event_actions",
+        ResetEnvironment="tfloom.launch.actions.environment",
+        ResetLaunchConfigurations="tfloom.launch.actions.launch_configurations",
+        SetEnvironmentVariable="tfloom.launch.actions.environment",
+        SetLaunchConfiguration="tfloom.launch.actions.launch_configurations",
         Shutdown="tfloom.launch.actions.shutdown_action",
         TimerAction="tfloom.launch.actions.timer_action",
-        UnregisterEventHandler="tfloom.launch.actions.unregister_event_handler",
-        UnsetEnvironmentVariable="tfloom.launch.actions.unset_environment_variable",
-        UnsetLaunchConfiguration="tfloom.launch.actions.unset_launch_configuration",
+        UnregisterEventHandler="tfloom.launch.actions.event_actions",
+        UnsetEnvironmentVariable="tfloom.launch.actions.environment",
+        UnsetLaunchConfiguration="tfloom.launch.actions.launch_configurations",
         append_environment_variable="launch.actions",
         declare_launch_argument="launch.actions",
         emit_event="launch.actions",

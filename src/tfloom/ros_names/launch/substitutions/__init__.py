@@ -53,62 +53,62 @@ if TYPE_CHECKING:
     from launch.substitutions import this_launch_file as this_launch_file
     from launch.substitutions import this_launch_file_dir as this_launch_file_dir
     from tfloom.launch.substitutions.anon_name import AnonName as AnonName
-    from tfloom.launch.substitutions.boolean_substitution import AllSubstitution as AllSubstitution
-    from tfloom.launch.substitutions.boolean_substitution import AndSubstitution as AndSubstitution
-    from tfloom.launch.substitutions.boolean_substitution import AnySubstitution as AnySubstitution
-    from tfloom.launch.substitutions.boolean_substitution import NotSubstitution as NotSubstitution
-    from tfloom.launch.substitutions.boolean_substitution import OrSubstitution as OrSubstitution
     from tfloom.launch.substitutions.command import Command as Command
-    from tfloom.launch.substitutions.environment_variable import EnvironmentVariable as EnvironmentVariable
-    from tfloom.launch.substitutions.equals_substitution import EqualsSubstitution as EqualsSubstitution
+    from tfloom.launch.substitutions.comparisons import AllSubstitution as AllSubstitution
+    from tfloom.launch.substitutions.comparisons import AndSubstitution as AndSubstitution
+    from tfloom.launch.substitutions.comparisons import AnySubstitution as AnySubstitution
+    from tfloom.launch.substitutions.comparisons import EqualsSubstitution as EqualsSubstitution
+    from tfloom.launch.substitutions.comparisons import IfElseSubstitution as IfElseSubstitution
+    from tfloom.launch.substitutions.comparisons import NotEqualsSubstitution as NotEqualsSubstitution
+    from tfloom.launch.substitutions.comparisons import NotSubstitution as NotSubstitution
+    from tfloom.launch.substitutions.comparisons import OrSubstitution as OrSubstitution
     from tfloom.launch.substitutions.file_content import FileContent as FileContent
     from tfloom.launch.substitutions.find_executable import FindExecutable as FindExecutable
-    from tfloom.launch.substitutions.for_loop_var import ForEachVar as ForEachVar
-    from tfloom.launch.substitutions.for_loop_var import ForLoopIndex as ForLoopIndex
-    from tfloom.launch.substitutions.if_else_substitution import IfElseSubstitution as IfElseSubstitution
-    from tfloom.launch.substitutions.launch_configuration import LaunchConfiguration as LaunchConfiguration
-    from tfloom.launch.substitutions.launch_log_dir import LaunchLogDir as LaunchLogDir
-    from tfloom.launch.substitutions.local_substitution import LocalSubstitution as LocalSubstitution
-    from tfloom.launch.substitutions.not_equals_substitution import NotEqualsSubstitution as NotEqualsSubstitution
-    from tfloom.launch.substitutions.path_join_substitution import PathJoinSubstitution as PathJoinSubstitution
-    from tfloom.launch.substitutions.path_join_substitution import PathSubstitution as PathSubstitution
+    from tfloom.launch.substitutions.joins import PathJoinSubstitution as PathJoinSubstitution
+    from tfloom.launch.substitutions.joins import PathSubstitution as PathSubstitution
+    from tfloom.launch.substitutions.joins import StringJoinSubstitution as StringJoinSubstitution
+    from tfloom.launch.substitutions.launch_files import LaunchLogDir as LaunchLogDir
+    from tfloom.launch.substitutions.launch_files import ThisLaunchFile as ThisLaunchFile
+    from tfloom.launch.substitutions.launch_files import ThisLaunchFileDir as ThisLaunchFileDir
     from tfloom.launch.substitutions.python_expression import PythonExpression as PythonExpression
-    from tfloom.launch.substitutions.string_join_substitution import StringJoinSubstitution as StringJoinSubstitution
     from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure as SubstitutionFailure
     from tfloom.launch.substitutions.text_substitution import TextSubstitution as TextSubstitution
-    from tfloom.launch.substitutions.this_launch_file import ThisLaunchFile as ThisLaunchFile
-    from tfloom.launch.substitutions.this_launch_file_dir import ThisLaunchFileDir as ThisLaunchFileDir
+    from tfloom.launch.substitutions.variables import EnvironmentVariable as EnvironmentVariable
+    from tfloom.launch.substitutions.variables import ForEachVar as ForEachVar
+    from tfloom.launch.substitutions.variables import ForLoopIndex as ForLoopIndex
+    from tfloom.launch.substitutions.variables import LaunchConfiguration as LaunchConfiguration
+    from tfloom.launch.substitutions.variables import LocalSubstitution as LocalSubstitution
 else:
     from tfloom.ros_modules import deferred
 
     __getattr__, __dir__ = deferred(
         __name__,
-        AllSubstitution="tfloom.launch.substitutions.boolean_substitution",
-        AndSubstitution="tfloom.launch.substitutions.boolean_substitution",
+        AllSubstitution="tfloom.launch.substitutions.comparisons",
+        AndSubstitution="tfloom.launch.substitutions.comparisons",
         AnonName="tfloom.launch.substitutions.anon_name",
-        AnySubstitution="tfloom.launch.substitutions.boolean_substitution",
+        AnySubstitution="tfloom.launch.substitutions.comparisons",
         Command="tfloom.launch.substitutions.command",
-        EnvironmentVariable="tfloom.launch.substitutions.environment_variable",
-        EqualsSubstitution="tfloom.launch.substitutions.equals_substitution",
+        EnvironmentVariable="tfloom.launch.substitutions.variables",
+        EqualsSubstitution="tfloom.launch.substitutions.comparisons",
         FileContent="tfloom.launch.substitutions.file_content",
         FindExecutable="tfloom.launch.substitutions.find_executable",
-        ForEachVar="tfloom.launch.substitutions.for_loop_var",
-        ForLoopIndex="tfloom.launch.substitutions.for_loop_var",
-        IfElseSubstitution="tfloom.launch.substitutions.if_else_substitution",
-        LaunchConfiguration="tfloom.launch.substitutions.launch_configuration",
-        LaunchLogDir="tfloom.launch.substitutions.launch_log_dir",
-        LocalSubstitution="tfloom.launch.substitutions.local_substitution",
-        NotEqualsSubstitution="tfloom.launch.substitutions.not_equals_substitution",
-        NotSubstitution="tfloom.launch.substitutions.boolean_substitution",
-        OrSubstitution="tfloom.launch.substitutions.boolean_substitution",
-        PathJoinSubstitution="tfloom.launch.substitutions.path_join_substitution",
-        PathSubstitution="tfloom.launch.substitutions.path_join_substitution",
+        ForEachVar="tfloom.launch.substitutions.variables",
+        ForLoopIndex="tfloom.launch.substitutions.variables",
+        IfElseSubstitution="tfloom.launch.substitutions.comparisons",
+        LaunchConfiguration="tfloom.launch.substitutions.variables",
+        LaunchLogDir="tfloom.launch.substitutions.launch_files",
+        LocalSubstitution="tfloom.launch.substitutions.variables",
+        NotEqualsSubstitution="tfloom.launch.substitutions.comparisons",
+        NotSubstitution="tfloom.launch.substitutions.comparisons",
+        OrSubstitution="tfloom.launch.substitutions.comparisons",
+        PathJoinSubstitution="tfloom.launch.substitutions.joins",
+        PathSubstitution="tfloom.launch.substitutions.joins",
         PythonExpression="tfloom.launch.substitutions.python_expression",
-        StringJoinSubstitution="tfloom.launch.substitutions.string_join_substitution",
+        StringJoinSubstitution="tfloom.launch.substitutions.joins",
         SubstitutionFailure="tfloom.launch.substitutions.substitution_failure",
         TextSubstitution="tfloom.launch.substitutions.text_substitution",
-        ThisLaunchFile="tfloom.launch.substitutions.this_launch_file",
-        ThisLaunchFileDir="tfloom.launch.substitutions.this_launch_file_dir",
+        ThisLaunchFile="tfloom.launch.substitutions.launch_files",
+        ThisLaunchFileDir="tfloom.launch.substitutions.launch_files",
         anon_name="launch.substitutions",
         boolean_substitution="launch.substitutions",
         command="launch.substitutions",

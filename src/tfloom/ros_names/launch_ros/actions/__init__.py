@@ -32,39 +32,39 @@ if TYPE_CHECKING:
     from launch_ros.actions import set_remap as set_remap
     from launch_ros.actions import set_ros_log_dir as set_ros_log_dir
     from launch_ros.actions import set_use_sim_time as set_use_sim_time
-    from tfloom.launch.ros.actions.composable_node_container import ComposableNodeContainer as ComposableNodeContainer
+    from tfloom.launch.ros.actions.composable_nodes import ComposableNodeContainer as ComposableNodeContainer
+    from tfloom.launch.ros.actions.composable_nodes import LoadComposableNodes as LoadComposableNodes
     from tfloom.launch.ros.actions.lifecycle_node import LifecycleNode as LifecycleNode
     from tfloom.launch.ros.actions.lifecycle_transition import LifecycleTransition as LifecycleTransition
-    from tfloom.launch.ros.actions.load_composable_nodes import LoadComposableNodes as LoadComposableNodes
     from tfloom.launch.ros.actions.node import Node as Node
-    from tfloom.launch.ros.actions.push_ros_namespace import PushROSNamespace as PushROSNamespace
-    from tfloom.launch.ros.actions.push_ros_namespace import PushRosNamespace as PushRosNamespace
+    from tfloom.launch.ros.actions.node_defaults import PushROSNamespace as PushROSNamespace
+    from tfloom.launch.ros.actions.node_defaults import PushRosNamespace as PushRosNamespace
+    from tfloom.launch.ros.actions.node_defaults import SetParameter as SetParameter
+    from tfloom.launch.ros.actions.node_defaults import SetParametersFromFile as SetParametersFromFile
+    from tfloom.launch.ros.actions.node_defaults import SetROSLogDir as SetROSLogDir
+    from tfloom.launch.ros.actions.node_defaults import SetRemap as SetRemap
+    from tfloom.launch.ros.actions.node_defaults import SetUseSimTime as SetUseSimTime
     from tfloom.launch.ros.actions.ros_timer import ROSTimer as ROSTimer
     from tfloom.launch.ros.actions.ros_timer import RosTimer as RosTimer
-    from tfloom.launch.ros.actions.set_parameter import SetParameter as SetParameter
-    from tfloom.launch.ros.actions.set_parameters_from_file import SetParametersFromFile as SetParametersFromFile
-    from tfloom.launch.ros.actions.set_remap import SetRemap as SetRemap
-    from tfloom.launch.ros.actions.set_ros_log_dir import SetROSLogDir as SetROSLogDir
-    from tfloom.launch.ros.actions.set_use_sim_time import SetUseSimTime as SetUseSimTime
 else:
     from tfloom.ros_modules import deferred
 
     __getattr__, __dir__ = deferred(
         __name__,
-        ComposableNodeContainer="tfloom.launch.ros.actions.composable_node_container",
+        ComposableNodeContainer="tfloom.launch.ros.actions.composable_nodes",
         LifecycleNode="tfloom.launch.ros.actions.lifecycle_node",
         LifecycleTransition="tfloom.launch.ros.actions.lifecycle_transition",
-        LoadComposableNodes="tfloom.launch.ros.actions.load_composable_nodes",
+        LoadComposableNodes="tfloom.launch.ros.actions.composable_nodes",
         Node="tfloom.launch.ros.actions.node",
-        PushROSNamespace="tfloom.launch.ros.actions.push_ros_namespace",
-        PushRosNamespace="tfloom.launch.ros.actions.push_ros_namespace",
+        PushROSNamespace="tfloom.launch.ros.actions.node_defaults",
+        PushRosNamespace="tfloom.launch.ros.actions.node_defaults",
         ROSTimer="tfloom.launch.ros.actions.ros_timer",
         RosTimer="tfloom.launch.ros.actions.ros_timer",
-        SetParameter="tfloom.launch.ros.actions.set_parameter",
-        SetParametersFromFile="tfloom.launch.ros.actions.set_parameters_from_file",
-        SetROSLogDir="tfloom.launch.ros.actions.set_ros_log_dir",
-        SetRemap="tfloom.launch.ros.actions.set_remap",
-        SetUseSimTime="tfloom.launch.ros.actions.set_use_sim_time",
+        SetParameter="tfloom.launch.ros.actions.node_defaults",
+        SetParametersFromFile="tfloom.launch.ros.actions.node_defaults",
+        SetROSLogDir="tfloom.launch.ros.actions.node_defaults",
+        SetRemap="tfloom.launch.ros.actions.node_defaults",
+        SetUseSimTime="tfloom.launch.ros.actions.node_defaults",
         composable_node_container="launch_ros.actions",
         lifecycle_node="launch_ros.actions",
         lifecycle_transition="launch_ros.actions",

@@ -5,11 +5,11 @@ from tfloom.launch.ros.descriptions.composable_node import ComposableNode as Com
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from tfloom.launch.conditions.if_condition import IfCondition as IfCondition
+    from tfloom.launch.conditions import IfCondition as IfCondition
 else:
     from tfloom.ros_modules import deferred
 
     __getattr__, __dir__ = deferred(
         __name__,
-        IfCondition="tfloom.launch.conditions.if_condition",
+        IfCondition="tfloom.launch.conditions",
     )

@@ -8,12 +8,12 @@ __all__ = [
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from launch_testing.event_handlers import stdout_ready_listener as stdout_ready_listener
-    from tfloom.launch.testing.stdout_ready_listener import StdoutReadyListener as StdoutReadyListener
+    from tfloom.launch.testing.readiness import StdoutReadyListener as StdoutReadyListener
 else:
     from tfloom.ros_modules import deferred
 
     __getattr__, __dir__ = deferred(
         __name__,
-        StdoutReadyListener="tfloom.launch.testing.stdout_ready_listener",
+        StdoutReadyListener="tfloom.launch.testing.readiness",
         stdout_ready_listener="launch_testing.event_handlers",
     )

@@ -5,7 +5,7 @@ from tfloom.launch.xml.xml_launch_description_source import XMLLaunchDescription
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from tfloom.launch.launch_description_sources.frontend_launch_description_source import FrontendLaunchDescriptionSource as FrontendLaunchDescriptionSource
+    from tfloom.launch.launch_description_sources.sources import FrontendLaunchDescriptionSource as FrontendLaunchDescriptionSource
     from tfloom.launch.some_substitutions_type import SomeSubstitutionsType as SomeSubstitutionsType
     from tfloom.launch.xml.parser import Parser as Parser
 else:
@@ -13,7 +13,7 @@ else:
 
     __getattr__, __dir__ = deferred(
         __name__,
-        FrontendLaunchDescriptionSource="tfloom.launch.launch_description_sources.frontend_launch_description_source",
+        FrontendLaunchDescriptionSource="tfloom.launch.launch_description_sources.sources",
         Parser="tfloom.launch.xml.parser",
         SomeSubstitutionsType="tfloom.launch.some_substitutions_type",
     )

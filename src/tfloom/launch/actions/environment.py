@@ -1,0 +1,168 @@
+"""Actions that change the environment variables of a launch."""
+
+from __future__ import annotations
+
+import os
+from typing import Any
+
+from tfloom.launch.action import Action
+from tfloom.launch.actions.named_value import NamedValue
+from tfloom.launch.frontend.entity import Entity, ParsesActions
+from tfloom.launch.frontend.expose import expose_action
+from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
+from tfloom.launch.substitution import Substitution
+from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
+from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+from tfloom.launch.utilities.type_utils import (
+    NormalizedValueType,
+    normalize_typed_substitution,
+    perform_typed_substitution,
+)
+
+__all__ = [
+    "AppendEnvironmentVariable",
+    "PopEnvironment",
+    "PushEnvironment",
+    "ResetEnvironment",
+    "SetEnvironmentVariable",
+    "UnsetEnvironmentVariable",
+]
+
+
+@expose_action("append_env")
+class AppendEnvironmentVariable(NamedValue):
+    """Appends to an environment variable when it is executed, or sets it if there is none.
+
+    Args:
+        name: Name of the variable; it may have substitutions.
+        value: Text to append; it may have substitutions.
+        prepend: Whether to put the text first instead; it may have substitutions, whose text is read as YAML.
+        separator: Text between the two: by default what the system puts between two paths.
+        kwargs: As for Action.
+    """
+
+    def __init__(
+        self,
+        name: SomeSubstitutionsType,
+        value: SomeSubstitutionsType,
+        prepend: bool | SomeSubstitutionsType = False,
+        separator: SomeSubstitutionsType = os.pathsep,
+        **kwargs: Any,
+    ) -> None:
+        super().__init__(name, value, **kwargs)
+        self.__prepend = normalize_typed_substitution(prepend, bool)
+        self.__separator = normalize_to_list_of_substitutions(separator)
+
+    @classmethod
+    def parse(cls, entity: Entity, parser: ParsesActions) -> tuple[type[Action], dict[str, Any]]:
+        """Return the class and its arguments, read from the tag `append_env`.
+
+        It has `name` and `value`, and may have `prepend` and `separator`.
+        """
+        _, kwargs = super().parse(entity, parser)
+        prepend = entity.get_attr("prepend", optional=True, data_type=bool, can_be_str=True)
+        if prepend is not None:
+            kwargs["prepend"] = parser.parse_if_substitutions(prepend)
+        separator = entity.get_attr("separator", optional=True)
+        if separator is not None:
+            kwargs["separator"] = parser.parse_substitution(separator)
+        return cls, kwargs
+
+    @property
+    def prepend(self) -> NormalizedValueType:
+        """Whether to put the text first instead."""
+        return self.__prepend
+
+    @property
+    def separator(self) -> list[Substitution]:
+        """The text between the two."""
+        return self.__separator
+
+    def execute(self, context: LaunchContext) -> None:
+        """Append to it."""
+        name = perform_substitutions(context, self.name)
+        parts = [perform_substitutions(context, self.value)]
+        if name in context.environment:
+            is_first = perform_typed_substitution(context, self.__prepend, bool)
+            parts.insert(1 if is_first else 0, context.environment[name])
+        context.environment[name] = perform_substitutions(context, self.__separator).join(parts)
+
+
+@expose_action("set_env")
+class SetEnvironmentVariable(NamedValue):
+    """Sets an environment variable, when it is executed, for the processes that are started later in the scope.
+
+    Args:
+        name: Name of the variable; it may have substitutions.
+        value: Its value; it may have substitutions.
+        kwargs: As for Action.
+    """
+
+    def execute(self, context: LaunchContext) -> None:
+        """Set it."""
+        name = perform_substitutions(context, self.name)
+        context.environment[name] = perform_substitutions(context, self.value)
+
+
+@expose_action("unset_env")
+class UnsetEnvironmentVariable(Action):
+    """Removes an environment variable, when it is executed; one that isn't set is no error.
+
+    Args:
+        name: Name of the variable; it may have substitutions.
+        kwargs: As for Action.
+    """
+
+    def __init__(self, name: SomeSubstitutionsType, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self.__name = normalize_to_list_of_substitutions(name)
+
+    @classmethod
+    def parse(
+        cls, entity: Entity, parser: ParsesActions
+    ) -> tuple[type[UnsetEnvironmentVariable], dict[str, Any]]:
+        """Return the class and its arguments, read from the tag `unset_env`: `name`."""
+        _, kwargs = super().parse(entity, parser)
+        kwargs["name"] = parser.parse_substitution(entity.get_attr("name"))
+        return cls, kwargs
+
+    @property
+    def name(self) -> list[Substitution]:
+        """The name."""
+        return self.__name
+
+    def execute(self, context: LaunchContext) -> None:
+        """Remove it."""
+        context.environment.pop(perform_substitutions(context, self.__name), None)
+
+
+class PushEnvironment(Action):
+    """Begins a scope: what is set from now on is undone by the next `PopEnvironment`."""
+
+    def execute(self, context: LaunchContext) -> None:
+        """Save a copy of the variables."""
+        context._push_environment()  # noqa: SLF001  # of this room
+
+
+class PopEnvironment(Action):
+    """Ends a scope: restores the environment variables of the last `PushEnvironment`."""
+
+    def execute(self, context: LaunchContext) -> None:
+        """Restore the variables."""
+        context._pop_environment()  # noqa: SLF001  # of this room
+
+
+@expose_action("reset_env")
+class ResetEnvironment(Action):
+    """Restores, when it is executed, the environment variables that the context was created with."""
+
+    @classmethod
+    def parse(cls, entity: Entity, parser: ParsesActions) -> tuple[type[ResetEnvironment], dict[str, Any]]:
+        """Return the class and its arguments, read from the tag `reset_env`."""
+        _, kwargs = super().parse(entity, parser)
+        return cls, kwargs
+
+    def execute(self, context: LaunchContext) -> None:
+        """Restore them."""
+        context._reset_environment()  # noqa: SLF001  # of this room

@@ -1,1 +1,0 @@
-"""Conditions: whether an action is executed."""

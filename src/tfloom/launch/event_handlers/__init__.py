@@ -1,1 +1,0 @@
-"""Handlers of the events that launch files react to."""

@@ -1,0 +1,70 @@
+"""Sources of launch descriptions: files in Python, XML and YAML."""
+
+from __future__ import annotations
+
+from tfloom.launch.frontend.parser import Parser
+from tfloom.launch.launch_description import LaunchDescription
+from tfloom.launch.launch_description_source import LaunchDescriptionSource
+from tfloom.launch.launch_description_sources.any_launch_file_utilities import (
+    get_launch_description_from_any_launch_file,
+)
+from tfloom.launch.launch_description_sources.frontend_launch_file_utilities import (
+    get_launch_description_from_frontend_launch_file,
+)
+from tfloom.launch.launch_description_sources.python_launch_file_utilities import (
+    get_launch_description_from_python_launch_file,
+)
+from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
+
+__all__ = ["AnyLaunchDescriptionSource", "FrontendLaunchDescriptionSource", "PythonLaunchDescriptionSource"]
+
+
+class AnyLaunchDescriptionSource(LaunchDescriptionSource):
+    """The launch description in a file, whose extension decides how it is loaded.
+
+    Args:
+        launch_file_path: Path of the file.
+    """
+
+    def __init__(self, launch_file_path: SomeSubstitutionsType) -> None:
+        super().__init__(None, launch_file_path, "interpreted launch file of any language")
+
+    def _get_launch_description(self, location: str) -> LaunchDescription:
+        return get_launch_description_from_any_launch_file(location)
+
+
+class PythonLaunchDescriptionSource(LaunchDescriptionSource):
+    """The launch description that a Python file's `generate_launch_description()` returns.
+
+    Args:
+        launch_file_path: Path of the file.
+    """
+
+    def __init__(self, launch_file_path: SomeSubstitutionsType) -> None:
+        super().__init__(None, launch_file_path, "interpreted python launch file")
+
+    def _get_launch_description(self, location: str) -> LaunchDescription:
+        return get_launch_description_from_python_launch_file(location)
+
+
+class FrontendLaunchDescriptionSource(LaunchDescriptionSource):
+    """The launch description in a file that a parser reads.
+
+    Args:
+        launch_file_path: Path of the file.
+        method: How it is loaded, for people.
+        parser: The parser; Parser itself chooses the one for the file's name.
+    """
+
+    def __init__(
+        self,
+        launch_file_path: SomeSubstitutionsType,
+        *,
+        method: str = "interpreted frontend launch file",
+        parser: type[Parser] = Parser,
+    ) -> None:
+        super().__init__(None, launch_file_path, method)
+        self._parser = parser
+
+    def _get_launch_description(self, location: str) -> LaunchDescription:
+        return get_launch_description_from_frontend_launch_file(location, parser=self._parser)

@@ -1,0 +1,255 @@
+"""Actions that set what holds for the nodes after them: parameters, remappings, namespace, folder of logs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from tfloom.launch.action import Action
+from tfloom.launch.frontend.entity import Entity, ParsesActions
+from tfloom.launch.frontend.expose import expose_action
+from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.ros import configurations
+from tfloom.launch.ros.parameters_type import ParameterName, ParameterValue, SomeParameterValue
+from tfloom.launch.ros.ros_adapters import get_ros_node
+from tfloom.launch.ros.utilities.evaluate_parameters import evaluate_parameter_dict
+from tfloom.launch.ros.utilities.names import make_namespace_absolute, prefix_namespace
+from tfloom.launch.ros.utilities.normalize_parameters import normalize_parameter_dict
+from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
+from tfloom.launch.substitution import Substitution
+from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure
+from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
+from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+
+__all__ = [
+    "PushROSNamespace",
+    "PushRosNamespace",
+    "SetParameter",
+    "SetParametersFromFile",
+    "SetROSLogDir",
+    "SetRemap",
+    "SetUseSimTime",
+]
+
+
+@expose_action("set_parameter")
+class SetParameter(Action):
+    """Sets a parameter of all nodes in the rest of the scope; a node's own parameters take precedence.
+
+    Args:
+        name: Name of the parameter, or substitutions for it.
+        value: The value, or substitutions for it.
+        kwargs: As for Action.
+    """
+
+    def __init__(self, name: SomeSubstitutionsType, value: SomeParameterValue, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        key = tuple(normalize_to_list_of_substitutions(name))
+        self._parameters = normalize_parameter_dict({key: value})
+
+    @classmethod
+    def parse(cls, entity: Entity, parser: ParsesActions) -> tuple[type[Action], dict[str, Any]]:
+        """Return the class, and the arguments that the element of a launch file gives its constructor."""
+        _, kwargs = super().parse(entity, parser)
+        kwargs["name"] = parser.parse_substitution(entity.get_attr("name"))
+        kwargs["value"] = parser.parse_substitution(entity.get_attr("value"))
+        return cls, kwargs
+
+    @property
+    def name(self) -> ParameterName:
+        """Name of the parameter."""
+        return next(iter(self._parameters))
+
+    @property
+    def value(self) -> ParameterValue:
+        """The value."""
+        return next(iter(self._parameters.values()))
+
+    def execute(self, context: LaunchContext) -> None:
+        """Set the parameter of later nodes."""
+        evaluated = evaluate_parameter_dict(context, self._parameters)
+        configurations.add_global_parameters(context, *evaluated.items())
+
+
+@expose_action("set_parameters_from_file")
+class SetParametersFromFile(Action):
+    """Gives all nodes in the rest of the scope the parameters of a file; a node's own parameters take precedence.
+
+    Args:
+        filename: Path of the file, or substitutions for it.
+        kwargs: As for Action.
+    """
+
+    def __init__(self, filename: SomeSubstitutionsType, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self._filename = normalize_to_list_of_substitutions(filename)
+
+    @classmethod
+    def parse(cls, entity: Entity, parser: ParsesActions) -> tuple[type[Action], dict[str, Any]]:
+        """Return the class, and the arguments that the element of a launch file gives its constructor."""
+        _, kwargs = super().parse(entity, parser)
+        kwargs["filename"] = parser.parse_substitution(entity.get_attr("filename"))
+        return cls, kwargs
+
+    def execute(self, context: LaunchContext) -> None:
+        """Give later nodes the file."""
+        configurations.add_global_parameters(context, perform_substitutions(context, self._filename))
+
+
+@expose_action("set_use_sim_time")
+class SetUseSimTime(Action):
+    """Sets whether the launch's node, by which ROSTimer measures, uses the time of the topic /clock.
+
+    Other nodes get it by SetParameter("use_sim_time", …).
+
+    Args:
+        value: Whether it does.
+        kwargs: As for Action.
+    """
+
+    def __init__(self, value: bool, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self._value = value
+
+    @classmethod
+    def parse(cls, entity: Entity, parser: ParsesActions) -> tuple[type[Action], dict[str, Any]]:
+        """Return the class, and the arguments that the element of a launch file gives its constructor."""
+        _, kwargs = super().parse(entity, parser)
+        kwargs["value"] = entity.get_attr("value", data_type=bool, can_be_str=False)
+        return cls, kwargs
+
+    @property
+    def value(self) -> bool:
+        """Whether the node uses simulated time."""
+        return self._value
+
+    def execute(self, context: LaunchContext) -> None:
+        """Set the parameter of the launch's node."""
+        from tfloom.node.parameters.parameter import Parameter
+
+        get_ros_node(context).set_parameters([Parameter(name="use_sim_time", value=self._value)])
+
+
+@expose_action("set_remap")
+class SetRemap(Action):
+    """Remaps a name for all nodes in the rest of the scope.
+
+    Args:
+        src: The name, or substitutions for it.
+        dst: Its replacement, or substitutions for it.
+        kwargs: As for Action.
+    """
+
+    def __init__(self, src: SomeSubstitutionsType, dst: SomeSubstitutionsType, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self._src = normalize_to_list_of_substitutions(src)
+        self._dst = normalize_to_list_of_substitutions(dst)
+
+    @classmethod
+    def parse(cls, entity: Entity, parser: ParsesActions) -> tuple[type[Action], dict[str, Any]]:
+        """Return the class, and the arguments that the element of a launch file gives its constructor."""
+        _, kwargs = super().parse(entity, parser)
+        kwargs["src"] = parser.parse_substitution(entity.get_attr("from"))
+        kwargs["dst"] = parser.parse_substitution(entity.get_attr("to"))
+        return cls, kwargs
+
+    @property
+    def src(self) -> list[Substitution]:
+        """The name."""
+        return self._src
+
+    @property
+    def dst(self) -> list[Substitution]:
+        """Its replacement."""
+        return self._dst
+
+    def execute(self, context: LaunchContext) -> None:
+        """Remap the name for later nodes."""
+        configurations.add_remapping(
+            context, perform_substitutions(context, self._src), perform_substitutions(context, self._dst)
+        )
+
+
+@expose_action("set_ros_log_dir")
+class SetROSLogDir(Action):
+    """Sets the folder of the logs of processes that are started later, by the variable ROS_LOG_DIR.
+
+    Args:
+        new_log_dir: The folder, or substitutions for it; a relative path is one within the present folder.
+        kwargs: As for Action.
+    """
+
+    def __init__(self, new_log_dir: SomeSubstitutionsType, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self._log_dir = normalize_to_list_of_substitutions(new_log_dir)
+
+    @classmethod
+    def parse(cls, entity: Entity, parser: ParsesActions) -> tuple[type[Action], dict[str, Any]]:
+        """Return the class, and the arguments that the element of a launch file gives its constructor."""
+        _, kwargs = super().parse(entity, parser)
+        kwargs["new_log_dir"] = parser.parse_substitution(entity.get_attr("new_log_dir"))
+        return cls, kwargs
+
+    @property
+    def log_dir(self) -> list[Substitution]:
+        """The folder."""
+        return self._log_dir
+
+    def execute(self, context: LaunchContext) -> None:
+        """Set the folder of later processes."""
+        from tfloom.node.log.logging import get_logging_directory
+
+        present = context.environment.get("ROS_LOG_DIR") or str(get_logging_directory())
+        folder = Path(present, perform_substitutions(context, self._log_dir))
+        context.environment["ROS_LOG_DIR"] = str(folder)
+
+
+@expose_action("push_ros_namespace")
+@expose_action("push-ros-namespace")
+class PushROSNamespace(Action):
+    """Puts the nodes of the rest of the scope into a namespace, under the one that they are in already.
+
+    Args:
+        namespace: The namespace, or substitutions for it; one with a slash at its start replaces the other.
+        kwargs: As for Action.
+    """
+
+    def __init__(self, namespace: SomeSubstitutionsType, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self._namespace = normalize_to_list_of_substitutions(namespace)
+
+    @classmethod
+    def parse(cls, entity: Entity, parser: ParsesActions) -> tuple[type[Action], dict[str, Any]]:
+        """Return the class, and the arguments that the element of a launch file gives its constructor."""
+        _, kwargs = super().parse(entity, parser)
+        kwargs["namespace"] = parser.parse_substitution(entity.get_attr("namespace"))
+        return cls, kwargs
+
+    @property
+    def namespace(self) -> list[Substitution]:
+        """The namespace."""
+        return self._namespace
+
+    def execute(self, context: LaunchContext) -> None:
+        """Set the namespace of later nodes.
+
+        Raises:
+            SubstitutionFailure: it isn't valid.
+        """
+        from tfloom.node.values.names import NameValidationException, validate_namespace
+
+        pushed = perform_substitutions(context, self._namespace)
+        previous = configurations.namespace(context)
+        namespace = make_namespace_absolute(prefix_namespace(previous, pushed) or "/")
+        try:
+            validate_namespace(namespace)
+        except NameValidationException as error:
+            raise SubstitutionFailure(
+                f"The resulting namespace is invalid: [previous_namespace='{previous}', "
+                f"pushed_namespace='{pushed}']: {error}"
+            ) from error
+        configurations.set_namespace(context, namespace)
+
+
+PushRosNamespace = PushROSNamespace
+"""The former name."""

@@ -1,0 +1,119 @@
+"""Actions of tests: a program that is a test, and the sign that a launch is ready."""
+
+from __future__ import annotations
+
+import sys
+from typing import Any
+
+from tfloom.launch.action import Action
+from tfloom.launch.actions.execute_process import ExecuteProcess
+from tfloom.launch.actions.opaque import OpaqueFunction
+from tfloom.launch.actions.timer_action import TimerAction
+from tfloom.launch.event import Event
+from tfloom.launch.event_handlers import OnProcessStart
+from tfloom.launch.events.matchers import matches_action
+from tfloom.launch.events.process import ShutdownProcess
+from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
+from tfloom.launch.logging import get_logger
+from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
+
+__all__ = ["GTest", "PyTest", "ReadyToTest", "Test", "TestsCanBegin"]
+
+
+class Test(ExecuteProcess):
+    """Runs a test as a process.
+
+    Args:
+        timeout: Time after which the process is shut down [s]; None for no limit.
+        kwargs: As for ExecuteProcess.
+    """
+
+    __test__ = False  # for pytest
+
+    def __init__(self, *, timeout: float | None = None, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self._timeout = timeout
+
+    @property
+    def timeout(self) -> float | None:
+        """Time after which the process is shut down [s]; None for no limit."""
+        return self._timeout
+
+    def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
+        """Start the process, and the timer with it."""
+        started = super().execute(context)
+        if self._timeout is None:
+            return started
+        timer = TimerAction(
+            period=float(self._timeout), actions=[OpaqueFunction(function=self._end)], cancel_on_shutdown=True
+        )
+        on_start = OnProcessStart(target_action=self, on_start=[timer], handle_once=True)
+        context.register_event_handler(on_start)
+        return started
+
+    def _end(self, context: LaunchContext) -> None:
+        if self.return_code is None:
+            get_logger("launch_testing").error(
+                f"{self.name} ran for more than {self._timeout} s, and is shut down"
+            )
+            context.emit_event_sync(ShutdownProcess(process_matcher=matches_action(self)))
+
+
+class GTest(Test):
+    """Runs a program that GoogleTest made.
+
+    Args:
+        path: Of the program.
+        timeout: Time after which it is shut down [s]; None for no limit.
+        kwargs: As for ExecuteProcess.
+    """
+
+    def __init__(self, *, path: SomeSubstitutionsType, timeout: float | None = None, **kwargs: Any) -> None:
+        super().__init__(cmd=[path], timeout=timeout, **kwargs)
+        self._path = path
+
+    @property
+    def path(self) -> SomeSubstitutionsType:
+        """Path of the program."""
+        return self._path
+
+
+class PyTest(Test):
+    """Runs pytest.
+
+    Args:
+        path: Of the file or the folder with tests.
+        timeout: Time after which it is shut down [s]; None for no limit.
+        kwargs: As for ExecuteProcess.
+    """
+
+    def __init__(self, *, path: SomeSubstitutionsType, timeout: float | None = None, **kwargs: Any) -> None:
+        super().__init__(cmd=[sys.executable, "-m", "pytest", path], timeout=timeout, **kwargs)
+        self._path = path
+
+    @property
+    def path(self) -> SomeSubstitutionsType:
+        """Path of the file or the folder with tests."""
+        return self._path
+
+
+class TestsCanBegin(Event):
+    """The launch has come to its ReadyToTest action."""
+
+    __test__ = False  # for pytest
+    name = "tfloom.launch.testing.TestsCanBegin"
+
+
+class ReadyToTest(Action):
+    """Lets the tests of a launch begin; by itself, or where a handler of events has it, once that event has come."""
+
+    def describe(self) -> str:
+        """Return the class name."""
+        return "ReadyToTest()"
+
+    def execute(self, context: LaunchContext) -> None:
+        """Emit the event that starts the tests; in a launch without tests nothing handles it."""
+        event = TestsCanBegin()
+        if context.would_handle_event(event):
+            context.emit_event_sync(event)

@@ -1,0 +1,39 @@
+"""Launch arguments of a test."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from tfloom.launch.launch_description import LaunchDescription
+from tfloom.launch.substitutions.described import described
+
+__all__ = ["parse_launch_arguments", "print_arguments_of_launch_description"]
+
+
+def parse_launch_arguments(launch_arguments: Iterable[str]) -> list[tuple[str, str]]:
+    """Return the names and values of arguments, of which each is `name:=value`; the last value of a name holds.
+
+    Raises:
+        RuntimeError: an argument has another form.
+    """
+    parsed: dict[str, str] = {}
+    for argument in launch_arguments:
+        name, separator, value = argument.partition(":=")
+        if not name or not separator:
+            raise RuntimeError(f"malformed launch argument '{argument}', expected format '<name>:=<value>'")
+        parsed[name] = value
+    return list(parsed.items())
+
+
+def print_arguments_of_launch_description(*, launch_description: LaunchDescription) -> None:
+    """Print the arguments that a description declares, with what each is for and its default."""
+    print("Arguments (pass arguments as '<name>:=<value>'):")
+    arguments = launch_description.get_launch_arguments()
+    if not arguments:
+        print("\n  No arguments.")
+    for action in arguments:
+        print(f"\n    '{action.name}':")
+        description = action.description or "no description given"
+        print("        " + "\n        ".join(str(description).splitlines()))
+        if action.default_value is not None:
+            print(f"        (default: {described(action.default_value)})")

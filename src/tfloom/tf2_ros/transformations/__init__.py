@@ -1,0 +1,1 @@
+"""The functions of tf_transformations: matrices, quaternions, projections, and the arcball."""
