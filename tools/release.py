@@ -24,7 +24,7 @@ from tools.set_up import PACKAGES, ROOT, Environment, SetUpError, digest_of, rea
 
 FOLDER = ROOT / "build" / "release"
 PROJECTS = (ROOT, *(ROOT / "packages" / name for name in PACKAGES))
-MOST_BYTES = 2_300_000
+MAX_WHEEL_SIZE = 2_300_000
 """The size that a wheel of tfloom stays under on Linux with x86-64. The aim is 2 MB (docs/platforms.md)."""
 
 IGNORED = {
@@ -138,8 +138,8 @@ def check(tools: Tools, files: Sequence[Path]) -> None:
 def report(files: Sequence[Path]) -> str:
     """Return the sizes of files as lines."""
     lines = [f"{path.stat().st_size / 1e6:6.2f} MB  {path.name}" for path in files]
-    large = [each.name for each in files if each.suffix == ".whl" and each.stat().st_size > MOST_BYTES]
-    return "\n".join([*lines, *(f"{name} is larger than {MOST_BYTES / 1e6} MB" for name in large)])
+    large = [each.name for each in files if each.suffix == ".whl" and each.stat().st_size > MAX_WHEEL_SIZE]
+    return "\n".join([*lines, *(f"{name} is larger than {MAX_WHEEL_SIZE / 1e6} MB" for name in large)])
 
 
 def main() -> int:

@@ -18,7 +18,7 @@ TIMING_WORKERS = 3
 WORKERS_PER_CORE = 3
 SLOW_WORKERS_PER_CORE = 2
 """Fewer, because slow tests compile and check types with several processes each."""
-MOST_WORKERS = 16
+MAX_WORKERS = 16
 """Limited because all workers use DDS domains from the same 70."""
 TESTS = ROOT / "tests"
 FEW_FILES = 30
@@ -31,7 +31,7 @@ NOTHING_SELECTED = 5
 def workers(*, slow: bool) -> int:
     """Return the number of processes that run tests in parallel."""
     each = SLOW_WORKERS_PER_CORE if slow else WORKERS_PER_CORE
-    return min(MOST_WORKERS, each * (os.cpu_count() or 1))
+    return min(MAX_WORKERS, each * (os.cpu_count() or 1))
 
 
 def timing_files(paths: list[Path]) -> list[str]:

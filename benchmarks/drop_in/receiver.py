@@ -16,7 +16,7 @@ WAYS = ("drop_in", "raw", "decoding", "tf2_ros")
 """The drop-in listener by its own reader, and by a raw subscription; a decoding subscription; tf2_ros's listener."""
 DEPTH = 10_000
 """History of each reader, because the default one, 100, would overwrite messages while a busy machine delays rclpy."""
-LONGEST_S = 10.0
+MAX_DURATION_S = 10.0
 CACHE_S = 3600.0
 
 
@@ -80,7 +80,7 @@ def main() -> None:
         cpu, begin = time.process_time(), time.monotonic()
         sys.stdin.readline()
         measured.extend((time.process_time() - cpu, time.monotonic() - begin))
-        end = time.monotonic() + LONGEST_S
+        end = time.monotonic() + MAX_DURATION_S
         while count() < expected and time.monotonic() < end:
             time.sleep(0.01)
         ended.set_result(None)

@@ -23,7 +23,7 @@ from benchmarks.domain import DOMAIN_ID
 ROOT = Path(__file__).parents[2]
 TFLOOM = str(Path(sys.executable).parent / "tfloom")
 WAGONS = 10
-LONGEST_S = 60.0
+MAX_DURATION_S = 60.0
 PROCESSES = 10
 
 # Bytecode is cached, as for a user after the first start.
@@ -99,13 +99,13 @@ def train_s(environment: dict[str, str]) -> tuple[float, float]:
             [TFLOOM, "launch", "train_bringup", "train.launch.py"], env=environment, stdout=subprocess.DEVNULL
         )
         try:
-            if not all_move.wait(LONGEST_S):
-                raise RuntimeError(f"only the wagons {sorted(moving)} follow after {LONGEST_S:g} s")
+            if not all_move.wait(MAX_DURATION_S):
+                raise RuntimeError(f"only the wagons {sorted(moving)} follow after {MAX_DURATION_S:g} s")
             following_s = time.perf_counter() - start
         finally:
             start = time.perf_counter()
             launcher.send_signal(2)
-            launcher.wait(LONGEST_S)
+            launcher.wait(MAX_DURATION_S)
             ended_s = time.perf_counter() - start
             executor.shutdown()
             thread.join()

@@ -6,13 +6,13 @@ from contextlib import suppress
 from pathlib import Path
 from statistics import median
 
-MOST_GROWTH = 0.02
+MAX_GROWTH = 0.02
 """The most by which memory may grow in the steady state, as a fraction of what it was."""
 WARM_UP = 0.3
 """The fraction of the time after which memory should be constant."""
 WARM_UP_S = 180.0
 """The least time after which memory is constant [s]: libddsc remembers participants that have left for minutes."""
-LEAST_STEADY_S = 300.0
+MIN_STEADY_S = 300.0
 
 
 class Memory:
@@ -20,7 +20,7 @@ class Memory:
 
     def __init__(self, pid: int, seconds: float) -> None:
         self._status = Path(f"/proc/{pid}/status")
-        self._warm_up = max(WARM_UP, WARM_UP_S / seconds) if seconds >= LEAST_STEADY_S else WARM_UP
+        self._warm_up = max(WARM_UP, WARM_UP_S / seconds) if seconds >= MIN_STEADY_S else WARM_UP
         self._sizes: list[tuple[float, float]] = []
 
     def note(self, progress: float) -> None:
@@ -56,6 +56,6 @@ class Memory:
         return [f"{size:.1f}" for size in sizes if size is not None]
 
     def is_flat(self) -> bool:
-        """Return whether it grew by no more than MOST_GROWTH; True if it was not measured."""
+        """Return whether it grew by no more than MAX_GROWTH; True if it was not measured."""
         steady = self.steady()
-        return steady is None or steady[1] <= steady[0] * (1 + MOST_GROWTH)
+        return steady is None or steady[1] <= steady[0] * (1 + MAX_GROWTH)

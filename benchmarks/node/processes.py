@@ -30,7 +30,7 @@ BEFORE = "before"
 """tfloom of another commit: that of the environment whose Python BEFORE_VARIABLE names."""
 BEFORE_VARIABLE = "TFLOOM_BEFORE_PYTHON"
 ROOT = Path(__file__).parents[2]
-LONGEST_S = 60.0
+MAX_DURATION_S = 60.0
 
 
 def apis(*packages: str) -> tuple[str, ...]:
@@ -72,7 +72,7 @@ def start(role: str, *arguments: object, api: str = "tfloom") -> subprocess.Pope
 def run(role: str, *arguments: object, api: str = "tfloom") -> Any:
     """Run a role to its end and return the JSON that it prints."""
     with background(role, *arguments, api=api) as process:
-        text, _ = process.communicate(timeout=LONGEST_S)
+        text, _ = process.communicate(timeout=MAX_DURATION_S)
         if process.returncode != 0:
             raise RuntimeError(f"benchmarks.node.{role} ended with {process.returncode}")
         return json.loads(text)
@@ -96,9 +96,9 @@ def wait_for(condition: Callable[[], object]) -> None:
     """Wait until `condition()` is true.
 
     Raises:
-        TimeoutError: it is false after `LONGEST_S`.
+        TimeoutError: it is false after `MAX_DURATION_S`.
     """
-    end = time.monotonic() + LONGEST_S
+    end = time.monotonic() + MAX_DURATION_S
     while not condition():
         if time.monotonic() > end:
             raise TimeoutError("the other end was not discovered")

@@ -30,7 +30,7 @@ COUNTS = {
 TURNS = 2
 KEPT = 5
 """Number of messages that are compared as a whole."""
-LONGEST_S = 50.0
+MAX_DURATION_S = 50.0
 
 
 class Received(NamedTuple):
@@ -87,7 +87,7 @@ def ros(kind: str, count: int) -> Received:
 
     qos = QoSProfile(history=HistoryPolicy.KEEP_ALL)
     node.create_subscription(numbers.type, "/bench", on_message, qos)
-    rclpy.spin_until_future_complete(node, done, timeout_sec=LONGEST_S)
+    rclpy.spin_until_future_complete(node, done, timeout_sec=MAX_DURATION_S)
     if heard.received is None:
         raise TimeoutError(f"{heard.heard} of {count} messages arrived")
     for message in heard.kept:

@@ -11,7 +11,7 @@ from typing import Any, Protocol
 IN_A_THREAD = ("spin", "MultiThreadedExecutor", "EventsExecutor")
 WAYS = ("spin_once", *IN_A_THREAD)
 """`spin_once` in a loop of the main thread, or a spin of one of the executors in a thread of its own."""
-LONGEST_S = 30.0
+MAX_DURATION_S = 30.0
 
 
 class Wait(Protocol):
@@ -40,7 +40,7 @@ def spinning(way: str, *nodes: Any) -> Iterator[Wait]:
     for node in nodes:
         executor.add_node(node)
 
-    def spin_until(event: threading.Event, timeout_s: float = LONGEST_S) -> bool:
+    def spin_until(event: threading.Event, timeout_s: float = MAX_DURATION_S) -> bool:
         end = time.monotonic() + timeout_s
         while not event.is_set():
             left = end - time.monotonic()
@@ -55,7 +55,7 @@ def spinning(way: str, *nodes: Any) -> Iterator[Wait]:
     thread = threading.Thread(target=executor.spin, daemon=True)
     thread.start()
     try:
-        yield lambda event, timeout_s=LONGEST_S: event.wait(timeout_s)
+        yield lambda event, timeout_s=MAX_DURATION_S: event.wait(timeout_s)
     finally:
         executor.shutdown()
-        thread.join(LONGEST_S)
+        thread.join(MAX_DURATION_S)

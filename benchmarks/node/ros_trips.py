@@ -11,7 +11,7 @@ from collections.abc import Callable
 from typing import Any
 
 from benchmarks.node.flight import Flight
-from benchmarks.node.ros_spinning import LONGEST_S, Wait
+from benchmarks.node.ros_spinning import MAX_DURATION_S, Wait
 
 SIZES = {"64 kB": 64_000, "1 MB": 1_000_000}
 QUIET_S = 0.02
@@ -168,15 +168,15 @@ class Calls:
 
     def call_until_answered(self) -> None:
         """Call until the first answer, because Fast DDS may lose the calls before both ends have matched."""
-        for _ in range(int(LONGEST_S)):
+        for _ in range(int(MAX_DURATION_S)):
             if self._call_and_spin(self._request(), timeout_s=1.0) is not None:
                 return
         raise TimeoutError("no call was answered")
 
     def _call_and_wait(self, request: Any) -> Any:
-        return self._client.call(request, timeout_sec=LONGEST_S)
+        return self._client.call(request, timeout_sec=MAX_DURATION_S)
 
-    def _call_and_spin(self, request: Any, timeout_s: float = LONGEST_S) -> Any:
+    def _call_and_spin(self, request: Any, timeout_s: float = MAX_DURATION_S) -> Any:
         import rclpy
 
         future = self._client.call_async(request)

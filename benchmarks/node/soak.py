@@ -7,9 +7,9 @@ once, in order. Two more processes are permanent: a broadcaster of transforms, a
 calls the service.
 
 The resident memory (RSS) of each permanent process is measured. In the steady state, the part of the time after WARM_UP
-and WARM_UP_S, it must not grow by more than MOST_GROWTH: the report has its median over the first and the last tenth of
+and WARM_UP_S, it must not grow by more than MAX_GROWTH: the report has its median over the first and the last tenth of
 that part, and over each tenth of the whole time. The exit code is 1 if a message was lost, a permanent process ended,
-or memory grew by more; in less than LEAST_STEADY_S, memory is reported only, because it has not become steady.
+or memory grew by more; in less than MIN_STEADY_S, memory is reported only, because it has not become steady.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ from std_msgs.msg import String
 from tf2_ros import Buffer, TransformBroadcaster, TransformException, TransformListener
 
 from benchmarks.domain import DOMAIN_ID
-from benchmarks.node.memory import LEAST_STEADY_S, Memory
+from benchmarks.node.memory import MIN_STEADY_S, Memory
 
 GUESTS = 3
 MESSAGES = (200, 1000)
@@ -175,7 +175,7 @@ class Soak:
     def is_sound(self) -> bool:
         """Return whether no message was lost, and no memory grew."""
         is_flat = all(memory.is_flat() for memory in self.memory.values())
-        return not self.faults and (is_flat or self._seconds < LEAST_STEADY_S)
+        return not self.faults and (is_flat or self._seconds < MIN_STEADY_S)
 
     def report(self) -> str:
         """Return what to print at the end."""

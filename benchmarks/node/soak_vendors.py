@@ -9,7 +9,7 @@ replaced, at any moment of its life. Checked are:
   of the match is lost on DDS;
 - each call is answered once, by the right server, or fails by name; it fails only if the called process was killed;
 - members that stay list those that are alive, and no others, once the leases of the killed have ended;
-- the memory of tfloom's members that stay is constant (`memory.py`), in LEAST_STEADY_S or more, because libddsc's grows
+- the memory of tfloom's members that stay is constant (`memory.py`), in MIN_STEADY_S or more, because libddsc's grows
   until some hundred processes have left; that of Fast DDS is reported only.
 
 The exit code is 1 if one of these is not so.
@@ -51,9 +51,9 @@ SETTLE_S = 25.0
 """Time without kills at the end: the longest lease, and the discovery of the last process."""
 NEW_S = 10.0
 """The age of a process until which others may not have discovered it [s]."""
-LEAST_STEADY_S = 1800.0
+MIN_STEADY_S = 1800.0
 PATIENCE_S = 60.0
-MOST_FAULTS = 20
+MAX_FAULTS = 20
 _ENDED = object()
 """Follows the answers of a process that has ended."""
 
@@ -196,7 +196,7 @@ class Soak:
         end, last_kill = begin + self._seconds, begin + self._seconds - SETTLE_S
         next_kill = begin
         started = {member.key for member in self.members}
-        while time.monotonic() < end and len(self.faults) < MOST_FAULTS:
+        while time.monotonic() < end and len(self.faults) < MAX_FAULTS:
             if next_kill < time.monotonic() < last_kill:
                 next_kill = time.monotonic() + random.uniform(*KILL_EVERY_S)
                 self._replace(random.randrange(len(STAYING), len(SLOTS)))
@@ -317,7 +317,7 @@ class Soak:
     def is_sound(self) -> bool:
         """Return whether nothing was lost or answered wrongly, and no memory of tfloom's members grew."""
         flat = [memory.is_flat() for name, memory in self.memory.items() if name.endswith(OURS)]
-        return not self.faults and (all(flat) or self._seconds < LEAST_STEADY_S)
+        return not self.faults and (all(flat) or self._seconds < MIN_STEADY_S)
 
     def report(self) -> str:
         """Return what to print at the end."""
@@ -346,7 +346,7 @@ def main() -> int:
     arguments = parser.parse_args()
     soak = Soak(arguments.seconds, arguments.domain)
     soak.run()
-    print("\n".join([*soak.faults[:MOST_FAULTS], soak.report()]), flush=True)
+    print("\n".join([*soak.faults[:MAX_FAULTS], soak.report()]), flush=True)
     return 0 if soak.is_sound() else 1
 
 

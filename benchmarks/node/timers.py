@@ -23,7 +23,7 @@ SPACING_S = PERIOD_S / TIMERS
 WARM_UP_S = 0.3
 MEASURED_S = 2.0
 TURNS = 3
-MOST_TURNS = 6
+MAX_TURNS = 6
 COMPLETE = 0.95
 """The least share of the calls in a turn that counts as complete."""
 
@@ -112,7 +112,7 @@ def measure(some: Sequence[str]) -> dict[str, Kept]:
         some: "asyncio", or of `processes.apis`.
     """
     turns: dict[str, list[Kept]] = {api: [] for api in some}
-    for turn in range(MOST_TURNS):
+    for turn in range(MAX_TURNS):
         for api, kept in turns.items():
             if turn < TURNS or best(kept).share < COMPLETE:
                 kept.append(Kept(*run("timers", api, api=api)))

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t prefix_size = 9;   // opcode and length
 constexpr std::size_t fields_size = 22;  // channel, sequence, log time, publish time
 constexpr std::uint8_t message_opcode = 0x05;
-constexpr std::size_t most_reserved = 1 << 20;
+constexpr std::size_t max_reserved = 1 << 20;
 
 // Write an integer in little-endian order, and return where the next one goes.
 template <typename Integer>
@@ -71,7 +71,7 @@ bool ChunkQueue::store(std::uint16_t channel, std::span<const std::byte> data, s
   if (!unfinished_) {
     unfinished_ = std::make_unique<Chunk>();
     unfinished_->starts_file = std::exchange(next_starts_file_, false);
-    unfinished_->records.reserve(std::min(limits_.chunk_size, most_reserved) + record_size);
+    unfinished_->records.reserve(std::min(limits_.chunk_size, max_reserved) + record_size);
   }
   unfinished_->append(channel, data, log_time, publish_time);
   if (!file_start_) file_start_ = log_time;

@@ -11,8 +11,8 @@
 namespace tfloom::bag {
 namespace {
 
-constexpr std::size_t most_entries = 512;  // that are stored under one lock
-constexpr std::size_t least_ros1_size = 4 + 8 + 4 + 4 + 7 * 8;
+constexpr std::size_t max_entries = 512;  // that are stored under one lock
+constexpr std::size_t min_ros1_size = 4 + 8 + 4 + 4 + 7 * 8;
 
 // ROS 1 bytes: little-endian, packed, without a header; a string has no terminating zero.
 class Ros1Cursor {
@@ -23,9 +23,9 @@ class Ros1Cursor {
 
   std::uint32_t read_uint32() { return read_little_endian<std::uint32_t>(take(4)); }
 
-  std::uint32_t read_length(std::size_t least_element_size) {
+  std::uint32_t read_length(std::size_t min_element_size) {
     const std::uint32_t length = read_uint32();
-    if (length * std::uint64_t{least_element_size} > left()) {
+    if (length * std::uint64_t{min_element_size} > left()) {
       fail("the length " + std::to_string(length) + " is more than the " + std::to_string(left()) +
            " bytes left can hold");
     }
@@ -70,7 +70,7 @@ tf2::Stamp read_stamp(Ros1Cursor& in) {
 
 void read_ros1_tf_message(std::span<const std::byte> data, std::vector<tf2::Entry>& entries) {
   Ros1Cursor in(data);
-  cdr::read_transforms(in, least_ros1_size, entries);
+  cdr::read_transforms(in, min_ros1_size, entries);
   if (in.left() != 0) in.fail(std::to_string(in.left()) + " bytes are left over");
 }
 
@@ -87,7 +87,7 @@ void TfInserter::insert(std::span<const std::byte> message) {
         tf2::join("dropped a recorded message of ", std::to_string(message.size()), " bytes on ", authority_,
                   " that is no TFMessage: ", error.text()));
   }
-  if (entries_.size() >= most_entries) finish();
+  if (entries_.size() >= max_entries) finish();
 }
 
 void TfInserter::finish() {

@@ -214,8 +214,8 @@ nb::object decode_octets(const ObjectPlan& plan, PyTypeObject* type, std::span<c
     cdr::Cursor in(octets);
     ObjectSink sink(type);
     auto message = cdr::Reader(in, sink).message(plan);
-    constexpr std::size_t most_padding = 7;  // wires pad to 4 or 8
-    if (in.left() > most_padding) in.fail(std::to_string(in.left()) + " bytes are left over");
+    constexpr std::size_t max_padding = 7;  // wires pad to 4 or 8
+    if (in.left() > max_padding) in.fail(std::to_string(in.left()) + " bytes are left over");
     return message;
   } catch (const cdr::DecodeError& error) {
     const std::string path = whole_path(plan, error);

@@ -19,7 +19,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::seconds longest_wait(1);  // for callbacks that run when the interpreter ends
+constexpr std::chrono::seconds max_wait(1);  // for callbacks that run when the interpreter ends
 
 enum class Phase { running, ending };
 std::atomic<Phase> phase{Phase::running};
@@ -125,7 +125,7 @@ void block_waits_at_exit() {
   // Threads that counted themselves before still acquire the GIL, and run callbacks to their end. Wait for them, because
   // Python would end these threads at their next line.
   PyThreadState* state = PyEval_SaveThread();
-  const auto deadline = Clock::now() + longest_wait;
+  const auto deadline = Clock::now() + max_wait;
   while (users != 0 && Clock::now() < deadline) std::this_thread::sleep_for(std::chrono::microseconds(100));
   PyEval_RestoreThread(state);
 }

@@ -9,7 +9,7 @@
 namespace tfloom::bindings {
 namespace {
 
-constexpr std::size_t most_kept = 1024;  // freed objects per class
+constexpr std::size_t max_kept = 1024;  // freed objects per class
 
 std::vector<MessagePool*>& pools() {
   static auto* all = new std::vector<MessagePool*>{nullptr};  // never destroyed, because messages may be freed later
@@ -103,7 +103,7 @@ void MessagePool::tag(PyObject* message) const noexcept {
 }
 
 bool MessagePool::keep(PyObject* freed) noexcept {
-  if (kept_ == most_kept) return false;
+  if (kept_ == max_kept) return false;
   *slots_of(freed) = std::exchange(freed_, freed);  // the first slot of each object points to the next
   ++kept_;
   return true;

@@ -122,11 +122,11 @@ class Teller {
   }
 
   void operator()(robot::Told told, std::vector<std::byte> data) const {
-    constexpr int most_waiting = 100;
+    constexpr int max_waiting = 100;
     DeferredQueue* queue = DeferredQueue::current();
     if (queue == nullptr) {
       call(told, data);
-    } else if (waiting_->fetch_add(1) < most_waiting) {
+    } else if (waiting_->fetch_add(1) < max_waiting) {
       queue->defer([self = *this, told, kept = std::move(data)] {
         self.call(told, kept);
         self.waiting_->fetch_sub(1);

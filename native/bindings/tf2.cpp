@@ -99,9 +99,9 @@ std::optional<std::string> text_or_none(const tf2::Error& error) {
 
 std::chrono::steady_clock::time_point deadline_after(double timeout_s) {
   using Clock = std::chrono::steady_clock;
-  constexpr double longest_s = 1e9;  // about thirty years, as a wait without limit
+  constexpr double max_s = 1e9;  // about thirty years, as a wait without limit
   if (std::isnan(timeout_s)) throw nb::value_error("timeout_s must be a number of seconds, not NaN");
-  const std::chrono::duration<double> timeout(std::clamp(timeout_s, 0.0, longest_s));
+  const std::chrono::duration<double> timeout(std::clamp(timeout_s, 0.0, max_s));
   return Clock::now() + std::chrono::duration_cast<Clock::duration>(timeout);
 }
 

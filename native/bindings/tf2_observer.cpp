@@ -172,7 +172,7 @@ void bind_snapshot(nb::module_& m) {
       .def_ro("transforms", &TfTraffic::transforms, "Number of transforms.")
       .def_ro("bytes", &TfTraffic::bytes, "Octets of the messages.")
       .def_ro("unreadable", &TfTraffic::unreadable, "Number of messages that are no TFMessage.")
-      .def_ro("most_transforms", &TfTraffic::most_transforms, "The greatest number of transforms in one message.")
+      .def_ro("max_transforms", &TfTraffic::max_transforms, "The greatest number of transforms in one message.")
       .def_ro("first_received_ns", &TfTraffic::first_received, "Time of the first receipt [ns since epoch].")
       .def_ro("last_received_ns", &TfTraffic::last_received, "Time of the last receipt [ns since epoch].")
       .def_ro("period", &TfTraffic::period, "Times between receipts of its messages [s].")

@@ -8,9 +8,9 @@ namespace tfloom::cdr {
 namespace {
 
 // Stamps on the wire are below 2.2e18 ns. With these bounds, no sum or difference below overflows.
-constexpr tf2::Stamp most_now = 2'300'000'000'000'000'000;
-constexpr tf2::Stamp most_reach = 4'000'000'000'000'000'000;
-constexpr tf2::Stamp least_reach = 1'000'000'000;  // a shorter one would not bridge the time between two messages
+constexpr tf2::Stamp max_now = 2'300'000'000'000'000'000;
+constexpr tf2::Stamp max_reach = 4'000'000'000'000'000'000;
+constexpr tf2::Stamp min_reach = 1'000'000'000;  // a shorter one would not bridge the time between two messages
 
 }  // namespace
 
@@ -39,11 +39,11 @@ void AheadFilter::Publisher::drop_held(std::string_view child_frame_id) {
 
 void AheadFilter::Publisher::hold(const tf2::Entry& entry, const Seen& seen, tf2::Stamp reach) {
   const bool is_other = newest_held && std::abs(seen.stamp - newest_held->stamp) > reach;
-  if (is_other || held.size() >= most_held) drop_held();
+  if (is_other || held.size() >= max_held) drop_held();
   std::erase_if(held, [&](const Held& each) {
     return each.stamp == entry.stamp && each.child_frame_id == entry.child_frame_id;
   });
-  if (entry.frame_id.size() <= most_name_size && entry.child_frame_id.size() <= most_name_size) {
+  if (entry.frame_id.size() <= max_name_size && entry.child_frame_id.size() <= max_name_size) {
     held.push_back({std::string(entry.frame_id), std::string(entry.child_frame_id), entry.stamp, entry.value});
   }
   if (!newest_held || seen.stamp > newest_held->stamp) newest_held = seen;
@@ -53,8 +53,8 @@ AheadFilter::Message AheadFilter::filter(std::vector<tf2::Entry>& entries, const
                                          tf2::Stamp reach) {
   Message message;
   if (entries.empty()) return message;
-  now = std::clamp(now, -most_now, most_now);
-  reach = std::clamp(reach, least_reach, most_reach);
+  now = std::clamp(now, -max_now, max_now);
+  reach = std::clamp(reach, min_reach, max_reach);
   const auto seen = [now](const tf2::Entry& entry) { return Seen{entry.stamp, entry.stamp - now}; };
   const auto& newest = *std::ranges::max_element(entries, {}, &tf2::Entry::stamp);
   Publisher& publisher = find(gid);
@@ -96,7 +96,7 @@ AheadFilter::Publisher& AheadFilter::find(const Gid& gid) {
   if (last_ != publishers_.end() && last_->first == gid) return last_->second;
   last_ = publishers_.find(gid);
   if (last_ == publishers_.end()) {
-    if (publishers_.size() >= most_publishers) publishers_.clear();
+    if (publishers_.size() >= max_publishers) publishers_.clear();
     last_ = publishers_.try_emplace(gid).first;
   }
   return last_->second;

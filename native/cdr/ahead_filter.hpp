@@ -51,9 +51,9 @@ class AheadFilter {
   [[nodiscard]] std::size_t held_count() const;
 
  private:
-  static constexpr std::size_t most_publishers = 256;  // then all are forgotten
-  static constexpr std::size_t most_held = 128;        // of a publisher; then all of it are dropped
-  static constexpr std::size_t most_name_size = 256;   // a transform with a longer name is dropped in place of held
+  static constexpr std::size_t max_publishers = 256;  // then all are forgotten
+  static constexpr std::size_t max_held = 128;        // of a publisher; then all of it are dropped
+  static constexpr std::size_t max_name_size = 256;   // a transform with a longer name is dropped in place of held
 
   // A stamp, and how far it was ahead of now when it was received.
   struct Seen {

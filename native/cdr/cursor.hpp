@@ -105,17 +105,17 @@ class Cursor {
     return {take(size, count * size), count * size};
   }
 
-  // Read the length of a sequence whose elements take `least_element_size` octets or more each. A length that does not
+  // Read the length of a sequence whose elements take `min_element_size` octets or more each. A length that does not
   // fit into the bytes left is an error here, so that callers can allocate for it.
-  std::uint32_t read_length(std::size_t least_element_size) {
+  std::uint32_t read_length(std::size_t min_element_size) {
     const auto length = read<std::uint32_t>();
-    if (length * std::uint64_t{least_element_size} > left()) fail_length(length);
+    if (length * std::uint64_t{min_element_size} > left()) fail_length(length);
     return length;
   }
 
-  // Check that `count` elements of `least_element_size` octets or more fit into the bytes left.
-  void require(std::uint32_t count, std::size_t least_element_size) const {
-    if (count * std::uint64_t{least_element_size} > left()) fail_short(at_, count * least_element_size);
+  // Check that `count` elements of `min_element_size` octets or more fit into the bytes left.
+  void require(std::uint32_t count, std::size_t min_element_size) const {
+    if (count * std::uint64_t{min_element_size} > left()) fail_short(at_, count * min_element_size);
   }
 
   // Return a view that ends before the terminating zero. It is not checked for UTF-8. A length of 0, which some writers

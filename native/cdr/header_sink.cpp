@@ -15,7 +15,7 @@ std::optional<std::string_view> read_frame_id(std::span<const std::byte> data) {
     Cursor in(data);
     read_stamp(in);
     const std::string_view name = in.read_string();
-    if (name.size() <= HeaderSink::most_name_size && is_utf8(name)) return name;
+    if (name.size() <= HeaderSink::max_name_size && is_utf8(name)) return name;
   } catch (const DecodeError&) {  // reported as nullopt
   }
   return std::nullopt;
@@ -40,7 +40,7 @@ void HeaderSink::add(const View& use) {
   const auto found = counts_.find(use);
   if (found != counts_.end()) {
     ++found->second;
-  } else if (counts_.size() < most_uses) {
+  } else if (counts_.size() < max_uses) {
     counts_.emplace(Key(use.first, use.second), 1);
   }
 }

@@ -19,8 +19,8 @@ namespace tfloom::cdr {
 // see the constants.
 class HeaderSink final : public Sink {
  public:
-  static constexpr std::size_t most_uses = 4096;
-  static constexpr std::size_t most_name_size = 1024;  // [octets]; a longer name counts as unreadable
+  static constexpr std::size_t max_uses = 4096;
+  static constexpr std::size_t max_name_size = 1024;  // [octets]; a longer name counts as unreadable
 
   struct Use {
     Gid publisher{};

@@ -46,22 +46,22 @@ struct Field {
   std::uint32_t string_bound = 0;  // [characters]; 0: not bounded
   const Plan* message = nullptr;   // of Kind::message
 
-  [[nodiscard]] std::size_t least_element_size() const noexcept;  // [octets], without alignment
-  [[nodiscard]] std::size_t least_size() const noexcept;
+  [[nodiscard]] std::size_t min_element_size() const noexcept;  // [octets], without alignment
+  [[nodiscard]] std::size_t min_size() const noexcept;
 };
 
 struct Plan {
   std::string name;  // "geometry_msgs/msg/Twist"
   std::vector<Field> fields;
-  std::size_t least_size = 0;  // [octets], without alignment; set by `update_least_size`
+  std::size_t min_size = 0;  // [octets], without alignment; set by `update_least_size`
 
   // A message without fields is encoded as one octet.
   [[nodiscard]] bool is_empty() const noexcept { return fields.empty(); }
 
   void update_least_size() {
-    least_size = 0;
-    for (const Field& field : fields) least_size = std::min(least_size + field.least_size(), size_limit);
-    least_size = std::max<std::size_t>(least_size, 1);  // limits the number of elements that a few bytes can declare
+    min_size = 0;
+    for (const Field& field : fields) min_size = std::min(min_size + field.min_size(), size_limit);
+    min_size = std::max<std::size_t>(min_size, 1);  // limits the number of elements that a few bytes can declare
   }
 
   // "TransformStamped" of "geometry_msgs/msg/TransformStamped"
@@ -90,17 +90,17 @@ decltype(auto) with_number_type(Kind kind, Visit&& visit) {
 
 constexpr bool is_number(Kind kind) noexcept { return kind >= Kind::int8 && kind <= Kind::float64; }
 
-inline std::size_t Field::least_element_size() const noexcept {
-  if (kind == Kind::message) return message->least_size;
+inline std::size_t Field::min_element_size() const noexcept {
+  if (kind == Kind::message) return message->min_size;
   if (kind == Kind::string || kind == Kind::wstring) return sizeof(std::uint32_t);
   return with_number_type(kind, [](auto number) { return sizeof(number); });
 }
 
-inline std::size_t Field::least_size() const noexcept {
-  if (shape == Shape::single) return least_element_size();
+inline std::size_t Field::min_size() const noexcept {
+  if (shape == Shape::single) return min_element_size();
   if (shape != Shape::array) return sizeof(std::uint32_t);
   // Arrays of arrays can be larger than any memory. Their sizes are limited, because it is enough that they do not fit.
-  return static_cast<std::size_t>(std::min<std::uint64_t>(count * std::uint64_t{least_element_size()}, size_limit));
+  return static_cast<std::size_t>(std::min<std::uint64_t>(count * std::uint64_t{min_element_size()}, size_limit));
 }
 
 }  // namespace tfloom::cdr

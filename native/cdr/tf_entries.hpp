@@ -48,14 +48,14 @@ tf2::Entry read_transform(In& in) {
   return entry;
 }
 
-// Append the transforms that follow in a message, each of `least_size` octets or more, to `entries`; their names are
+// Append the transforms that follow in a message, each of `min_size` octets or more, to `entries`; their names are
 // views into the message. Throw DecodeError if the bytes are none.
 //
 // `In` is a cursor of one form, as Cursor. For each, there is a function `read_stamp(In&)`, which reads a header up to
 // its frame id.
 template <class In>
-void read_transforms(In& in, std::size_t least_size, std::vector<tf2::Entry>& entries) {
-  const std::uint32_t count = in.read_length(least_size);
+void read_transforms(In& in, std::size_t min_size, std::vector<tf2::Entry>& entries) {
+  const std::uint32_t count = in.read_length(min_size);
   entries.reserve(entries.size() + count);
   for (std::uint32_t i = 0; i < count; ++i) {
     try {

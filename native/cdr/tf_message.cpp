@@ -9,15 +9,15 @@
 namespace tfloom::cdr {
 namespace {
 
-constexpr std::size_t least_transform_size = 4 + 4 + 4 + 4 + 7 * 8;  // sec, nanosec, two string lengths, doubles
-constexpr std::size_t most_padding = 7;  // wires pad to 4 or 8
+constexpr std::size_t min_transform_size = 4 + 4 + 4 + 4 + 7 * 8;  // sec, nanosec, two string lengths, doubles
+constexpr std::size_t max_padding = 7;  // wires pad to 4 or 8
 
 }  // namespace
 
 void read_tf_message(std::span<const std::byte> data, std::vector<tf2::Entry>& entries) {
   Cursor in(data);
-  read_transforms(in, least_transform_size, entries);
-  if (in.left() > most_padding) in.fail(std::to_string(in.left()) + " bytes are left over");
+  read_transforms(in, min_transform_size, entries);
+  if (in.left() > max_padding) in.fail(std::to_string(in.left()) + " bytes are left over");
 }
 
 void TfSink::push(std::span<const std::byte> data, const SampleInfo& info) noexcept {

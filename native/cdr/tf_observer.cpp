@@ -10,9 +10,9 @@ namespace tfloom::cdr {
 namespace {
 
 // Stamps on the wire are below 2.2e18 ns in magnitude. With this bound, no difference of two times overflows.
-constexpr tf2::Stamp most_time = 2'300'000'000'000'000'000;
+constexpr tf2::Stamp max_time = 2'300'000'000'000'000'000;
 
-tf2::Stamp bounded(tf2::Stamp time) { return std::clamp(time, -most_time, most_time); }
+tf2::Stamp bounded(tf2::Stamp time) { return std::clamp(time, -max_time, max_time); }
 
 double seconds(tf2::Stamp ns) { return 1e-9 * static_cast<double>(ns); }
 
@@ -50,7 +50,7 @@ void TfObserver::record(std::span<const tf2::Entry> entries, const SampleInfo& i
   traffic.bytes += size;
   if (!is_readable) ++traffic.unreadable;
   traffic.transforms += entries.size();
-  traffic.most_transforms = std::max<std::uint64_t>(traffic.most_transforms, entries.size());
+  traffic.max_transforms = std::max<std::uint64_t>(traffic.max_transforms, entries.size());
   if (info.source_stamp_ns != 0) traffic.transit.add(seconds(received - bounded(info.source_stamp_ns)));
   const tf2::Stamp now = bounded(simulated_time_.value_or(received));
   for (const tf2::Entry& entry : entries) add(*id, entry, received, now);
@@ -73,8 +73,8 @@ void TfObserver::add(Id publisher, const tf2::Entry& entry, tf2::Stamp received,
 std::optional<TfObserver::Id> TfObserver::find_publisher(const Gid& gid, bool is_static) {
   const PublisherKey key{gid, is_static};
   if (const auto found = publisher_ids_.find(key); found != publisher_ids_.end()) return found->second;
-  if (publishers_.size() >= most_publishers || edges_.size() >= most_edges) drop_left();
-  if (publishers_.size() >= most_publishers) return std::nullopt;
+  if (publishers_.size() >= max_publishers || edges_.size() >= max_edges) drop_left();
+  if (publishers_.size() >= max_publishers) return std::nullopt;
   const auto id = static_cast<Id>(publishers_.size());
   publishers_.emplace_back().gid = gid;
   publishers_.back().is_static = is_static;
@@ -97,11 +97,11 @@ TfObserver::Id TfObserver::intern(std::string_view name) {
 }
 
 TfObserver::Edge* TfObserver::find_edge(Id publisher, const tf2::Entry& entry) {
-  if (std::max(entry.child_frame_id.size(), entry.frame_id.size()) > most_name_size) return nullptr;
+  if (std::max(entry.child_frame_id.size(), entry.frame_id.size()) > max_name_size) return nullptr;
   EdgeKey key{publisher, find_name(entry.child_frame_id), find_name(entry.frame_id)};
   if (const auto found = edge_ids_.find(key); found != edge_ids_.end()) return &edges_[found->second];
   // Two names at most are new with each edge, so that they are bounded. Those of edges that were dropped remain.
-  if (edges_.size() >= most_edges || names_.size() + 2 > 2 * most_edges) return nullptr;
+  if (edges_.size() >= max_edges || names_.size() + 2 > 2 * max_edges) return nullptr;
   key.child = intern(entry.child_frame_id);
   key.parent = intern(entry.frame_id);
   edge_ids_.emplace(key, static_cast<Id>(edges_.size()));

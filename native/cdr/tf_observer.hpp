@@ -29,7 +29,7 @@ struct TfTraffic {
   bool has_left = false;
   std::uint64_t messages = 0, transforms = 0, bytes = 0;  // `bytes` with the encapsulation header
   std::uint64_t unreadable = 0;  // messages that are no TFMessage
-  std::uint64_t most_transforms = 0;  // in one message
+  std::uint64_t max_transforms = 0;  // in one message
   tf2::Stamp first_received = 0, last_received = 0;
   tf2::Spread period;   // between receipts of its messages [s]
   tf2::Spread transit;  // from writing, by the publisher's clock, to receipt, by ours [s]
@@ -60,9 +60,9 @@ struct TfSnapshot {
 // Thread-safe. Its memory is bounded: see the constants.
 class TfObserver {
  public:
-  static constexpr std::size_t most_publishers = 4096;
-  static constexpr std::size_t most_edges = 65536;
-  static constexpr std::size_t most_name_size = 1024;  // [octets]
+  static constexpr std::size_t max_publishers = 4096;
+  static constexpr std::size_t max_edges = 65536;
+  static constexpr std::size_t max_name_size = 1024;  // [octets]
 
   explicit TfObserver(tf2::Stamp cache_time = tf2::Buffer::default_cache_time) : cache_time_(cache_time) {}
   TfObserver(const TfObserver&) = delete;

@@ -99,10 +99,10 @@ class Reader {
 
   std::uint32_t length(const Field& field) {
     if (field.shape == Shape::array) {
-      in_.require(field.count, field.least_element_size());
+      in_.require(field.count, field.min_element_size());
       return field.count;
     }
-    const auto length = in_.read_length(field.least_element_size());
+    const auto length = in_.read_length(field.min_element_size());
     if (field.shape == Shape::bounded && length > field.count) in_.fail(detail::exceeds(length, field));
     return length;
   }

@@ -72,7 +72,7 @@ bool BusyWait::wait(const std::atomic<bool>& is_over, std::optional<std::chrono:
     failures_ = 0;
     return true;
   }
-  if (++failures_ == most_failures) {
+  if (++failures_ == max_failures) {
     failures_ = 0;
     pause_left_ = waits_of_a_pause;
   }

@@ -15,7 +15,7 @@ void note_message_sent() noexcept;
 // round trip. A busy wait saves them and occupies a processor, so it is used only if
 //   - a message was sent since the last wait, so that a reply may be near. A listener never waits like this;
 //   - the last waits were shorter than `short_wait`;
-//   - not `most_failures` busy waits in a row ended without the event. Then the next `waits_of_a_pause` waits sleep:
+//   - not `max_failures` busy waits in a row ended without the event. Then the next `waits_of_a_pause` waits sleep:
 //     a program that gets no replies spends less than a twentieth of its time in busy waits;
 //   - the machine has two processors or more, and doesn't run on its battery.
 class BusyWait {
@@ -23,7 +23,7 @@ class BusyWait {
   static constexpr std::chrono::nanoseconds longest{250'000};
   // Longer than `longest`, because a reply takes longer while the two sides still sleep.
   static constexpr std::chrono::nanoseconds short_wait{500'000};
-  static constexpr int most_failures = 4;
+  static constexpr int max_failures = 4;
   static constexpr int waits_of_a_pause = 100;
 
   // Wait until `is_over` is set, for `limit` and for `longest` at most. Return false at once if the policy is against it.

@@ -100,9 +100,9 @@ Waker::Outcome Waker::wait(const Deadline& deadline, int interrupt_fd) {
   }
   const int ready = ppoll(watched, std::size(watched), left ? &limit : nullptr, nullptr);
 #else
-  constexpr std::int64_t longest_ms = 1'000'000'000;
+  constexpr std::int64_t max_ms = 1'000'000'000;
   const int limit_ms =
-      left ? static_cast<int>(std::min<std::int64_t>((left->count() + 999'999) / 1'000'000, longest_ms)) : -1;
+      left ? static_cast<int>(std::min<std::int64_t>((left->count() + 999'999) / 1'000'000, max_ms)) : -1;
   const int ready = poll(watched, std::size(watched), limit_ms);
 #endif
   if (ready < 0) {

@@ -11,7 +11,7 @@ namespace tfloom::dds {
 namespace {
 
 constexpr std::uint32_t samples_per_take = 64;
-constexpr std::size_t most_early_node_lists = 256;  // bounded, because they come from the wire
+constexpr std::size_t max_early_node_lists = 256;  // bounded, because they come from the wire
 
 Gid to_gid(const void* octets) {
   Gid gid;
@@ -215,7 +215,7 @@ void Graph::put_node_list(std::span<const std::byte> data) {
     found->second.node_list.assign(data.begin(), data.end());
     return;
   }
-  if (early_node_lists_.size() >= most_early_node_lists) early_node_lists_.clear();
+  if (early_node_lists_.size() >= max_early_node_lists) early_node_lists_.clear();
   early_node_lists_[gid].assign(data.begin(), data.end());
 }
 

@@ -56,10 +56,10 @@ std::size_t size_of(const msghdr& message) {
 // takes one in some tens of microseconds.
 void pace(std::size_t size) {
   using std::chrono::steady_clock;
-  constexpr std::size_t least_size = 32 << 10;
+  constexpr std::size_t min_size = 32 << 10;
   constexpr std::chrono::microseconds pause{100};  // the timer of Linux adds half of it
   thread_local steady_clock::time_point last_sent{};
-  if (size < least_size) return;
+  if (size < min_size) return;
   if (steady_clock::now() - last_sent < pause) std::this_thread::sleep_for(pause);
   last_sent = steady_clock::now();
 }

@@ -10,7 +10,7 @@
 namespace tfloom::dds {
 namespace {
 
-constexpr std::size_t most_known = 1024;  // includes peers that have left
+constexpr std::size_t max_known = 1024;  // includes peers that have left
 
 }  // namespace
 
@@ -48,7 +48,7 @@ const Peer* Peers::find(Entity entity, InstanceHandle handle) {
   Peer peer;
   std::memcpy(peer.gid.data(), endpoint->key.octets, peer.gid.size());
   peer.user_data = read_user_data(library_, endpoint->qos);
-  if (known_.size() >= most_known) known_.clear();
+  if (known_.size() >= max_known) known_.clear();
   return &known_.emplace(handle, std::move(peer)).first->second;
 }
 

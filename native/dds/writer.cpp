@@ -11,10 +11,10 @@ namespace {
 
 constexpr std::size_t alignment = 4;
 
-constexpr std::size_t least_kept_size = 256;  // below any size of fragments
-constexpr std::size_t most_kept_size = 64 << 20;
+constexpr std::size_t min_kept_size = 256;  // below any size of fragments
+constexpr std::size_t max_kept_size = 64 << 20;
 constexpr std::int64_t kept_wait_ns = 100'000'000;
-constexpr int most_kept_waits = 100;
+constexpr int max_kept_waits = 100;
 
 void check_encapsulation(std::span<const std::byte> data) {
   if (data.size() <= encapsulation_size) {
@@ -66,7 +66,7 @@ void Writer::write(std::span<const std::byte> data) {
 
   const std::shared_lock lock(in_use_);
   if (closed_) throw Error("the writer is closed");
-  if (service_end_ && data.size() > least_kept_size) keep(data, padding);
+  if (service_end_ && data.size() > min_kept_size) keep(data, padding);
   Serdata_* sample =
       library_.serdata_from_ser_iov(type_, data_kind, padding == 0 ? 1 : 2, parts, data.size() + padding);
   if (sample == nullptr) throw std::invalid_argument("the DDS library refused the sample");
@@ -78,8 +78,8 @@ void Writer::keep(std::span<const std::byte> data, std::size_t padding) {
   const auto is_inline = [](const Peer& peer) { return rtps::uses_inline_form(peer.gid); };
   if (std::ranges::none_of(peers_.matched(entity_.get()), is_inline)) return;
   for (int waits = 0; service_end_->kept_size() > 0; ++waits) {
-    const bool is_full = service_end_->kept_size() > most_kept_size;
-    if (library_.wait_for_acks(entity_.get(), is_full ? kept_wait_ns : 0) != timeout || waits == most_kept_waits) {
+    const bool is_full = service_end_->kept_size() > max_kept_size;
+    if (library_.wait_for_acks(entity_.get(), is_full ? kept_wait_ns : 0) != timeout || waits == max_kept_waits) {
       service_end_->release();
     }
     if (!is_full || closed_) break;

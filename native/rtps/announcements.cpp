@@ -26,8 +26,8 @@ constexpr std::uint32_t udp_v4 = 1;
 constexpr std::uint32_t udp_v6 = 2;
 constexpr std::size_t locator_size = 24;
 
-constexpr std::size_t most_versions = 1024;
-constexpr std::size_t longest_version = 32;
+constexpr std::size_t max_versions = 1024;
+constexpr std::size_t max_version_size = 32;
 
 // Return the parameters in the payload of a submessage, or nullopt if it has none.
 std::optional<Parameters> parameters_of(const Data& data) {
@@ -72,7 +72,7 @@ std::string version_of_cyclone(const Fields& info) {
   if (begin == std::string_view::npos) return {};
   const std::string_view rest = text.substr(begin + 1);
   const std::size_t size = rest.find('/');
-  if (size == std::string_view::npos || size > longest_version) return {};
+  if (size == std::string_view::npos || size > max_version_size) return {};
   const std::string_view version = rest.substr(0, size);
   const auto is_plain = [](char each) {
     return (each >= '0' && each <= '9') || (each >= 'a' && each <= 'z') || (each >= 'A' && each <= 'Z') ||
@@ -91,7 +91,7 @@ void Versions::read(const GuidPrefix& source, const Data& data) {
     if (is_of_fast_dds(source) && parameter->id == fast_dds_version_id) version = version_of_fast_dds(parameter->value);
     if (is_of_cyclone(source) && parameter->id == cyclone_version_id) version = version_of_cyclone(parameter->value);
     if (version.empty()) continue;
-    if (versions_.size() >= most_versions && !versions_.contains(source)) versions_.clear();
+    if (versions_.size() >= max_versions && !versions_.contains(source)) versions_.clear();
     versions_[source] = version;
   }
 }

@@ -21,12 +21,12 @@ constexpr std::size_t related_sample_size = 24;
 constexpr std::uint64_t unknown_sequence_number = 0xffffffff'00000000;
 
 constexpr std::size_t header_end = encapsulation_size + ServiceHeader::size;
-constexpr std::size_t most_remembered = 200'000;  // requests and responses that nobody has taken yet
-constexpr std::size_t most_sent = 1024;  // requests of a client: far more than the ten that a server on Fast DDS keeps
-constexpr std::size_t most_of_writer = most_remembered / 2;  // so that no writer displaces all others
+constexpr std::size_t max_remembered = 200'000;  // requests and responses that nobody has taken yet
+constexpr std::size_t max_sent = 1024;  // requests of a client: far more than the ten that a server on Fast DDS keeps
+constexpr std::size_t max_of_writer = max_remembered / 2;  // so that no writer displaces all others
 constexpr std::int64_t stamp_tolerance_ns = 2;  // a stamp on the wire has the unit 2^-32 s
 constexpr std::int64_t no_stamp = -1;
-constexpr std::size_t most_datagram_octets = 65'507;
+constexpr std::size_t max_datagram_size = 65'507;
 
 std::int64_t stamp_ns(const Submessage& info_ts) {
   const Fields fields = info_ts.fields();
@@ -302,7 +302,7 @@ void ServiceForms::arrived(const Gid& writer, std::uint64_t sequence_number, std
   if (sent == client->sent_.end()) return;
   auto& arrivals = client->responses_.use(writer);
   arrivals[sequence_number] = {source_stamp_ns, {client->client_, sent->second}};
-  erase_oldest(arrivals, most_remembered);
+  erase_oldest(arrivals, max_remembered);
 }
 
 void ServiceForms::request_arrived(const Gid& writer, const Gid& client, std::uint64_t sequence_number,
@@ -315,9 +315,9 @@ void ServiceForms::request_arrived(const Gid& writer, const Gid& client, std::ui
     ++arrivals_;
   }
   const std::size_t size = requests.arrivals.size();
-  erase_oldest(requests.arrivals, most_of_writer);
+  erase_oldest(requests.arrivals, max_of_writer);
   arrivals_ -= size - requests.arrivals.size();
-  while (arrivals_ > most_remembered) forget_oldest_requests();
+  while (arrivals_ > max_remembered) forget_oldest_requests();
 }
 
 void ServiceForms::forget_oldest_requests() {
@@ -471,7 +471,7 @@ bool ServiceForms::rewrite(const Address& address, Octets datagram, std::vector<
         empty_size += former_size == empty_size ? submessage->octets.size() : 0;
       }
     }
-    if (out.size() > most_datagram_octets && former_size > empty_size) {
+    if (out.size() > max_datagram_size && former_size > empty_size) {
       const std::vector<std::byte> last(out.begin() + static_cast<std::ptrdiff_t>(former_size), out.end());
       out.resize(former_size);
       start_datagram();
@@ -559,7 +559,7 @@ bool ServiceForms::append_rewritten(ServiceEnd& end, const GuidPrefix& participa
   }
   if (end.is_client_) {
     end.sent_[data.sequence_number] = header.number;
-    erase_oldest(end.sent_, most_sent);
+    erase_oldest(end.sent_, max_sent);
   }
 
   const std::size_t start = out.size();

@@ -132,10 +132,10 @@ struct Chunk {
 // shuffled stamps of depth 10 takes 8 times as long: benchmarks/native, "any order".
 template <class Use>
 void for_each_chunk(std::span<const Stamp> stamps, Use&& use) {
-  constexpr std::size_t most_sorted = std::size_t{1} << 22;
+  constexpr std::size_t max_sorted = std::size_t{1} << 22;
   std::array<Stamp, chunk_size> gathered;
-  for (std::size_t begin = 0; begin < stamps.size(); begin += most_sorted) {
-    const auto part = stamps.subspan(begin, std::min(most_sorted, stamps.size() - begin));
+  for (std::size_t begin = 0; begin < stamps.size(); begin += max_sorted) {
+    const auto part = stamps.subspan(begin, std::min(max_sorted, stamps.size() - begin));
     const bool is_sorted = std::ranges::is_sorted(part);
     const auto order = is_sorted ? std::vector<std::uint32_t>{} : nearly_ascending(part);
     for (std::size_t start = 0; start < part.size(); start += chunk_size) {

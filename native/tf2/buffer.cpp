@@ -11,7 +11,7 @@
 namespace tfloom::tf2 {
 namespace {
 
-constexpr std::size_t least_prefetched = 4, most_prefetched = 64;  // transforms whose memory is prefetched at once
+constexpr std::size_t min_prefetched = 4, max_prefetched = 64;  // transforms whose memory is prefetched at once
 
 std::string_view without_slash(std::string_view name) {
   if (name.starts_with('/')) name.remove_prefix(1);
@@ -81,8 +81,8 @@ std::size_t Buffer::set(std::span<const Entry> entries, std::string_view authori
   {
     const std::unique_lock lock(frames_mutex_);
     ResolvedNames last;
-    for (std::size_t begin = 0; begin < entries.size(); begin += most_prefetched) {
-      const auto group = entries.subspan(begin, std::min(most_prefetched, entries.size() - begin));
+    for (std::size_t begin = 0; begin < entries.size(); begin += max_prefetched) {
+      const auto group = entries.subspan(begin, std::min(max_prefetched, entries.size() - begin));
       prefetch_frames(group);
       for (const Entry& entry : group) stored += insert(entry, authority, is_static, last, rejections) ? 1 : 0;
     }
@@ -93,10 +93,10 @@ std::size_t Buffer::set(std::span<const Entry> entries, std::string_view authori
 }
 
 std::size_t Buffer::set_many(const Series& series, std::string_view authority) {
-  constexpr std::size_t most_locked = 1024;
+  constexpr std::size_t max_locked = 1024;
   std::size_t all_stored = 0;
-  for (std::size_t begin = 0; begin < series.stamps.size(); begin += most_locked) {
-    const std::size_t end = std::min(begin + most_locked, series.stamps.size());
+  for (std::size_t begin = 0; begin < series.stamps.size(); begin += max_locked) {
+    const std::size_t end = std::min(begin + max_locked, series.stamps.size());
     std::size_t stored = 0;
     std::vector<Rejection> rejections;
     {
@@ -150,8 +150,8 @@ std::size_t Buffer::append(const Series& series, std::size_t begin, std::size_t 
 // cache misses of different frames overlap. (A history of one frame does not need it.) Without it, a transform takes 19
 // % longer: benchmarks/native, "prefetch".
 void Buffer::prefetch_frames(std::span<const Entry> entries) const {
-  if (entries.size() < least_prefetched || entries.front().child_frame_id == entries.back().child_frame_id) return;
-  std::array<const Frame*, most_prefetched> frames;
+  if (entries.size() < min_prefetched || entries.front().child_frame_id == entries.back().child_frame_id) return;
+  std::array<const Frame*, max_prefetched> frames;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     frames[i] = frames_.find_by_hash(without_slash(entries[i].child_frame_id));
     if (frames[i] != nullptr) prefetch(frames[i], sizeof(Frame));

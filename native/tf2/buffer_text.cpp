@@ -18,11 +18,11 @@ struct Summary {
         authority(frame.authority.empty() ? "no recorded authority" : frame.authority),
         newest(frame.newest_stamp()),
         oldest(frame.oldest_stamp()) {
-    constexpr double shortest_s = 1e-4;  // a single sample counts as 10 kHz
+    constexpr double min_s = 1e-4;  // a single sample counts as 10 kHz
     newest_s = seconds(newest);
     // Unsigned, because the difference of extreme stamps overflows.
     length_s = static_cast<double>(static_cast<std::uint64_t>(newest) - static_cast<std::uint64_t>(oldest)) / 1e9;
-    rate_hz = static_cast<double>(frame.sample_count()) / std::max(length_s, shortest_s);
+    rate_hz = static_cast<double>(frame.sample_count()) / std::max(length_s, min_s);
   }
 };
 

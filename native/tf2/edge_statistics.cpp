@@ -82,13 +82,13 @@ void EdgeStatistics::add_step(const Transform& to, Stamp stamp, Stamp elapsed) {
   const double norms = dot(to.rotation, to.rotation) * dot(value.rotation, value.rotation);
   const double cosine_of_half = norms > 0.0 ? std::min(1.0, std::abs(dot(to.rotation, value.rotation)) / std::sqrt(norms)) : 1.0;
   cosine.add(cosine_of_half);
-  const bool is_widest = cosine_of_half < least_cosine_;
+  const bool is_widest = cosine_of_half < min_cosine_;
   const bool is_longest = step.distance > longest.distance;
   const bool is_fastest = step.speed() > fastest.speed();
   if (!is_widest && !is_longest && !is_fastest) return;
   step.angle_rad = 2.0 * std::acos(cosine_of_half);
   if (is_widest) {
-    least_cosine_ = cosine_of_half;
+    min_cosine_ = cosine_of_half;
     widest = step;
   }
   if (is_longest) longest = step;

@@ -80,7 +80,7 @@ struct EdgeStatistics {
 
   bool has_value_ = false;
   Stamp value_stamp_ = 0;
-  double least_cosine_ = 1.0;  // of half the angle of `widest`
+  double min_cosine_ = 1.0;  // of half the angle of `widest`
 };
 
 }  // namespace tfloom::tf2

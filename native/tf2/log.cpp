@@ -30,11 +30,11 @@ void Log::report(Severity severity, std::string_view topic, std::string_view fra
 
 Log::Recent& Log::recent(std::string_view topic, std::string_view frame, Clock::time_point now) {
   const Recent never{now - 2 * period, 0};
-  if (recent_.size() >= most_remembered) {
+  if (recent_.size() >= max_remembered) {
     std::erase_if(recent_, [&](const auto& entry) { return now - entry.second.last >= period; });
   }
   // If there are too many names in one second, all further frames of a topic share one entry.
-  const bool is_full = recent_.size() >= most_remembered;
+  const bool is_full = recent_.size() >= max_remembered;
   return recent_.try_emplace({std::string(topic), std::string(is_full ? "" : frame)}, never).first->second;
 }
 

@@ -40,7 +40,7 @@ class Log {
     std::uint64_t held_back = 0;
   };
   static constexpr std::chrono::seconds period{1};
-  static constexpr std::size_t most_remembered = 1024;  // names come from the wire: bounded
+  static constexpr std::size_t max_remembered = 1024;  // names come from the wire: bounded
 
   Recent& recent(std::string_view topic, std::string_view frame, Clock::time_point now);
 

@@ -8,7 +8,7 @@ NewestChain::NewestChain(const FrameTable& frames, FrameId target, FrameId sourc
 
 void NewestChain::find(const FrameTable& frames, FrameId target, FrameId source) {
   using Kind = Failure::Kind;
-  constexpr auto longest = static_cast<std::size_t>(longest_chain);
+  constexpr auto longest = static_cast<std::size_t>(max_chain_length);
   if (target == no_parent || source == no_parent) {
     failure_ = {Kind::unconnected, {}, no_parent, 0};
     return;

@@ -10,7 +10,7 @@
 
 namespace tfloom::tf2 {
 
-inline constexpr int longest_chain = 1000;  // links on one side; a longer one counts as a cycle
+inline constexpr int max_chain_length = 1000;  // links on one side; a longer one counts as a cycle
 
 // Why a walk found no path. Texts are made from it only on request.
 struct Failure {
@@ -41,7 +41,7 @@ Failure walk(const FrameTable& frames, FrameId target, FrameId source, Stamp sta
       break;
     }
     if (bracket.parent == no_parent) break;  // the transform's parent has the reserved name
-    if (depth >= longest_chain) return {Kind::cycle, {}, top, stamp};
+    if (depth >= max_chain_length) return {Kind::cycle, {}, top, stamp};
     visitor.source(top, bracket);
     top = bracket.parent;
   }
@@ -56,7 +56,7 @@ Failure walk(const FrameTable& frames, FrameId target, FrameId source, Stamp sta
       return {};
     }
     if (bracket.parent == no_parent) break;
-    if (depth >= longest_chain) return {Kind::cycle, {}, reached, stamp};
+    if (depth >= max_chain_length) return {Kind::cycle, {}, reached, stamp};
     visitor.target(reached, bracket);
     reached = bracket.parent;
   }
@@ -80,7 +80,7 @@ class NewestChain {
   [[nodiscard]] std::span<const FrameId> target_links() const { return {target_.data(), target_count_}; }
 
  private:
-  using Ids = std::array<FrameId, longest_chain + 1>;
+  using Ids = std::array<FrameId, max_chain_length + 1>;
 
   void find(const FrameTable& frames, FrameId target, FrameId source);
   void find_meeting_frame(const FrameTable& frames, FrameId top);

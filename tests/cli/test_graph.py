@@ -60,8 +60,8 @@ def waited(changes_s: list[float], most_s: float, whole_from: int = 0, late: int
 @pytest.mark.parametrize(
     ("changes_s", "most_s", "at_least_s"),
     [
-        ([], 5.0, graph.LEAST_S),
-        ([0.01], 5.0, graph.LEAST_S),
+        ([], 5.0, graph.MIN_WAIT_S),
+        ([0.01], 5.0, graph.MIN_WAIT_S),
         ([0.1], 5.0, 0.1 + graph.QUIET_S),
         ([0.1, 0.2, 0.3], 5.0, 0.3 + graph.QUIET_S),
         ([0.05 * i for i in range(1, 40)], 0.5, 0.5),
@@ -79,7 +79,7 @@ def test_wait_lasts_until_nothing_new_arrives(
 @pytest.mark.timing
 @pytest.mark.parametrize(
     ("changes_s", "most_s", "at_least_s"),
-    [([0.6], 5.0, 0.6), ([], 5.0, graph.LEAST_S + graph.PATIENCE_S), ([], 0.4, 0.4)],
+    [([0.6], 5.0, 0.6), ([], 5.0, graph.MIN_WAIT_S + graph.PATIENCE_S), ([], 0.4, 0.4)],
     ids=["it comes", "it never comes", "for so long at most"],
 )
 def test_wait_lasts_while_announced_entities_are_missing(
@@ -134,7 +134,7 @@ def test_wait_is_longer_on_a_busy_machine(monkeypatch: pytest.MonkeyPatch) -> No
             pass
 
     monkeypatch.setattr(graph, "ReadyQueue", LateQueue)
-    assert waited([], 5.0) >= graph.LEAST_S + 2 * 0.1
+    assert waited([], 5.0) >= graph.MIN_WAIT_S + 2 * 0.1
 
 
 @pytest.mark.parametrize(

@@ -82,7 +82,7 @@ def fails(capsys: pytest.CaptureFixture[str], *words: str) -> str:
 def alone(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("tfloom.cli.graph.LEAST_S", 0.0)
+    monkeypatch.setattr("tfloom.cli.graph.MIN_WAIT_S", 0.0)
     monkeypatch.setattr("tfloom.cli.graph.QUIET_S", 0.0)
 
 

@@ -16,7 +16,7 @@ from tfloom.node.node import Node
 @pytest.fixture(autouse=True)
 def local_wire(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
-    monkeypatch.setattr("tfloom.cli.graph.LEAST_S", 0.0)
+    monkeypatch.setattr("tfloom.cli.graph.MIN_WAIT_S", 0.0)
     monkeypatch.setattr("tfloom.cli.graph.QUIET_S", 0.0)
 
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 CORPUS = Path(__file__).parent / "corpus"
-MOST_SIZE = 4096
+MAX_SIZE = 4096
 NOTABLE = b"\0\1\2\4\x08\x7f\x80\xd8\xdc\xff"
 WORDS = (
     b"[]",
@@ -56,7 +56,7 @@ def mutations(corpus: list[bytes], seed: int) -> Iterator[bytes]:
         data = bytearray(source.choice(corpus))
         for _ in range(source.randint(1, 4)):
             _change(data, corpus, source)
-        yield bytes(data[:MOST_SIZE])
+        yield bytes(data[:MAX_SIZE])
 
 
 def _change(data: bytearray, corpus: list[bytes], source: random.Random) -> None:

@@ -15,7 +15,7 @@ import pytest
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="SIGKILL and a POSIX shell are needed")
 
 AT_ONCE = 5
-LONGEST_S = 0.6
+MAX_DURATION_S = 0.6
 """The longest time from the start of a launcher to its end, in which all its processes have started."""
 
 FILE = """
@@ -58,7 +58,7 @@ def kill_launchers(
         launchers.append(start_program(sys.executable, "-m", "tfloom.cli", "launch", file))
     for launcher in launchers:
         launcher.wait_for("process started")
-        time.sleep(random.uniform(0.0, LONGEST_S))
+        time.sleep(random.uniform(0.0, MAX_DURATION_S))
     had = sum(len(alive(mark)) for mark in marks)
     for launcher in launchers:
         launcher.process.kill()

@@ -30,7 +30,7 @@ from tfloom.rosidl.type_text import split_type
 pytestmark = pytest.mark.slow
 GOLDEN = Path(__file__).parents[1] / "golden" / "jazzy_types.jsonl"
 CORPUS = Path(__file__).parent / "corpus"
-LONGEST_S = 7200.0
+MAX_DURATION_S = 7200.0
 SANITIZE = "address,undefined"
 SEEDS = {
     "fuzz_bag": (5, 5),
@@ -129,7 +129,7 @@ def run(program: Path, folder: Path, amount: str, *seed: str) -> subprocess.Comp
         [program, amount, corpus_of(program.name, folder), *seed],
         capture_output=True,
         text=True,
-        timeout=LONGEST_S,
+        timeout=MAX_DURATION_S,
         check=False,
         env={**os.environ, "UBSAN_OPTIONS": "halt_on_error=1:print_stacktrace=1"},
     )

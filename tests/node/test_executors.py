@@ -586,7 +586,7 @@ def test_callback_that_completes_while_another_is_parked_lets_it_run(
 def test_many_responses_at_once_are_all_taken(
     context: Context, make_node: Callable[..., Node], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(work_queue, "MOST_AT_ONCE", 2)
+    monkeypatch.setattr(work_queue, "MAX_BATCH_SIZE", 2)
     asking, answering = make_node("asking"), make_node("answering")
     client = asking.create_client(AddTwoInts, "add")
     answering.create_service(AddTwoInts, "add", lambda _, response: response)

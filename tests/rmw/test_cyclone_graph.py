@@ -34,7 +34,7 @@ from tfloom.rmw.qos import (
     QoS,
     ReliabilityPolicy,
 )
-from tfloom.rmw.services import LEAST_WAITING
+from tfloom.rmw.services import MIN_DEPTH
 from tfloom.rmw.topic_names import key_values, topic_from_dds, type_from_dds, type_to_dds
 
 GOLDEN = json.loads((Path(__file__).parents[1] / "golden" / "wire_jazzy_cyclonedds.json").read_text("utf-8"))
@@ -102,7 +102,7 @@ def test_service_endpoints_match_those_of_a_real_ros(
         *policies, user_data = expected["qos"]
         if "services-history" in deviations and key[0] == "subscription":
             policies.remove("Policy.History.KeepLast(depth=10)")
-            policies.append(f"Policy.History.KeepLast(depth={LEAST_WAITING})")
+            policies.append(f"Policy.History.KeepLast(depth={MIN_DEPTH})")
         assert set(policies) <= set(got["qos"])
         (told,) = (policy for policy in got["qos"] if policy.startswith("Policy.Userdata"))
         prefix, server_id, rest = re.fullmatch(r"(.*serviceid=)([ 0-9a-f.]+)(;.*)", told).groups()

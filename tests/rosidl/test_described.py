@@ -15,9 +15,9 @@ from tfloom.rosidl.class_factory import load
 from tfloom.rosidl.definition_files import KINDS, interface_names
 from tfloom.rosidl.described import (
     ANNOUNCED,
-    MOST_DEPTH,
-    MOST_FIELDS,
-    MOST_TYPES,
+    MAX_DEPTH,
+    MAX_FIELDS,
+    MAX_TYPES,
     DescriptionError,
     define_described,
 )
@@ -159,14 +159,14 @@ def test_hashes_that_do_not_cover_a_type_are_an_error() -> None:
     [
         (
             [individual("my_msgs/msg/A", a=(1, 0, "my_msgs/msg/A"))],
-            f"more than {MOST_DEPTH} deep, or in themselves",
+            f"more than {MAX_DEPTH} deep, or in themselves",
         ),
         (
             [
                 individual(f"my_msgs/msg/A{i}", a=(1 + 144, 0, f"my_msgs/msg/A{i + 1}"))
-                for i in range(MOST_DEPTH + 1)
+                for i in range(MAX_DEPTH + 1)
             ],
-            f"more than {MOST_DEPTH} deep",
+            f"more than {MAX_DEPTH} deep",
         ),
         (
             [
@@ -206,10 +206,10 @@ def test_hashes_that_do_not_cover_a_type_are_an_error() -> None:
             [individual("my_msgs/msg/A", a=(1, 0, "")), individual("", x=(FLOAT64, 0, ""))],
             "is no type's name|is no definition",  # whichever of the two is looked at first
         ),
-        ([individual(f"my_msgs/msg/A{i}") for i in range(MOST_TYPES + 1)], f"more than {MOST_TYPES}"),
+        ([individual(f"my_msgs/msg/A{i}") for i in range(MAX_TYPES + 1)], f"more than {MAX_TYPES}"),
         (
-            [individual("my_msgs/msg/A", **{f"a{i}": (FLOAT64, 0, "") for i in range(MOST_FIELDS + 1)})],
-            f"more than {MOST_FIELDS} fields",
+            [individual("my_msgs/msg/A", **{f"a{i}": (FLOAT64, 0, "") for i in range(MAX_FIELDS + 1)})],
+            f"more than {MAX_FIELDS} fields",
         ),
     ],
     ids=lambda value: value if isinstance(value, str) else "types",
@@ -222,7 +222,7 @@ def test_a_hostile_description_is_an_error(types: list[dict[str, Any]], reason: 
 
 
 def test_messages_that_share_parts_at_each_level_are_checked_in_linear_time() -> None:
-    levels = MOST_DEPTH - 1
+    levels = MAX_DEPTH - 1
     sequence = 1 + 144
     types = [
         individual(

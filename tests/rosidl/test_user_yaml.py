@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from tfloom.rosidl.user_yaml import DEEPEST, MOST_COPIED, YamlError, YamlLimitError, compose, load
+from tfloom.rosidl.user_yaml import MAX_DEPTH, MAX_EXPANDED_SIZE, YamlError, YamlLimitError, compose, load
 
 LAUGHS = "\n".join(
     [
@@ -44,7 +44,7 @@ def test_a_text_beyond_a_limit_is_refused(read: Any, text: str, problem: str, li
 
 def test_text_without_aliases_has_no_limit_of_length() -> None:
     assert len(load(f"[{'1, ' * 20_000}]")) == 20_000
-    assert load("x" * (MOST_COPIED + 1)) == "x" * (MOST_COPIED + 1)
+    assert load("x" * (MAX_EXPANDED_SIZE + 1)) == "x" * (MAX_EXPANDED_SIZE + 1)
 
 
 def test_aliases_and_levels_within_the_limits_are_read() -> None:
@@ -54,8 +54,8 @@ def test_aliases_and_levels_within_the_limits_are_read() -> None:
         "c": {"d": 1},
         "e": {"d": 1},
     }
-    value = load("[" * (DEEPEST - 1) + "1" + "]" * (DEEPEST - 1))
-    for _ in range(DEEPEST - 1):
+    value = load("[" * (MAX_DEPTH - 1) + "1" + "]" * (MAX_DEPTH - 1))
+    for _ in range(MAX_DEPTH - 1):
         (value,) = value
     assert value == 1
 

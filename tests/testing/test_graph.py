@@ -139,7 +139,7 @@ def test_bad_use_is_named(ros_graph: RosGraph) -> None:
 
 
 def test_callbacks_without_end_are_detected(ros_graph: RosGraph, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(graph_module, "MOST_CALLBACKS", 100)
+    monkeypatch.setattr(graph_module, "MAX_CALLBACKS", 100)
     node = ros_graph.create_node("echo")
     publisher = node.create_publisher(String, "words", 1)
     node.create_subscription(String, "words", publisher.publish, 1)

@@ -64,9 +64,9 @@ def test_delay_longer_than_the_longest_wait(
 
 def test_cancelled_calls_are_removed() -> None:
     for _ in range(5):
-        for each in [call_after(3600.0, lambda: None) for _ in range(deadlines.MOST_CANCELLED)]:
+        for each in [call_after(3600.0, lambda: None) for _ in range(deadlines.MAX_CANCELLED)]:
             each.cancel()
-    assert len(deadlines._waiting) <= deadlines.MOST_CANCELLED + 2 * len(deadlines._functions)
+    assert len(deadlines._waiting) <= deadlines.MAX_CANCELLED + 2 * len(deadlines._functions)
 
 
 @pytest.mark.parametrize("error", [RuntimeError("of a user"), SystemExit(3)], ids=["error", "exit"])

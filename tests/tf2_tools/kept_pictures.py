@@ -10,11 +10,11 @@ from PIL import Image, ImageChops, ImageStat
 
 WRITES = "WRITE_PICTURES" in os.environ
 """Whether to write the pictures anew, to look at them: WRITE_PICTURES=1 pytest tests/tf2_tools."""
-MOST_DIFFERENCE = 2.0
+MAX_DIFFERENCE = 2.0
 """Mean difference of grey levels, of 255, which other releases of FreeType stay below."""
 BLOCK = 24
 """Side of the squares by which pictures are compared, too [pixels]."""
-MOST_IN_A_BLOCK = 30.0
+MAX_BLOCK_DIFFERENCE = 30.0
 """Mean difference of a square; that of another letter is above it."""
 
 
@@ -25,8 +25,8 @@ def assert_looks_as_kept(path: Path, png: bytes) -> None:
         drawn.quantize(8).save(path, optimize=True)
     kept = Image.open(path).convert("L")
     assert drawn.size == kept.size
-    assert ImageStat.Stat(ImageChops.difference(drawn, kept)).mean[0] < MOST_DIFFERENCE
-    assert worst_block(drawn, kept) < MOST_IN_A_BLOCK
+    assert ImageStat.Stat(ImageChops.difference(drawn, kept)).mean[0] < MAX_DIFFERENCE
+    assert worst_block(drawn, kept) < MAX_BLOCK_DIFFERENCE
 
 
 def grey(png: bytes) -> Image.Image:

@@ -77,10 +77,10 @@ def test_a_name_that_makes_no_valid_names_is_refused(
     assert call(stage, Spawn, "/spawn").name == "turtle2"
 
 
-LONGEST_NAME = "a" * (247 - len("//rotate_absolute/_action/cancel_goal"))
+MAX_LENGTH_NAME = "a" * (247 - len("//rotate_absolute/_action/cancel_goal"))
 
 
-@pytest.mark.parametrize("name", [LONGEST_NAME, "{node}", "~", "~/a", "/turtle1", "/a/b"])
+@pytest.mark.parametrize("name", [MAX_LENGTH_NAME, "{node}", "~", "~/a", "/turtle1", "/a/b"])
 def test_a_name_that_makes_valid_names_is_a_turtle(stage: Any, name: str) -> None:
     assert call(stage, Spawn, "/spawn", name=name).name == name
     call(stage, Kill, "/kill", name=name)
@@ -88,7 +88,7 @@ def test_a_name_that_makes_valid_names_is_a_turtle(stage: Any, name: str) -> Non
 
 
 def test_the_next_free_name_may_be_too_long(start_stage: Any, capfd: pytest.CaptureFixture[str]) -> None:
-    longest = "/" + "n" * (len(LONGEST_NAME) - len("/turtle1"))
+    longest = "/" + "n" * (len(MAX_LENGTH_NAME) - len("/turtle1"))
     stage = start_stage("-r", f"turtlesim:__ns:={longest}")
     for number in range(2, 10):
         assert call(stage, Spawn, f"{longest}/spawn").name == f"turtle{number}"

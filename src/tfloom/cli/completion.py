@@ -14,7 +14,7 @@ from tfloom.workspace.interfaces import interface_packages, known_interfaces
 if TYPE_CHECKING:
     from tfloom.rosidl.message import Message
 
-MOST_S = 1.0
+MAX_WAIT_S = 1.0
 """The longest wait of a completion for discovery [s]."""
 
 
@@ -48,7 +48,7 @@ def _topics(_: argparse.Namespace) -> list[str]:
     from tfloom.cli import graph
 
     with graph.joined_participant() as participant:
-        graph.wait_until_quiet(participant.graph, MOST_S)
+        graph.wait_until_quiet(participant.graph, MAX_WAIT_S)
         names = graph.known_topics(participant.graph.endpoints())
     # Names are valid without their first slash, so they are also completed without it.
     return [*names, *(name[1:] for name in names)]
@@ -59,7 +59,7 @@ def _types_of_topic(args: argparse.Namespace) -> list[str]:
     from tfloom.cli import graph
 
     with graph.joined_participant() as participant:
-        graph.wait_until_quiet(participant.graph, MOST_S)
+        graph.wait_until_quiet(participant.graph, MAX_WAIT_S)
         types = graph.known_topics(participant.graph.endpoints())
     name = args.topic_name or ""
     return types.get(name if name.startswith("/") else f"/{name}", []) or known_interfaces("msg")
@@ -69,7 +69,7 @@ def _nodes(_: argparse.Namespace) -> list[str]:
     from tfloom.cli import graph
 
     with graph.joined_participant() as participant:
-        graph.wait_until_quiet(participant.graph, MOST_S)
+        graph.wait_until_quiet(participant.graph, MAX_WAIT_S)
         return [node.full for node in participant.graph.nodes() if not graph.is_hidden(node.full)]
 
 
@@ -77,7 +77,7 @@ def _services(_: argparse.Namespace) -> list[str]:
     from tfloom.cli import graph
 
     with graph.joined_participant() as participant:
-        graph.wait_until_quiet(participant.graph, MOST_S)
+        graph.wait_until_quiet(participant.graph, MAX_WAIT_S)
         names = sorted({end.name for end in participant.graph.service_ends() if end.is_server})
     return [name for name in names if not graph.is_hidden(name)]
 
@@ -87,7 +87,7 @@ def _type_of_service(args: argparse.Namespace) -> list[str]:
     from tfloom.cli import graph
 
     with graph.joined_participant() as participant:
-        graph.wait_until_quiet(participant.graph, MOST_S)
+        graph.wait_until_quiet(participant.graph, MAX_WAIT_S)
         ends = participant.graph.service_ends()
     return sorted({end.type_name for end in ends if end.name == args.service_name}) or known_interfaces("srv")
 
@@ -137,7 +137,7 @@ def _prototype(find_class: Callable[[str], type[Message]], type_name: str) -> li
 def _parameters(args: argparse.Namespace) -> list[str]:
     from tfloom.cli.param.common import nodes_with_parameters
 
-    asked = argparse.Namespace(spin_time=MOST_S, timeout=MOST_S, include_hidden_nodes=True)
+    asked = argparse.Namespace(spin_time=MAX_WAIT_S, timeout=MAX_WAIT_S, include_hidden_nodes=True)
     with nodes_with_parameters(asked, args.node_name) as nodes:
         return nodes[0][1].names()
 
@@ -146,7 +146,7 @@ def _lifecycle_nodes(_: argparse.Namespace) -> list[str]:
     from tfloom.cli import graph
     from tfloom.cli.lifecycle.common import lifecycle_nodes
 
-    with graph.settled_graph(argparse.Namespace(spin_time=MOST_S)) as found:
+    with graph.settled_graph(argparse.Namespace(spin_time=MAX_WAIT_S)) as found:
         return lifecycle_nodes(found, hidden=False)
 
 
@@ -154,7 +154,7 @@ def _containers(_: argparse.Namespace) -> list[str]:
     from tfloom.cli import graph
     from tfloom.cli.component.common import container_names
 
-    with graph.settled_graph(argparse.Namespace(spin_time=MOST_S)) as found:
+    with graph.settled_graph(argparse.Namespace(spin_time=MAX_WAIT_S)) as found:
         return container_names(found)
 
 
@@ -162,7 +162,7 @@ def _components(args: argparse.Namespace) -> list[str]:
     """Return the ids of the components in the container."""
     from tfloom.cli.component.common import containers
 
-    with containers(argparse.Namespace(spin_time=MOST_S), args.container_node_name) as (container,):
+    with containers(argparse.Namespace(spin_time=MAX_WAIT_S), args.container_node_name) as (container,):
         return [str(unique_id) for unique_id in container.components()]
 
 
@@ -170,7 +170,7 @@ def _transitions(args: argparse.Namespace) -> list[str]:
     """Return the transitions that are available on the node."""
     from tfloom.cli.lifecycle.common import lifecycles
 
-    asked = argparse.Namespace(spin_time=MOST_S, include_hidden_nodes=True)
+    asked = argparse.Namespace(spin_time=MAX_WAIT_S, include_hidden_nodes=True)
     with lifecycles(asked, args.node_name) as nodes:
         return [each.transition.label for each in nodes[0].transitions()]
 
@@ -181,7 +181,7 @@ def _frames(args: argparse.Namespace) -> list[str]:
     from tfloom.tf2_tools.watch.model import stored_name
 
     with source.open_source(args) as opened:
-        frames = source.settled(opened, MOST_S).frames()
+        frames = source.settled(opened, MAX_WAIT_S).frames()
     return sorted({stored_name(frame) for frame in frames})
 
 

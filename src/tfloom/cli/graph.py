@@ -16,7 +16,7 @@ from tfloom.rmw.base import EndpointInfo, Graph, Participant
 
 QUIET_S = 0.15
 """Discovery is complete when nothing new has arrived for this time [s]."""
-LEAST_S = 0.2
+MIN_WAIT_S = 0.2
 """The least time to wait [s]."""
 PATIENCE_S = 1.0
 """The longest additional wait for missing entities [s]."""
@@ -32,7 +32,7 @@ PUNCTUAL_S = 0.005
 """Delay of a sleep's end above which the machine is busy [s]."""
 LATE_WEIGHT = 4.0
 """Additional wait for each second by which sleeps ended late [s]."""
-MOST_S = 5.0
+MAX_WAIT_S = 5.0
 """The longest wait without --spin-time [s]."""
 
 TOPICS_OF_EVERY_NODE = {
@@ -47,8 +47,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--spin-time",
         type=seconds,
-        default=MOST_S,
-        help=f"longest time of discovery in seconds (default {MOST_S:g}; it ends when nothing new arrives)",
+        default=MAX_WAIT_S,
+        help=f"longest time of discovery in seconds (default {MAX_WAIT_S:g}; it ends when nothing new arrives)",
     )
     parser.add_argument(
         "-s", "--use-sim-time", action="store_true", help="accepted and not used: nothing depends on the time"
@@ -75,7 +75,7 @@ def settled_graph(args: argparse.Namespace) -> Iterator[Graph]:
 
 
 def wait_until_quiet(graph: Graph, most_s: float) -> None:
-    """Wait until the graph has not changed for `QUIET_S`: at least `LEAST_S`, at most `most_s` [s].
+    """Wait until the graph has not changed for `QUIET_S`: at least `MIN_WAIT_S`, at most `most_s` [s].
 
     It waits longer while announced entities are missing: up to `PATIENCE_S`, or up to `LATE_PEERS_S` and with a message
     on stderr where they are of Fast DDS. It also does if this process was scheduled late, up to `LATE_MOST_S`, because
@@ -89,7 +89,7 @@ def wait_until_quiet(graph: Graph, most_s: float) -> None:
         seen, changed, late_s = graph.changes(), start, 0.0
         while True:
             now = time.monotonic()
-            quiet = max(start + LEAST_S, changed + QUIET_S) + min(LATE_WEIGHT * late_s, LATE_MOST_S)
+            quiet = max(start + MIN_WAIT_S, changed + QUIET_S) + min(LATE_WEIGHT * late_s, LATE_MOST_S)
             until = min(quiet, start + most_s)
             if not has_told and now >= start + NOTICE_S and (late := graph.late_count()):
                 has_told = True

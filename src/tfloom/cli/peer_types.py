@@ -18,7 +18,7 @@ DISCOVERY_S = 0.5
 """How long to wait at most for discovery [s]."""
 CALL_S = 2.0
 """How long to wait for the service of a node, and again for its response [s]."""
-MOST_NODES = 3
+MAX_NODES = 3
 """How many nodes are called at most."""
 
 
@@ -61,7 +61,7 @@ def learn(participant: Participant, name: str, kind: str) -> list[str]:
         Why the descriptions of nodes can't be used: empty after success, and where no node uses the type.
     """
     reasons = []
-    for node, hashes in list(_users(participant.graph, name, kind).items())[:MOST_NODES]:
+    for node, hashes in list(_users(participant.graph, name, kind).items())[:MAX_NODES]:
         reason = _learn_from(participant, node, name, hashes)
         if not reason:
             return []

@@ -13,7 +13,7 @@ from tfloom.drop_in import real_ros
 from tfloom.drop_in.errors import LookupException, converted
 from tfloom.tf2.errors import TransformException
 from tfloom.tf2_ros import buffer as tf2_ros_buffer
-from tfloom.tf2_ros.buffer import LEAST_JUMP_BACK, frames_callback, jump_callback
+from tfloom.tf2_ros.buffer import MIN_BACKWARD_JUMP, frames_callback, jump_callback
 from tfloom.tf2_ros.buffer_core import BufferCore, time_ns
 from tfloom.tf2_ros.buffer_interface import NO_WAIT, BufferInterface, convert
 
@@ -78,7 +78,7 @@ class Buffer(tf2_ros_buffer.Buffer):
         self._nodes.add(node)
         clock = node.get_clock()
         if clock not in self._jump_handles:
-            least = real_ros.module("rclpy.duration").Duration(nanoseconds=LEAST_JUMP_BACK.nanoseconds)
+            least = real_ros.module("rclpy.duration").Duration(nanoseconds=MIN_BACKWARD_JUMP.nanoseconds)
             threshold = real_ros.module("rclpy.clock").JumpThreshold(min_forward=None, min_backward=least)
             self._jump_handles[clock] = clock.create_jump_callback(
                 threshold, post_callback=jump_callback(weakref.ref(self), weakref.ref(clock))

@@ -41,7 +41,7 @@ LOG_FORMATS = {"default": STAMPED}
 LINE_FORMAT = "{msg}"
 """Of a process's output, whose prefix is part of the line."""
 
-MOST_FOLDERS = 1000
+MAX_FOLDERS = 1000
 """Attempts to create a log folder with a new name."""
 
 
@@ -269,7 +269,7 @@ def _create_log_dir() -> str:
             f"{error.strerror}: no folder for the logs; set ROS_LOG_DIR to one that can be written"
         )
         raise
-    for _ in range(MOST_FOLDERS):
+    for _ in range(MAX_FOLDERS):
         stamp = datetime.now().astimezone().strftime("%Y-%m-%d-%H-%M-%S-%f")
         folder = root / f"{stamp}-{socket.gethostname()}-{os.getpid()}"
         try:

@@ -31,7 +31,7 @@ TRANSLATING_PROCESSORS = ("x86_64", "aarch64")
 """The processors of Linux on which services pass between libddsc and Fast DDS; see `native/dds/imports.cpp`."""
 
 DEFAULT = "rmw_cyclonedds_cpp"
-LARGEST_DOMAIN_ID = 232
+MAX_DOMAIN_ID = 232
 
 _reported_replacements: set[str] = set()
 
@@ -119,10 +119,10 @@ def domain_id_from_environment() -> int:
 
 
 def _checked(domain_id: int, where: str) -> int:
-    if not 0 <= domain_id <= LARGEST_DOMAIN_ID:
+    if not 0 <= domain_id <= MAX_DOMAIN_ID:
         raise ConfigurationError(_domain_text(where, domain_id))
     return domain_id
 
 
 def _domain_text(where: str, found: object) -> str:
-    return f"{where} must be an integer from 0 to {LARGEST_DOMAIN_ID}, not {found!r}"
+    return f"{where} must be an integer from 0 to {MAX_DOMAIN_ID}, not {found!r}"

@@ -27,7 +27,7 @@ CLIENT_WAIT_S = 0.1
 LATE_CLIENT_WAIT_S = 5.0
 """The longest wait, on a thread of its own, where clients are known to be matched seconds late [s]."""
 
-LEAST_WAITING = 100_000
+MIN_DEPTH = 100_000
 """The least number of requests, or responses, that a reader keeps until they are taken."""
 
 UNANSWERED_S = 30.0
@@ -38,7 +38,7 @@ _ENCAPSULATION_SIZE = 4
 _DATA_START = _ENCAPSULATION_SIZE + _HEADER.size
 _KEY_SIZE = 8
 _GID_PADDING = bytes(8)
-_LEAST_REMEMBERED = 64
+_MIN_REMEMBERED = 64
 
 _RequestKey = tuple[bytes, int]
 """A request, by the gid of its client and its number."""
@@ -101,7 +101,7 @@ def waiting_qos(qos: QoS, *, is_client: bool) -> QoS:
     depth of 10, one is lost when eleven arrive at once. A server with a smaller depth keeps that depth.
     """
     if is_client or qos.depth >= QoS().depth:
-        return qos._replace(depth=max(qos.depth, LEAST_WAITING))
+        return qos._replace(depth=max(qos.depth, MIN_DEPTH))
     return qos
 
 
@@ -321,7 +321,7 @@ class HeaderResponder:
         self._clients = clients
         self._gids: dict[bytes, bytes] = {}
         """The gid of each client's writer, by its key in the header."""
-        self._forget_at = _LEAST_REMEMBERED
+        self._forget_at = _MIN_REMEMBERED
         """Number of them at which the clients that have left are forgotten."""
         self._closed = False
         self._refusal = ""
@@ -343,7 +343,7 @@ class HeaderResponder:
         if key not in self._gids and len(self._gids) >= self._forget_at:
             present = self._clients.connected()
             self._gids = {each: gid for each, gid in self._gids.items() if gid in present}
-            self._forget_at = max(_LEAST_REMEMBERED, 2 * len(self._gids))
+            self._forget_at = max(_MIN_REMEMBERED, 2 * len(self._gids))
         self._gids[key] = publisher_gid
 
     def send(self, request_id: RequestId, data: bytes) -> None:

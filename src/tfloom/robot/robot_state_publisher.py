@@ -37,8 +37,8 @@ from tfloom.rosidl import cdr
 __all__ = ["RobotStatePublisher", "StartError", "main"]
 
 DESCRIPTION = "Publish the frames of the robot that the parameter robot_description describes, in URDF."
-MOST_HZ = 1000.0
-LONGEST_MS = 2**62 // 1_000_000
+MAX_RATE_HZ = 1000.0
+MAX_PERIOD_MS = 2**62 // 1_000_000
 """The longest period [ms]: a stamp and such a period add up to less than 2^63 ns."""
 INVALID = "Unable to initialize urdf::model from robot description"
 BY_FILE = (
@@ -71,7 +71,7 @@ class RobotStatePublisher(Node):
         listen_to_parameter_events(self)
         text = str(self.declare_parameter("robot_description", "").value) or self._from_file(files or [])
         frequency = float(self.declare_parameter("publish_frequency", 20.0).value)
-        if not 0.0 <= frequency <= MOST_HZ:
+        if not 0.0 <= frequency <= MAX_RATE_HZ:
             self._stop("publish_frequency must be between 0 and 1000")
         self.declare_parameter("ignore_timestamp", False)
         self.declare_parameter("frame_prefix", "")
@@ -136,7 +136,7 @@ class RobotStatePublisher(Node):
         return SetParametersResult(successful=True)
 
     def _fault(self, parameter: Parameter) -> str:
-        if parameter.name == "publish_frequency" and not 0.0 <= parameter.value <= MOST_HZ:
+        if parameter.name == "publish_frequency" and not 0.0 <= parameter.value <= MAX_RATE_HZ:
             return "publish_frequency must be between 0.0 and 1000.0"
         if parameter.name != "robot_description":
             return ""
@@ -165,7 +165,7 @@ class RobotStatePublisher(Node):
             for name in ("robot_description", "frame_prefix", "publish_frequency", "ignore_timestamp")
         )
         # Whole milliseconds, as in the reference.
-        interval_ns = int(min(1000.0 / frequency, LONGEST_MS)) * 1_000_000 if frequency else 0
+        interval_ns = int(min(1000.0 / frequency, MAX_PERIOD_MS)) * 1_000_000 if frequency else 0
         self._transforms = RobotTransforms(self._parse(text), prefix)
         self._sink = self._transforms.states.sink(
             None if ignores else interval_ns,

@@ -13,7 +13,7 @@ __all__ = ["Element", "read_xml"]
 
 LARGEST = 64 * 1024 * 1024
 """Length of the longest text that is read [characters or octets]."""
-DEEPEST = 200
+MAX_DEPTH = 200
 """Levels of elements in elements."""
 
 
@@ -61,8 +61,8 @@ class _Builder:
 
     def _start(self, tag: str, attributes: dict[str, str]) -> None:
         element = Element(tag, attributes, self.parser.CurrentLineNumber)
-        if len(self._open) >= DEEPEST:
-            raise UrdfError(element.line, f"more than {DEEPEST} elements are nested")
+        if len(self._open) >= MAX_DEPTH:
+            raise UrdfError(element.line, f"more than {MAX_DEPTH} elements are nested")
         if self._open:
             self._open[-1].children.append(element)
         else:

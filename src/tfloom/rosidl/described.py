@@ -26,12 +26,12 @@ from tfloom.rosidl.type_hash import (
 
 __all__ = ["ANNOUNCED", "DescriptionError", "check_size", "define_described", "definition_text", "hash_of"]
 
-MOST_TYPES = 500
-MOST_FIELDS = 10_000
+MAX_TYPES = 500
+MAX_FIELDS = 10_000
 """Of all types together."""
-MOST_DEPTH = 50
+MAX_DEPTH = 50
 """How deep messages may be nested."""
-MOST_VALUES = 1_000_000
+MAX_VALUES = 1_000_000
 """How many values a new message may hold: the elements of its arrays count, those of sequences do not."""
 
 PARTS = {
@@ -167,8 +167,8 @@ def _table(description: TypeDescription) -> dict[str, dict[str, spec.Type]]:
         DescriptionError: there are too many, or a name is there twice.
     """
     individuals = [description.type_description, *description.referenced_type_descriptions]
-    if len(individuals) > MOST_TYPES:
-        raise DescriptionError(f"a description of {len(individuals)} types, more than {MOST_TYPES}")
+    if len(individuals) > MAX_TYPES:
+        raise DescriptionError(f"a description of {len(individuals)} types, more than {MAX_TYPES}")
     types: dict[str, dict[str, spec.Type]] = {}
     count = 0
     for each in individuals:
@@ -176,8 +176,8 @@ def _table(description: TypeDescription) -> dict[str, dict[str, spec.Type]]:
         count += len(fields)
         if each.type_name in types:
             raise DescriptionError(f"{each.type_name} is described twice")
-        if count > MOST_FIELDS:
-            raise DescriptionError(f"a description of more than {MOST_FIELDS} fields")
+        if count > MAX_FIELDS:
+            raise DescriptionError(f"a description of more than {MAX_FIELDS} fields")
         types[each.type_name] = fields
     return types
 
@@ -203,9 +203,9 @@ def check_size(name: str, types: Mapping[str, Mapping[str, spec.Type]]) -> None:
     values: dict[str, int] = {}
 
     def visit(name: str, depth: int) -> int:
-        if depth > MOST_DEPTH:
+        if depth > MAX_DEPTH:
             raise DescriptionError(
-                f"messages are nested in {name} more than {MOST_DEPTH} deep, or in themselves"
+                f"messages are nested in {name} more than {MAX_DEPTH} deep, or in themselves"
             )
         if name not in types:
             raise DescriptionError(f"the description of {name} is missing")
@@ -214,8 +214,8 @@ def check_size(name: str, types: Mapping[str, Mapping[str, spec.Type]]) -> None:
             for type_ in types[name].values():
                 each = 1 if type_.is_primitive else visit(type_.base, depth + 1)
                 total += {"": each, "array": each * type_.length}.get(type_.shape, 0)
-            if total > MOST_VALUES:
-                raise DescriptionError(f"a new {name} would hold more than {MOST_VALUES} values")
+            if total > MAX_VALUES:
+                raise DescriptionError(f"a new {name} would hold more than {MAX_VALUES} values")
             values[name] = total
         return values[name]
 

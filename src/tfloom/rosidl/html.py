@@ -8,10 +8,10 @@ from typing import Any
 
 __all__ = ["message_html"]
 
-MOST_SHOWN = 10
+MAX_MESSAGES = 10
 """How many messages of a sequence are shown."""
-MOST_NUMBERS = 20
-MOST_LETTERS = 500
+MAX_NUMBERS = 20
+MAX_CHARACTERS = 500
 
 
 def message_html(message: Any) -> str:
@@ -32,8 +32,8 @@ def _value(value: Any, kind: str) -> str:
     if hasattr(value, "_FIELDS"):
         return _folded(kind, _table(value), is_open=len(value._FIELDS) <= 4)
     if isinstance(value, str):
-        shown = value[:MOST_LETTERS]
-        return escape(shown) + ("…" if len(value) > MOST_LETTERS else "")
+        shown = value[:MAX_CHARACTERS]
+        return escape(shown) + ("…" if len(value) > MAX_CHARACTERS else "")
     if isinstance(value, Sequence) or hasattr(value, "tolist"):
         return _sequence(value, kind)
     return escape(str(value))
@@ -42,15 +42,15 @@ def _value(value: Any, kind: str) -> str:
 def _sequence(values: Any, kind: str) -> str:
     count = len(values)
     if count and hasattr(values[0], "_FIELDS"):
-        shown = "".join(_table(each) for each in values[:MOST_SHOWN])
-        rest = f"{count - MOST_SHOWN} more" if count > MOST_SHOWN else ""
+        shown = "".join(_table(each) for each in values[:MAX_MESSAGES])
+        rest = f"{count - MAX_MESSAGES} more" if count > MAX_MESSAGES else ""
         return _folded(f"{kind}: {count}", shown + rest, is_open=count <= 1)
-    shown = ", ".join(_number(each) for each in list(values[:MOST_NUMBERS]))
-    return f"{count}: [{shown}{', …' if count > MOST_NUMBERS else ''}]"
+    shown = ", ".join(_number(each) for each in list(values[:MAX_NUMBERS]))
+    return f"{count}: [{shown}{', …' if count > MAX_NUMBERS else ''}]"
 
 
 def _number(value: Any) -> str:
-    return escape(str(value.item() if hasattr(value, "item") else value)[:MOST_LETTERS])
+    return escape(str(value.item() if hasattr(value, "item") else value)[:MAX_CHARACTERS])
 
 
 def _folded(title: str, content: str, *, is_open: bool) -> str:

@@ -33,7 +33,7 @@ from tfloom.rosidl.idl_tokens import Token
 from tfloom.rosidl.idl_types import TypeReader
 from tfloom.rosidl.parse import read_text
 
-_MOST_MODULES = 20
+_MAX_MODULES = 20
 _PARTS = {1: ("",), 2: ("_Request", "_Response"), 3: ("_Goal", "_Result", "_Feedback")}
 """The suffixes of a file's structs, by their number."""
 
@@ -159,8 +159,8 @@ class _Parser:
 
     def _module(self) -> None:
         name = self.reader.name("the module's name")
-        if len(self.modules) == _MOST_MODULES:
-            raise self.reader.fail(f"modules are nested more than {_MOST_MODULES} deep", name)
+        if len(self.modules) == _MAX_MODULES:
+            raise self.reader.fail(f"modules are nested more than {_MAX_MODULES} deep", name)
         self.reader.demand("{", "after the module's name")
         self.modules.append(name.text)
         while not self.reader.skip("}"):

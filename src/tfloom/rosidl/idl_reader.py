@@ -10,7 +10,7 @@ from tfloom.rosidl.idl_tokens import Token, tokens
 from tfloom.rosidl.idl_values import LEVELS, IdlValue, apply_sign, combine, parse_integer, parse_string
 from tfloom.rosidl.parse import ParseError
 
-_MOST_NESTED = 50
+_MAX_NESTING = 50
 """How many parentheses and signs may be nested in one another."""
 
 
@@ -128,8 +128,8 @@ class Reader:
 
     def _unary(self, depth: int, take_name: Callable[[list[str]], IdlValue] | None) -> IdlValue:
         token = self.next
-        if depth > _MOST_NESTED:
-            raise self.fail(f"an expression is nested more than {_MOST_NESTED} deep")
+        if depth > _MAX_NESTING:
+            raise self.fail(f"an expression is nested more than {_MAX_NESTING} deep")
         if self.skip("-", "+", "~"):
             operand = self._unary(depth + 1, take_name)
             return self._calculate(token, partial(apply_sign, token.text, operand))

@@ -10,7 +10,7 @@ IdlValue: TypeAlias = bool | int | float | str
 
 LEVELS: tuple[tuple[str, ...], ...] = (("|",), ("^",), ("&",), ("<<", ">>"), ("+", "-"), ("*", "/", "%"))
 """The operators between two operands, from those that bind least to those that bind most."""
-_MOST_SHIFTED = 63
+_MAX_SHIFT = 63
 _RANGE = range(-(2**63), 2**64)
 
 _ESCAPE = re.compile(r"\\(?:x([0-9a-fA-F]{1,2})|([0-7]{1,3})|u([0-9a-fA-F]{1,4})|(.))")
@@ -84,8 +84,8 @@ def combine(operator: str, left: IdlValue, right: IdlValue) -> IdlValue:
     if operator in {"/", "%"} and right == 0:
         raise ValueError("a division by zero")
     if isinstance(left, int) and isinstance(right, int):
-        if operator in {"<<", ">>"} and not 0 <= right <= _MOST_SHIFTED:
-            raise ValueError(f"a shift is by 0 to {_MOST_SHIFTED} bits, not by {right}")
+        if operator in {"<<", ">>"} and not 0 <= right <= _MAX_SHIFT:
+            raise ValueError(f"a shift is by 0 to {_MAX_SHIFT} bits, not by {right}")
         if operator in _INTEGERS:
             return _bounded(_INTEGERS[operator](left, right))
         return _bounded(int(_NUMBERS[operator](left, right)))

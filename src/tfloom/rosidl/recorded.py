@@ -26,7 +26,7 @@ _Types = dict[str, dict[str, spec.Type]]
 KINDS = {"MSG": "msg", "SRV": "srv", "ACTION": "action", "IDL": "msg"}
 SUFFIXES = {"ros2msg": "msg", "ros2idl": "idl"}
 LINE = re.compile(r"^={10,}\n(MSG|SRV|ACTION|IDL): (\S+)[^\n]*\n", re.MULTILINE)
-MOST_TEXT = 10_000_000
+MAX_TEXT_SIZE = 10_000_000
 """Of all definitions of a type [characters]."""
 
 
@@ -86,8 +86,8 @@ def _split(name: str, encoding: str, text: str) -> dict[str, Source]:
     Raises:
         ParseError: one is no definition.
     """
-    if len(text) > MOST_TEXT:
-        raise DescriptionError(f"it is longer than {MOST_TEXT} characters")
+    if len(text) > MAX_TEXT_SIZE:
+        raise DescriptionError(f"it is longer than {MAX_TEXT_SIZE} characters")
     pieces = LINE.split(text.replace("\r\n", "\n"))
     found = {} if not pieces[0].strip() else {definition_name(name): pieces[0]}
     for kind, each, piece in zip(pieces[1::3], pieces[2::3], pieces[3::3], strict=True):

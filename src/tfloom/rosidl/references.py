@@ -8,7 +8,7 @@ from tfloom.distributions import INTERFACES
 from tfloom.rosidl import sources, spec
 from tfloom.rosidl.parse import ParseError
 
-MOST_NESTED = 100
+MAX_NESTING = 100
 """How many messages may be nested in one another."""
 
 
@@ -38,7 +38,7 @@ def check_references(interface: spec.Interface, definitions: Definitions = sourc
 
     Raises:
         UnknownMessageError: one is unknown; the text names the file and line of the field, as of the next.
-        ParseError: one contains itself, is nested more than `MOST_NESTED` deep, or can't be parsed.
+        ParseError: one contains itself, is nested more than `MAX_NESTING` deep, or can't be parsed.
     """
     known = {message.name: message for message in spec.messages_of(interface)}
     sound: set[str] = set()
@@ -52,8 +52,8 @@ def check_references(interface: spec.Interface, definitions: Definitions = sourc
             if name in chain:
                 circle = " -> ".join((*chain[chain.index(name) :], name))
                 raise _at(definitions, message, field, f"a message contains itself: {circle}")
-            if len(chain) > MOST_NESTED:
-                raise _at(definitions, message, field, f"messages are nested more than {MOST_NESTED} deep")
+            if len(chain) > MAX_NESTING:
+                raise _at(definitions, message, field, f"messages are nested more than {MAX_NESTING} deep")
             try:
                 nested = known.get(name) or definitions.find_message(name)
             except LookupError as error:

@@ -14,9 +14,9 @@ import yaml
 
 __all__ = ["YamlError", "YamlLimitError", "compose", "load", "load_placed"]
 
-MOST_COPIED = 1_000_000
+MAX_EXPANDED_SIZE = 1_000_000
 """Values and characters that all aliases of a text may stand for."""
-DEEPEST = 100
+MAX_DEPTH = 100
 """Levels of collections in collections, aliases expanded."""
 
 
@@ -83,8 +83,8 @@ class _Loader(yaml.SafeLoader):
         return node
 
     def _enter(self, levels: int, mark: Any) -> None:
-        if self._level + levels > DEEPEST:
-            raise YamlLimitError(f"it is nested deeper than {DEEPEST} levels", mark)
+        if self._level + levels > MAX_DEPTH:
+            raise YamlLimitError(f"it is nested deeper than {MAX_DEPTH} levels", mark)
 
     def _count_alias(self, anchor: Any, mark: Any) -> None:
         if anchor not in self._measured:
@@ -94,8 +94,10 @@ class _Loader(yaml.SafeLoader):
         self._deepest = max(self._deepest, self._level + levels)
         self._total += size
         self._copied += size
-        if self._copied > MOST_COPIED:
-            raise YamlLimitError(f"its aliases stand for more than {MOST_COPIED} values and characters", mark)
+        if self._copied > MAX_EXPANDED_SIZE:
+            raise YamlLimitError(
+                f"its aliases stand for more than {MAX_EXPANDED_SIZE} values and characters", mark
+            )
 
     def construct_object(self, node: Any, deep: bool = False) -> Any:
         """Return the value of a node.

@@ -22,7 +22,7 @@ AnyNode = TypeVar("AnyNode", bound=Node)
 
 __tracebackhide__ = True  # pytest shows a failure where the test waits
 
-LONGEST_NAP_S = 0.02
+MAX_NAP_S = 0.02
 """How often a condition is checked that another thread may fulfil [s]."""
 DEPTH = 1000
 """Messages that may wait for the test's own callbacks."""
@@ -34,7 +34,7 @@ BEST_OFFERED = QoSProfile(
 LEAST = QoSProfile(
     depth=DEPTH, reliability=ReliabilityPolicy.BEST_EFFORT, durability=DurabilityPolicy.VOLATILE
 )
-MOST_CALLBACKS = 100_000
+MAX_CALLBACKS = 100_000
 """Callbacks that may follow one another without a pause before the graph counts as one that never rests."""
 
 
@@ -121,7 +121,7 @@ class RosGraph:
             left_s = end - time.monotonic()
             if left_s <= 0 or not self.context.ok():
                 return False
-            self.executor.spin_once(timeout_sec=min(left_s, LONGEST_NAP_S))
+            self.executor.spin_once(timeout_sec=min(left_s, MAX_NAP_S))
         return True
 
     def spin_until_idle(self) -> None:
@@ -133,7 +133,7 @@ class RosGraph:
             NotSeenError: callbacks cause one another without end.
             Exception: raised by a callback.
         """
-        for _ in range(MOST_CALLBACKS):
+        for _ in range(MAX_CALLBACKS):
             try:
                 task, _entity, _node = self.executor.wait_for_ready_callbacks(timeout_sec=0.0)
             except TimeoutException:
@@ -142,7 +142,7 @@ class RosGraph:
             if task.done() and (error := task.exception()) is not None:
                 raise error
         raise NotSeenError(
-            f"callbacks have caused one another {MOST_CALLBACKS} times without a pause: use spin_until with a condition"
+            f"callbacks have caused one another {MAX_CALLBACKS} times without a pause: use spin_until with a condition"
         )
 
     def collect(

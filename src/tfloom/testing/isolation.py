@@ -17,7 +17,7 @@ from typing import Any
 
 from tfloom.node.context.context import live_contexts
 from tfloom.node.context.defaults import current_defaults
-from tfloom.rmw.backends import LARGEST_DOMAIN_ID
+from tfloom.rmw.backends import MAX_DOMAIN_ID
 from tfloom.testing.domains import hold_domain
 
 __all__ = ["WIRES", "isolated"]
@@ -47,9 +47,7 @@ def isolated(wire: str, log_folder: Path) -> Iterator[int]:
         stack.enter_context(_restored_signal_handlers())
         # On the wire in the process a new number for each test is enough, because no other process is on it.
         domain = (
-            next(_local_numbers) % LARGEST_DOMAIN_ID
-            if wire == "local"
-            else stack.enter_context(hold_domain())
+            next(_local_numbers) % MAX_DOMAIN_ID if wire == "local" else stack.enter_context(hold_domain())
         )
         stack.enter_context(
             _environment(

@@ -17,7 +17,7 @@ __all__ = ["SimulatedTime"]
 
 SECOND = 1_000_000_000
 START_S = 100.0
-LONGEST_WAIT_S = 5.0
+MAX_WAIT_S = 5.0
 
 
 class SimulatedTime:
@@ -79,7 +79,7 @@ class SimulatedTime:
 
     def _show(self) -> None:
         self._publisher.publish(Clock(clock=self.now.to_msg()))
-        self._graph.spin_until(self._is_shown, LONGEST_WAIT_S, f"all nodes' clocks to show {self.now_s:g} s")
+        self._graph.spin_until(self._is_shown, MAX_WAIT_S, f"all nodes' clocks to show {self.now_s:g} s")
         self._graph.spin_until_idle()
 
     def _is_shown(self) -> bool:

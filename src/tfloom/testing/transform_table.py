@@ -36,7 +36,7 @@ DEGREES = tuple(f"{name}_deg" for name in ANGLES)
 KNOWN = {*FRAMES, "stamp", *POSITION, *ANGLES, *DEGREES, *QUATERNION}
 STATIC = "static"
 SECOND = 1_000_000_000
-LEAST_CACHE_NS = 10 * SECOND
+MIN_CACHE_NS = 10 * SECOND
 
 
 class TableError(ValueError):
@@ -173,7 +173,7 @@ def buffer_of(text: str) -> Buffer:
     rows = read_table(text)
     stamps = [row.stamp_ns for row in rows if row.stamp_ns is not None]
     span_ns = max(stamps) - min(stamps) if stamps else 0
-    buffer = Buffer(Duration(nanoseconds=max(LEAST_CACHE_NS, span_ns + SECOND)))
+    buffer = Buffer(Duration(nanoseconds=max(MIN_CACHE_NS, span_ns + SECOND)))
     for message in messages_of(rows, static=True):
         buffer.set_transform_static(message, "table")
     for message in messages_of(rows, static=False):

@@ -13,9 +13,9 @@ if TYPE_CHECKING:
 
 __all__ = ["edge_html", "trajectory_html", "tree_html"]
 
-MOST_FRAMES = 1000
+MAX_FRAMES = 1000
 """How many frames of a tree are shown."""
-MOST_POINTS = 500
+MAX_POINTS = 500
 """How many points of a trajectory are drawn."""
 SIZE = 240
 """Of the drawing of a trajectory [pixels]."""
@@ -40,7 +40,7 @@ def tree_html(buffer: Buffer) -> str:
         if is_text:
             lines.append(name)
             continue
-        if name in shown or len(shown) >= MOST_FRAMES:
+        if name in shown or len(shown) >= MAX_FRAMES:
             continue
         shown.add(name)
         about = f' <span style="opacity:.7">{_history(edges[name])}</span>' if name in edges else ""
@@ -117,7 +117,7 @@ def _drawing(points: NDArray[np.float64]) -> str:
     points = points[np.isfinite(points).all(axis=1)]
     if len(points) < 2:
         return ""
-    points = points[np.unique(np.linspace(0, len(points) - 1, MOST_POINTS).astype(int))]
+    points = points[np.unique(np.linspace(0, len(points) - 1, MAX_POINTS).astype(int))]
     least, greatest = points.min(axis=0), points.max(axis=0)
     extent = float((greatest - least).max()) or 1.0
     shown = (points - (least + greatest) / 2) / extent * (SIZE - 20) * (1, -1) + SIZE / 2

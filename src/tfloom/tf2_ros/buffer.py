@@ -28,8 +28,8 @@ if TYPE_CHECKING:
 
 __all__ = ["Buffer"]
 
-LEAST_JUMP_BACK = Duration(seconds=-1)
-LONGEST_MARGIN_NS = 1_000_000_000
+MIN_BACKWARD_JUMP = Duration(seconds=-1)
+MAX_MARGIN_NS = 1_000_000_000
 SLICE_S = 0.25
 """Period at which a wait checks whether its context was shut down [s]."""
 
@@ -61,7 +61,7 @@ class Buffer(BufferCore, BufferInterface):
         self._context = node.context
         clock = node.get_clock()
         if clock not in self._jump_handles:
-            threshold = JumpThreshold(min_forward=None, min_backward=LEAST_JUMP_BACK, on_clock_change=True)
+            threshold = JumpThreshold(min_forward=None, min_backward=MIN_BACKWARD_JUMP, on_clock_change=True)
             self._jump_handles[clock] = clock.create_jump_callback(
                 threshold, post_callback=jump_callback(weakref.ref(self), weakref.ref(clock))
             )
@@ -73,7 +73,7 @@ class Buffer(BufferCore, BufferInterface):
 
     def _ignore_stragglers(self, jump_ns: int, now_ns: int) -> None:
         """For a short time, ignore transforms sent before the jump, which have stamps near the old time."""
-        margin_ns = min(-jump_ns // 2, LONGEST_MARGIN_NS)
+        margin_ns = min(-jump_ns // 2, MAX_MARGIN_NS)
         self.ignore_from(now_ns - jump_ns - margin_ns, margin_ns / 1e9)
 
     def lookup_transform(

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 __all__ = ["BufferClient"]
 
-LONGEST_S = 2**31 - 1
+MAX_DURATION_S = 2**31 - 1
 """The longest duration that a message can hold [s], 68 years; rclpy's Infinite is longer."""
 PADDING = Duration(seconds=2.0)
 WRONG = "Something is likely wrong with the server."
@@ -233,5 +233,5 @@ def _time_message(time: Any) -> TimeMessage:
 
 
 def _duration_message(duration: Any) -> DurationMessage:
-    sec, nanosec = divmod(min(duration_ns(duration), LONGEST_S * S_TO_NS), S_TO_NS)
+    sec, nanosec = divmod(min(duration_ns(duration), MAX_DURATION_S * S_TO_NS), S_TO_NS)
     return DurationMessage(sec=sec, nanosec=nanosec)

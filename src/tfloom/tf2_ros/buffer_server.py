@@ -39,7 +39,7 @@ CODES: dict[type[TransformException], int] = {
 """The error code of each exception in a result; the kinds of ExtrapolationException share one."""
 RESULT_TIMEOUT_S = 10.0
 """Time for which a result is kept for a client that requests it late [s]."""
-MOST_SECONDS = 2**31 - 1
+MAX_SECONDS = 2**31 - 1
 """The largest number of seconds in a stamp."""
 
 
@@ -126,7 +126,7 @@ class _Query:
             transform = self._look_up()
         except TransformException as error:
             return _failure(error)
-        if transform.header.stamp.sec > MOST_SECONDS:  # a goal's nanoseconds may add some seconds
+        if transform.header.stamp.sec > MAX_SECONDS:  # a goal's nanoseconds may add some seconds
             return _failure(TransformException("the requested time is later than a stamp can hold"))
         return LookupTransform_Result(transform=transform)
 

@@ -11,7 +11,7 @@ from itertools import count
 
 __all__ = ["Deadline", "call_after"]
 
-MOST_CANCELLED = 1000
+MAX_CANCELLED = 1000
 """Most cancelled calls in the heap before it is rebuilt."""
 
 _waiting: list[tuple[float, int]] = []
@@ -31,7 +31,7 @@ class Deadline:
         """Cancel the call, unless it has begun."""
         with _changed:
             _functions.pop(self._number, None)
-            if len(_waiting) > 2 * len(_functions) + MOST_CANCELLED:
+            if len(_waiting) > 2 * len(_functions) + MAX_CANCELLED:
                 _waiting[:] = [entry for entry in _waiting if entry[1] in _functions]
                 heapq.heapify(_waiting)
 

@@ -19,7 +19,7 @@ DESCRIPTION = (
 )
 ACTION = "tf2_buffer_server"
 DEFAULT_SIZE_S = 120.0
-LONGEST_S = 9e9
+MAX_DURATION_S = 9e9
 """The longest time that fits into 64 bits of nanoseconds, about [s]."""
 
 
@@ -35,8 +35,8 @@ class TfBuffer(Node):
     def __init__(self) -> None:
         super().__init__("tf_buffer")
         size_s = float(self.declare_parameter("buffer_size", DEFAULT_SIZE_S).value)
-        if not (math.isfinite(size_s) and 0.0 <= size_s <= LONGEST_S):
-            reason = f"must be a number of seconds from 0 to {LONGEST_S:g}"
+        if not (math.isfinite(size_s) and 0.0 <= size_s <= MAX_DURATION_S):
+            reason = f"must be a number of seconds from 0 to {MAX_DURATION_S:g}"
             raise InvalidParameterValueException("buffer_size", size_s, reason)
         self.buffer = Buffer(Duration(seconds=size_s))
         self.listener = TransformListener(self.buffer, self)

@@ -30,9 +30,9 @@ AUTHORITY = "<no authority available>"
 ROUNDS = 21
 ROUND_S = 0.5
 """Results are printed after this many rounds of this length [s]."""
-MOST_SAMPLES = 1000
+MAX_SAMPLES = 1000
 LOW_PASS = 0.01
-LEAST_SPAN_S = 1e-8
+MIN_SPAN_S = 1e-8
 """The least time over which a rate is computed [s]."""
 DEPTH = 100
 
@@ -41,7 +41,7 @@ class Delays:
     """The last thousand delays of a frame or publisher [s]."""
 
     def __init__(self) -> None:
-        self._samples: deque[float] = deque(maxlen=MOST_SAMPLES)
+        self._samples: deque[float] = deque(maxlen=MAX_SAMPLES)
 
     def add(self, delay_s: float) -> None:
         """Add a delay."""
@@ -79,7 +79,7 @@ class Statistics:
     def __init__(self) -> None:
         self._frames: dict[str, Delays] = {}
         self._all = Delays()
-        self._arrivals_s: deque[float] = deque(maxlen=MOST_SAMPLES)
+        self._arrivals_s: deque[float] = deque(maxlen=MAX_SAMPLES)
 
     def add(self, stamps_s: Iterable[tuple[str, float]], now_s: float) -> None:
         """Add a message: child frame and stamp of each of its transforms, and its time of arrival [s since epoch]."""
@@ -100,7 +100,7 @@ class Statistics:
         ]
         lines += ["", "All Broadcasters:"]
         if self._arrivals_s:
-            span_s = max(LEAST_SPAN_S, self._arrivals_s[-1] - self._arrivals_s[0])
+            span_s = max(MIN_SPAN_S, self._arrivals_s[-1] - self._arrivals_s[0])
             lines.append(
                 f"Node: {AUTHORITY} {len(self._arrivals_s) / span_s:g} Hz, Average Delay: {self._all.average_s:g} "
                 f"Max Delay: {self._all.greatest_s:g}"

@@ -31,7 +31,7 @@ COPY_NAME = "frames.pdf"
 FORMATS = ("gv", "html", "json", "pdf", "png", "svg")
 """Endings of the files that `--format` names."""
 DEFAULT_FORMATS = ("gv", "pdf")
-LONGEST_WAIT_S = 1e9
+MAX_WAIT_S = 1e9
 """Longer ones, also an infinite one, are reduced to this, which 64 bits of nanoseconds hold [s]."""
 
 
@@ -68,7 +68,7 @@ def parse_arguments(words: list[str]) -> argparse.Namespace:
     options.formats = list(dict.fromkeys(chain(*options.formats))) if options.formats else None
     if not options.wait_time >= 0.0:
         parser.error("argument -t/--wait-time: must not be negative")
-    options.wait_time = min(options.wait_time, LONGEST_WAIT_S)
+    options.wait_time = min(options.wait_time, MAX_WAIT_S)
     if options.output and not Path(options.output).parent.is_dir():
         parser.error(f"argument -o/--output: there is no folder {Path(options.output).parent}")
     return options

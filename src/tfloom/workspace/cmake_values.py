@@ -15,7 +15,7 @@ _REFERENCE = re.compile(r"\$(ENV)?\{([A-Za-z0-9_./+-]*)\}|\\(.)", re.DOTALL)
 _ESCAPES = {"n": "\n", "t": "\t", "r": "\r"}
 _FALSE = {"", "0", "OFF", "NO", "FALSE", "N", "IGNORE", "NOTFOUND"}
 _TRUE = {"1", "ON", "YES", "TRUE", "Y"}
-_MOST_NESTED = 20
+_MAX_NESTING = 20
 """How deep `${${NAME}}` may be nested."""
 
 
@@ -107,7 +107,7 @@ def expand_text(text: str, variables: Variables) -> str:
         return variables.read(match[2])
 
     variables.count(len(text))
-    for _ in range(_MOST_NESTED):
+    for _ in range(_MAX_NESTING):
         inner = re.sub(
             r"\$\{([^{}]*\$\{[A-Za-z0-9_./+-]*\}[^{}]*)\}", lambda m: _inner(m[0], variables), text
         )

@@ -18,7 +18,7 @@ from PIL import Image
 from tfloom.tf2_tools.drawing import fonts
 from tfloom.tf2_tools.drawing.fonts import Font, elided, missing_letters, printable
 from tfloom.tf2_tools.drawing.pdf import pdf_bytes
-from tfloom.tf2_tools.drawing.png import MOST_PIXELS, png_bytes
+from tfloom.tf2_tools.drawing.png import MAX_PIXELS, png_bytes
 from tfloom.tf2_tools.drawing.shapes import Box, Curve, Group, Path, Pen, Picture, Text
 from tfloom.tf2_tools.drawing.svg import svg_text
 
@@ -59,7 +59,7 @@ def test_curves_begin_and_end_at_their_points() -> None:
 
 def test_a_huge_picture_has_fewer_pixels() -> None:
     image = Image.open(io.BytesIO(png_bytes(Picture(20_000.0, 8_000.0, [], "huge"))))
-    assert math.prod(image.size) <= MOST_PIXELS * 1.01
+    assert math.prod(image.size) <= MAX_PIXELS * 1.01
 
 
 def test_svg_escapes_what_xml_does_not_allow() -> None:

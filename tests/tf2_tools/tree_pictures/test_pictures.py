@@ -14,7 +14,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PIL import Image
 from pypdfium2 import PdfDocument
-from tests.tf2_tools.kept_pictures import MOST_IN_A_BLOCK, WRITES, assert_looks_as_kept, grey, worst_block
+from tests.tf2_tools.kept_pictures import (
+    MAX_BLOCK_DIFFERENCE,
+    WRITES,
+    assert_looks_as_kept,
+    grey,
+    worst_block,
+)
 from tests.tf2_tools.tree_pictures import trees
 
 from tfloom.tf2_tools.drawing.fonts import missing_letters
@@ -53,7 +59,7 @@ def test_the_comparison_notices_a_box_instead_of_a_letter() -> None:
         each.child: tree.edges[old.child].publishers for each, old in zip(renamed, edges, strict=True)
     }
     drawn = grey(png_bytes(draw_page(build_tree(renamed, tree.recorded_at_s, publishers))))
-    assert drawn.size != kept.size or worst_block(drawn, kept) >= MOST_IN_A_BLOCK
+    assert drawn.size != kept.size or worst_block(drawn, kept) >= MAX_BLOCK_DIFFERENCE
 
 
 @pytest.mark.parametrize(("name", "page", "of_pages"), [("scripts", 1, 1), ("100_frames", 2, 2)])

@@ -9,9 +9,9 @@ from tfloom.interfaces.geometry_msgs.msg import TransformStamped
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.rosidl import cdr
 
-MOST_PUBLISHERS = 4096
-MOST_EDGES = 65536
-MOST_NAME = 1024
+MAX_PUBLISHERS = 4096
+MAX_EDGES = 65536
+MAX_NAME_SIZE = 1024
 
 
 def message(children: list[str], parent: str = "base") -> bytes:
@@ -29,16 +29,16 @@ def gid(number: int) -> bytes:
 
 def test_edges_have_a_limit() -> None:
     observer = TfObserver()
-    for first in range(0, MOST_EDGES + 1000, 1000):
+    for first in range(0, MAX_EDGES + 1000, 1000):
         observer.record(message([f"frame_{number}" for number in range(first, first + 1000)]), gid(1), 1)
     snapshot = observer.snapshot()
-    assert len(snapshot.edges) == MOST_EDGES
+    assert len(snapshot.edges) == MAX_EDGES
     assert len(snapshot.edges) + snapshot.unrecorded == snapshot.publishers[0].transforms
 
 
 def test_known_edges_are_counted_beyond_the_limit() -> None:
     observer = TfObserver()
-    for first in range(0, 2 * MOST_EDGES + 1000, 1000):
+    for first in range(0, 2 * MAX_EDGES + 1000, 1000):
         observer.record(message([f"frame_{number}" for number in range(first, first + 1000)]), gid(1), 1)
     observer.record(message(["frame_0", "another"]), gid(1), 2)
     snapshot = observer.snapshot()
@@ -50,24 +50,24 @@ def test_publishers_that_have_left_make_room() -> None:
     observer = TfObserver()
     sink = observer.sink(False)
     data = message(["laser"])
-    for number in range(MOST_PUBLISHERS):
+    for number in range(MAX_PUBLISHERS):
         sink.push(data, 0, 1, gid(number))
-    sink.push(data, 0, 1, gid(MOST_PUBLISHERS))
+    sink.push(data, 0, 1, gid(MAX_PUBLISHERS))
     assert observer.snapshot().unrecorded == 1
     for number in range(10, 20):
         sink.forget(gid(number))
-    sink.push(data, 0, 1, gid(MOST_PUBLISHERS))
+    sink.push(data, 0, 1, gid(MAX_PUBLISHERS))
     snapshot = observer.snapshot()
-    left = {gid(number) for number in range(MOST_PUBLISHERS + 1)} - {gid(number) for number in range(10, 20)}
+    left = {gid(number) for number in range(MAX_PUBLISHERS + 1)} - {gid(number) for number in range(10, 20)}
     assert {each.gid for each in snapshot.publishers} == {each.gid for each in snapshot.edges} == left
-    assert [each.statistics.count for each in snapshot.edges if each.gid == gid(MOST_PUBLISHERS)] == [1]
+    assert [each.statistics.count for each in snapshot.edges if each.gid == gid(MAX_PUBLISHERS)] == [1]
 
 
 def test_long_names_are_not_recorded() -> None:
     observer = TfObserver()
-    assert observer.record(message(["x" * MOST_NAME, "x" * (MOST_NAME + 1)]), gid(1), 1)
+    assert observer.record(message(["x" * MAX_NAME_SIZE, "x" * (MAX_NAME_SIZE + 1)]), gid(1), 1)
     snapshot = observer.snapshot()
-    assert ([len(edge.child) for edge in snapshot.edges], snapshot.unrecorded) == ([MOST_NAME], 1)
+    assert ([len(edge.child) for edge in snapshot.edges], snapshot.unrecorded) == ([MAX_NAME_SIZE], 1)
 
 
 def test_spoilt_messages_are_counted_and_nothing_else() -> None:

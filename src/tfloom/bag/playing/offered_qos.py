@@ -6,9 +6,9 @@ from tfloom.bag.qos_profiles import parse_profiles
 from tfloom.bag.values import Topic
 from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoS, ReliabilityPolicy
 
-__all__ = ["MOST_KEPT", "offered", "offers_differ"]
+__all__ = ["MAX_KEPT_MESSAGES", "offered", "offers_differ"]
 
-MOST_KEPT = 1000
+MAX_KEPT_MESSAGES = 1000
 """How many static transforms' messages are kept for late subscriptions, at most."""
 DEPTH_MAX = (1 << 31) - 1
 """The greatest depth that a wire takes."""
@@ -32,7 +32,7 @@ def offered(topic: Topic) -> QoS:
         profiles = [QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL)] if is_static else [QoS()]
     depth = min(sum(max(each.depth, 1) for each in profiles), DEPTH_MAX)
     if is_static:
-        depth = max(depth, min(topic.message_count, MOST_KEPT))
+        depth = max(depth, min(topic.message_count, MAX_KEPT_MESSAGES))
     is_reliable = any(each.reliability == ReliabilityPolicy.RELIABLE for each in profiles)
     is_kept = any(each.durability == DurabilityPolicy.TRANSIENT_LOCAL for each in profiles)
     return QoS(

@@ -16,7 +16,7 @@ __all__ = ["Playback"]
 
 STEP_PATIENCE_S = 10.0
 """How long a step waits at most until its messages are published [s]."""
-LONGEST_WAIT_S = 1e9
+MAX_WAIT_S = 1e9
 """The longest wait at once, because the system's waits have a limit [s]: 31 years."""
 
 
@@ -157,7 +157,7 @@ class Playback:
     def wait(self, seconds: float) -> bool:
         """Wait; return False if it was stopped meanwhile."""
         with self._changed:
-            return not self._changed.wait_for(lambda: self._is_stopped, min(seconds, LONGEST_WAIT_S))
+            return not self._changed.wait_for(lambda: self._is_stopped, min(seconds, MAX_WAIT_S))
 
     def run(self) -> None:
         """Play from the first to the last time, unless it is stopped.
@@ -215,7 +215,7 @@ class Playback:
                 left_s = self._clock.wait_s(stamp_ns)
                 if left_s <= 0.0:
                     return _Turn.PUBLISH
-                self._changed.wait(min(left_s, LONGEST_WAIT_S))
+                self._changed.wait(min(left_s, MAX_WAIT_S))
 
     def _take_step(self, stamp_ns: int) -> None:
         self._steps -= self._steps > 0

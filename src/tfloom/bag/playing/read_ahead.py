@@ -15,7 +15,7 @@ __all__ = ["ReadAhead"]
 _BATCH = 64
 _BATCH_SIZE = 1 << 20
 """A batch ends when its messages have this size [bytes]."""
-_MOST_BATCHES = 32
+_MAX_BATCHES = 32
 _PATIENCE_S = 0.1
 
 
@@ -32,7 +32,7 @@ class ReadAhead:
     """
 
     def __init__(self, path: str | os.PathLike[str], messages: Iterator[RawMessage], count: int) -> None:
-        batches = min(max(count // _BATCH, 2), _MOST_BATCHES)
+        batches = min(max(count // _BATCH, 2), _MAX_BATCHES)
         self._batches: queue.Queue[list[RawMessage] | BaseException | None] = queue.Queue(batches)
         self._ended = threading.Event()
         self._batch: Iterator[RawMessage] = iter(())

@@ -14,9 +14,9 @@ __all__ = ["BLOCK", "check_is_file", "read_at"]
 
 BLOCK = 1 << 22
 """How much is read at once of messages outside of chunks [bytes]."""
-MOST_UNCHECKED = 1 << 20
+MAX_UNCHECKED_SIZE = 1 << 20
 """How much is read without a look at the file's size [bytes]."""
-FARTHEST = (1 << 63) - 1
+MAX_OFFSET = (1 << 63) - 1
 """The greatest offset that a system's files have."""
 
 
@@ -25,9 +25,9 @@ def read_at(file: io.FileIO, offset: int, size: int) -> bytes:
 
     Offset and size may be any numbers, because files state them.
     """
-    if size > MOST_UNCHECKED:
+    if size > MAX_UNCHECKED_SIZE:
         size = min(size, MOST, os.fstat(file.fileno()).st_size - offset)
-    if size <= 0 or not 0 <= offset <= FARTHEST:
+    if size <= 0 or not 0 <= offset <= MAX_OFFSET:
         return b""
     file.seek(offset)
     data: bytes = file.read(size) or b""

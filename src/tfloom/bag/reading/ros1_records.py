@@ -19,7 +19,7 @@ MESSAGE, BAG_HEADER, INDEX, CHUNK, CHUNK_INFO, CONNECTION = 2, 3, 4, 5, 6, 7
 _NUMBERS = {1: struct.Struct("<B"), 4: struct.Struct("<I"), 8: struct.Struct("<Q")}
 _LENGTH = _NUMBERS[4]
 _STAMP = struct.Struct("<II")
-MOST_HEADER = 1 << 20
+MAX_HEADER_SIZE = 1 << 20
 """The greatest size of a record's header that is read [bytes]."""
 
 
@@ -67,7 +67,7 @@ def record_at(file: io.FileIO, at: int) -> Record | None:
     if len(start) < _LENGTH.size:
         return None
     (length,) = _LENGTH.unpack_from(start)
-    if length > MOST_HEADER:
+    if length > MAX_HEADER_SIZE:
         raise DamagedRecordError(f"a record's header has {length} bytes")
     if len(start) < length + 2 * _LENGTH.size:
         start = read_at(file, at, length + 2 * _LENGTH.size)

@@ -8,7 +8,7 @@ import socket
 import sys
 
 from tfloom.cli.errors import CommandError
-from tfloom.cli.multicast.common import MOST_OCTETS, interface, udp_socket
+from tfloom.cli.multicast.common import MAX_DATAGRAM_SIZE, interface, udp_socket
 from tfloom.cli.multicast.common import add_arguments as add_common_arguments
 from tfloom.cli.numbers import seconds
 
@@ -38,7 +38,7 @@ def main(args: argparse.Namespace) -> int:
         print("Waiting for UDP multicast datagram...")
         receiver.settimeout(args.timeout)
         try:
-            data, (host, port) = receiver.recvfrom(MOST_OCTETS)
+            data, (host, port) = receiver.recvfrom(MAX_DATAGRAM_SIZE)
         except (TimeoutError, BlockingIOError):
             raise CommandError(f"no datagram arrived within {args.timeout:g} s") from None
     print(f"Received from {host}:{port}: {data.decode('utf-8', 'backslashreplace')!r}")

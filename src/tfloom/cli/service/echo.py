@@ -21,7 +21,7 @@ KINDS = ("REQUEST_SENT", "REQUEST_RECEIVED", "RESPONSE_SENT", "RESPONSE_RECEIVED
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments of `service echo`."""
-    parser.set_defaults(spin_time=graph.MOST_S)
+    parser.set_defaults(spin_time=graph.MAX_WAIT_S)
     parser.add_argument("service_name", help="name of the service")
     parser.add_argument("service_type", nargs="?", help="its type; not needed for a service on the graph")
     parser.add_argument("--csv", action="store_true", help="print the values alone, with commas between")

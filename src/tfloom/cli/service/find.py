@@ -11,7 +11,7 @@ from tfloom.cli.service.common import add_hidden_flag, service_types
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments of `service find`."""
-    parser.set_defaults(spin_time=graph.MOST_S)
+    parser.set_defaults(spin_time=graph.MAX_WAIT_S)
     parser.add_argument("service_type", help="type of the services, for example std_srvs/srv/Empty")
     parser.add_argument("-c", "--count-services", action="store_true", help="print only the number")
     add_hidden_flag(parser)

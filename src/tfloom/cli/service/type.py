@@ -11,7 +11,7 @@ from tfloom.cli.service.common import ends_of_service, service_types
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments of `service type`."""
-    parser.set_defaults(spin_time=graph.MOST_S)
+    parser.set_defaults(spin_time=graph.MAX_WAIT_S)
     parser.add_argument("service_name", help="name of the service")
     parser.add_argument("--json", action="store_true", help="print a JSON list for programs")
 

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tfloom.cli.errors import CommandError
-from tfloom.cli.graph import MOST_S
+from tfloom.cli.graph import MAX_WAIT_S
 from tfloom.cli.names import full_topic_name
 from tfloom.cli.numbers import seconds, tolerance
 from tfloom.terminal_text import unescaped
@@ -29,9 +29,9 @@ if TYPE_CHECKING:
     from tfloom.tf2_tools.doctor.subject import Subject
 
 DURATION_S = 5.0
-LEAST_WIDTH = 50
+MIN_WIDTH = 50
 """Least number of columns into which the report is wrapped."""
-MOST_OF_A_CODE = 20
+MAX_FINDINGS_OF_CODE = 20
 """Number of findings of one code that the text has."""
 UNUSABLE = 2
 """Exit code where nothing could be checked."""
@@ -76,9 +76,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--spin-time",
         type=seconds,
-        default=MOST_S,
+        default=MAX_WAIT_S,
         metavar="S",
-        help=f"longest time of discovery ({MOST_S:g}; it ends when nothing new arrives)",
+        help=f"longest time of discovery ({MAX_WAIT_S:g}; it ends when nothing new arrives)",
     )
     parser.add_argument("--strict", action="store_true", help="count warnings as failures")
     parser.add_argument(
@@ -173,16 +173,16 @@ def _print_codes(code: str | None) -> int:
 
 
 def _print_text(report: Report) -> None:
-    from tfloom.tf2_tools.doctor.report import MOST_WIDTH
+    from tfloom.tf2_tools.doctor.report import MAX_WIDTH
 
-    columns = shutil.get_terminal_size().columns if sys.stdout.isatty() else MOST_WIDTH
+    columns = shutil.get_terminal_size().columns if sys.stdout.isatty() else MAX_WIDTH
     print(report.head())
     for code, group in groupby(report.findings, key=lambda finding: finding.code):
         findings = list(group)
-        for finding in findings[:MOST_OF_A_CODE]:
-            _print_finding(finding, max(columns, LEAST_WIDTH))
-        if len(findings) > MOST_OF_A_CODE:
-            print(f"\n{code}: and {len(findings) - MOST_OF_A_CODE} more; `--json` has all")
+        for finding in findings[:MAX_FINDINGS_OF_CODE]:
+            _print_finding(finding, max(columns, MIN_WIDTH))
+        if len(findings) > MAX_FINDINGS_OF_CODE:
+            print(f"\n{code}: and {len(findings) - MAX_FINDINGS_OF_CODE} more; `--json` has all")
     print(f"\n{report.end()}")
 
 

@@ -25,10 +25,10 @@ LISTEN_S = 1.0
 BUFFER_S = 10.0
 MARGIN_S = 0.2
 """How much longer than the requested time is ago to listen [s]."""
-MOST_NS = 2**63
+MAX_TIME_NS = 2**63
 WRONG_TIME = 2
 """Exit code for a time that can't be represented."""
-LEAST_NS_DIGITS = 15
+MIN_NS_DIGITS = 15
 """Whole numbers with as many digits or more are nanoseconds."""
 
 
@@ -75,7 +75,7 @@ def main(args: argparse.Namespace) -> int:
             _listen(args, opened, buffer)
         seen, now_ns = opened.observation(), opened.now_ns()
         asked_ns = args.at(now_ns)
-        if abs(asked_ns) >= MOST_NS:
+        if abs(asked_ns) >= MAX_TIME_NS:
             raise CommandError("argument --at: is no time, because it is beyond the year 2262", WRONG_TIME)
         lookup = look_up(
             seen,
@@ -105,9 +105,9 @@ def _time(text: str) -> Callable[[int], int]:
         raise argparse.ArgumentTypeError(
             f"must be latest, now, seconds with a sign, or a stamp in seconds or whole nanoseconds, not {text!r}"
         )
-    is_ns = text.isdigit() and len(text) >= LEAST_NS_DIGITS
+    is_ns = text.isdigit() and len(text) >= MIN_NS_DIGITS
     stamp_ns = int(text) if is_ns else int(Decimal(text) * 1_000_000_000)
-    if abs(stamp_ns) >= MOST_NS:
+    if abs(stamp_ns) >= MAX_TIME_NS:
         raise argparse.ArgumentTypeError(f"is no time, because it is beyond the year 2262: {text}")
     if text[0] in "+-":
         return lambda now_ns: now_ns + stamp_ns

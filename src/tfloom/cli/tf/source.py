@@ -57,7 +57,7 @@ def add_topics(parser: argparse.ArgumentParser) -> None:
         help=f"longest wait for transforms of a live graph in seconds (default: {WAIT_S:g})",
     )
     parser.add_argument(
-        "--spin-time", type=seconds, default=graph.MOST_S, help="longest time of discovery in seconds"
+        "--spin-time", type=seconds, default=graph.MAX_WAIT_S, help="longest time of discovery in seconds"
     )
     parser.add_argument(
         "-s", "--use-sim-time", action="store_true", help="compare stamps with the time on /clock"

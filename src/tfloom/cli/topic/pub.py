@@ -58,7 +58,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("-n", "--node-name", help="name of the node that publishes")
     qos.add_arguments(parser, default="default")
-    parser.add_argument("--spin-time", type=seconds, default=graph.MOST_S, help="accepted and not used")
+    parser.add_argument("--spin-time", type=seconds, default=graph.MAX_WAIT_S, help="accepted and not used")
     parser.add_argument(
         "-s", "--use-sim-time", action="store_true", help="use the time on /clock for `auto` and `now`"
     )

@@ -31,7 +31,7 @@ def add_arguments(parser: argparse.ArgumentParser, window: int) -> None:
         help=f"number of messages to average over (default: {window})",
     )
     parser.add_argument(
-        "--spin-time", type=seconds, default=graph.MOST_S, help="longest time of discovery in seconds"
+        "--spin-time", type=seconds, default=graph.MAX_WAIT_S, help="longest time of discovery in seconds"
     )
     parser.add_argument(
         "-s", "--use-sim-time", action="store_true", help="measure arrival by the time on /clock"

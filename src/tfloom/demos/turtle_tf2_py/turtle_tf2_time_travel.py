@@ -10,7 +10,7 @@ from tfloom.node.program import expect_no_arguments, run_program
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.time import Time
 
-LONGEST_S = 1e9
+MAX_DURATION_S = 1e9
 """The longest delay [s]."""
 
 
@@ -23,8 +23,8 @@ class TimeTraveller(FrameListener):
     def __init__(self) -> None:
         super().__init__()
         delay_s = float(self.declare_parameter("delay", 5.0).value)
-        if not 0.0 <= delay_s <= LONGEST_S:
-            reason = f"must be a number of seconds from 0 to {LONGEST_S:g}"
+        if not 0.0 <= delay_s <= MAX_DURATION_S:
+            reason = f"must be a number of seconds from 0 to {MAX_DURATION_S:g}"
             raise InvalidParameterValueException("delay", delay_s, reason)
         self.delay = Duration(seconds=delay_s)
 

@@ -13,7 +13,7 @@ from tfloom.launch.logging import OutputConfig, get_output_loggers
 
 __all__ = ["ProcessOutput"]
 
-LONGEST_LINE = 1_000_000
+MAX_LINE_LENGTH = 1_000_000
 """Characters after which an incomplete line is printed."""
 
 MAX_EVENTS = 64
@@ -95,7 +95,7 @@ class ProcessOutput:
             # Parts, because a line may come in single characters, and be long.
             stream.rest.append(rest)
             stream.rest_length += len(rest)
-        if stream.rest_length > LONGEST_LINE:
+        if stream.rest_length > MAX_LINE_LENGTH:
             lines.append("".join(stream.rest))
             stream.rest, stream.rest_length = [], 0
         log_lines(stream.logger, self._formatted([line.rstrip("\r") for line in lines]))

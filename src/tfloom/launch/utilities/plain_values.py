@@ -11,7 +11,7 @@ _WORD = re.compile(r"[A-Za-z_/][A-Za-z0-9_/.-]*")
 _INTEGER = re.compile(r"[-+]?(?:0|[1-9][0-9]*)")
 _FLOAT = re.compile(r"[-+]?[0-9]+\.[0-9]+")
 _BOOLEANS = {"true": True, "yes": True, "on": True, "false": False, "no": False, "off": False}
-_MOST_DIGITS = 18
+_MAX_DIGITS = 18
 """Longer integers are left to yaml, because Python limits their length."""
 
 
@@ -22,7 +22,7 @@ def plain_value(text: str) -> Any:
         if lower in _BOOLEANS:
             return _BOOLEANS[lower] if text in {lower, text.capitalize(), text.upper()} else text
         return None if lower == "null" else text
-    if len(text) <= _MOST_DIGITS:
+    if len(text) <= _MAX_DIGITS:
         if _INTEGER.fullmatch(text):
             return int(text)
         if _FLOAT.fullmatch(text):

@@ -30,7 +30,7 @@ __all__ = ["Clock", "JumpHandle", "JumpHandlePreCallbackType", "ROSClock"]
 
 JumpHandlePreCallbackType = Callable[[], None]
 
-_LONGEST_SLICE_S = 1.0
+_MAX_SLICE_S = 1.0
 """The longest single wait of a sleep by system time [s], because the system's clock may be set during it."""
 
 
@@ -168,7 +168,7 @@ class Clock(ReadableClock):
                     left_ns = until.nanoseconds - self.now_ns()
                     if left_ns <= 0:
                         return True
-                    woken.wait(None if self._is_simulated() else min(left_ns / S_TO_NS, _LONGEST_SLICE_S))
+                    woken.wait(None if self._is_simulated() else min(left_ns / S_TO_NS, _MAX_SLICE_S))
                     woken.clear()
             finally:
                 context.remove_shutdown_hook(woken.set)

@@ -21,7 +21,7 @@ from tfloom.node.executing.executor_exceptions import (
 from tfloom.node.executing.running_work import RunningWork
 from tfloom.node.executing.signals import shutdown_exception
 from tfloom.node.executing.task import Future, Task
-from tfloom.node.executing.work_queue import MOST_AT_ONCE, Work, WorkQueue
+from tfloom.node.executing.work_queue import MAX_BATCH_SIZE, Work, WorkQueue
 
 if TYPE_CHECKING:
     from typing_extensions import Self
@@ -264,7 +264,7 @@ class Executor(WorkQueue):
         if token is None or not self._spinning.acquire(blocking=False):
             return
         try:
-            for _ in range(MOST_AT_ONCE):
+            for _ in range(MAX_BATCH_SIZE):
                 taken = self._take(entity, token)
                 if taken is None:
                     return

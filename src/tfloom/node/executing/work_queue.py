@@ -29,7 +29,7 @@ T = TypeVar("T")
 _GROUPS_FREED_ON_COMPLETION = (MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup)
 """Built-in groups, which admit new work only when a callback completes."""
 
-MOST_AT_ONCE = 1000
+MAX_BATCH_SIZE = 1000
 """Most items of one entity that run on the thread that spins before the other entities are served."""
 
 
@@ -221,7 +221,7 @@ class WorkQueue:
         entity = self._entities.get(token)
         if entity is None:
             return
-        for _ in range(MOST_AT_ONCE):
+        for _ in range(MAX_BATCH_SIZE):
             taken = entity.take()
             if taken is None:
                 return

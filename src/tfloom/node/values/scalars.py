@@ -12,7 +12,7 @@ _TRUE = {"y", "Y", "yes", "Yes", "YES", "true", "True", "TRUE", "on", "On", "ON"
 _FALSE = {"n", "N", "no", "No", "NO", "false", "False", "FALSE", "off", "Off", "OFF"}
 # Patterns are compiled and cached by `re` at their first use, because most programs never need them.
 _INTEGER = r"[-+]?(0[xX][0-9a-fA-F]+|[0-9]+)\Z"
-_MOST_DIGITS = 300
+_MAX_DIGITS = 300
 _DOUBLE = r"[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\Z"
 _NOT_FINITE = r"([-+]?)\.(inf|Inf|INF|nan|NaN|NAN)\Z"
 _BINARY = "tag:yaml.org,2002:binary"
@@ -40,7 +40,7 @@ def parse_scalar(text: str) -> bool | int | float | str:
 
 def _integer(text: str, base: int) -> int | float:
     """Return an integer, or a float if it doesn't fit 64 bits."""
-    if len(text) <= _MOST_DIGITS:
+    if len(text) <= _MAX_DIGITS:
         value = int(text, base)
         return value if -(2**63) <= value < 2**63 else float(value)
     return math.copysign(math.inf, -1 if text[0] == "-" else 1)

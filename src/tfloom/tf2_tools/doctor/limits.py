@@ -26,8 +26,8 @@ class Limits(NamedTuple):
 
 GAP_PERIODS = 5.0
 """A gap is at least as long as this number of mean periods."""
-LEAST_JITTER_S = 0.02
+MIN_JITTER_S = 0.02
 """A standard deviation of the period below this is no jitter, because a host's scheduling causes it."""
 MAX_SPIN_DEG_S = 180.0
-LEAST_COUNT = 8
+MIN_COUNT = 8
 """The number of transforms from which a statistic says something."""

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tfloom._native import Spread
 from tfloom.tf2_tools.doctor.finding import Evidence, Finding
-from tfloom.tf2_tools.doctor.limits import GAP_PERIODS, LEAST_COUNT, LEAST_JITTER_S, Limits
+from tfloom.tf2_tools.doctor.limits import GAP_PERIODS, MIN_COUNT, MIN_JITTER_S, Limits
 from tfloom.tf2_tools.doctor.subject import Subject, evidence_of, for_each_publisher
 from tfloom.tf2_tools.text.counts import counted
 from tfloom.tf2_tools.watch.model import Edge
@@ -44,10 +44,10 @@ def _rarity(subject: Subject, edge: Edge, limits: Limits) -> Evidence | None:
 
 def _jitter(edge: Edge, limits: Limits) -> Evidence | None:
     period = _period(edge)
-    if period.count < LEAST_COUNT:
+    if period.count < MIN_COUNT:
         return None
     mean_s, deviation_s = without_longest(period)
-    if deviation_s < LEAST_JITTER_S or deviation_s < limits.max_jitter * mean_s:
+    if deviation_s < MIN_JITTER_S or deviation_s < limits.max_jitter * mean_s:
         return None
     text = (
         f"the period is {mean_s:.3f} s with a standard deviation of {deviation_s:.3f} s, "
@@ -74,11 +74,11 @@ def without_longest(period: Spread) -> tuple[float, float]:
 
 def _gap(subject: Subject, edge: Edge, limits: Limits) -> Evidence | None:
     seen = edge.statistics
-    if seen.receipt_period.count < LEAST_COUNT:
+    if seen.receipt_period.count < MIN_COUNT:
         return None
     silent_s = (subject.times_ns[1] - seen.last_received_ns) / 1e9
     mean_s, _ = without_longest(seen.receipt_period)
-    by_stamp_s = without_longest(seen.stamp_period)[0] if seen.stamp_period.count >= LEAST_COUNT else mean_s
+    by_stamp_s = without_longest(seen.stamp_period)[0] if seen.stamp_period.count >= MIN_COUNT else mean_s
     waits = (
         (seen.receipt_period.greatest, mean_s, "between two transforms"),
         (seen.stamp_period.greatest, by_stamp_s, "between two stamps"),

@@ -13,7 +13,7 @@ from tfloom.tf2_tools.text.counts import counted
 
 SHOWN = 5
 """Number of lines of evidence that the text has of one finding."""
-MOST_WIDTH = 110
+MAX_WIDTH = 110
 INDENT = " " * 9
 
 
@@ -77,7 +77,7 @@ class Report(NamedTuple):
         return f"{errors}, {warnings}; `tfloom tf doctor --explain CODE` says more of one"
 
 
-def body(finding: Finding, width: int = MOST_WIDTH) -> Iterator[str]:
+def body(finding: Finding, width: int = MAX_WIDTH) -> Iterator[str]:
     """Yield the lines of a finding that follow its code and severity, of at most `width` columns where words allow."""
     first, *rest = _wrapped(finding.summary, INDENT, width=width)
     yield first.lstrip()
@@ -97,10 +97,10 @@ def explanation(kind: Kind) -> str:
     return "\n".join(lines)
 
 
-def _wrapped(text: str, indent: str, further: str | None = None, width: int = MOST_WIDTH) -> list[str]:
+def _wrapped(text: str, indent: str, further: str | None = None, width: int = MAX_WIDTH) -> list[str]:
     return textwrap.wrap(
         text,
-        min(width, MOST_WIDTH),
+        min(width, MAX_WIDTH),
         initial_indent=indent,
         subsequent_indent=indent if further is None else further,
         break_long_words=False,

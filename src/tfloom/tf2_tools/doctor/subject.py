@@ -13,7 +13,7 @@ from tfloom.tf2_tools.watch.tree import Tree
 
 SHOWN = 4
 """Number of names that a sentence lists."""
-MOST_COMPARED = 2000
+MAX_COMPARED_FRAMES = 2000
 """Number of frames up to which a misspelled one is looked for among them."""
 
 
@@ -81,7 +81,7 @@ class Subject:
 
     def near(self, frame: str) -> str:
         """Return a hint at a known frame that is spelled alike; empty if there is none."""
-        if len(self.frames) > MOST_COMPARED:
+        if len(self.frames) > MAX_COMPARED_FRAMES:
             return ""
         names = difflib.get_close_matches(stored_name(frame), sorted(self.frames), 1, 0.6)
         return f"; did you mean {names[0]}?" if names else ""

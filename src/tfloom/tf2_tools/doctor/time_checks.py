@@ -6,7 +6,7 @@ import statistics
 from collections.abc import Iterable, Iterator
 
 from tfloom.tf2_tools.doctor.finding import Evidence, Finding
-from tfloom.tf2_tools.doctor.limits import LEAST_COUNT, Limits
+from tfloom.tf2_tools.doctor.limits import MIN_COUNT, Limits
 from tfloom.tf2_tools.doctor.subject import (
     Subject,
     by_publisher,
@@ -20,7 +20,7 @@ OTHER_TIME_S = 3600.0
 """If all stamps are further from now than this, they are of another time, as a simulation's: compare publishers."""
 CONSTANT_PART = 0.2
 """An offset is constant if it varies by less than this part of it."""
-LEAST_JUMP_NS = 1_000_000_000
+MIN_JUMP_NS = 1_000_000_000
 """A smaller step back of the stamps is no jump in time."""
 
 
@@ -64,7 +64,7 @@ def _skewed(subject: Subject, limits: Limits, offset_s: float) -> Iterator[Findi
     for source, edges in by_publisher(subject.moving):
         stamped = [edge for edge in edges if edge.statistics.delay.count]
         count = sum(edge.statistics.delay.count for edge in stamped)
-        if count < LEAST_COUNT:
+        if count < MIN_COUNT:
             continue
         mean_s = sum(e.statistics.delay.mean * e.statistics.delay.count for e in stamped) / count - offset_s
         width_s = max(e.statistics.delay.greatest for e in stamped) - min(
@@ -114,13 +114,13 @@ def _jump_ns(subject: Subject, edge: Edge) -> int:
     They may be those of a publisher that left, as before a simulation was restarted. An old one in between is no jump.
     """
     seen = edge.statistics
-    if seen.largest_step_back_ns > LEAST_JUMP_NS and seen.out_of_order > seen.steps_back + 1:
+    if seen.largest_step_back_ns > MIN_JUMP_NS and seen.out_of_order > seen.steps_back + 1:
         return seen.largest_step_back_ns
     if not seen.too_old:
         return 0
     former = [e.statistics for e in subject.edges_of[stored_name(edge.child)] if e.publisher.has_left]
     back_ns = max((each.newest_stamp_ns - seen.oldest_stamp_ns for each in former), default=0)
-    return back_ns if back_ns > LEAST_JUMP_NS else 0
+    return back_ns if back_ns > MIN_JUMP_NS else 0
 
 
 def _too_old(subject: Subject) -> Iterable[tuple[Edge, Evidence]]:

@@ -17,9 +17,9 @@ SUDDEN = 3.0
 """A sudden step is faster than this number of usual ones."""
 IMPOSSIBLE = 5.0
 """Times the greatest speed; a step that is faster is a teleport even if all steps are."""
-LEAST_UNCHANGED = 5
+MIN_UNCHANGED_COUNT = 5
 """Number of equal transforms on /tf from which a frame counts as fixed."""
-LEAST_UNCHANGED_S = 1.0
+MIN_UNCHANGED_S = 1.0
 
 
 def check_values(subject: Subject, limits: Limits) -> Iterator[Finding]:
@@ -93,7 +93,7 @@ def _unchanged(subject: Subject) -> Iterator[tuple[Edge, Evidence]]:
     for edge in subject.moving:
         seen = edge.statistics
         duration_s = (seen.last_received_ns - seen.first_received_ns) / 1e9
-        is_known = seen.count - seen.non_finite >= LEAST_UNCHANGED and duration_s >= LEAST_UNCHANGED_S
+        is_known = seen.count - seen.non_finite >= MIN_UNCHANGED_COUNT and duration_s >= MIN_UNCHANGED_S
         if is_known and seen.changes == 0:
             text = f"{seen.count} equal transforms in {duration_s:.1f} s"
             yield edge, evidence_of(edge, text, count=seen.count, duration_s=duration_s)

@@ -16,7 +16,7 @@ RESOLUTION = 2.0
 """Pixels for each point: 144 dpi."""
 FINER = 2
 """Each pixel is averaged from this many, in x and in y."""
-MOST_PIXELS = 16e6
+MAX_PIXELS = 16e6
 """A larger picture has fewer pixels for each point."""
 STEPS = 24
 """Straight lines for a curve."""
@@ -25,7 +25,7 @@ STEPS = 24
 def png_bytes(picture: Picture) -> bytes:
     """Return the picture as a PNG of 144 dpi, or of fewer if it is large."""
     points = picture.width * picture.height
-    resolution = min(RESOLUTION, (MOST_PIXELS / points) ** 0.5)
+    resolution = min(RESOLUTION, (MAX_PIXELS / points) ** 0.5)
     size = max(1, round(picture.width * resolution)), max(1, round(picture.height * resolution))
     image = Image.new("RGB", (size[0] * FINER, size[1] * FINER), "#ffffff")
     _Painter(ImageDraw.Draw(image), resolution * FINER).draw(picture.shapes)

@@ -12,7 +12,7 @@ __all__ = ["future", "one_sample", "past"]
 
 STALE_PERIODS = 5.0
 """A publisher that has sent nothing for this many of its longest periods is said to have stopped."""
-LEAST_STALE_S = 0.5
+MIN_STALE_S = 0.5
 """And not before this time [s]."""
 LARGE_DELAY_S = 1.0
 """A mean delay above this points to clocks or to old data, rather than to computing [s]."""
@@ -61,7 +61,7 @@ def _late(lookup: Lookup, span: Span) -> list[str]:
         return [
             f"{edge.publisher.label} has left {seconds_text(silent_s)} after its last one: start it again."
         ]
-    if silent_s > max(LEAST_STALE_S, STALE_PERIODS * longest_s):
+    if silent_s > max(MIN_STALE_S, STALE_PERIODS * longest_s):
         before = (
             f", after one each {seconds_text(statistics.receipt_period.mean)}" if statistics.count > 1 else ""
         )

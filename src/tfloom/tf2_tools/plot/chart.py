@@ -32,7 +32,7 @@ COLUMN = 0.5
 """More samples than four within this width are drawn by their least and their greatest value [points]."""
 HALF_TURN_DEG = 180.0
 """An angle that changes by more from one sample to the next has passed the end of its range."""
-LEAST_EPOCH_S = 1e9
+MIN_EPOCH_S = 1e9
 """An earlier stamp is that of a simulation, and has no date [s]."""
 
 
@@ -170,7 +170,7 @@ def _time_labels(axis: Axis, panel: Panel, start_ns: int) -> Iterator[Shape]:
         x = LEFT + (WIDTH - RIGHT - LEFT) * axis.share(tick)
         yield Text(x - TEXT.width(text) / 2, bottom + 11.0, text, TEXT, FAINT)
     start_s = start_ns / 1e9
-    date = f" ({utc_text(start_s)})" if start_s > LEAST_EPOCH_S else ""
+    date = f" ({utc_text(start_s)})" if start_s > MIN_EPOCH_S else ""
     label = f"time [s] since {start_s:.3f}{date}"
     middle = (LEFT + WIDTH - RIGHT) / 2
     yield Text(middle - SUBTITLE.width(label) / 2, bottom + 27.0, label, SUBTITLE, INK)

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 GAP_PERIODS = 5.0
 """Data is missing where an edge has no sample for more than this many of its periods …"""
-LEAST_GAP_S = 0.05
+MIN_GAP_S = 0.05
 """… and for more than this time [s]."""
 
 
@@ -90,7 +90,7 @@ def _gaps(buffer: Buffer, edge: Edge) -> list[tuple[int, int]]:
     periods = np.diff(stamps)
     if len(periods) < 2:
         return []
-    limit = max(GAP_PERIODS * float(np.median(periods)), LEAST_GAP_S * 1e9)
+    limit = max(GAP_PERIODS * float(np.median(periods)), MIN_GAP_S * 1e9)
     return [(int(stamps[i]), int(stamps[i + 1])) for i in np.flatnonzero(periods > limit)]
 
 

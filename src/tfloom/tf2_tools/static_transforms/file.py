@@ -16,7 +16,7 @@ ITEM_KEYS = ("frame_id", "child_frame_id", "translation", "rotation")
 AXES = ("x", "y", "z")
 QUATERNION = ("x", "y", "z", "w")
 EULER = ("roll", "pitch", "yaw")
-MOST_NORM_ERROR = 0.01
+MAX_NORM_ERROR = 0.01
 """A rotation whose length differs more from 1 is an error; one that differs less is normalised."""
 ROUNDING = 1e-9
 """A difference that digits of a file may leave: the rotation is used as it is."""
@@ -149,7 +149,7 @@ class _Reader:
         defaults = {} if given else {"x": 0.0, "y": 0.0, "z": 0.0, "w": 1.0}
         x, y, z, w = self._numbers(item, "rotation", given, (QUATERNION, EULER), defaults)
         length = math.hypot(x, y, z, w)
-        if abs(length - 1.0) > MOST_NORM_ERROR:
+        if abs(length - 1.0) > MAX_NORM_ERROR:
             raise self._error(given, f"the rotation's quaternion has the length {length:g}, not 1")
         if abs(length - 1.0) > ROUNDING:
             return x / length, y / length, z / length, w / length

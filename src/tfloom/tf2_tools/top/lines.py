@@ -14,9 +14,9 @@ from tfloom.tf2_tools.top.view import HELP, View
 
 HEADINGS = ("FRAME", "RATE", "AGE", "DELAY", "PUBLISHER", "NOTE")
 RATE_WIDTH, AGE_WIDTH, DELAY_WIDTH = 9, 9, 9
-MOST_PREFIX = 40
+MAX_PREFIX_WIDTH = 40
 """Columns that a tree's branches may take."""
-LEAST_FRAME, LEAST_PUBLISHER = 16, 10
+MIN_FRAME_WIDTH, MIN_PUBLISHER_WIDTH = 16, 10
 STYLES = {
     Health.ROOT: "bold",
     Health.STATIC: "cyan",
@@ -118,7 +118,7 @@ def _frame(row: Row) -> str:
     """Return a frame's name: in a tree with the nearest branches, elsewhere with its parent."""
     if not row.prefix and row.parent:
         return f"{shown_name(row.child)} ({shown_name(row.parent)})"
-    prefix = row.prefix if len(row.prefix) <= MOST_PREFIX else "…" + row.prefix[-MOST_PREFIX:]
+    prefix = row.prefix if len(row.prefix) <= MAX_PREFIX_WIDTH else "…" + row.prefix[-MAX_PREFIX_WIDTH:]
     return prefix + shown_name(row.child)
 
 
@@ -148,8 +148,8 @@ def _widths(rows: Sequence[Row], columns: int | None) -> tuple[int, int]:
     room = columns - RATE_WIDTH - AGE_WIDTH - DELAY_WIDTH - 5 - min(note, columns // 4)
     if frame + publisher <= room:
         return frame, publisher
-    publisher = max(LEAST_PUBLISHER, min(publisher, room // 3))
-    return max(LEAST_FRAME, min(frame, room - publisher)), publisher
+    publisher = max(MIN_PUBLISHER_WIDTH, min(publisher, room // 3))
+    return max(MIN_FRAME_WIDTH, min(frame, room - publisher)), publisher
 
 
 def _fitted(text: str, width: int) -> str:

@@ -22,7 +22,7 @@ LATE_S = 0.5
 """Delay above which a transform is late [s]."""
 AHEAD_S = 0.01
 """A transform that is stamped further ahead of now than this is wrong [s]."""
-LEAST_NORM_ERROR = 1e-3
+MIN_NORM_ERROR = 1e-3
 """Difference of a quaternion's length from 1 that is wrong."""
 
 
@@ -187,7 +187,7 @@ def _row(edge: Edge, prefix: str, faults: list[str], clock: Clock, rates: Rates)
     statistics = edge.statistics
     if statistics.non_finite:
         faults.append(f"{statistics.non_finite} with NaN")
-    if statistics.worst_norm_error > LEAST_NORM_ERROR:
+    if statistics.worst_norm_error > MIN_NORM_ERROR:
         faults.append("quaternion not of length 1")
     if edge.child == edge.parent:
         faults.append("its own parent")

@@ -30,7 +30,7 @@ SIBLING_GAP = 14.0
 GENERATION_GAP = 30.0
 NAME_LIMIT = 32
 """Letters of a frame id on one line."""
-MOST_LINES = 4
+MAX_LINES = 4
 """Lines of a frame id; the rest is left out, and is in the title of the group."""
 
 
@@ -45,10 +45,10 @@ def wrapped(name: str, limit: int = NAME_LIMIT) -> list[str]:
 
 
 def shortened(lines: list[str]) -> list[str]:
-    """Return the first and the last of more than `MOST_LINES` lines, with `…` between them."""
-    if len(lines) <= MOST_LINES:
+    """Return the first and the last of more than `MAX_LINES` lines, with `…` between them."""
+    if len(lines) <= MAX_LINES:
         return lines
-    return [*lines[: MOST_LINES - 2], "…", lines[-1]]
+    return [*lines[: MAX_LINES - 2], "…", lines[-1]]
 
 
 class NameBox:

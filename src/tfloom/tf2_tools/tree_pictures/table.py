@@ -24,7 +24,7 @@ from tfloom.tf2_tools.tree_pictures.tree import DrawnEdge, FrameTree
 
 ROW = 13.0
 INDENT = 14.0
-MOST_INDENT = 190.0
+MAX_INDENT = 190.0
 """Room for indentation: in a deeper tree each level has less."""
 NAME_WIDTH = 150.0
 """Room for a frame's name."""
@@ -58,7 +58,7 @@ class Table:
         self.tree = tree
         self.rows = list(_rows(tree))
         depth = max((row.level for row in self.rows), default=0)
-        self.indent = min(INDENT, MOST_INDENT / max(1, depth))
+        self.indent = min(INDENT, MAX_INDENT / max(1, depth))
         self._widths = [
             max([ROW_TEXT.width(heading), *(self._cell_width(row, i) for row in self.rows)])
             for i, heading in enumerate(HEADINGS)

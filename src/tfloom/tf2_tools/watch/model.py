@@ -19,7 +19,7 @@ TOPICS = (TF_TOPIC, STATIC_TOPIC)
 LISTENER_QOS = (QoS(depth=100), QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL, depth=100))
 """What a transform listener requests for the topics of moving and of static transforms."""
 
-MOST_SQUARES_ERROR = 0.01
+MAX_SQUARED_NORM_ERROR = 0.01
 """From this difference of a quaternion's squared length from 1 on, a buffer rejects the transform."""
 
 
@@ -109,7 +109,7 @@ class Edge:
         if self.statistics.count == self.statistics.non_finite:
             return "its numbers are not finite"
         squares = math.fsum(part * part for part in self.statistics.rotation_xyzw)
-        if abs(squares - 1.0) >= MOST_SQUARES_ERROR:
+        if abs(squares - 1.0) >= MAX_SQUARED_NORM_ERROR:
             return f"its quaternion has the length {math.sqrt(squares):.4g}, not 1"
         return ""
 
