@@ -24,6 +24,7 @@ from tfloom.node.action.names import (
     key_of,
     new_goal_id,
 )
+from tfloom.node.endpoints.client import ResponseFuture
 from tfloom.node.endpoints.type_variables import (
     FeedbackMessageT,
     FeedbackT,
@@ -38,7 +39,7 @@ from tfloom.rosidl.service import Action
 if TYPE_CHECKING:
     from typing_extensions import Self
 
-    from tfloom.node.endpoints.client import Client, ResponseFuture
+    from tfloom.node.endpoints.client import Client
     from tfloom.node.executing.callback_groups import CallbackGroup
     from tfloom.node.node import Node
 
@@ -315,7 +316,7 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
 
     def _chain(
         self,
-        first: ResponseFuture[Any],
+        first: Future[Any],
         then: Future[T],
         convert: Callable[[Any, int | None], T],
         before: Callable[[], None] | None = None,
@@ -340,7 +341,8 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
                     before()
             finally:
                 then.set_executor(self._node.executor)
-                then.set_result(convert(first.result(), first.source_stamp_ns))
+                stamp_ns = first.source_stamp_ns if isinstance(first, ResponseFuture) else None
+                then.set_result(convert(first.result(), stamp_ns))
 
         first.when_complete(complete)
 

@@ -186,7 +186,7 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         if self._was_completed_elsewhere:
             self._posting.post()
 
-    def call_async(self, request: SrvTypeRequest) -> ResponseFuture[SrvTypeResponse]:
+    def call_async(self, request: SrvTypeRequest) -> Future[SrvTypeResponse]:
         """Send a request and return the future of its response.
 
         The future's exception is a NoResponseError if no server is there, or all that were there leave without a
