@@ -16,7 +16,7 @@ constexpr std::size_t max_reserved = 1 << 20;
 
 // Write an integer in little-endian order, and return where the next one goes.
 template <typename Integer>
-std::byte* put(std::byte* place, Integer value) {
+std::byte* write_integer(std::byte* place, Integer value) {
   for (std::size_t i = 0; i < sizeof(Integer); ++i) {
     *place++ = static_cast<std::byte>(static_cast<std::uint64_t>(value) >> (8 * i));
   }
@@ -29,12 +29,12 @@ void Chunk::append(std::uint16_t channel, std::span<const std::byte> data, std::
                    std::int64_t publish_time) {
   if (index.size() <= channel) index.resize(channel + std::size_t{1});
   std::array<std::byte, prefix_size + fields_size> head;
-  std::byte* place = put(head.data(), message_opcode);
-  place = put(place, static_cast<std::uint64_t>(fields_size + data.size()));
-  place = put(place, channel);
-  place = put(place, std::uint32_t{0});  // no sequence number, as rosbag2 writes
-  place = put(place, log_time);
-  put(place, publish_time);
+  std::byte* place = write_integer(head.data(), message_opcode);
+  place = write_integer(place, static_cast<std::uint64_t>(fields_size + data.size()));
+  place = write_integer(place, channel);
+  place = write_integer(place, std::uint32_t{0});  // no sequence number, as rosbag2 writes
+  place = write_integer(place, log_time);
+  write_integer(place, publish_time);
   const std::size_t offset = records.size();
   const std::size_t size = offset + head.size() + data.size();
   // Doubled, because `reserve` itself makes room for no more than it is asked for.
@@ -62,6 +62,7 @@ void ChunkQueue::receive(std::uint16_t channel, std::span<const std::byte> data,
 
 bool ChunkQueue::store(std::uint16_t channel, std::span<const std::byte> data, std::int64_t log_time,
                        std::int64_t publish_time) {
+  // First the room, so that a message that is dropped neither starts a file nor counts for its duration.
   const std::size_t record_size = prefix_size + fields_size + data.size();
   if (!make_room(record_size)) {
     ++dropped_count_;
@@ -82,7 +83,10 @@ bool ChunkQueue::store(std::uint16_t channel, std::span<const std::byte> data, s
 }
 
 bool ChunkQueue::make_room(std::size_t size) {
+  // An empty queue takes a message of any size; otherwise one that is larger than the cache could never be recorded.
   if (!limits_.is_ring) return size_ == 0 || size_ + size <= limits_.cache_size;
+  // A ring gives up whole chunks, because their records and indexes belong together. The unfinished one is never given
+  // up, so the cache may exceed its limit by that.
   while (size_ + size > limits_.cache_size && !complete_.empty()) {
     size_ -= complete_.front()->records.size();
     complete_.pop_front();
@@ -104,6 +108,8 @@ void ChunkQueue::start_file() {
 }
 
 std::unique_ptr<Chunk> ChunkQueue::take(std::chrono::nanoseconds timeout) {
+  // The wait is for a complete chunk. After the timeout the unfinished one is taken, however small, so that messages
+  // that come slowly are written too.
   std::unique_lock lock(mutex_);
   if (complete_.empty() && !is_closed_ && timeout.count() > 0) {
     changed_.wait_for(lock, timeout, [this] { return !complete_.empty() || is_closed_; });

@@ -56,13 +56,13 @@ using Channels = std::vector<bool>;
 Channels channels_of(const nb::object& wanted) {
   if (wanted.is_none()) return Channels(1 << 16, true);
   Channels channels(1 << 16, false);
-  for (const nb::handle each : nb::borrow<nb::iterable>(wanted)) channels[nb::cast<std::uint16_t>(each)] = true;
+  for (const nb::handle channel : nb::borrow<nb::iterable>(wanted)) channels[nb::cast<std::uint16_t>(channel)] = true;
   return channels;
 }
 
 nb::list list_messages(const nb::bytes& data, const nb::object& wanted, std::uint64_t start, std::uint64_t end) {
   const Channels channels = channels_of(wanted);
-  const auto found = without_gil([octets = span_of(data), &channels, start, end] {
+  const auto records = without_gil([octets = span_of(data), &channels, start, end] {
     std::vector<MessageRecord> messages;
     RecordWalk walk(octets, 0);
     while (walk.advance()) {
@@ -76,20 +76,21 @@ nb::list list_messages(const nb::bytes& data, const nb::object& wanted, std::uin
     return messages;
   });
   nb::list messages;
-  for (const MessageRecord& each : found) {
-    messages.append(nb::make_tuple(each.log_time, each.channel, each.publish_time, each.offset, each.size));
+  for (const MessageRecord& message : records) {
+    messages.append(
+        nb::make_tuple(message.log_time, message.channel, message.publish_time, message.offset, message.size));
   }
   return messages;
 }
 
 nb::tuple summarise(const nb::bytes& data, std::size_t begin) {
-  const bag::RunSummary found =
+  const bag::RunSummary summary =
       without_gil([octets = span_of(data), begin] { return bag::summarise(octets, begin); });
   nb::dict counts;
-  for (const auto& [channel, count] : found.counts) counts[nb::int_(channel)] = count;
+  for (const auto& [channel, count] : summary.counts) counts[nb::int_(channel)] = count;
   nb::list others;
-  for (const Record& each : found.others) others.append(nb::make_tuple(each.opcode, each.offset, each.size));
-  return nb::make_tuple(counts, found.first, found.last, others, found.end);
+  for (const Record& record : summary.others) others.append(nb::make_tuple(record.opcode, record.offset, record.size));
+  return nb::make_tuple(counts, summary.first, summary.last, others, summary.end);
 }
 
 nb::tuple summarise_indexes(const nb::bytes& data) {
@@ -149,12 +150,12 @@ class TfRecords {
   }
 
   void finish() {
-    for (TfInserter& each : inserters_) each.finish();
+    for (TfInserter& inserter : inserters_) inserter.finish();
   }
 
   [[nodiscard]] std::uint64_t sum(std::uint64_t (TfInserter::*count)() const) const {
     std::uint64_t total = 0;
-    for (const TfInserter& each : inserters_) total += (each.*count)();
+    for (const TfInserter& inserter : inserters_) total += (inserter.*count)();
     return total;
   }
 

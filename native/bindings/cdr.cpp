@@ -50,7 +50,7 @@ constexpr std::array<std::pair<const char*, Shape>, 4> shapes{{{"", Shape::singl
                                                                {"bounded", Shape::bounded},
                                                                {"unbounded", Shape::unbounded}}};
 
-// Return the offset of the member that __slots__ created for a field [octets].
+// Return the offset of the member that __slots__ created for a field [bytes].
 Py_ssize_t slot_offset(const nb::handle& type, const std::string& field) {
   const nb::object member = type.attr(("_" + field).c_str());
   if (Py_TYPE(member.ptr()) != &PyMemberDescr_Type) {
@@ -126,7 +126,7 @@ void init_plan(ObjectPlan* self, const nb::type_object& message_class, const std
   new (self) ObjectPlan;
   self->name = name;
   self->type = reinterpret_cast<PyTypeObject*>(message_class.ptr());
-  self->update_least_size();
+  self->update_min_size();
 }
 
 // Must be called after the last field is added.
@@ -151,7 +151,7 @@ void add_field(ObjectPlan& plan, const std::string& name, const std::string& kin
   slot.empty = empty;
   plan.fields.push_back(std::move(field));
   plan.slots.push_back(std::move(slot));
-  plan.update_least_size();
+  plan.update_min_size();
 }
 
 [[noreturn]] void raise_codec_error(const nb::object& error_class, const std::string& text, nb::object path,

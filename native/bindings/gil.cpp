@@ -84,6 +84,7 @@ void block_threads_in_place_of_their_exit() {
 
 ReleasedGil::ReleasedGil() : state_(PyEval_SaveThread()) {}
 
+// Python up to 3.13 would end this thread in PyEval_RestoreThread, while the stack has frames of C++: block it before.
 ReleasedGil::~ReleasedGil() {
   if (is_ending() && is_finalizing()) block_forever();
   PyEval_RestoreThread(state_);
@@ -99,6 +100,7 @@ AcquiredGil::AcquiredGil() {
     return;
   }
   if (!enter()) return;
+  // Counted from here on: the ending thread waits until this scope has ended.
   if (Py_IsInitialized() == 0) {  // a static destructor, after the interpreter's end
     --users;
     return;
@@ -112,7 +114,7 @@ AcquiredGil::~AcquiredGil() {
   if (use_ != Use::acquired) return;
   --depth;
   PyGILState_Release(state_);
-  --users;
+  --users;  // last, because the ending thread goes on as soon as nobody is counted
 }
 
 void block_waits_at_exit() {
@@ -120,6 +122,7 @@ void block_waits_at_exit() {
 #ifdef TFLOOM_THREADS_ARE_UNWOUND
   block_threads_in_place_of_their_exit();
 #endif
+  // The thread before the phase: whoever reads the phase then reads the thread.
   ending_thread = std::this_thread::get_id();
   phase = Phase::ending;
   // Threads that counted themselves before still acquire the GIL, and run callbacks to their end. Wait for them, because
@@ -138,6 +141,7 @@ void block_if_ending() {
 
 void count_threads_anew_in_forks() {
 #ifndef _WIN32
+  // The other threads do not exist in the child, so nobody would count them down.
   pthread_atfork(nullptr, nullptr, [] { users = depth; });
 #endif
 }

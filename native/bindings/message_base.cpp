@@ -30,7 +30,9 @@ nb::object initial_value(const ObjectPlan& plan, std::size_t index) {
   return slot.copies ? copy(slot.initial) : slot.initial;
 }
 
-void put(PyObject* self, Py_ssize_t offset, nb::object value) {
+void set_slot(PyObject* self, Py_ssize_t offset, nb::object value) {
+  // The former value goes after the slot has the new one and the object is unlocked: its destruction may run any Python
+  // code, which may use this object.
   PyObject* old;
   {
     const nb::ft_object_guard guard{nb::handle(self)};
@@ -40,9 +42,11 @@ void put(PyObject* self, Py_ssize_t offset, nb::object value) {
 }
 
 nb::object new_message(const ObjectPlan& plan) {
+  // The garbage collector must not see a message with empty slots, so it tracks the message at the end only: creating
+  // the values may start a collection.
   auto message = nb::steal(plan.pool.make(plan.type));
   for (std::size_t i = 0; i < plan.slots.size(); ++i) {
-    put(message.ptr(), plan.offsets[i], initial_value(plan, i));
+    set_slot(message.ptr(), plan.offsets[i], initial_value(plan, i));
   }
   MessagePool::track(message.ptr());
   return message;
@@ -57,11 +61,11 @@ nb::object convert(PyObject* self, const ObjectPlan::Slot& slot, const nb::objec
 Py_ssize_t take_check_fields(PyObject* self, PyObject* kwargs) {
   static PyObject* const key = PyUnicode_InternFromString("check_fields");
   bool check = check_by_default();
-  PyObject* const given = kwargs == nullptr ? nullptr : PyDict_GetItemWithError(kwargs, key);
-  if (given != nullptr && given != Py_None) check = PyObject_IsTrue(given) == 1;
+  PyObject* const value = kwargs == nullptr ? nullptr : PyDict_GetItemWithError(kwargs, key);
+  if (value != nullptr && value != Py_None) check = PyObject_IsTrue(value) == 1;
   if (PyErr_Occurred() != nullptr) throw nb::python_error();
   reinterpret_cast<MessageObject*>(self)->check_fields = check;
-  return given != nullptr ? 1 : 0;
+  return value != nullptr ? 1 : 0;
 }
 
 void init(PyObject* self, PyObject* args, PyObject* kwargs) {
@@ -70,23 +74,25 @@ void init(PyObject* self, PyObject* args, PyObject* kwargs) {
   }
   const ObjectPlan& plan = plan_of(Py_TYPE(self));
   plan.pool.tag(self);
-  Py_ssize_t known = take_check_fields(self, kwargs);
+  // First `check_fields`, which decides whether the other keywords are checked.
+  Py_ssize_t known_count = take_check_fields(self, kwargs);
   const bool check = reinterpret_cast<MessageObject*>(self)->check_fields != 0;
   if (check && kwargs != nullptr) message_hooks().check_names(class_of(self), nb::borrow(kwargs));
   for (std::size_t i = 0; i < plan.slots.size(); ++i) {
     const auto& slot = plan.slots[i];
-    PyObject* given = kwargs == nullptr ? nullptr : PyDict_GetItemWithError(kwargs, slot.name.ptr());
-    if (given == nullptr) {
+    PyObject* argument = kwargs == nullptr ? nullptr : PyDict_GetItemWithError(kwargs, slot.name.ptr());
+    if (argument == nullptr) {
       if (PyErr_Occurred() != nullptr) throw nb::python_error();
-      put(self, plan.offsets[i], initial_value(plan, i));
+      set_slot(self, plan.offsets[i], initial_value(plan, i));
       continue;
     }
-    ++known;
-    const auto value = convert(self, slot, nb::borrow(given));
-    if (check) message_hooks().check(class_of(self), slot.name, value);
-    put(self, plan.offsets[i], value);
+    ++known_count;
+    const auto converted = convert(self, slot, nb::borrow(argument));
+    if (check) message_hooks().check(class_of(self), slot.name, converted);
+    set_slot(self, plan.offsets[i], converted);
   }
-  if (kwargs != nullptr && PyDict_GET_SIZE(kwargs) > known) {
+  // Keywords that are no fields are found by their number, so that the usual call costs no second search.
+  if (kwargs != nullptr && PyDict_GET_SIZE(kwargs) > known_count) {
     message_hooks().warn_names(class_of(self), nb::borrow(kwargs));
   }
 }

@@ -99,7 +99,7 @@ bool record(TfObserver& observer, const nb::bytes& data, const nb::bytes& publis
 void accept_only(TfObserverSink& sink, std::optional<std::vector<nb::bytes>> publishers) {
   if (!publishers) return sink.accept_only(std::nullopt);
   std::vector<Gid> gids;
-  for (const nb::bytes& each : *publishers) gids.push_back(gid_of(each));
+  for (const nb::bytes& publisher : *publishers) gids.push_back(gid_of(publisher));
   sink.accept_only(std::move(gids));
 }
 

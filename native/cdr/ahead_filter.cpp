@@ -33,15 +33,15 @@ void AheadFilter::Publisher::drop_held() {
 
 void AheadFilter::Publisher::drop_held(std::string_view child_frame_id) {
   if (!newest_held) return;
-  std::erase_if(held, [&](const Held& each) { return each.child_frame_id == child_frame_id; });
+  std::erase_if(held, [&](const Held& transform) { return transform.child_frame_id == child_frame_id; });
   if (held.empty()) newest_held.reset();
 }
 
 void AheadFilter::Publisher::hold(const tf2::Entry& entry, const Seen& seen, tf2::Stamp reach) {
   const bool is_other = newest_held && std::abs(seen.stamp - newest_held->stamp) > reach;
   if (is_other || held.size() >= max_held) drop_held();
-  std::erase_if(held, [&](const Held& each) {
-    return each.stamp == entry.stamp && each.child_frame_id == entry.child_frame_id;
+  std::erase_if(held, [&](const Held& transform) {
+    return transform.stamp == entry.stamp && transform.child_frame_id == entry.child_frame_id;
   });
   if (entry.frame_id.size() <= max_name_size && entry.child_frame_id.size() <= max_name_size) {
     held.push_back({std::string(entry.frame_id), std::string(entry.child_frame_id), entry.stamp, entry.value});
@@ -70,8 +70,8 @@ AheadFilter::Message AheadFilter::filter(std::vector<tf2::Entry>& entries, const
     publisher.drop_held();
   }
   const auto is_far_ahead = [&](const tf2::Entry& entry) {
-    const Seen each = seen(entry);
-    return each.lead > reach && !(publisher.newest && each.is_no_further(*publisher.newest, reach));
+    const Seen candidate = seen(entry);
+    return candidate.lead > reach && !(publisher.newest && candidate.is_no_further(*publisher.newest, reach));
   };
   std::vector<tf2::Entry> passed;
   for (const tf2::Entry& entry : entries) {

@@ -37,9 +37,9 @@ void HeaderSink::push(std::span<const std::byte> data, const SampleInfo& info) n
 }
 
 void HeaderSink::add(const View& use) {
-  const auto found = counts_.find(use);
-  if (found != counts_.end()) {
-    ++found->second;
+  const auto count = counts_.find(use);
+  if (count != counts_.end()) {
+    ++count->second;
   } else if (counts_.size() < max_uses) {
     counts_.emplace(Key(use.first, use.second), 1);
   }

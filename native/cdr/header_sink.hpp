@@ -20,7 +20,7 @@ namespace tfloom::cdr {
 class HeaderSink final : public Sink {
  public:
   static constexpr std::size_t max_uses = 4096;
-  static constexpr std::size_t max_name_size = 1024;  // [octets]; a longer name counts as unreadable
+  static constexpr std::size_t max_name_size = 1024;  // [bytes]; a longer name counts as unreadable
 
   struct Use {
     Gid publisher{};

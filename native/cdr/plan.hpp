@@ -35,7 +35,7 @@ enum class Shape : std::uint8_t { single, array, bounded, unbounded };
 
 struct Plan;
 
-// An upper limit for sizes [octets]; no sample is as large, and the product of two sizes up to it does not overflow.
+// An upper limit for sizes [bytes]; no sample is as large, and the product of two sizes up to it does not overflow.
 constexpr std::size_t size_limit = 0xffffffff;
 
 struct Field {
@@ -46,19 +46,19 @@ struct Field {
   std::uint32_t string_bound = 0;  // [characters]; 0: not bounded
   const Plan* message = nullptr;   // of Kind::message
 
-  [[nodiscard]] std::size_t min_element_size() const noexcept;  // [octets], without alignment
+  [[nodiscard]] std::size_t min_element_size() const noexcept;  // [bytes], without alignment
   [[nodiscard]] std::size_t min_size() const noexcept;
 };
 
 struct Plan {
   std::string name;  // "geometry_msgs/msg/Twist"
   std::vector<Field> fields;
-  std::size_t min_size = 0;  // [octets], without alignment; set by `update_least_size`
+  std::size_t min_size = 0;  // [bytes], without alignment; set by `update_min_size`
 
   // A message without fields is encoded as one octet.
   [[nodiscard]] bool is_empty() const noexcept { return fields.empty(); }
 
-  void update_least_size() {
+  void update_min_size() {
     min_size = 0;
     for (const Field& field : fields) min_size = std::min(min_size + field.min_size(), size_limit);
     min_size = std::max<std::size_t>(min_size, 1);  // limits the number of elements that a few bytes can declare

@@ -33,6 +33,8 @@ void TfObserver::record(std::span<const tf2::Entry> entries, const SampleInfo& i
                         bool is_readable) {
   const tf2::Stamp received = bounded(info.received_stamp_ns);
   const std::lock_guard lock(mutex_);
+  // A message of a publisher that finds no place is counted only as unrecorded, so that the sum of all counts is
+  // complete.
   const auto id = find_publisher(info.publisher_gid, is_static);
   if (!id) {
     unrecorded_ += entries.size();
@@ -64,6 +66,7 @@ void TfObserver::add(Id publisher, const tf2::Entry& entry, tf2::Stamp received,
   }
   const bool is_static = publishers_[publisher].is_static;
   Child& child = children_[edge->key.child];
+  // The edge compares the stamp with the child's newest one so far, so that comes after.
   edge->statistics.add(entry.stamp, entry.value, received, now, is_static, child.newest_stamp, cache_time_);
   if (child.parent != tf2::NameIndex::none && child.parent != edge->key.parent) ++child.reparented;
   child.parent = edge->key.parent;
@@ -72,7 +75,8 @@ void TfObserver::add(Id publisher, const tf2::Entry& entry, tf2::Stamp received,
 
 std::optional<TfObserver::Id> TfObserver::find_publisher(const Gid& gid, bool is_static) {
   const PublisherKey key{gid, is_static};
-  if (const auto found = publisher_ids_.find(key); found != publisher_ids_.end()) return found->second;
+  if (const auto entry = publisher_ids_.find(key); entry != publisher_ids_.end()) return entry->second;
+  // Publishers that have left keep their statistics until their place is needed.
   if (publishers_.size() >= max_publishers || edges_.size() >= max_edges) drop_left();
   if (publishers_.size() >= max_publishers) return std::nullopt;
   const auto id = static_cast<Id>(publishers_.size());
@@ -87,8 +91,8 @@ TfObserver::Id TfObserver::find_name(std::string_view name) const {
 }
 
 TfObserver::Id TfObserver::intern(std::string_view name) {
-  const Id found = find_name(name);
-  if (found != tf2::NameIndex::none) return found;
+  const Id known_id = find_name(name);
+  if (known_id != tf2::NameIndex::none) return known_id;
   const auto id = static_cast<Id>(names_.size());
   names_.emplace_back(name);
   children_.emplace_back();
@@ -98,8 +102,9 @@ TfObserver::Id TfObserver::intern(std::string_view name) {
 
 TfObserver::Edge* TfObserver::find_edge(Id publisher, const tf2::Entry& entry) {
   if (std::max(entry.child_frame_id.size(), entry.frame_id.size()) > max_name_size) return nullptr;
+  // Look the names up before they are stored: an edge that finds no place leaves none of its names behind.
   EdgeKey key{publisher, find_name(entry.child_frame_id), find_name(entry.frame_id)};
-  if (const auto found = edge_ids_.find(key); found != edge_ids_.end()) return &edges_[found->second];
+  if (const auto place = edge_ids_.find(key); place != edge_ids_.end()) return &edges_[place->second];
   // Two names at most are new with each edge, so that they are bounded. Those of edges that were dropped remain.
   if (edges_.size() >= max_edges || names_.size() + 2 > 2 * max_edges) return nullptr;
   key.child = intern(entry.child_frame_id);
@@ -110,6 +115,8 @@ TfObserver::Edge* TfObserver::find_edge(Id publisher, const tf2::Entry& entry) {
 }
 
 void TfObserver::drop_left() {
+  // Ids are indices, so those that remain get new ones: first the publishers, then the edges, whose keys name a
+  // publisher. Names keep theirs.
   std::vector<Id> new_ids(publishers_.size(), tf2::NameIndex::none);
   std::vector<TfTraffic> publishers;
   publisher_ids_.clear();
@@ -133,8 +140,8 @@ void TfObserver::drop_left() {
 
 void TfObserver::mark_left(const Gid& publisher, bool is_static) {
   const std::lock_guard lock(mutex_);
-  const auto found = publisher_ids_.find({publisher, is_static});
-  if (found != publisher_ids_.end()) publishers_[found->second].has_left = true;
+  const auto entry = publisher_ids_.find({publisher, is_static});
+  if (entry != publisher_ids_.end()) publishers_[entry->second].has_left = true;
 }
 
 void TfObserver::set_simulated_time(std::optional<tf2::Stamp> now) {

@@ -62,13 +62,13 @@ class TfObserver {
  public:
   static constexpr std::size_t max_publishers = 4096;
   static constexpr std::size_t max_edges = 65536;
-  static constexpr std::size_t max_name_size = 1024;  // [octets]
+  static constexpr std::size_t max_name_size = 1024;  // [bytes]
 
   explicit TfObserver(tf2::Stamp cache_time = tf2::Buffer::default_cache_time) : cache_time_(cache_time) {}
   TfObserver(const TfObserver&) = delete;
   TfObserver& operator=(const TfObserver&) = delete;
 
-  // Record a message of `size` octets that has these transforms, or that was not readable, and then has none.
+  // Record a message of `size` bytes that has these transforms, or that was not readable, and then has none.
   void record(std::span<const tf2::Entry> entries, const SampleInfo& info, bool is_static, std::size_t size,
               bool is_readable);
   void mark_left(const Gid& publisher, bool is_static);

@@ -61,6 +61,8 @@ void note_message_sent() noexcept { messages_sent.fetch_add(1, std::memory_order
 
 bool BusyWait::wait(const std::atomic<bool>& is_over, std::optional<std::chrono::nanoseconds> limit) {
   const std::uint64_t sent = messages_sent.load(std::memory_order_relaxed);
+  // Without a message since the last wait, there is no reply to expect. The machine is asked last, and once,
+  // because that reads files.
   const bool was_sent = sent != messages_sent_;
   messages_sent_ = sent;
   if (!was_sent || usual_ > short_wait || !is_allowed()) return false;
@@ -91,6 +93,8 @@ bool BusyWait::look(const std::atomic<bool>& is_over, std::chrono::nanoseconds t
   return false;
 }
 
+// The weight of the last wait is a quarter. A long one counts as four times `longest` at most, so that a few short
+// waits suffice to forget that the program was idle.
 void BusyWait::learn(std::chrono::nanoseconds took) { usual_ += (std::min(took, 4 * longest) - usual_) / 4; }
 
 }  // namespace tfloom

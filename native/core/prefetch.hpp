@@ -9,7 +9,7 @@
 
 namespace tfloom {
 
-// A hint only: any address is valid, and the results of the program do not depend on it. A cache line holds 64 octets
+// A hint only: any address is valid, and the results of the program do not depend on it. A cache line holds 64 bytes
 // or more.
 inline void prefetch(const void* address, std::size_t octets = 1) {
   const char* const begin = static_cast<const char*>(address);

@@ -15,7 +15,7 @@ void ReadyQueue::post(Token token) {
     // takes 3.5 times as long: benchmarks/native, "wake-up if waiting".
     if (!std::exchange(is_waiting_, false)) return;
   }
-  waker_.wake();
+  waker_.wake();  // without the lock, which the woken thread needs first of all
 }
 
 void ReadyQueue::post_quietly(Token token) {
@@ -23,7 +23,7 @@ void ReadyQueue::post_quietly(Token token) {
     const std::lock_guard lock(mutex_);
     if (std::ranges::find(quiet_, token) != quiet_.end()) return;
     quiet_.push_back(token);
-    if (!is_quiet_wanted_) return;
+    if (!is_quiet_wanted_) return;  // the token stays until a wait wants such ones
     has_tokens_.store(true, std::memory_order_release);
     if (!std::exchange(is_waiting_, false)) return;
   }
@@ -48,12 +48,15 @@ bool ReadyQueue::take(std::vector<Token>& tokens, bool quiet, bool will_sleep) {
     tokens.insert(tokens.end(), quiet_.begin(), quiet_.end());
     quiet_.clear();
   }
+  // Set under the lock under which the tokens were found missing: a post before it is in `tokens`, and a post after it
+  // sees the flag and wakes this thread. So no wake-up is lost between the look and the sleep.
   is_waiting_ = will_sleep && tokens.empty();
   return !tokens.empty();
 }
 
 ReadyQueue::Outcome ReadyQueue::wait(std::int64_t timeout_ns, std::vector<Token>& tokens, bool quiet,
                                      int interrupt_fd) {
+  // Three steps, from cheap to expensive: what is there; a busy wait, if a reply is likely to come soon; a sleep.
   if (take(tokens, quiet)) return Outcome::ready;
   const auto begin = std::chrono::steady_clock::now();
   const Waker::Deadline deadline(timeout_ns);
@@ -66,9 +69,11 @@ ReadyQueue::Outcome ReadyQueue::wait(std::int64_t timeout_ns, std::vector<Token>
 
 ReadyQueue::Outcome ReadyQueue::sleep(const Waker::Deadline& deadline, std::vector<Token>& tokens, bool quiet,
                                       int interrupt_fd) {
+  // A wake-up need not mean a token: it may be left from a wait that ended otherwise. Then look, and sleep again.
   while (!take(tokens, quiet, true)) {
     switch (waker_.wait(deadline, interrupt_fd)) {
       case Waker::Outcome::woken: break;
+      // Once more, because a token may have come since; this also tells posts that nobody waits.
       case Waker::Outcome::timeout: return take(tokens, quiet) ? Outcome::ready : Outcome::timeout;
       case Waker::Outcome::interrupted: return Outcome::interrupted;
     }

@@ -7,7 +7,7 @@
 
 namespace tfloom::dds {
 
-// Memory for `count` values that a library fills, between octets that it must leave alone. All octets start as `canary`.
+// Memory for `count` values that a library fills, between bytes that it must leave alone. All bytes start as `canary`.
 template <typename T, std::size_t count = 1>
 class Canaried {
  public:
@@ -15,14 +15,14 @@ class Canaried {
 
   T* data() { return reinterpret_cast<T*>(memory_ + margin); }
 
-  // Return a value, whichever octets it has.
+  // Return a value, whichever bytes it has.
   T operator[](std::size_t index) const {
     T value;
     std::memcpy(&value, memory_ + margin + index * sizeof(T), sizeof(T));
     return value;
   }
 
-  // Return whether all octets but those of the first `filled` values are as they were.
+  // Return whether all bytes but those of the first `filled` values are as they were.
   [[nodiscard]] bool is_intact_beyond(std::size_t filled = count) const {
     const auto is_canary = [](unsigned char octet) { return octet == canary; };
     return std::all_of(memory_, memory_ + margin, is_canary) &&

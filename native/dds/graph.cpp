@@ -115,6 +115,8 @@ void Graph::notify(ReadyQueue* queue, ReadyQueue::Token token) {
 }
 
 void Graph::update() {
+  // Called by the feeder and by each query, so that a query sees all that has arrived, though the feeder may be busy.
+  // One token is posted for all changes of an update.
   if (closed_) return;
   const std::uint64_t before = changes_;
   update_participants();
@@ -174,6 +176,7 @@ void Graph::update_endpoints(Entity reader, bool is_writer) {
 // so a request that precedes its discovery would be lost. `rtps::ServiceForms::receive` inserts heartbeats for them.
 void Graph::prompt_heartbeats() {
   if (new_writers_.empty()) return;
+  // Only the topics that this participant reads reliably: nobody else here waits for the heartbeat.
   for (const auto& [gid, info] : endpoints_) {
     if (info.is_writer || info.participant != participant_.gid() || info.qos.reliability != Reliability::reliable) continue;
     const auto is_topic = [&info](const TopicName& topic) {
@@ -210,17 +213,19 @@ void Graph::put_node_list(std::span<const std::byte> data) {
   if (data.size() < encapsulation_size + sizeof(Gid)) return;
   ++changes_;
   const Gid gid = to_gid(data.data() + encapsulation_size);
-  const auto found = participants_.find(gid);
-  if (found != participants_.end()) {
-    found->second.node_list.assign(data.begin(), data.end());
+  const auto participant = participants_.find(gid);
+  if (participant != participants_.end()) {
+    participant->second.node_list.assign(data.begin(), data.end());
     return;
   }
+  // The list is here before its participant has been discovered. Keep it for `update_participants`.
   if (early_node_lists_.size() >= max_early_node_lists) early_node_lists_.clear();
   early_node_lists_[gid].assign(data.begin(), data.end());
 }
 
 void Graph::close() {
   if (participant_.is_forked()) return;
+  // The lock is released before `cancel`, which waits for a running drain: the drain needs the lock.
   {
     const std::lock_guard lock(mutex_);
     if (closed_) return;

@@ -38,11 +38,11 @@ std::optional<std::string> loopback_interface() {
   ifaddrs* first = nullptr;
   if (getifaddrs(&first) != 0) return std::nullopt;
   const std::unique_ptr<ifaddrs, void (*)(ifaddrs*)> owner(first, freeifaddrs);
-  for (const ifaddrs* each = first; each != nullptr; each = each->ifa_next) {
-    if (each->ifa_addr == nullptr || each->ifa_addr->sa_family != AF_INET) continue;
+  for (const ifaddrs* candidate = first; candidate != nullptr; candidate = candidate->ifa_next) {
+    if (candidate->ifa_addr == nullptr || candidate->ifa_addr->sa_family != AF_INET) continue;
     sockaddr_in address{};
-    std::memcpy(&address, each->ifa_addr, sizeof(address));
-    if (ntohl(address.sin_addr.s_addr) == INADDR_LOOPBACK) return each->ifa_name;
+    std::memcpy(&address, candidate->ifa_addr, sizeof(address));
+    if (ntohl(address.sin_addr.s_addr) == INADDR_LOOPBACK) return candidate->ifa_name;
   }
   return std::nullopt;
 }

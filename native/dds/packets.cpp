@@ -73,8 +73,8 @@ std::vector<std::byte> joined(const msghdr& message) {
   return datagram;
 }
 
-// Called by libddsc in place of sendmsg, and with its result: the octets that it wanted to send, though fewer or more are
-// sent.
+// Called by libddsc in place of sendmsg, and with its result: the bytes that it wanted to send, though fewer or more
+// are sent.
 ssize_t send(int descriptor, const msghdr* message, int flags) noexcept {
   rtps::ServiceForms& forms = rtps::ServiceForms::of_process();
   const auto address = address_of(*message);
@@ -84,8 +84,8 @@ ssize_t send(int descriptor, const msghdr* message, int flags) noexcept {
   std::vector<std::byte> datagram = joined(*message);
   std::vector<std::vector<std::byte>> rewritten;
   if (!forms.rewrite(*address, datagram, rewritten)) return ::sendmsg(descriptor, message, flags);
-  for (std::vector<std::byte>& each : rewritten) {
-    iovec part{each.data(), each.size()};
+  for (std::vector<std::byte>& replacement : rewritten) {
+    iovec part{replacement.data(), replacement.size()};
     msghdr replaced = *message;
     replaced.msg_iov = &part;
     replaced.msg_iovlen = 1;

@@ -28,14 +28,14 @@ std::map<std::pair<const Library*, std::uint32_t>, OpenDomain> domains;
 Domain::Domain(const Library& library, std::uint32_t domain_id, const std::string& config, bool is_local)
     : library_(library), domain_id_(domain_id) {
   const std::lock_guard lock(domains_mutex);
-  auto found = domains.find({&library, domain_id});
-  if (found == domains.end()) {
+  auto place = domains.find({&library, domain_id});
+  if (place == domains.end()) {
     const Entity entity = library.create_domain(domain_id, config.c_str());
     if (entity != precondition_not_met) library.check(entity, "cannot open DDS domain " + std::to_string(domain_id));
-    found = domains.emplace(std::pair{&library, domain_id}, OpenDomain{}).first;
-    found->second.entity = entity > 0 ? entity : 0;
+    place = domains.emplace(std::pair{&library, domain_id}, OpenDomain{}).first;
+    place->second.entity = entity > 0 ? entity : 0;
   }
-  OpenDomain& domain = found->second;
+  OpenDomain& domain = place->second;
   ++domain.users;
   if (!is_local) return;
   if (domain.entity > 0 && !domain.is_bound) {
@@ -47,10 +47,10 @@ Domain::Domain(const Library& library, std::uint32_t domain_id, const std::strin
 
 Domain::~Domain() {
   const std::lock_guard lock(domains_mutex);
-  const auto found = domains.find({&library_, domain_id_});
-  if (--found->second.users > 0) return;
-  if (found->second.entity > 0) library_.delete_entity(found->second.entity);
-  domains.erase(found);
+  const auto domain = domains.find({&library_, domain_id_});
+  if (--domain->second.users > 0) return;
+  if (domain->second.entity > 0) library_.delete_entity(domain->second.entity);
+  domains.erase(domain);
 }
 
 Participant::Participant(const Library& library, std::uint32_t domain_id, const std::string& config,

@@ -40,7 +40,7 @@ Gid Peers::gid(Entity entity, InstanceHandle handle) {
 }
 
 const Peer* Peers::find(Entity entity, InstanceHandle handle) {
-  if (const auto known = known_.find(handle); known != known_.end()) return &known->second;
+  if (const auto peer = known_.find(handle); peer != known_.end()) return &peer->second;
   const std::unique_ptr<DiscoveredEndpoint, void (*)(DiscoveredEndpoint*)> endpoint(
       (of_writer_ ? library_.get_matched_subscription_data : library_.get_matched_publication_data)(entity, handle),
       library_.builtintopic_free_endpoint);

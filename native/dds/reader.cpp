@@ -120,7 +120,8 @@ bool Reader::take(const Receive& receive) {
     if (library_.takecdr(entity_.get(), &serdata, 1, &state, 0) <= 0) return false;
     may_have_data_ = true;
     const TakenSample sample(library_, serdata);
-    if (!state.valid_data) continue;
+    if (!state.valid_data) continue;  // the end of an instance, without data
+    // A sample in inline form has no header; `receive_inline` puts one before it. Another client's response is skipped.
     const SampleInfo info{state.source_stamp_ns, wall_clock_ns(), peers_.gid(entity_.get(), state.publication)};
     if (service_end_ && rtps::uses_inline_form(info.publisher_gid)) {
       if (!receive_inline(sample.data(), info, receive)) continue;
@@ -148,6 +149,8 @@ bool Reader::receive_inline(std::span<const std::byte> data, const SampleInfo& i
 // Push on the library's thread, while the data is in the processor's cache. Waking another thread would take longer
 // than most sinks do.
 void Reader::feed_from_listener() {
+  // If the lock is taken, another thread is pushing, and samples must stay in order; the library's thread must not
+  // wait. The feeder takes what is left.
   const std::unique_lock lock(feed_mutex_, std::try_to_lock);
   if (!lock || push_batch()) participant_.feeder().schedule(source_);
 }

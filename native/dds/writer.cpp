@@ -75,6 +75,9 @@ void Writer::write(std::span<const std::byte> data) {
 }
 
 void Writer::keep(std::span<const std::byte> data, std::size_t padding) {
+  // Samples that have been acknowledged are not sent again, so their copies are released. A full store waits until all
+  // are acknowledged, in short steps, so that `close` ends the wait; a reader that acknowledges nothing can delay a
+  // write by ten seconds only, and then misses the fragments that it asks for later.
   const auto is_inline = [](const Peer& peer) { return rtps::uses_inline_form(peer.gid); };
   if (std::ranges::none_of(peers_.matched(entity_.get()), is_inline)) return;
   for (int waits = 0; service_end_->kept_size() > 0; ++waits) {
@@ -123,6 +126,8 @@ bool Writer::wait_for_acks(std::int64_t timeout_ns) {
 }
 
 void Writer::close() {
+  // The flag lets waiting writes end, and the deletion of the entity those that wait in the library. The topic goes
+  // last, when no write runs, because writes use its type.
   if (closed_.exchange(true) || participant_.is_forked()) return;
   entity_.stop_listening();
   events_.close();

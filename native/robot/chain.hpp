@@ -33,7 +33,7 @@ class Chain {
   void link_poses(std::span<const double> at, std::span<tf2::Transform> out) const;
 
  private:
-  [[nodiscard]] tf2::Transform pose(const ChainJoint& each, std::span<const double> at) const;
+  [[nodiscard]] tf2::Transform pose(const ChainJoint& joint, std::span<const double> at) const;
 
   std::vector<ChainJoint> joints_;
   std::size_t variable_count_;

@@ -41,8 +41,8 @@ StateTransforms::StateTransforms(std::vector<MovingJoint> joints, std::vector<Mi
     index_.add(joints_[i].name, static_cast<std::uint32_t>(i));
     size_hint_ += numbers_size + joints_[i].frame_id.size() + joints_[i].child_frame_id.size();
   }
-  for (const Mimicry& each : mimicries_) {
-    if (std::max(each.joint, each.source) >= joints_.size()) throw std::invalid_argument("no such joint");
+  for (const Mimicry& mimicry : mimicries_) {
+    if (std::max(mimicry.joint, mimicry.source) >= joints_.size()) throw std::invalid_argument("no such joint");
   }
   size_hint_ += 16;
 }
@@ -92,9 +92,9 @@ void StateTransforms::read(std::span<const std::byte> data) {
 }
 
 void StateTransforms::follow() {
-  for (const Mimicry& each : mimicries_) {
-    if (is_known_[each.source] && !is_received_[each.joint]) {
-      take(each.joint, each.multiplier * positions_[each.source] + each.offset);
+  for (const Mimicry& mimicry : mimicries_) {
+    if (is_known_[mimicry.source] && !is_received_[mimicry.joint]) {
+      take(mimicry.joint, mimicry.multiplier * positions_[mimicry.source] + mimicry.offset);
     }
   }
 }
@@ -106,12 +106,12 @@ std::vector<std::byte> StateTransforms::write() const {
   writer.write(static_cast<std::uint32_t>(known_count_));
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     if (!is_known_[i]) continue;
-    const MovingJoint& each = joints_[i];
+    const MovingJoint& joint = joints_[i];
     writer.write(sec_);
     writer.write(nanosec_);
-    writer.write_string(each.frame_id);
-    writer.write_string(each.child_frame_id);
-    const tf2::Transform pose = each.joint.pose({&positions_[i], 1});
+    writer.write_string(joint.frame_id);
+    writer.write_string(joint.child_frame_id);
+    const tf2::Transform pose = joint.joint.pose({&positions_[i], 1});
     writer.template write_all<double>(std::as_bytes(std::span(&pose, 1)));
   }
   message.resize(writer.size());

@@ -74,9 +74,9 @@ std::string version_of_cyclone(const Fields& info) {
   const std::size_t size = rest.find('/');
   if (size == std::string_view::npos || size > max_version_size) return {};
   const std::string_view version = rest.substr(0, size);
-  const auto is_plain = [](char each) {
-    return (each >= '0' && each <= '9') || (each >= 'a' && each <= 'z') || (each >= 'A' && each <= 'Z') ||
-           each == '.' || each == '-' || each == '+';
+  const auto is_plain = [](char character) {
+    return (character >= '0' && character <= '9') || (character >= 'a' && character <= 'z') ||
+           (character >= 'A' && character <= 'Z') || character == '.' || character == '-' || character == '+';
   };
   return std::ranges::all_of(version, is_plain) ? std::string(version) : std::string();
 }
@@ -97,8 +97,8 @@ void Versions::read(const GuidPrefix& source, const Data& data) {
 }
 
 std::string Versions::of(const GuidPrefix& participant) const {
-  const auto found = versions_.find(participant);
-  return found == versions_.end() ? std::string() : found->second;
+  const auto version = versions_.find(participant);
+  return version == versions_.end() ? std::string() : version->second;
 }
 
 void Addresses::read(const GuidPrefix& source, const Data& data) {
@@ -113,6 +113,7 @@ void Addresses::read(const GuidPrefix& source, const Data& data) {
 }
 
 void Addresses::add(const Address& address, const GuidPrefix& participant) {
+  // One that loses an address, to another participant or because there are too many, is counted down.
   if (const GuidPrefix* const former = participants_.find(address)) {
     if (*former == participant) {
       participants_.use(address);
@@ -123,15 +124,16 @@ void Addresses::add(const Address& address, const GuidPrefix& participant) {
     forget(participants_.take_oldest()->second);
   }
   participants_.use(address) = participant;
-  ++known_[participant];
+  ++address_counts_[participant];
 }
 
 void Addresses::forget(const GuidPrefix& participant) {
-  if (const auto known = known_.find(participant); --known->second == 0) known_.erase(known);
+  const auto address_count = address_counts_.find(participant);
+  if (--address_count->second == 0) address_counts_.erase(address_count);
 }
 
 void Addresses::erase(const GuidPrefix& participant) {
-  if (known_.erase(participant) == 0) return;
+  if (address_counts_.erase(participant) == 0) return;
   participants_.erase_if([&](const Address&, const GuidPrefix& receiver) { return receiver == participant; });
 }
 

@@ -43,14 +43,14 @@ class Addresses {
   [[nodiscard]] std::optional<GuidPrefix> participant_at(const Address& address) const;
 
   // Return whether an address of the participant is known.
-  [[nodiscard]] bool knows(const GuidPrefix& participant) const { return known_.contains(participant); }
+  [[nodiscard]] bool knows(const GuidPrefix& participant) const { return address_counts_.contains(participant); }
 
  private:
   void add(const Address& address, const GuidPrefix& participant);
   void forget(const GuidPrefix& participant);  // one of its addresses
 
   RecentMap<Address, GuidPrefix> participants_{max_addresses};
-  std::map<GuidPrefix, int> known_;  // how many addresses each has
+  std::map<GuidPrefix, int> address_counts_;  // how many addresses each has
 };
 
 // The versions of DDS that participants announce, each in a parameter of its vendor.

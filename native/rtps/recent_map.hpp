@@ -21,9 +21,11 @@ class RecentMap {
   Value& use(const Key& key) {
     const auto [entry, is_new] = entries_.try_emplace(key);
     if (is_new) {
+      // First to the end of the list, then the removal: so the new entry itself is never the oldest.
       entry->second.place = uses_.insert(uses_.end(), key);
       if (entries_.size() > max_size_) take_oldest();
     } else {
+      // Moves the node without a copy, so `place` remains valid.
       uses_.splice(uses_.end(), uses_, entry->second.place);
     }
     return entry->second.value;

@@ -36,8 +36,8 @@ std::int64_t stamp_ns(const Submessage& info_ts) {
          static_cast<std::int64_t>((fraction * 1'000'000'000 + (std::uint64_t{1} << 31)) >> 32);
 }
 
-bool is_stamp(std::int64_t arrived, std::int64_t taken) {
-  return arrived == no_stamp || std::abs(arrived - taken) <= stamp_tolerance_ns;
+bool is_stamp(std::int64_t arrived_ns, std::int64_t taken_ns) {
+  return arrived_ns == no_stamp || std::abs(arrived_ns - taken_ns) <= stamp_tolerance_ns;
 }
 
 // Return the related sample that a submessage's inline QoS names, or nullopt if it names none.
@@ -118,8 +118,8 @@ std::array<std::byte, 32> related_identity(const Related& related) {
 
 // Erase the smallest keys, which are sequence numbers.
 template <typename Map>
-void erase_oldest(Map& map, std::size_t most) {
-  while (map.size() > most) map.erase(map.begin());
+void erase_oldest(Map& map, std::size_t max_size) {
+  while (map.size() > max_size) map.erase(map.begin());
 }
 
 std::atomic<ServiceForms*> forms_of_process = nullptr;
@@ -225,13 +225,17 @@ std::size_t ServiceForms::receive(std::span<std::byte> buffer, std::size_t size)
   if (!message) return size;
   const GuidPrefix source = message->source();
   const bool is_inline = uses_inline_form(source);
+  // Where all participants use our form, datagrams pass without the lock, unless a command asks for versions. Once a
+  // peer of the inline form is known, read what the others announce too: an address may pass from one participant to
+  // another.
   if (!is_inline && !has_inline_peers_ && !reads_versions_) return size;
   std::int64_t source_stamp_ns = no_stamp;
   std::vector<Heartbeat> inserted;
   const std::lock_guard lock(mutex_);
   while (const auto submessage = message->next()) {
     if (submessage->kind == Kind::info_src) break;  // a relayed message, which no ROS 2 sends
-    if (submessage->kind == Kind::info_ts) source_stamp_ns = stamp_ns(*submessage);
+    if (submessage->kind == Kind::info_ts) source_stamp_ns = stamp_ns(*submessage);  // holds for what follows
+    // What a participant announces to the built-in readers: its addresses, its version, and its writers of services.
     const auto data = Data::of(*submessage);
     if (data && !is_user_endpoint(data->writer)) {
       addresses_.read(source, *data);
@@ -242,11 +246,12 @@ std::size_t ServiceForms::receive(std::span<std::byte> buffer, std::size_t size)
       }
     }
     if (!is_inline || !has_ends_) continue;
+    // What its own endpoints send. A related sample in the inline QoS tells that the writer is one of a service.
     const auto at = static_cast<std::size_t>(submessage->octets.data() - datagram.data());
     if (data && is_user_endpoint(data->writer)) {
       const Gid writer = gid_of(source, data->writer);
       if (const auto related = related_sample(*data)) {
-        if (data->is_sample) arrived(writer, data->sequence_number, source_stamp_ns, *related);
+        if (data->is_sample) note_arrival(writer, data->sequence_number, source_stamp_ns, *related);
         beginnings_.use(writer);  // its announcement may arrive later
       }
       insert_heartbeats(writer, *submessage, at, inserted);
@@ -254,11 +259,13 @@ std::size_t ServiceForms::receive(std::span<std::byte> buffer, std::size_t size)
       insert_heartbeats(gid_of(source, octets_at<4>(submessage->octets, 8)), *submessage, at, inserted);
     }
   }
+  // Without room for the heartbeats, the datagram passes as it has arrived.
   if (size + inserted.size() * heartbeat_size > buffer.size()) return size;
-  for (const Heartbeat& each : inserted | std::views::reverse) {
-    std::byte* place = buffer.data() + each.at;
-    std::memmove(place + heartbeat_size, place, size - each.at);
-    write_heartbeat(place, each.reader, each.writer, each.first, each.last);
+  // Insert the last one first: so the offsets before it remain valid, and two at the same offset stay in their order.
+  for (const Heartbeat& heartbeat : inserted | std::views::reverse) {
+    std::byte* place = buffer.data() + heartbeat.at;
+    std::memmove(place + heartbeat_size, place, size - heartbeat.at);
+    write_heartbeat(place, heartbeat.reader, heartbeat.writer, heartbeat.first, heartbeat.last);
     size += heartbeat_size;
   }
   return size;
@@ -268,50 +275,51 @@ std::size_t ServiceForms::receive(std::span<std::byte> buffer, std::size_t size)
 // received; then, before a sample, one that counts those before it.
 void ServiceForms::insert_heartbeats(const Gid& writer, const Submessage& submessage, std::size_t at,
                                      std::vector<Heartbeat>& inserted) {
-  Beginning* const known = beginnings_.find(writer);
-  if (known == nullptr || known->is_taken) return;
-  Beginning& beginning = *known;
+  // Once a reader has taken a sample of this writer, the library receives from it and needs no help.
+  Beginning* const beginning = beginnings_.find(writer);
+  if (beginning == nullptr || beginning->is_taken) return;
   const bool is_heartbeat = submessage.kind == Kind::heartbeat;
   const EntityId reader = octets_at<4>(submessage.octets, is_heartbeat ? 4 : 8);
   const EntityId entity = octets_at<4>(submessage.octets, is_heartbeat ? 8 : 12);
   const std::uint64_t number = submessage.fields().sequence_number(is_heartbeat ? 12 : 16);
   std::uint64_t first = number;
   if (is_heartbeat) {
-    if (beginning.first != 0) first = std::max(beginning.first, number);  // what precedes it is no longer there
+    if (beginning->first != 0) first = std::max(beginning->first, number);  // what precedes it is no longer there
   } else {
-    if (beginning.first != 0) first = std::min(beginning.first, number);
-    beginning.first = first;
+    // The smallest number, because a sample that is sent again follows those after it.
+    if (beginning->first != 0) first = std::min(beginning->first, number);
+    beginning->first = first;
   }
-  if (first == 0) return;
+  if (first == 0) return;  // no sample has this number, and the one before it would be the greatest
   inserted.push_back({at, reader, entity, first, first - 1});
   if (!is_heartbeat && first < number) inserted.push_back({at, reader, entity, first, number - 1});
 }
 
-void ServiceForms::arrived(const Gid& writer, std::uint64_t sequence_number, std::int64_t source_stamp_ns,
-                           const Related& related) {
+void ServiceForms::note_arrival(const Gid& writer, std::uint64_t sequence_number, std::int64_t source_stamp_ns,
+                                const Related& related) {
   const auto by_reader = clients_by_reader_.find(related.gid);
   const auto by_writer = ends_by_writer_.find(related.gid);
   ServiceEnd* client = by_reader != clients_by_reader_.end() ? by_reader->second
                        : by_writer != ends_by_writer_.end()  ? by_writer->second
                                                              : nullptr;
   if (client == nullptr) {
-    request_arrived(writer, related.gid, sequence_number, source_stamp_ns);
+    note_request(writer, related.gid, sequence_number, source_stamp_ns);
     return;
   }
-  const auto sent = client->sent_.find(related.sequence_number);
-  if (sent == client->sent_.end()) return;
+  const auto sent = client->request_numbers_.find(related.sequence_number);
+  if (sent == client->request_numbers_.end()) return;
   auto& arrivals = client->responses_.use(writer);
   arrivals[sequence_number] = {source_stamp_ns, {client->client_, sent->second}};
   erase_oldest(arrivals, max_remembered);
 }
 
-void ServiceForms::request_arrived(const Gid& writer, const Gid& client, std::uint64_t sequence_number,
-                                   std::int64_t source_stamp_ns) {
+void ServiceForms::note_request(const Gid& writer, const Gid& client, std::uint64_t sequence_number,
+                                std::int64_t source_stamp_ns) {
   // Before the new one, so that the one that is displaced can be counted.
   if (requests_.is_full() && requests_.find(writer) == nullptr) forget_oldest_requests();
   Requests& requests = requests_.use(writer);
   const ServiceHeader header{key_of(client), static_cast<std::int64_t>(sequence_number)};
-  if (requests.arrivals.insert_or_assign(sequence_number, ServiceEnd::Arrived{source_stamp_ns, header}).second) {
+  if (requests.arrivals.insert_or_assign(sequence_number, ServiceEnd::Arrival{source_stamp_ns, header}).second) {
     ++arrivals_;
   }
   const std::size_t size = requests.arrivals.size();
@@ -341,30 +349,34 @@ std::optional<ServiceHeader> ServiceForms::take_header(ServiceEnd& end, const Gi
                                                        std::int64_t source_stamp_ns) {
   const std::lock_guard lock(mutex_);
   if (end.is_client_) {
+    // A client has its own list, because a response names the one that it is for.
     auto* const responses = end.responses_.find(writer);
     if (responses == nullptr) return std::nullopt;
     auto& arrivals = *responses;
-    const auto found = std::ranges::find_if(
+    const auto arrival = std::ranges::find_if(
         arrivals, [&](const auto& entry) { return is_stamp(entry.second.source_stamp_ns, source_stamp_ns); });
-    if (found == arrivals.end()) return std::nullopt;
-    const ServiceHeader header = found->second.header;
-    beginnings_.use(writer).is_taken = true;
-    arrivals.erase(arrivals.begin(), std::next(found));
+    if (arrival == arrivals.end()) return std::nullopt;
+    const ServiceHeader header = arrival->second.header;
+    beginnings_.use(writer).is_taken = true;  // so no heartbeats are inserted before its samples any more
+    arrivals.erase(arrivals.begin(), std::next(arrival));
     if (arrivals.empty()) end.responses_.erase(writer);
     return header;
   }
+  // All servers share the requests of a writer, because a datagram does not tell the service: it is known once a server
+  // has taken one. If several servers of a service are in this process, each takes each request: each has its place in
+  // the list, and `forget_taken` erases only what all of them have passed.
   Requests* const requests = requests_.find(writer);
   if (requests == nullptr) return std::nullopt;
   requests->service = end.service_;
   auto& arrivals = requests->arrivals;
-  std::uint64_t& last_taken = end.taken_.use(writer);
-  const auto found = std::find_if(arrivals.upper_bound(last_taken), arrivals.end(), [&](const auto& entry) {
+  std::uint64_t& last_taken = end.last_taken_.use(writer);
+  const auto arrival = std::find_if(arrivals.upper_bound(last_taken), arrivals.end(), [&](const auto& entry) {
     return is_stamp(entry.second.source_stamp_ns, source_stamp_ns);
   });
-  if (found == arrivals.end()) return std::nullopt;
-  const ServiceHeader header = found->second.header;
+  if (arrival == arrivals.end()) return std::nullopt;
+  const ServiceHeader header = arrival->second.header;
   beginnings_.use(writer).is_taken = true;
-  last_taken = found->first;
+  last_taken = arrival->first;
   forget_taken(writer, *requests);
   if (requests->arrivals.empty()) requests_.erase(writer);
   return header;
@@ -373,11 +385,12 @@ std::optional<ServiceHeader> ServiceForms::take_header(ServiceEnd& end, const Gi
 // A request is forgotten when each server of its service in this process has taken it.
 void ServiceForms::forget_taken(const Gid& writer, Requests& requests) {
   auto& arrivals = requests.arrivals;
+  // The least of what the servers have taken last. One that has taken nothing of this writer holds back all.
   std::uint64_t taken_by_all = arrivals.empty() ? 0 : arrivals.rbegin()->first;
   for (const auto& [gid, end] : ends_by_writer_) {
     if (end->is_client_ || end->service_ != requests.service) continue;
-    const std::uint64_t* const taken = end->taken_.find(writer);
-    taken_by_all = std::min(taken_by_all, taken == nullptr ? 0 : *taken);
+    const std::uint64_t* const last_taken = end->last_taken_.find(writer);
+    taken_by_all = std::min(taken_by_all, last_taken == nullptr ? 0 : *last_taken);
   }
   const auto first_kept = arrivals.upper_bound(taken_by_all);
   arrivals_ -= static_cast<std::size_t>(std::distance(arrivals.begin(), first_kept));
@@ -393,9 +406,9 @@ bool ServiceForms::is_of_inline_peer(const Address& address) {
 
 std::optional<Gid> ServiceForms::inline_client(const std::array<std::uint8_t, 8>& key) {
   const std::lock_guard lock(mutex_);
-  const auto found = inline_clients_.find(key);
-  if (found == inline_clients_.end()) return std::nullopt;
-  return found->second;
+  const auto client = inline_clients_.find(key);
+  if (client == inline_clients_.end()) return std::nullopt;
+  return client->second;
 }
 
 bool ServiceForms::knows(const GuidPrefix& participant) {
@@ -414,14 +427,15 @@ void ServiceForms::forget(const GuidPrefix& participant) {
   for (const auto& [gid, end] : ends_by_writer_) {
     if (end->is_client_) continue;
     // Which request of a writer was taken last matters while others wait.
-    end->taken_.erase_range_if(first, last, [this](const Gid& writer, auto) { return requests_.find(writer) == nullptr; });
+    end->last_taken_.erase_range_if(
+        first, last, [this](const Gid& writer, auto) { return requests_.find(writer) == nullptr; });
   }
 }
 
 std::size_t ServiceForms::remembered() {
   const std::lock_guard lock(mutex_);
   std::size_t count = beginnings_.size() + keys_.size() + inline_clients_.size() + requests_.size();
-  for (const auto& [gid, end] : ends_by_writer_) count += end->taken_.size() + end->responses_.size();
+  for (const auto& [gid, end] : ends_by_writer_) count += end->last_taken_.size() + end->responses_.size();
   return count;
 }
 
@@ -431,8 +445,8 @@ std::string ServiceForms::version_of(const GuidPrefix& participant) {
 }
 
 ServiceEnd* ServiceForms::end_of(const EntityId& writer, const GuidPrefix& participant) {
-  const auto found = ends_by_writer_.find(gid_of(participant, writer));
-  return found == ends_by_writer_.end() ? nullptr : found->second;
+  const auto end = ends_by_writer_.find(gid_of(participant, writer));
+  return end == ends_by_writer_.end() ? nullptr : end->second;
 }
 
 bool ServiceForms::rewrite(const Address& address, Octets datagram, std::vector<std::vector<std::byte>>& rewritten) {
@@ -448,6 +462,8 @@ bool ServiceForms::rewrite(const Address& address, Octets datagram, std::vector<
   Octets stamp;
   std::vector<std::byte> out(message->header().begin(), message->header().end());
   std::size_t empty_size = out.size();  // without submessages of a writer
+  // Rewritten submessages are larger, and may exceed what one datagram holds. Each further datagram starts with the
+  // same header, destination and stamp.
   const auto start_datagram = [&] {
     rewritten.push_back(std::move(out));
     out.assign(message->header().begin(), message->header().end());
@@ -471,6 +487,7 @@ bool ServiceForms::rewrite(const Address& address, Octets datagram, std::vector<
         empty_size += former_size == empty_size ? submessage->octets.size() : 0;
       }
     }
+    // Move this submessage to a new datagram, unless it is too large by itself.
     if (out.size() > max_datagram_size && former_size > empty_size) {
       const std::vector<std::byte> last(out.begin() + static_cast<std::ptrdiff_t>(former_size), out.end());
       out.resize(former_size);
@@ -516,6 +533,7 @@ bool ServiceForms::append_rewritten(ServiceEnd& end, const GuidPrefix& participa
     append(out, submessage.octets);
     return false;
   }
+  // First, the sample's header, which goes into the inline QoS, and its content without that header.
   ServiceHeader header;
   std::vector<std::byte> fragment;  // of the sample in inline form
   Octets payload[2];
@@ -528,11 +546,15 @@ bool ServiceForms::append_rewritten(ServiceEnd& end, const GuidPrefix& participa
     payload[0] = data.payload.first(encapsulation_size);
     payload[1] = data.payload.subspan(header_end);
   } else {
+    // The inline form is shorter by the header, so each of its fragments has other bytes than the one of that number
+    // here: it needs the whole sample, which `Writer::write` has kept. At that time it had no sequence number yet. Its
+    // first fragment has the header, by which it is found; the later ones are found by the number.
     auto kept = std::ranges::find(end.kept_, data.sequence_number, &ServiceEnd::Kept::sequence_number);
     if (kept == end.kept_.end() && data.first_fragment == 1 && data.payload.size() >= header_end) {
       const ServiceHeader wanted = read_header(data.payload);
-      kept = std::ranges::find_if(end.kept_, [&](const ServiceEnd::Kept& each) {
-        return each.sequence_number == 0 && each.sample.size() == data.sample_size && read_header(each.sample) == wanted;
+      kept = std::ranges::find_if(end.kept_, [&](const ServiceEnd::Kept& candidate) {
+        return candidate.sequence_number == 0 && candidate.sample.size() == data.sample_size &&
+               read_header(candidate.sample) == wanted;
       });
       if (kept != end.kept_.end()) kept->sequence_number = data.sequence_number;
     }
@@ -543,6 +565,7 @@ bool ServiceForms::append_rewritten(ServiceEnd& end, const GuidPrefix& participa
     const std::size_t begin = std::size_t{data.first_fragment - 1} * data.fragment_size;
     const std::size_t end_at = std::min(begin + std::size_t{data.fragment_count} * data.fragment_size, size);
     if (begin >= end_at) return true;  // the last fragment, which the shorter sample does not have, or none: number 0
+    // [begin, end_at) counts in the inline form: the encapsulation header, then what follows the service's header.
     const Octets sample(kept->sample);  // in header form
     if (begin < encapsulation_size) append(fragment, sample.subspan(begin, std::min(end_at, encapsulation_size) - begin));
     const std::size_t first = std::max(begin, encapsulation_size);
@@ -558,10 +581,12 @@ bool ServiceForms::append_rewritten(ServiceEnd& end, const GuidPrefix& participa
     return true;
   }
   if (end.is_client_) {
-    end.sent_[data.sequence_number] = header.number;
-    erase_oldest(end.sent_, max_sent);
+    // A response names the request's sequence number; the program knows the request by the number in its header.
+    end.request_numbers_[data.sequence_number] = header.number;
+    erase_oldest(end.request_numbers_, max_sent);
   }
 
+  // Then the submessage: its fixed fields, its inline QoS with one more parameter before the sentinel, and the content.
   const std::size_t start = out.size();
   append(out, submessage.octets.first(data.inline_qos_at));
   if (!data.inline_qos.empty()) append(out, data.inline_qos.first(data.inline_qos.size() - 4));

@@ -73,7 +73,7 @@ class ServiceEnd {
   // Keep a copy of a sample in header form until `release`: fragments of it can be rewritten only with the whole.
   void keep(std::vector<std::byte> sample);
   void release();
-  [[nodiscard]] std::size_t kept_size() const;  // [octets]
+  [[nodiscard]] std::size_t kept_size() const;  // [bytes]
 
  private:
   friend class ServiceForms;
@@ -82,11 +82,11 @@ class ServiceEnd {
     std::vector<std::byte> sample;
     std::uint64_t sequence_number = 0;  // 0: no fragment of it was sent
   };
-  struct Arrived {
+  struct Arrival {
     std::int64_t source_stamp_ns = 0;
     ServiceHeader header;
   };
-  using Arrivals = std::map<std::uint64_t, Arrived>;  // by the sequence number of the sample
+  using Arrivals = std::map<std::uint64_t, Arrival>;  // by the sequence number of the sample
 
   ServiceEnd(ServiceForms& forms, bool is_client, std::string service, const Gid& writer, const Gid& reader,
              const std::array<std::uint8_t, 8>& client);
@@ -98,9 +98,9 @@ class ServiceEnd {
   const Gid reader_;
   const std::array<std::uint8_t, 8> client_;  // of a client: in its headers
   // The rest is guarded by the mutex of `forms_`.
-  std::map<std::uint64_t, std::int64_t> sent_;  // of a client: the requests' numbers, by sequence number
-  RecentMap<Gid, Arrivals> responses_{max_clients};    // of a client: by the server's writer
-  RecentMap<Gid, std::uint64_t> taken_{max_clients};  // of a server: the last sequence number, by the client's writer
+  std::map<std::uint64_t, std::int64_t> request_numbers_;  // of a client: those of its headers, by sequence number
+  RecentMap<Gid, Arrivals> responses_{max_clients};        // of a client: by the server's writer
+  RecentMap<Gid, std::uint64_t> last_taken_{max_clients};  // of a server: the sequence number, by the client's writer
   std::deque<Kept> kept_;
   std::size_t kept_size_ = 0;
 };
@@ -123,8 +123,8 @@ class ServiceForms {
   // Register a server.
   std::shared_ptr<ServiceEnd> add_server(const std::string& service, const Gid& writer, const Gid& reader);
 
-  // Note what a received datagram says of participants, and of services in inline form. Return its size [octets], which
-  // grows where heartbeats are inserted; `buffer` begins with its `size` octets.
+  // Note what a received datagram says of participants, and of services in inline form. Return its size [bytes], which
+  // grows where heartbeats are inserted; `buffer` begins with its `size` bytes.
   //
   // libddsc drops the samples of a writer that it has just matched until a heartbeat arrives, and those of another vendor's
   // writer that the first heartbeat counts, too. Fast DDS sends one every 3 s, or with each tenth sample, so the first
@@ -191,9 +191,10 @@ class ServiceForms {
   std::optional<ServiceHeader> take_header(ServiceEnd& end, const Gid& writer, std::int64_t source_stamp_ns);
   void insert_heartbeats(const Gid& writer, const Submessage& submessage, std::size_t at,
                          std::vector<Heartbeat>& inserted);
-  void arrived(const Gid& writer, std::uint64_t sequence_number, std::int64_t source_stamp_ns, const Related& related);
-  void request_arrived(const Gid& writer, const Gid& client, std::uint64_t sequence_number,
-                       std::int64_t source_stamp_ns);
+  void note_arrival(const Gid& writer, std::uint64_t sequence_number, std::int64_t source_stamp_ns,
+                    const Related& related);
+  void note_request(const Gid& writer, const Gid& client, std::uint64_t sequence_number,
+                    std::int64_t source_stamp_ns);
   void forget_taken(const Gid& writer, Requests& requests);
   void forget_oldest_requests();
   std::array<std::uint8_t, 8> key_of(const Gid& client);

@@ -42,6 +42,8 @@ void Buffer::lookup_chunk(std::string_view target, std::string_view source, std:
     std::ranges::fill(out, Transform{});
     return;
   }
+  // One walk finds the chain at the first stamp that isn't `latest`. Then all stamps are composed link by link, in
+  // columns. Where a link has another parent at a stamp, or no sample, `known` stays 0.
   Chain chain{frames_};
   const auto first = std::ranges::find_if(stamps, [](Stamp stamp) { return stamp != latest; });
   if (first != stamps.end() && !walk(frames_, ids.target, ids.source, *first, chain)) {
@@ -58,18 +60,18 @@ void Buffer::lookup_chunk(std::string_view target, std::string_view source, std:
       compose_branch(chain.target_links, part, target_side, value, part_known);
       if (!chain.target_links.empty()) column_arithmetic().compose_inverse(target_side, source_side, count);
       for (std::size_t i = 0; i < count; ++i) {
-        if (part[i] == latest) part_known[i] = 0;
+        if (part[i] == latest) part_known[i] = 0;  // left to a single lookup, which finds the common time
         if (!part_known[i]) continue;
-        const Transform found = source_side[i];
-        out[begin + i] = {found.translation, canonical(found.rotation)};
+        const Transform transform = source_side[i];
+        out[begin + i] = {transform.translation, canonical(transform.rotation)};
       }
     }
   }
   for (std::size_t i = 0; i < stamps.size(); ++i) {  // single lookups at stamps where the chain differs
     if (known[i]) continue;
-    StampedTransform found;
-    if (lookup_at(ids.target, ids.source, stamps[i], found)) continue;
-    out[i] = found.value;
+    StampedTransform transform;
+    if (lookup_at(ids.target, ids.source, stamps[i], transform)) continue;
+    out[i] = transform.value;
     known[i] = 1;
   }
 }
@@ -94,7 +96,7 @@ void run_in_parallel(std::size_t size, unsigned workers, Work&& work) {
   const std::size_t most = 4 * std::max(1u, std::thread::hardware_concurrency());
   const std::size_t parts = std::max<std::size_t>(std::min({std::size_t{workers}, most, chunks}), 1);
   const std::size_t share = (chunks + parts - 1) / parts * chunk_size;
-  std::vector<std::exception_ptr> thrown(parts);
+  std::vector<std::exception_ptr> thrown(parts);  // one place for each part, so that no lock is needed
   const auto run = [&](std::size_t index) {
     const std::size_t start = std::min(index * share, size);
     try {
@@ -110,6 +112,7 @@ void run_in_parallel(std::size_t size, unsigned workers, Work&& work) {
     for (; index < parts; ++index) threads.emplace_back(run, index);
   } catch (const std::system_error&) {  // no more threads are available: this one processes the other parts
   }
+  // All threads are joined before anything is thrown, because they use the caller's arrays.
   run(0);
   for (; index < parts; ++index) run(index);
   for (std::thread& thread : threads) thread.join();
@@ -142,6 +145,7 @@ void for_each_chunk(std::span<const Stamp> stamps, Use&& use) {
       const std::size_t count = std::min(chunk_size, part.size() - start);
       Chunk chunk{part.subspan(start, count), begin + start, {}};
       if (!is_sorted) {
+        // The stamps of this chunk lie anywhere in the part: gather them; `order` tells where each one belongs.
         chunk = {{gathered.data(), count}, begin, std::span(order).subspan(start, count)};
         for (std::size_t i = 0; i < count; ++i) gathered[i] = part[chunk.order[i]];
       }
@@ -166,7 +170,7 @@ std::optional<FailedStamp> lookup_many(const Buffer& buffer, std::string_view ta
   run_in_parallel(stamps.size(), workers, [&](const Part& part) {
     const auto own_out = part.of(out);
     const auto own_known = part.of(known);
-    std::vector<Transform> found;
+    std::vector<Transform> transforms;
     std::array<std::uint8_t, chunk_size> is_known;
     for_each_chunk(part.of(stamps), [&](const Chunk& chunk) {
       const std::size_t count = chunk.stamps.size();
@@ -174,16 +178,18 @@ std::optional<FailedStamp> lookup_many(const Buffer& buffer, std::string_view ta
         const auto answered = own_known.subspan(chunk.start, count);
         buffer.lookup_chunk(target, source, chunk.stamps, own_out.subspan(chunk.start, count), answered);
         if (!is_strict || std::ranges::count(answered, std::uint8_t{0}) == 0) return true;
+        // The first stamp that fails in this part is in this chunk or before it. The rest need not be looked up.
         std::ranges::fill(own_known.subspan(chunk.start + count), std::uint8_t{0});
         return false;
       }
-      found.resize(chunk_size);
-      buffer.lookup_chunk(target, source, chunk.stamps, std::span(found).first(count),
+      // Of shuffled stamps, a later chunk may have the failing one of the smallest index: look up all.
+      transforms.resize(chunk_size);
+      buffer.lookup_chunk(target, source, chunk.stamps, std::span(transforms).first(count),
                           std::span(is_known).first(count));
       for (std::size_t i = 0; i < count; ++i) {
         const std::size_t at = chunk.position(i);
         own_known[at] = is_known[i];
-        if (is_known[i]) own_out[at] = found[i];
+        if (is_known[i]) own_out[at] = transforms[i];
       }
       return true;
     });
@@ -254,11 +260,11 @@ struct CloudMatrix {
   Four<T> by_x, by_y, by_z, translation;
 };
 
-// Move x, y and z at `point`, and at each `step` octets from there, as one vector with the number after them, which
+// Move x, y and z at `point`, and at each `step` bytes from there, as one vector with the number after them, which
 // stays as it is.
 template <class T>
 void move_padded(const CloudMatrix<T>& matrix, std::byte* point, std::size_t step, std::size_t count) {
-  const CloudMatrix<T> m = matrix;  // a copy, because the octets might overlap the argument
+  const CloudMatrix<T> m = matrix;  // a copy, because the points might overlap the argument
   for (std::size_t i = 0; i < count; ++i, point += step) {
     Four<T> old;
     std::memcpy(&old, point, sizeof old);
@@ -295,7 +301,7 @@ void move_scattered(const CloudMatrix<T>& m, const std::array<std::size_t, 3>& o
 }  // namespace
 
 template <class T>
-void move_cloud(const Transform& transform, const CloudLayout& layout, std::byte* octets) {
+void move_cloud(const Transform& transform, const CloudLayout& layout, std::byte* data) {
   const CloudMatrix<T> matrix(transform);
   auto move_padded_points = &move_padded<T>;
 #ifdef TFLOOM_WIDE_TARGET
@@ -307,13 +313,13 @@ void move_cloud(const Transform& transform, const CloudLayout& layout, std::byte
   const bool is_packed = is_contiguous && step == 3 * sizeof(T);
   const bool is_padded = is_contiguous && step >= x + 4 * sizeof(T);
   for (std::size_t row = 0; row < layout.height; ++row) {
-    std::byte* const first = octets + row * layout.row_step;
+    std::byte* const first = data + row * layout.row_step;
     if (is_packed && reinterpret_cast<std::uintptr_t>(first + x) % alignof(T) == 0) {
       T* const points = reinterpret_cast<T*>(first + x);
       move_points(transform, points, points, layout.width);
       continue;
     }
-    // Not the last point of a row, because the octets may end after its z.
+    // Not the last point of a row, because the memory may end after its z.
     const std::size_t whole = is_padded && layout.width > 0 ? layout.width - 1 : 0;
     move_padded_points(matrix, first + x, step, whole);
     move_scattered(matrix, layout.offsets, first + whole * step, step, layout.width - whole);
@@ -327,25 +333,26 @@ std::optional<FailedStamp> deskew(const Buffer& buffer, std::string_view fixed, 
   std::mutex mutex;  // guards `failed` between the workers
   std::size_t failed = stamps.size();
   run_in_parallel(stamps.size(), workers, [&](const Part& part) {
-    std::vector<Transform> found(std::min(chunk_size, part.count));
+    std::vector<Transform> transforms(std::min(chunk_size, part.count));
     std::array<std::uint8_t, chunk_size> is_known;
     std::size_t own_failed = stamps.size();
     for_each_chunk(part.of(stamps), [&](const Chunk& chunk) {
       const std::size_t count = chunk.stamps.size();
-      buffer.lookup_chunk(fixed, source, chunk.stamps, std::span(found).first(count),
+      buffer.lookup_chunk(fixed, source, chunk.stamps, std::span(transforms).first(count),
                           std::span(is_known).first(count));
       for (std::size_t i = 0; i < count; ++i) {
         const std::size_t at = part.start + chunk.position(i);
         if (!is_known[i]) own_failed = std::min(own_failed, at);
-        if (own_failed < stamps.size()) continue;
+        if (own_failed < stamps.size()) continue;  // the call fails: only the smallest failing index still matters
         const Vector3 point{static_cast<double>(in[3 * at]), static_cast<double>(in[3 * at + 1]),
                             static_cast<double>(in[3 * at + 2])};
-        const Vector3 in_fixed = rotate(found[i].rotation, point) + found[i].translation;
+        const Vector3 in_fixed = rotate(transforms[i].rotation, point) + transforms[i].translation;
         const Vector3 moved = rotate(target_from_fixed.rotation, in_fixed) + target_from_fixed.translation;
         out[3 * at] = static_cast<T>(moved.x);
         out[3 * at + 1] = static_cast<T>(moved.y);
         out[3 * at + 2] = static_cast<T>(moved.z);
       }
+      // In ascending order, no later chunk fails at a smaller index. Of shuffled stamps, one may.
       return own_failed == stamps.size() || !chunk.order.empty();
     });
     const std::lock_guard lock(mutex);

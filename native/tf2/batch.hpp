@@ -31,16 +31,16 @@ void move_points(const Transform& transform, const T* in, T* out, std::size_t co
 
 // Where the coordinates of a cloud's points are: point (row, column) begins at row * row_step + column * point_step.
 struct CloudLayout {
-  std::size_t height = 0, width = 0, row_step = 0, point_step = 0;  // the steps in octets
-  std::array<std::size_t, 3> offsets{};  // of x, y and z in a point [octets]; they may be unaligned
+  std::size_t height = 0, width = 0, row_step = 0, point_step = 0;  // the steps in bytes
+  std::array<std::size_t, 3> offsets{};  // of x, y and z in a point [bytes]; they may be unaligned
 
-  // Return whether all coordinates of `coordinate_size` octets lie within `size` octets.
+  // Return whether all coordinates of `coordinate_size` bytes lie within `size` bytes.
   [[nodiscard]] bool fits(std::size_t size, std::size_t coordinate_size) const;
 };
 
-// Move the points of a cloud in place, as `move_points` does. The layout must fit the octets.
+// Move the points of a cloud in place, as `move_points` does. The layout must fit the data.
 template <class T>
-void move_cloud(const Transform& transform, const CloudLayout& layout, std::byte* octets);
+void move_cloud(const Transform& transform, const CloudLayout& layout, std::byte* data);
 
 // Move point i from `source` at stamps[i] to `fixed`, then by target_from_fixed. Return the first failure; the contents
 // of `out` are then undefined. `workers` threads share the points.

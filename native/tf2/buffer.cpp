@@ -76,6 +76,8 @@ struct FrameNameCollector {
 }  // namespace
 
 std::size_t Buffer::set(std::span<const Entry> entries, std::string_view authority, bool is_static) {
+  // What is rejected is reported after the lock is released, because the log may call a user's function. The entries'
+  // names remain valid until then: they are the caller's.
   std::size_t stored = 0;
   std::vector<Rejection> rejections;
   {
@@ -102,6 +104,8 @@ std::size_t Buffer::set_many(const Series& series, std::string_view authority) {
     {
       const std::unique_lock lock(frames_mutex_);
       ResolvedNames last;
+      // `append` stores as much as it can in one step; the transform at which it stops is inserted with all checks, and
+      // then it may go on. The first one is always inserted, because its frame isn't known yet.
       for (std::size_t i = begin; i < end;) {
         const std::size_t appended = append(series, i, end, authority, last);
         stored += appended;
@@ -176,6 +180,7 @@ bool Buffer::insert(Entry entry, std::string_view authority, bool is_static, Res
   entry.frame_id = without_slash(entry.frame_id);
   entry.child_frame_id = without_slash(entry.child_frame_id);
   entry.value.rotation = canonical(entry.value.rotation);
+  // A transform can have several faults, and each is reported, in this order.
   const std::size_t before = rejections.size();
   const auto reject_if = [&](bool is_so, Problem problem) {
     if (is_so) rejections.push_back({entry, problem});
@@ -238,7 +243,7 @@ void Buffer::report(const Rejection& rejection, std::string_view authority) {
 }
 
 bool Buffer::is_ignored(Stamp stamp) {
-  if (stamp < ignored_from_) return false;
+  if (stamp < ignored_from_) return false;  // also if nothing is ignored, without a look at the clock
   if (ignored_from_ != INT64_MAX && std::chrono::steady_clock::now() < ignored_until_) return true;
   ignored_from_ = INT64_MAX;
   return false;
@@ -279,6 +284,8 @@ Failure Buffer::lookup_at(FrameId target, FrameId source, Stamp stamp, StampedTr
     out = {stamp == latest ? frames_[target].newest_stamp() : stamp, {}};
     return {};
   }
+  // The newest common time comes from the frames' newest links alone. If every moving link has just that stamp, as when
+  // one message has brought them all, the newest values are the answer, and no history is searched.
   ChainComposer composer;
   if (stamp == latest) {
     const NewestChain chain(frames_, target, source);
@@ -323,6 +330,7 @@ Result<StampedTransform> Buffer::lookup(const Query& query) const {
     }
     return result;
   }
+  // Two lookups at two times, joined in the fixed frame. Both see the same data, because the lock is held for both.
   StampedTransform fixed_from_source;
   if (const Failure failure = lookup_at(ids.fixed, ids.source, query.source_stamp, fixed_from_source)) {
     return error_of(failure, ids.fixed, ids.source);

@@ -139,9 +139,9 @@ class Buffer {
   [[nodiscard]] std::vector<Sample> samples(std::string_view frame_id, std::string_view child_frame_id) const;
   // Remove a frame: its name, its transforms and those of its children to it. Return false if it is unknown.
   bool remove_frame(std::string_view name);
-  [[nodiscard]] std::size_t memory() const;  // of all histories [octets]
+  [[nodiscard]] std::size_t memory() const;  // of all histories [bytes]
 
-  // Return the whole contents as the octets of a frozen buffer; see frozen.hpp.
+  // Return the whole contents as the bytes of a frozen buffer; see frozen.hpp.
   [[nodiscard]] std::vector<std::byte> freeze() const;
   // Replace the whole contents and the cache time by those of a frozen buffer. The samples are not copied, and `owner`
   // keeps their memory valid while the buffer exists. Throw FrozenError, with nothing changed, if `frozen` is invalid.

@@ -43,6 +43,7 @@ Buffer::Waited Buffer::wait(const Query& query, std::chrono::steady_clock::time_
   const WaiterCount count(waiters_);
   const auto slice_end = std::min(deadline, Clock::now() + slice);
   for (;;) {
+    // Read before the check: data that is inserted after the check changes the generation, and the wait ends at once.
     const std::uint64_t seen = generation_.load();
     {
       const ReadLock lock(frames_mutex_);

@@ -68,6 +68,8 @@ struct Pair {
 }  // namespace
 
 void ChainProduct::fold() {
+  // The product of a long row of links is computed as two halves at once, one in each lane, and then those two. The
+  // links are in order from the bottom up, so each product grows from its upper end. An odd link remains for the top.
   Transform* const all = links();
   Transform product;
   if (count_ < 4) {

@@ -15,7 +15,7 @@ namespace tfloom::tf2 {
 class ChainProduct {
  public:
   void push(const Transform& link) {
-    if (count_ == most) fold();
+    if (count_ == max_links) fold();
     std::construct_at(links() + count_++, link);
   }
   void clear() { count_ = 0; }
@@ -27,13 +27,13 @@ class ChainProduct {
   }
 
  private:
-  static constexpr std::size_t most = 32;
+  static constexpr std::size_t max_links = 32;
 
   void fold();  // replace the links by their product
-  [[nodiscard]] Transform* links() { return reinterpret_cast<Transform*>(octets_.data()); }
+  [[nodiscard]] Transform* links() { return reinterpret_cast<Transform*>(storage_.data()); }
 
   // Raw storage, so that unused elements are not initialised with identities.
-  alignas(Transform) std::array<std::byte, most * sizeof(Transform)> octets_;
+  alignas(Transform) std::array<std::byte, max_links * sizeof(Transform)> storage_;
   std::size_t count_ = 0;
 };
 

@@ -85,9 +85,9 @@ inline TFLOOM_TARGET double interpolate_by_series(const Pairs& pairs, std::size_
     store(between(older, newer, &Vector3::y, ratio), &out.y[i]);
     store(between(older, newer, &Vector3::z, ratio), &out.z[i]);
   }
-  std::array<double, lane_count> each;
-  std::memcpy(each.data(), &least, sizeof least);
-  return -*std::ranges::min_element(each);
+  std::array<double, lane_count> lanes;
+  std::memcpy(lanes.data(), &least, sizeof least);
+  return -*std::ranges::min_element(lanes);
 }
 
 TFLOOM_TARGET void interpolate_pairs(const Pairs& pairs, std::size_t begin, std::size_t end, Columns& out) {

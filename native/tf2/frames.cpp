@@ -55,7 +55,7 @@ std::optional<FrameId> FrameTable::find(std::string_view name) const {
 }
 
 FrameId FrameTable::intern(std::string_view name) {
-  if (const auto known = find(name)) return *known;
+  if (const auto id = find(name)) return *id;
   const auto id = static_cast<FrameId>(frames_.size());
   Frame& frame = add();
   frame.name = name;

@@ -61,7 +61,7 @@ FrozenFrame record_of(const Frame& frame) {
   return record;
 }
 
-// Reads the parts in order; each size is checked against the octets that are left.
+// Reads the parts in order; each size is checked against the bytes that are left.
 class Reader {
  public:
   explicit Reader(std::span<const std::byte> octets) : octets_(octets) {}

@@ -33,7 +33,7 @@ struct FrozenHeader {
   std::array<char, 8> magic = expected_magic;
   std::uint32_t order = expected_order;  // has another value when read in the other byte order
   std::uint32_t version = expected_version;
-  std::uint64_t size = 0;  // of everything [octets]
+  std::uint64_t size = 0;  // of everything [bytes]
   std::int64_t cache_time = 0;
   std::uint64_t frame_count = 0;
   std::uint64_t text_size = 0;  // without padding

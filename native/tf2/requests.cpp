@@ -15,11 +15,11 @@ Requests::Handle Requests::add(Request request) {
 bool Requests::cancel(Handle handle) {
   std::shared_ptr<const Request> cancelled;  // destroyed after the lock, because its callback may own anything
   const std::lock_guard lock(mutex_);
-  const auto found = std::find_if(requests_.begin(), requests_.end(),
+  const auto place = std::find_if(requests_.begin(), requests_.end(),
                                   [handle](const auto& request) { return request->handle == handle; });
-  if (found == requests_.end()) return false;
-  cancelled = std::move(*found);
-  requests_.erase(found);
+  if (place == requests_.end()) return false;
+  cancelled = std::move(*place);
+  requests_.erase(place);
   count_.store(requests_.size());
   return true;
 }

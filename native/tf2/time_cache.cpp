@@ -32,6 +32,7 @@ TimeCache::Block TimeCache::Block::split() {
 }
 
 bool TimeCache::insert(const Sample& sample) {
+  // Prune with the newest stamp before this sample, as the header says.
   const Stamp newest = newest_stamp();
   prune(newest);
   if (!empty() && is_older_than(sample.stamp, max_age_, newest)) return false;
@@ -39,9 +40,12 @@ bool TimeCache::insert(const Sample& sample) {
   if (contains(sample, position)) return true;
   if (blocks_.empty() || (position.block == blocks_.size() - 1 && position.index == block_size)) {
     blocks_.emplace_back();  // appending starts a new block, so that the blocks before stay full
+    // The first block grows with its samples; each further one has room for all of them at once.
     if (blocks_.size() > 1) blocks_.back().reserve();
     position = {blocks_.size() - 1, 0};
   } else if (blocks_[position.block].stamps.size() == block_size) {
+    // The sample goes into the middle of a full block. Pruned samples at the block's begin leave room for it; otherwise
+    // two halves replace the block, and the sample goes into the one where its place is now.
     Block& full = blocks_[position.block];
     if (full.begin > 0) {
       position.index -= full.begin;
@@ -61,12 +65,15 @@ bool TimeCache::insert(const Sample& sample) {
 
 void TimeCache::append(std::span<const Stamp> stamps, FrameId parent, std::span<const Transform> values) {
   if (stamps.empty()) return;
+  // Each `insert` would prune with the newest stamp before it, so the last one with the last but one of these stamps.
+  // The stamps ascend, so that prunes all that the others would, and once is enough.
   const Stamp before_last = stamps.size() > 1 ? stamps[stamps.size() - 2] : newest_stamp();
   for (std::size_t at = 0; at < stamps.size();) {
     if (blocks_.back().stamps.size() == block_size) {
       blocks_.emplace_back();
       blocks_.back().reserve();
     }
+    // What the last block has room for, one column after the other: no sample is moved, as all are newer.
     Block& last = blocks_.back();
     const std::size_t count = std::min(block_size - last.stamps.size(), stamps.size() - at);
     last.stamps.append(stamps.subspan(at, count));
@@ -161,12 +168,12 @@ void TimeCache::clear() {
 }
 
 std::size_t TimeCache::memory() const {
-  std::size_t octets = blocks_.capacity() * sizeof(Block);
+  std::size_t bytes = blocks_.capacity() * sizeof(Block);
   for (const Block& block : blocks_) {
-    octets += block.stamps.capacity() * sizeof(Stamp) + block.parents.capacity() * sizeof(FrameId) +
+    bytes += block.stamps.capacity() * sizeof(Stamp) + block.parents.capacity() * sizeof(FrameId) +
               block.values.capacity() * sizeof(Transform);
   }
-  return octets;
+  return bytes;
 }
 
 TimeCache::Position TimeCache::first_after(Stamp stamp) const {
@@ -181,6 +188,7 @@ TimeCache::Position TimeCache::first_after(Stamp stamp) const {
 }
 
 bool TimeCache::contains(const Sample& sample, Position end) const {
+  // Those with its stamp are right before `end`, and may continue in the blocks before.
   for (std::size_t b = end.block + 1; b-- > 0 && b < blocks_.size();) {
     const Block& block = blocks_[b];
     for (std::size_t i = b == end.block ? end.index : block.stamps.size(); i-- > block.begin;) {

@@ -100,7 +100,7 @@ class TimeCache {
   [[nodiscard]] Stamp oldest_stamp() const { return oldest_stamp_; }
   [[nodiscard]] FrameId newest_parent() const { return newest_parent_; }
   [[nodiscard]] const Transform* newest_value() const { return newest_value_; }  // null: empty
-  [[nodiscard]] std::size_t memory() const;  // octets, without those viewed
+  [[nodiscard]] std::size_t memory() const;  // bytes, without those viewed
 
   // Call visit(stamp, parent, transform) for each sample, oldest first.
   template <class Visitor>
@@ -113,7 +113,7 @@ class TimeCache {
   }
 
  private:
-  // A structure of arrays, so that a search reads stamps only. A full block takes 68 octets a sample.
+  // A structure of arrays, so that a search reads stamps only. A full block takes 68 bytes a sample.
   struct Block {
     Column<Stamp> stamps;
     Column<FrameId> parents;

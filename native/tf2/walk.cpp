@@ -8,16 +8,18 @@ NewestChain::NewestChain(const FrameTable& frames, FrameId target, FrameId sourc
 
 void NewestChain::find(const FrameTable& frames, FrameId target, FrameId source) {
   using Kind = Failure::Kind;
-  constexpr auto longest = static_cast<std::size_t>(max_chain_length);
+  constexpr auto max_links = static_cast<std::size_t>(max_chain_length);
   if (target == no_parent || source == no_parent) {
     failure_ = {Kind::unconnected, {}, no_parent, 0};
     return;
   }
+  // From the source up to the root. If the target is on this branch, it is the whole chain. Without a limit, a cycle of
+  // newest parents would be followed for ever.
   FrameId top = source;
   for (;;) {
     const FrameId parent = frames.newest(top).parent;
     if (parent == no_parent) break;
-    if (source_count_ == longest) {
+    if (source_count_ == max_links) {
       failure_ = {Kind::cycle, {}, top, 0};
       return;
     }
@@ -25,11 +27,12 @@ void NewestChain::find(const FrameTable& frames, FrameId target, FrameId source)
     top = parent;
     if (top == target) return compute_stamp(frames);
   }
+  // From the target up to the root, or to the source: then the source's branch has no link.
   FrameId reached = target;
   for (;;) {
     const FrameId parent = frames.newest(reached).parent;
     if (parent == no_parent) break;
-    if (target_count_ == longest) return find_meeting_frame(frames, reached);
+    if (target_count_ == max_links) return find_meeting_frame(frames, reached);
     target_[target_count_++] = reached;
     reached = parent;
     if (reached == source) {
@@ -50,11 +53,12 @@ void NewestChain::find(const FrameTable& frames, FrameId target, FrameId source)
 }
 
 // The target's branch is longer than the limit. The branches may still meet below it, and links above the meeting frame
-// are not needed.
+// are not needed. `target_count_` grows until the frame above those links is also on the source's branch, which is then
+// cut off there.
 void NewestChain::find_meeting_frame(const FrameTable& frames, FrameId top) {
-  const std::size_t whole = target_count_;
-  for (target_count_ = 1; target_count_ <= whole; ++target_count_) {
-    const FrameId id = target_count_ < whole ? target_[target_count_] : top;
+  const std::size_t branch_size = target_count_;
+  for (target_count_ = 1; target_count_ <= branch_size; ++target_count_) {
+    const FrameId id = target_count_ < branch_size ? target_[target_count_] : top;
     const auto all = source_links();
     const auto meeting = std::ranges::find(all, id);
     if (meeting == all.end()) continue;
@@ -67,6 +71,7 @@ void NewestChain::find_meeting_frame(const FrameTable& frames, FrameId top) {
 }
 
 void NewestChain::compute_stamp(const FrameTable& frames) {
+  // The oldest of the moving links' newest stamps. Static links are known at all times.
   Stamp common = INT64_MAX, first = 0;
   bool has_moving = false;
   is_uniform_ = true;

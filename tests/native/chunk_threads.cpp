@@ -34,11 +34,11 @@ std::uint64_t run(const ChunkQueue::Limits& limits) {
   for (int number = 0; number < pushers; ++number) {
     threads.emplace_back([&queue, &pushing, number] {
       ChunkSink sink(queue, static_cast<std::uint16_t>(number));
-      for (std::uint64_t each = 1; each <= messages; ++each) {
+      for (std::uint64_t message = 1; message <= messages; ++message) {
         std::byte data[8];
-        std::memcpy(data, &each, sizeof(each));
-        sink.push(data, {static_cast<std::int64_t>(each), static_cast<std::int64_t>(each), {}});
-        if (each % 5'000 == 0) queue->end_file();
+        std::memcpy(data, &message, sizeof(message));
+        sink.push(data, {static_cast<std::int64_t>(message), static_cast<std::int64_t>(message), {}});
+        if (message % 5'000 == 0) queue->end_file();
       }
       if (--pushing == 0) queue->close();
     });

@@ -56,7 +56,7 @@ Plans read_plans(Input& input) {
     auto plan = std::make_unique<Plan>();
     plan->name = "fuzz/msg/Plan";
     for (int fields = input.next() % 32; fields > 0; --fields) plan->fields.push_back(read_field(input, plans));
-    plan->update_least_size();
+    plan->update_min_size();
     plans.push_back(std::move(plan));
   }
   return plans;

@@ -40,8 +40,8 @@ struct Target {
       fuzzing::fail("fuzz_joints", "what was written is unreadable");
     }
     if (entries.empty() || entries.size() > 4) fuzzing::fail("fuzz_joints", "there are four joints");
-    for (const tf2::Entry& each : entries) {
-      const tf2::Quaternion& q = each.value.rotation;
+    for (const tf2::Entry& entry : entries) {
+      const tf2::Quaternion& q = entry.value.rotation;
       if (!(std::abs(dot(q, q) - 1.0) < 1e-6)) fuzzing::fail("fuzz_joints", "a rotation has not unit length");
     }
   }

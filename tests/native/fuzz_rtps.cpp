@@ -51,13 +51,13 @@ class Builder {
     return *this;
   }
   Builder& text(std::string_view value) {
-    for (const char each : value) bytes_.push_back(static_cast<std::byte>(each));
+    for (const char character : value) bytes_.push_back(static_cast<std::byte>(character));
     return *this;
   }
   Builder& u16(unsigned value) { return octets({int(value & 0xff), int(value >> 8 & 0xff)}); }
   Builder& u32(std::uint32_t value) { return u16(value & 0xffff).u16(value >> 16); }
   Builder& gid(const Gid& value) {
-    for (const int each : value) octets({each});
+    for (const int octet : value) octets({octet});
     return *this;
   }
   Builder& stamp(std::uint32_t seconds) { return octets({9, 1}).u16(8).u32(seconds).u32(0); }
@@ -81,7 +81,7 @@ class Builder {
     return u16(0x83).u16(24).gid(value).u32(high).u32(low).u16(1).u16(0);
   }
   Builder& header(std::uint32_t number) {
-    for (const int each : key) octets({each});
+    for (const int octet : key) octets({octet});
     return u32(number).u32(0);
   }
   Builder& encapsulation() { return octets({0, 1, 0, 0}); }
@@ -113,7 +113,7 @@ Builder version_announcement(const Gid& source, unsigned id, const Datagram& val
   Builder message(source);
   message.begin(0x15, 5).u16(0).u16(16).u32(0).octets({0, 1, 0, 0xc2}).u32(0).u32(1).octets({0, 3, 0, 0});
   message.u16(id).u16(static_cast<unsigned>(value.size()));
-  for (const std::byte each : value) message.octets({std::to_integer<int>(each)});
+  for (const std::byte octet : value) message.octets({std::to_integer<int>(octet)});
   return message.u16(1).u16(0).end();
 }
 
@@ -398,10 +398,10 @@ void check_large_datagrams() {
   }
   sent.clear();
   check(two.size() <= 65'507 && target.forms.rewrite(fast_address, two, sent) && sent.size() == 2, "two datagrams");
-  for (const Datagram& each : sent) {
+  for (const Datagram& datagram : sent) {
     Datagram begin = destination;
     begin.insert(begin.end(), stamp.begin(), stamp.end());
-    check(contains(each, begin), "each datagram has its destination and stamp");
+    check(contains(datagram, begin), "each datagram has its destination and stamp");
   }
 
   // Two answers to one request, in fragments: each fragment is of its own sample.
@@ -469,9 +469,9 @@ bool run(std::span<const std::uint8_t> bytes) {
   if (bytes[1] % 8 == 0) target->client->keep(datagram);
   const bool is_rewritten = target->forms.rewrite(fast_address, datagram, sent);
   std::size_t size = 0;
-  for (const Datagram& each : sent) {
-    size += each.size();
-    check(each.size() <= 65'507 || sent.size() == 1, "a datagram is too large");
+  for (const Datagram& part : sent) {
+    size += part.size();
+    check(part.size() <= 65'507 || sent.size() == 1, "a datagram is too large");
   }
   check(is_rewritten || sent.empty(), "what is sent as it is has no other form");
   check(size < 4 * datagram.size() + 4096 || bytes[1] % 8 == 0, "the inline form grows");
@@ -480,7 +480,7 @@ bool run(std::span<const std::uint8_t> bytes) {
 
 fuzzing::Bytes seed(int action, int stamp_s, const Datagram& datagram) {
   fuzzing::Bytes bytes = {static_cast<std::uint8_t>(action), static_cast<std::uint8_t>(stamp_s)};
-  for (const std::byte each : datagram) bytes.push_back(std::to_integer<std::uint8_t>(each));
+  for (const std::byte octet : datagram) bytes.push_back(std::to_integer<std::uint8_t>(octet));
   return bytes;
 }
 

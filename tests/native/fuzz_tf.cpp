@@ -48,9 +48,9 @@ void check(const tf2::Buffer& buffer) {
 void check(const cdr::TfObserver& observer) {
   const cdr::TfSnapshot snapshot = observer.snapshot();
   std::uint64_t sent = 0, recorded = snapshot.unrecorded;
-  for (const cdr::TfTraffic& each : snapshot.publishers) sent += each.transforms;
-  for (const cdr::TfEdge& each : snapshot.edges) {
-    const tf2::EdgeStatistics& statistics = each.statistics;
+  for (const cdr::TfTraffic& publisher : snapshot.publishers) sent += publisher.transforms;
+  for (const cdr::TfEdge& edge : snapshot.edges) {
+    const tf2::EdgeStatistics& statistics = edge.statistics;
     recorded += statistics.count;
     if (statistics.oldest_stamp > statistics.newest_stamp || statistics.non_finite > statistics.count ||
         statistics.receipt_period.count != statistics.count - 1) {

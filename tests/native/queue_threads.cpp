@@ -81,7 +81,7 @@ void check_sink() {
       const auto outcome = queue.wait(10'000'000'000, tokens, true);
       check(outcome == ReadyQueue::Outcome::ready, "a push woke no thread");
       if (outcome != ReadyQueue::Outcome::ready) seen = samples;
-      for (const auto each : tokens) check(each == token, "a token came after it had been withdrawn");
+      for (const auto taken : tokens) check(taken == token, "a token came after it had been withdrawn");
       if (sink.take_pushed()) seen = std::max(seen, sink.pushed());
     }
     sink.notify(nullptr, 0);

@@ -71,7 +71,7 @@ def test_clang_with_libcxx_compiles_all_without_a_warning() -> None:
             "no clang with libc++ is installed: apt-get install clang-16 libc++-16-dev libc++abi-16-dev"
         )
     headers = [sysconfig.get_path("include"), nanobind.include_dir()]
-    options = [compiler, "-stdlib=libc++", "-fPIC", *(f"-isystem{each}" for each in headers)]
+    options = [compiler, "-stdlib=libc++", "-fPIC", *(f"-isystem{folder}" for folder in headers)]
     failed = failures(options, sorted(NATIVE.rglob("*.cpp")))
     assert not failed, "\n".join(failed)
 

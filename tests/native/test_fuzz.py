@@ -76,17 +76,17 @@ def plan_bytes(cls: type[Message]) -> bytes:
     """Return a class's plan in the format of fuzz_cdr.cpp, nested messages first."""
     order: list[type[Message]] = []
 
-    def visit(each: type[Message]) -> None:
-        for text in each._FIELDS.values():
+    def visit(message_class: type[Message]) -> None:
+        for text in message_class._FIELDS.values():
             base = split_type(text)[0]
             if "/" in base:
                 visit(get_message_class(base))
-        if each not in order:
-            order.append(each)
+        if message_class not in order:
+            order.append(message_class)
 
     visit(cls)
     return bytes([len(order) - 1]) + b"".join(
-        bytes([len(each._FIELDS)]) + fields(each, order) for each in order
+        bytes([len(message_class._FIELDS)]) + fields(message_class, order) for message_class in order
     )
 
 
