@@ -5,31 +5,31 @@
 namespace tfloom::bag {
 
 RunSummary summarise(std::span<const std::byte> data, std::size_t begin) {
-  RunSummary found;
+  RunSummary summary;
   RecordWalk walk(data, begin);
   while (walk.advance()) {
     const Record& record = walk.record();
     if (walk.is_message()) {
       const MessageRecord message = walk.message();
-      ++found.counts[message.channel];
-      found.first = std::min(found.first, message.log_time);
-      found.last = std::max(found.last, message.log_time);
+      ++summary.counts[message.channel];
+      summary.first = std::min(summary.first, message.log_time);
+      summary.last = std::max(summary.last, message.log_time);
     } else if (record.opcode == static_cast<std::uint8_t>(Opcode::schema) ||
                record.opcode == static_cast<std::uint8_t>(Opcode::channel)) {
-      found.others.push_back(record);
+      summary.others.push_back(record);
     } else {
       walk.go_back();
       break;
     }
   }
-  found.end = walk.next();
-  return found;
+  summary.end = walk.next();
+  return summary;
 }
 
 IndexSummary summarise_indexes(std::span<const std::byte> data) {
   constexpr std::size_t prefix_size = 6;  // the channel, and the size of the entries
   constexpr std::size_t entry_size = 16;  // log time and offset
-  IndexSummary found;
+  IndexSummary summary;
   RecordWalk walk(data, 0);
   while (walk.advance()) {
     const Record& record = walk.record();
@@ -44,13 +44,13 @@ IndexSummary summarise_indexes(std::span<const std::byte> data) {
     }
     for (const std::byte* entry = content + prefix_size; entry < content + record.size; entry += entry_size) {
       const auto log_time = read_little_endian<std::uint64_t>(entry);
-      found.first = std::min(found.first, log_time);
-      found.last = std::max(found.last, log_time);
-      ++found.count;
+      summary.first = std::min(summary.first, log_time);
+      summary.last = std::max(summary.last, log_time);
+      ++summary.count;
     }
   }
   walk.require_end();
-  return found;
+  return summary;
 }
 
 }  // namespace tfloom::bag

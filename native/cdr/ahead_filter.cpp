@@ -58,11 +58,14 @@ AheadFilter::Message AheadFilter::filter(std::vector<tf2::Entry>& entries, const
   const auto seen = [now](const tf2::Entry& entry) { return Seen{entry.stamp, entry.stamp - now}; };
   const auto& newest = *std::ranges::max_element(entries, {}, &tf2::Entry::stamp);
   Publisher& publisher = find(gid);
+  // The usual message: nothing in it is far ahead, and nothing is held.
   if (newest.stamp - now <= reach && !publisher.newest_held) {
     publisher.pass(seen(newest));
     return message;
   }
 
+  // If one of these transforms confirms those that are held, release them: the publisher's clock is ahead. That comes
+  // before the test of the message's own transforms, which the released stamp may let pass.
   const auto confirms = [&](const tf2::Entry& entry) { return seen(entry).confirms(*publisher.newest_held, reach); };
   if (publisher.newest_held && std::ranges::any_of(entries, confirms)) {
     publisher.pass(*publisher.newest_held);

@@ -4,6 +4,7 @@ namespace tfloom {
 
 void Sink::notify(ReadyQueue* queue, ReadyQueue::Token token) {
   const std::lock_guard lock(mutex_);
+  // A token that nobody has taken would wake the former queue for a sink that is no longer its own.
   if (queue_ != nullptr) queue_->withdraw(token_);
   queue_ = queue;
   token_ = token;
@@ -11,6 +12,7 @@ void Sink::notify(ReadyQueue* queue, ReadyQueue::Token token) {
 }
 
 void Sink::signal_push() {
+  // One token stands for all pushes until they are taken, so most pushes need no lock.
   if (is_pushed_.exchange(true)) return;
   const std::lock_guard lock(mutex_);
   if (queue_ != nullptr) queue_->post_quietly(token_);

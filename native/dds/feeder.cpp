@@ -54,6 +54,7 @@ void Feeder::State::run() {
   std::unique_lock lock(mutex);
   for (;;) {
     scheduled.wait(lock, [&] { return stopping || !waiting.empty() || !deferred.empty(); });
+    // Deferred work comes first, and is done even when the feeder stops; sources are not drained then.
     if (!deferred.empty()) {
       Work work = std::move(deferred.front());
       deferred.pop_front();
@@ -64,6 +65,7 @@ void Feeder::State::run() {
       continue;
     }
     if (stopping) return;
+    // `draining` lets `cancel` wait for this source; a source with more to drain goes behind those that wait already.
     Source* source = draining = waiting.front();
     waiting.pop_front();
     lock.unlock();

@@ -196,7 +196,7 @@ const Library& Library::open(const std::string& path) {
     opened->version = resolve.version();
     check_major_version(path, opened->version);
     if (!was_tried(opened->version)) check_untried(*opened, path);
-    library = std::move(opened);
+    library = std::move(opened);  // only now: after a failure, the next call tries again
   }
   return *library;
 }

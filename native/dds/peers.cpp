@@ -40,7 +40,8 @@ Gid Peers::gid(Entity entity, InstanceHandle handle) {
 }
 
 const Peer* Peers::find(Entity entity, InstanceHandle handle) {
-  if (const auto peer = known_.find(handle); peer != known_.end()) return &peer->second;
+  // Remembered, because the library no longer describes a peer that has left, and its samples may be taken after that.
+  if (const auto peer = peers_by_handle_.find(handle); peer != peers_by_handle_.end()) return &peer->second;
   const std::unique_ptr<DiscoveredEndpoint, void (*)(DiscoveredEndpoint*)> endpoint(
       (of_writer_ ? library_.get_matched_subscription_data : library_.get_matched_publication_data)(entity, handle),
       library_.builtintopic_free_endpoint);
@@ -48,8 +49,8 @@ const Peer* Peers::find(Entity entity, InstanceHandle handle) {
   Peer peer;
   std::memcpy(peer.gid.data(), endpoint->key.octets, peer.gid.size());
   peer.user_data = read_user_data(library_, endpoint->qos);
-  if (known_.size() >= max_known) known_.clear();
-  return &known_.emplace(handle, std::move(peer)).first->second;
+  if (peers_by_handle_.size() >= max_known) peers_by_handle_.clear();
+  return &peers_by_handle_.emplace(handle, std::move(peer)).first->second;
 }
 
 }  // namespace tfloom::dds

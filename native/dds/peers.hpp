@@ -34,7 +34,7 @@ class Peers {
   const Library& library_;
   bool of_writer_;
   std::mutex mutex_;  // held during calls of the library
-  std::unordered_map<InstanceHandle, Peer> known_;  // guarded by mutex_
+  std::unordered_map<InstanceHandle, Peer> peers_by_handle_;  // guarded by mutex_
 };
 
 }  // namespace tfloom::dds

@@ -18,9 +18,9 @@ class Writer {
  public:
   template <class T>
   void put(const T& value) {
-    put_octets(&value, sizeof value);
+    put_bytes(&value, sizeof value);
   }
-  void put_octets(const void* from, std::size_t size) {
+  void put_bytes(const void* from, std::size_t size) {
     const auto* octets = static_cast<const std::byte*>(from);
     out_.insert(out_.end(), octets, octets + size);
   }
@@ -64,28 +64,28 @@ FrozenFrame record_of(const Frame& frame) {
 // Reads the parts in order; each size is checked against the bytes that are left.
 class Reader {
  public:
-  explicit Reader(std::span<const std::byte> octets) : octets_(octets) {}
+  explicit Reader(std::span<const std::byte> octets) : data_(octets) {}
 
   template <class T>
   std::span<const T> view(std::uint64_t count, std::string_view what) {
-    const std::size_t left = octets_.size() - at_;
+    const std::size_t left = data_.size() - at_;
     if (count > left / sizeof(T)) {
       fail(join(what, " takes ", std::to_string(count), " times ", std::to_string(sizeof(T)), " bytes, ",
                 std::to_string(left), " are left"));
     }
-    const std::span<const T> found(reinterpret_cast<const T*>(octets_.data() + at_), static_cast<std::size_t>(count));
-    at_ += found.size_bytes();
-    return found;
+    const std::span<const T> items(reinterpret_cast<const T*>(data_.data() + at_), static_cast<std::size_t>(count));
+    at_ += items.size_bytes();
+    return items;
   }
-  void skip_padding() { at_ = std::min<std::size_t>(static_cast<std::size_t>(padded(at_)), octets_.size()); }
-  [[nodiscard]] std::size_t left() const { return octets_.size() - at_; }
+  void skip_padding() { at_ = std::min<std::size_t>(static_cast<std::size_t>(padded(at_)), data_.size()); }
+  [[nodiscard]] std::size_t left() const { return data_.size() - at_; }
 
   [[noreturn]] void fail(const std::string& reason) const {
     throw FrozenError(join("byte ", std::to_string(at_), ": ", reason));
   }
 
  private:
-  std::span<const std::byte> octets_;
+  std::span<const std::byte> data_;
   std::size_t at_ = 0;
 };
 
@@ -171,19 +171,19 @@ void read_contents(Reader& in, const FrozenFrame& record, Stamp max_age, std::si
 
 std::vector<std::byte> freeze(const FrameTable& frames, Stamp cache_time) {
   FrozenHeader header{.cache_time = cache_time, .frame_count = frames.size() - 1};
-  std::uint64_t sample_octets = 0;
+  std::uint64_t sample_bytes = 0;
   for (FrameId id = 1; id < frames.size(); ++id) {
     const FrozenFrame record = record_of(frames[id]);
     header.text_size += std::uint64_t{record.name_size} + record.authority_size;
-    sample_octets += samples_size(record.sample_count);
+    sample_bytes += samples_size(record.sample_count);
   }
-  header.size = sizeof header + header.frame_count * sizeof(FrozenFrame) + padded(header.text_size) + sample_octets;
+  header.size = sizeof header + header.frame_count * sizeof(FrozenFrame) + padded(header.text_size) + sample_bytes;
   Writer out(static_cast<std::size_t>(header.size));
   out.put(header);
   for (FrameId id = 1; id < frames.size(); ++id) out.put(record_of(frames[id]));
   for (FrameId id = 1; id < frames.size(); ++id) {
-    out.put_octets(frames[id].name.data(), frames[id].name.size());
-    out.put_octets(frames[id].authority.data(), frames[id].authority.size());
+    out.put_bytes(frames[id].name.data(), frames[id].name.size());
+    out.put_bytes(frames[id].authority.data(), frames[id].authority.size());
   }
   out.pad();
   for (FrameId id = 1; id < frames.size(); ++id) {

@@ -11,6 +11,7 @@ void Log::set_callback(LogCallback callback) {
 }
 
 void Log::report(Severity severity, std::string_view topic, std::string_view frame, std::string text) {
+  // The callback is a user's, so it is called without the lock; the copy keeps it alive if it is replaced meanwhile.
   std::shared_ptr<const LogCallback> callback;
   {
     const std::lock_guard lock(mutex_);

@@ -46,6 +46,8 @@ class Requests {
   // Remove each request whose `state_of(request)` is not pending, and call it back in order of arrival.
   template <class StateOf>
   void complete(StateOf&& state_of) {
+    // Most inserts find no request, and acquire no lock. One that is added just now is checked by `Buffer::add_request`
+    // itself, after it has been added.
     if (count_.load() == 0) return;
     std::vector<std::pair<std::shared_ptr<const Request>, Outcome>> completed;
     {
