@@ -97,17 +97,21 @@ LAUNCH_FILE = ".launch.py"
 def imports(house: Path) -> list[Import]:
     """Return all imports of a source tree, of each kind, except those of the façades and of launch files."""
     return [
-        each
-        for each in imports_of_package(house)
-        if "ros_names" not in each.path.parts and not each.path.name.endswith(LAUNCH_FILE)
+        statement
+        for statement in imports_of_package(house)
+        if "ros_names" not in statement.path.parts and not statement.path.name.endswith(LAUNCH_FILE)
     ]
 
 
 @lru_cache(maxsize=4)
 def libraries(house: Path) -> list[tuple[Path, int, str]]:
     """Return file, line and name of each imported top-level package, `import_module("name…")` included."""
-    found = [(each.path, each.line, each.imported.split(".")[0]) for each in imports(house) if not each.level]
-    for path in {each.path for each in imports(house)}:
+    found = [
+        (statement.path, statement.line, statement.imported.split(".")[0])
+        for statement in imports(house)
+        if not statement.level
+    ]
+    for path in {statement.path for statement in imports(house)}:
         text = path.read_text("utf-8")
         found += [
             (path, text.count("\n", 0, match.start()) + 1, match.group(1))
@@ -116,8 +120,8 @@ def libraries(house: Path) -> list[tuple[Path, int, str]]:
     return found
 
 
-def _where(house: Path, each: Import) -> str:
-    return f"{each.path.relative_to(house).as_posix()}:{each.line} imports {each.imported}"
+def _where(house: Path, statement: Import) -> str:
+    return f"{statement.path.relative_to(house).as_posix()}:{statement.line} imports {statement.imported}"
 
 
 def _shelf(room: str) -> int | None:
@@ -131,13 +135,13 @@ def _room(dotted: str) -> str:
 def imports_point_down(house: Path) -> list[str]:
     """A room imports only rooms on lower shelves; interfaces may import rosidl, too."""
     found = []
-    for each in imports(house):
-        here, there = _room(each.importer), _room(each.imported)
+    for statement in imports(house):
+        here, there = _room(statement.importer), _room(statement.imported)
         shelf_here, shelf_there = _shelf(here), _shelf(there)
         if shelf_here is None or shelf_there is None or here == there:
             continue
         if shelf_there >= shelf_here and (here, there) != ("interfaces", "rosidl"):
-            found.append(f"{_where(house, each)}, which doesn't stand below {here}")
+            found.append(f"{_where(house, statement)}, which doesn't stand below {here}")
     return found
 
 
@@ -152,28 +156,28 @@ def node_rooms_point_down(house: Path) -> list[str]:
         return NODE_ROOMS.index(room) if room in NODE_ROOMS else None
 
     found = []
-    for each in imports(house):
-        here, there = level(each.importer), level(each.imported)
+    for statement in imports(house):
+        here, there = level(statement.importer), level(statement.imported)
         if here is not None and there is not None and there > here:
-            found.append(f"{_where(house, each)}, which comes after node/{NODE_ROOMS[here]}")
+            found.append(f"{_where(house, statement)}, which comes after node/{NODE_ROOMS[here]}")
     return found
 
 
 def no_import_of_an_own_top(house: Path) -> list[str]:
     """A module imports the file that defines a name, never a package that contains the module."""
     found = []
-    for each in imports(house):
-        parts = each.path.relative_to(house.parent).with_suffix("").parts
-        if each.imported in {".".join(parts[:end]) for end in range(2, len(parts))}:
+    for statement in imports(house):
+        parts = statement.path.relative_to(house.parent).with_suffix("").parts
+        if statement.imported in {".".join(parts[:end]) for end in range(2, len(parts))}:
             found.append(
-                f"{_where(house, each)}, its own package's top; import the file that defines the thing"
+                f"{_where(house, statement)}, its own package's top; import the file that defines the thing"
             )
     return found
 
 
 def no_relative_import(house: Path) -> list[str]:
     """Imports are absolute."""
-    return [f"{_where(house, each)}, relatively" for each in imports(house) if each.level]
+    return [f"{_where(house, statement)}, relatively" for statement in imports(house) if statement.level]
 
 
 def no_ros_name(house: Path) -> list[str]:
@@ -183,12 +187,12 @@ def no_ros_name(house: Path) -> list[str]:
     """
     names = {path.name for path in (house / "ros_names").glob("*") if path.is_dir()}
     found = [
-        f"{_where(house, each)}, a ROS name; import it from its room in tfloom"
-        for each in imports(house)
-        if each.imported.split(".")[0] in names
+        f"{_where(house, statement)}, a ROS name; import it from its room in tfloom"
+        for statement in imports(house)
+        if statement.imported.split(".")[0] in names
     ]
     by_string = re.compile(r"""(?:import_module|__import__|real_ros\.\w+)\(\s*f?["']([\w.]+)""")
-    for path in sorted({each.path for each in imports(house)}):
+    for path in sorted({statement.path for statement in imports(house)}):
         place = path.relative_to(house).as_posix()
         text = path.read_text("utf-8")
         found += [
@@ -220,9 +224,9 @@ def one_door_for_each_library(house: Path) -> list[str]:
 def no_type_checkers_library_at_run_time(house: Path) -> list[str]:
     """`typing_extensions` is imported under `if TYPE_CHECKING:` alone."""
     return [
-        f"{_where(house, each)} at run time"
-        for each in imports(house)
-        if each.imported.split(".")[0] == ANNOTATIONS_ONLY and each.kind is not Kind.ANNOTATION
+        f"{_where(house, statement)} at run time"
+        for statement in imports(house)
+        if statement.imported.split(".")[0] == ANNOTATIONS_ONLY and statement.kind is not Kind.ANNOTATION
     ]
 
 
@@ -236,13 +240,13 @@ def a_top_holds_its_docstring_alone(house: Path) -> list[str]:
     found = []
     for path in sorted((house / "node").rglob("__init__.py")):
         body = ast.parse(path.read_text("utf-8")).body
-        if any(not isinstance(each, ast.Expr) for each in body) or len(body) > 1:
+        if any(not isinstance(statement, ast.Expr) for statement in body) or len(body) > 1:
             found.append(f"{path.relative_to(house).as_posix()} holds more than its docstring")
     return found
 
 
 def _folders(path: Path) -> set[str]:
-    return {each.name for each in path.iterdir() if each.is_dir()} - NO_ROOMS
+    return {entry.name for entry in path.iterdir() if entry.is_dir()} - NO_ROOMS
 
 
 def each_room_has_its_place(house: Path) -> list[str]:
@@ -287,9 +291,9 @@ def one_door_for_reading_yaml(house: Path) -> list[str]:
             ):
                 names = [node.attr]
             elif isinstance(node, ast.ImportFrom) and (node.module or "").split(".")[0] == "yaml":
-                names = [each.name for each in node.names]
+                names = [alias.name for alias in node.names]
             elif isinstance(node, ast.Import):
-                names = [each.asname or "" for each in node.names if each.name.split(".")[0] == "yaml"]
+                names = [alias.asname or "" for alias in node.names if alias.name.split(".")[0] == "yaml"]
                 names = ["load"] if any(names) else []  # another name would hide its calls
             else:
                 continue
@@ -348,9 +352,9 @@ def no_users_code_under_a_lock(house: Path) -> list[str]:
     """
     trees = {path.stem: ast.parse(path.read_text("utf-8")) for path in sorted((house / "rmw").glob("*.py"))}
     seen = {stem: {stem} for stem in trees}
-    for each in imports(house):
-        if each.importer.startswith("tfloom.rmw.") and each.imported.startswith("tfloom.rmw."):
-            seen.setdefault(each.importer.split(".")[2], set()).add(each.imported.split(".")[2])
+    for statement in imports(house):
+        if statement.importer.startswith("tfloom.rmw.") and statement.imported.startswith("tfloom.rmw."):
+            seen.setdefault(statement.importer.split(".")[2], set()).add(statement.imported.split(".")[2])
     ways: dict[tuple[str, str], str] = {}
 
     def way(stem: str, name: str) -> str:
@@ -386,11 +390,11 @@ def no_users_code_under_a_lock(house: Path) -> list[str]:
 def the_command_line_starts_without_the_rooms(house: Path) -> list[str]:
     """`cli/main.py` imports nothing of the house but cli itself when it is loaded."""
     return [
-        f"{_where(house, each)}, which every command would load"
-        for each in imports(house)
-        if each.importer == "tfloom.cli.main"
-        and each.kind is Kind.RUN_TIME
-        and _room(each.imported) not in {"", "cli"}
+        f"{_where(house, statement)}, which every command would load"
+        for statement in imports(house)
+        if statement.importer == "tfloom.cli.main"
+        and statement.kind is Kind.RUN_TIME
+        and _room(statement.imported) not in {"", "cli"}
     ]
 
 

@@ -97,15 +97,19 @@ def _import_statements(node: ast.AST, kind: Kind) -> Iterator[tuple[ast.Import |
 
 def imports_of_package(package: Path) -> list[Import]:
     """Return the imports of all files below a package's folder."""
-    return [each for path in sorted(package.rglob("*.py")) for each in imports_of_file(path, package.parent)]
+    return [
+        statement
+        for path in sorted(package.rglob("*.py"))
+        for statement in imports_of_file(path, package.parent)
+    ]
 
 
 def rings(imports: Iterable[Import], kind: Kind) -> list[list[str]]:
     """Return the rings among the modules that import, each sorted, counting the imports up to `kind`."""
     edges: dict[str, set[str]] = defaultdict(set)
-    for each in imports:
-        if each.kind in UP_TO[kind] and each.imported != each.importer:
-            edges[each.importer].add(each.imported)
+    for statement in imports:
+        if statement.kind in UP_TO[kind] and statement.imported != statement.importer:
+            edges[statement.importer].add(statement.imported)
     return sorted(sorted(component) for component in _components(edges) if len(component) > 1)
 
 
@@ -159,20 +163,25 @@ def main(arguments: list[str] | None = None) -> int:
     options = parser.parse_args(arguments)
     name = options.package.name
     found = [
-        each
-        for each in imports_of_package(options.package)
-        if room(each.importer) not in ("ros_names", "interfaces") and each.imported.split(".")[0] == name
+        statement
+        for statement in imports_of_package(options.package)
+        if room(statement.importer) not in ("ros_names", "interfaces")
+        and statement.imported.split(".")[0] == name
     ]
     if options.edges:
-        for edge in sorted({(each.importer, each.imported, each.kind.value) for each in found}):
+        for edge in sorted(
+            {(statement.importer, statement.imported, statement.kind.value) for statement in found}
+        ):
             print("{} -> {} ({})".format(*edge))
-    modules = {each.importer for each in found}
+    modules = {statement.importer for statement in found}
     print(f"{name}: {len(modules)} modules that import others of the package")
     for kind in Kind:
-        print(f"  imports {kind.value}: {len({each[:2] for each in found if each.kind is kind})}")
+        print(
+            f"  imports {kind.value}: {len({statement[:2] for statement in found if statement.kind is kind})}"
+        )
     for kind in Kind:
         circles = rings(found, kind)
-        print(f"rings, counting imports {', '.join(each.value for each in UP_TO[kind])}: {len(circles)}")
+        print(f"rings, counting imports {', '.join(member.value for member in UP_TO[kind])}: {len(circles)}")
         by_room: Counter[str] = Counter(
             " and ".join(sorted({room(module) for module in circle})) for circle in circles
         )

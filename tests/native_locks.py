@@ -185,7 +185,7 @@ def _visible(files: dict[str, _File], name: str) -> set[str]:
         if here in files and here not in seen:
             seen.add(here)
             left += files[here].includes
-    return seen | {source for each in seen if (source := each.replace(".hpp", ".cpp")) in files}
+    return seen | {source for header in seen if (source := header.replace(".hpp", ".cpp")) in files}
 
 
 def _users_functions(files: dict[str, _File]) -> dict[str, set[str]]:

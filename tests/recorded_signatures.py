@@ -87,8 +87,8 @@ def signature_differences(signature: str, function: Any) -> Iterator[str]:
     except ValueError:  # a compiled function without a signature
         return
     theirs = parameters_of(signature)
-    takes_anything = any(each.kind == "variable" for each in ours)
-    by_name = {each.name: each for each in ours}
+    takes_anything = any(parameter.kind == "variable" for parameter in ours)
+    by_name = {parameter.name: parameter for parameter in ours}
     for expected in theirs:
         if expected.kind == "variable":
             continue
@@ -100,18 +100,18 @@ def signature_differences(signature: str, function: Any) -> Iterator[str]:
             yield f"its parameter {expected.name} is {found.kind}, not {expected.kind}"
         elif expected.default is not None and _differ(found, expected):
             yield f"the default of {expected.name} is {found.default}, not {expected.default}"
-    order = [each.name for each in theirs if each.kind == "positional"]
+    order = [parameter.name for parameter in theirs if parameter.kind == "positional"]
     if (
-        order != [each.name for each in ours if each.kind == "positional"][: len(order)]
+        order != [parameter.name for parameter in ours if parameter.kind == "positional"][: len(order)]
         and not takes_anything
     ):
         yield f"its parameters are not in the order {', '.join(order)}"
-    known = {each.name for each in theirs}
+    known = {parameter.name for parameter in theirs}
     if "*args" not in known:
         yield from (
-            f"it requires a parameter {each.name} that the recorded one lacks"
-            for each in ours
-            if each.name not in known and each.default is None and each.kind != "variable"
+            f"it requires a parameter {parameter.name} that the recorded one lacks"
+            for parameter in ours
+            if parameter.name not in known and parameter.default is None and parameter.kind != "variable"
         )
 
 
@@ -123,12 +123,12 @@ def _our_parameters(function: Any) -> list[Parameter]:
     }
     return [
         Parameter(
-            each.name,
-            kinds.get(each.kind, "variable"),
-            None if each.default is inspect.Parameter.empty else repr(each.default),
+            parameter.name,
+            kinds.get(parameter.kind, "variable"),
+            None if parameter.default is inspect.Parameter.empty else repr(parameter.default),
         )
-        for each in inspect.signature(function).parameters.values()
-        if each.name not in {"self", "cls"}
+        for parameter in inspect.signature(function).parameters.values()
+        if parameter.name not in {"self", "cls"}
     ]
 
 

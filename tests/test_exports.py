@@ -33,8 +33,16 @@ def broken_exports(folder: Path, package: str) -> Iterator[str]:
         name = ".".join([package, *parts]).removesuffix(".__init__")
         module = importlib.import_module(name)
         exported = list(module.__all__)
-        yield from (f"{name} names {each} twice" for each, times in Counter(exported).items() if times > 1)
-        yield from (f"{name} has no {each}" for each in exported if not hasattr(module, each))
+        yield from (
+            f"{name} names {exported_name} twice"
+            for exported_name, times in Counter(exported).items()
+            if times > 1
+        )
+        yield from (
+            f"{name} has no {exported_name}"
+            for exported_name in exported
+            if not hasattr(module, exported_name)
+        )
 
 
 def test_dunder_all_names_exist() -> None:

@@ -86,12 +86,12 @@ def defers(node: ast.If) -> bool:
     """Return whether a statement imports for type checkers alone, and has a `__getattr__` for all others."""
     # Python 3.10 writes the targets of an assignment in parentheses.
     otherwise = [
-        ast.unparse(each).replace("(__getattr__, __dir__)", "__getattr__, __dir__").split("(")[0]
-        for each in node.orelse
+        ast.unparse(statement).replace("(__getattr__, __dir__)", "__getattr__, __dir__").split("(")[0]
+        for statement in node.orelse
     ]
     return (
         ast.unparse(node.test) == "TYPE_CHECKING"
-        and all(isinstance(each, ast.ImportFrom) for each in node.body)
+        and all(isinstance(statement, ast.ImportFrom) for statement in node.body)
         and otherwise
         in (
             ["from tfloom.ros_modules import deferred", "__getattr__, __dir__ = deferred"],
@@ -106,8 +106,12 @@ def deferred_otherwise_than_typed(folder: Path) -> Iterator[str]:
         for node in ast.parse(path.read_text("utf-8")).body:
             if not isinstance(node, ast.If) or not defers(node):
                 continue
-            imports = [each for each in node.body if isinstance(each, ast.ImportFrom)]
-            typed = {(alias.asname or alias.name, each.module) for each in imports for alias in each.names}
+            imports = [statement for statement in node.body if isinstance(statement, ast.ImportFrom)]
+            typed = {
+                (alias.asname or alias.name, statement.module)
+                for statement in imports
+                for alias in statement.names
+            }
             call = node.orelse[-1].value
             if call.func.id == "deferred":
                 loaded = {(keyword.arg, keyword.value.value) for keyword in call.keywords}
@@ -137,7 +141,9 @@ def names_that_are_missing(folder: Path) -> Iterator[str]:
         if Path(module.__file__) != path:
             yield f"{name} comes from {module.__file__}"
         yield from (
-            f"{name} has no {each}" for each in getattr(module, "__all__", []) if not hasattr(module, each)
+            f"{name} has no {exported_name}"
+            for exported_name in getattr(module, "__all__", [])
+            if not hasattr(module, exported_name)
         )
 
 

@@ -72,9 +72,17 @@ def test_classifiers_match_the_systems_in_the_readme() -> None:
     assert tested
     run = set(re.findall(r"\b3\.\d+\b", tested[1]))
     prefix = "Programming Language :: Python :: "
-    named = {each.removeprefix(prefix) for each in classifiers() if each.startswith(f"{prefix}3.")}
+    named = {
+        classifier.removeprefix(prefix)
+        for classifier in classifiers()
+        if classifier.startswith(f"{prefix}3.")
+    }
     assert named == run
-    systems = {each.split(" :: ")[-1] for each in classifiers() if each.startswith("Operating System")}
+    systems = {
+        classifier.split(" :: ")[-1]
+        for classifier in classifiers()
+        if classifier.startswith("Operating System")
+    }
     assert systems == {name for name in ("Linux", "MacOS", "Windows") if name.lower() in tested[1].lower()}
-    assert not any("Free Threading" in each for each in classifiers())
+    assert not any("Free Threading" in classifier for classifier in classifiers())
     assert metadata("tfloom").get_all("Project-URL") is None

@@ -63,7 +63,7 @@ def test_minidom_reads_all_else_as_before(
 def test_a_declared_default_is_in_no_element(read: Callable[[bytes], object]) -> None:
     root = read(b'<!DOCTYPE a [<!ATTLIST b c CDATA "long">]><a><b/><b c="own"/></a>')
     children = getattr(root, "children", root)
-    found = [getattr(each, "attributes", None) or getattr(each, "attrib", {}) for each in children]
+    found = [getattr(child, "attributes", None) or getattr(child, "attrib", {}) for child in children]
     assert found == [{}, {"c": "own"}]
 
 

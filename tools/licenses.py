@@ -57,9 +57,9 @@ class Row:
 def stated_licence(package: metadata.PackageMetadata) -> str:
     """Return the licence that a package's metadata states: an SPDX expression, classifiers, or a name; or ''."""
     classifiers = [
-        each.rpartition(" :: ")[2]
-        for each in package.get_all("Classifier") or []
-        if each.startswith("License :: ") and not each.endswith(":: OSI Approved")
+        classifier.rpartition(" :: ")[2]
+        for classifier in package.get_all("Classifier") or []
+        if classifier.startswith("License :: ") and not classifier.endswith(":: OSI Approved")
     ]
     text, *_ = [*"".join(package.get_all("License") or []).strip().splitlines(), ""]
     name = "" if text == "UNKNOWN" else text.strip()
@@ -80,13 +80,13 @@ def fault_of(licence: str, use: str) -> str:
 def row_of(name: str, use: str) -> Row | None:
     """Return the row of a package; None if it isn't installed, because another platform or stage needs it."""
     try:
-        found = metadata.distribution(name)
+        installed = metadata.distribution(name)
     except metadata.PackageNotFoundError:
         return None
-    stated = stated_licence(found.metadata)
+    stated = stated_licence(installed.metadata)
     expected, decided, _ = DECIDED.get(canonicalize_name(name), (None, "", ""))
     licence = decided if stated == expected else stated
-    return Row(canonicalize_name(name), found.version, licence, use, fault_of(licence, use))
+    return Row(canonicalize_name(name), installed.version, licence, use, fault_of(licence, use))
 
 
 def names_of(requirements: Iterable[str], extras: Iterable[str] = ("",)) -> Iterator[tuple[str, set[str]]]:
@@ -103,7 +103,7 @@ def uses(roots: Mapping[str, Iterable[str]]) -> dict[str, str]:
     Args:
         roots: Requirements by use, the strictest use first.
     """
-    found: dict[str, str] = {}
+    use_of: dict[str, str] = {}
     followed: dict[str, set[str]] = {}
     """The extras whose requirements were followed, "" for none."""
     for use, requirements in roots.items():
@@ -114,13 +114,13 @@ def uses(roots: Mapping[str, Iterable[str]]) -> dict[str, str]:
             if not asked or name == "tfloom":
                 continue
             followed[name] |= asked
-            found.setdefault(name, use)
+            use_of.setdefault(name, use)
             try:
                 required = metadata.requires(name) or []
             except metadata.PackageNotFoundError:
                 continue
             todo.extend(names_of(required, asked))
-    return found
+    return use_of
 
 
 def roots_of_project() -> dict[str, list[str]]:
@@ -132,10 +132,14 @@ def roots_of_project() -> dict[str, list[str]]:
     extras: dict[str, list[str]] = project["project"]["optional-dependencies"]
     groups = [group for names, _ in STAGES.values() for group in names]
     return {
-        COMPILED_IN: [each for each in project["build-system"]["requires"] if each.startswith("nanobind")],
+        COMPILED_IN: [
+            requirement
+            for requirement in project["build-system"]["requires"]
+            if requirement.startswith("nanobind")
+        ],
         REQUIRED: project["project"]["dependencies"],
         **{f"extra {name}": requirements for name, requirements in extras.items() if name != "all"},
-        DEVELOPMENT: [each for group in groups for each in project["dependency-groups"][group]],
+        DEVELOPMENT: [requirement for group in groups for requirement in project["dependency-groups"][group]],
     }
 
 

@@ -38,15 +38,15 @@ def read_rows(text: str) -> list[Row]:
     """Return the rows of a benchmark's output that have peers."""
     rows: list[Row] = []
     for line in text.splitlines():
-        if found := FIRST.fullmatch(line):
-            factor = NS.get(found["unit"].partition("/")[0])
+        if match := FIRST.fullmatch(line):
+            factor = NS.get(match["unit"].partition("/")[0])
             if factor is None:
                 continue
-            times = {"tfloom": float(found["value"]) * factor, found["peer"]: float(found["other"]) * factor}
-            rows.append(Row(found["what"], found["unit"], times))
-        elif rows and (found := OTHER.fullmatch(line)):
+            times = {"tfloom": float(match["value"]) * factor, match["peer"]: float(match["other"]) * factor}
+            rows.append(Row(match["what"], match["unit"], times))
+        elif rows and (match := OTHER.fullmatch(line)):
             factor = NS[rows[-1].unit.partition("/")[0]]
-            rows[-1].times_ns[found["peer"]] = float(found["other"]) * factor
+            rows[-1].times_ns[match["peer"]] = float(match["other"]) * factor
     return rows
 
 

@@ -78,16 +78,16 @@ class Tools:
 
 def versions() -> dict[str, str]:
     """Return the version of each project, by its folder's name, and those that the others require of tfloom."""
-    found = {}
+    version_of = {}
     for project in PROJECTS:
         path = project / ("src/tfloom/__init__.py" if project == ROOT else "pyproject.toml")
         text = path.read_text("utf-8")
-        (found[path.relative_to(ROOT).as_posix()],) = re.findall(
+        (version_of[path.relative_to(ROOT).as_posix()],) = re.findall(
             r'^(?:__version__|version) = "(.+)"$', text, re.MULTILINE
         )
         for required in re.findall(r'^dependencies = \["tfloom==(.+)"\]$', text, re.MULTILINE):
-            found[f"tfloom, required by {path.relative_to(ROOT).as_posix()}"] = required
-    return found
+            version_of[f"tfloom, required by {path.relative_to(ROOT).as_posix()}"] = required
+    return version_of
 
 
 def check_tag(tag: str) -> None:
@@ -115,11 +115,14 @@ def build(tools: Tools, folder: Path, projects: Sequence[Path] = PROJECTS) -> li
             (wheel,) = Path(scratch).glob("*.whl")
             (sdist,) = Path(scratch).glob("*.tar.gz")
             shutil.copy(sdist, folder)
+            # auditwheel names the wheel after the oldest C library that it runs with; a wheel of pure Python needs
+            # none.
             if sys.platform == "linux" and not wheel.name.endswith("-none-any.whl"):
                 tools.run("auditwheel", "repair", "--wheel-dir", folder, wheel)
             else:
                 shutil.copy(wheel, folder)
             say(f"Built {sdist.name} and {wheel.name}, in {time.monotonic() - started:.0f} s")
+    # By difference, because auditwheel gives the wheel another name.
     return sorted(set(folder.glob("*")) - before)
 
 
@@ -138,7 +141,7 @@ def check(tools: Tools, files: Sequence[Path]) -> None:
 def report(files: Sequence[Path]) -> str:
     """Return the sizes of files as lines."""
     lines = [f"{path.stat().st_size / 1e6:6.2f} MB  {path.name}" for path in files]
-    large = [each.name for each in files if each.suffix == ".whl" and each.stat().st_size > MAX_WHEEL_SIZE]
+    large = [path.name for path in files if path.suffix == ".whl" and path.stat().st_size > MAX_WHEEL_SIZE]
     return "\n".join([*lines, *(f"{name} is larger than {MAX_WHEEL_SIZE / 1e6} MB" for name in large)])
 
 
@@ -159,6 +162,7 @@ def main() -> int:
             return 0
         tools = Tools()
         if folder.exists():
+            # Only files of earlier releases: the folder may be the user's, with other files.
             for path in [*folder.glob("tfloom*.whl"), *folder.glob("tfloom*.tar.gz")]:
                 path.unlink()
         folder.mkdir(parents=True, exist_ok=True)

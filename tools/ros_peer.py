@@ -263,13 +263,15 @@ def _compile(environment: Environment, name: str, dependencies: Sequence[str], f
     shutil.copytree(DEFINITIONS / name, folder, dirs_exist_ok=True)
     files = sorted(path.relative_to(folder) for path in folder.rglob("*.*"))
     (folder / "package.xml").write_text(
-        PACKAGE_XML.format(name=name, depends="".join(f"<depend>{each}</depend>" for each in dependencies)),
+        PACKAGE_XML.format(
+            name=name, depends="".join(f"<depend>{dependency}</depend>" for dependency in dependencies)
+        ),
         "utf-8",
     )
     (folder / "CMakeLists.txt").write_text(
         CMAKE_LISTS.format(
             name=name,
-            found="\n".join(f"find_package({each} REQUIRED)" for each in dependencies),
+            found="\n".join(f"find_package({dependency} REQUIRED)" for dependency in dependencies),
             files=" ".join(f'"{path}"' for path in files),
             dependencies=" ".join(dependencies),
         ),
@@ -301,7 +303,7 @@ def _output(environment: Environment, command: Sequence[object], cwd: Path = ROO
         "CMAKE_PREFIX_PATH": str(environment.folder),
     }
     done = subprocess.run(
-        [str(each) for each in command],
+        [str(argument) for argument in command],
         env=os.environ | variables,
         cwd=cwd,
         capture_output=True,

@@ -37,7 +37,7 @@ def workers(*, slow: bool) -> int:
 def timing_files(paths: list[Path]) -> list[str]:
     """Return the files of these with tests that measure time, because collecting all takes longer than these tests."""
     files = [
-        each for path in paths for each in ([path] if path.is_file() else sorted(path.rglob("test_*.py")))
+        file for path in paths for file in ([path] if path.is_file() else sorted(path.rglob("test_*.py")))
     ]
     return [str(path) for path in files if "mark.timing" in path.read_text("utf-8")]
 
@@ -95,13 +95,13 @@ def main() -> int:
     )
     options, rest = parser.parse_known_args()
     tier = tier_of(slow=options.slow, ros=options.ros)
-    if options.ros and not any(folder.name in each for folder in ROS_TESTS for each in rest):
+    if options.ros and not any(folder.name in argument for folder in ROS_TESTS for argument in rest):
         rest.extend(map(str, ROS_TESTS))  # named, so that the process that reports loads their conftest, too
     marks = f"{tier} and ({options.marks})" if options.marks else tier
     by_file = ["--dist=loadfile", "--no-loadscope-reorder"]
     many = workers(slow=options.slow)
     few = [f"--numprocesses={min(TIMING_WORKERS, many)}", *by_file]
-    named = [path for each in rest if (path := Path(each.partition("::")[0])).exists()]
+    named = [path for argument in rest if (path := Path(argument.partition("::")[0])).exists()]
     if not named:
         compile_tests()
     parts = {}

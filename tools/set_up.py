@@ -159,6 +159,8 @@ class Environment:
             self._write_record({**done, "unfinished": name})
             try:
                 step()
+            # pip has ended by itself, and left what was there before: the environment stays usable. Any other
+            # exception, as Ctrl-C, leaves the mark, and the next run makes the environment anew.
             except SetUpError:
                 self._write_record(done)
                 raise
@@ -198,6 +200,8 @@ class Environment:
                 )
         except OSError as error:
             raise SetUpError(f"can't use {self.folder}: {error.strerror}. {ELSEWHERE}") from None
+        # A folder with pyvenv.cfg is an environment, and is made anew where it can't be completed: by what it lacks, by
+        # a run that was killed, by its paths (scripts in it name the folder), or by its Python.
         version = self._version()
         record = self._read_record()
         if version is None:
@@ -255,6 +259,8 @@ class Environment:
         for name in up_to(stage):
             requirements = requirements_of(project, name)
             steps.append((name, digest_of(requirements), partial(self._download, name, requirements)))
+            # The core is compiled anew when its sources or the settings of its build change. Of the Python files, only
+            # the one with the version is in the digest, because an editable package reads them from the checkout.
             if name == "demo":
                 settings = [project["build-system"], project["project"], project["tool"]["scikit-build"]]
                 sources = [
@@ -273,12 +279,14 @@ class Environment:
         return steps
 
     def _download(self, stage: str, requirements: Sequence[str]) -> None:
-        dds = [each for each in requirements if distribution(each) == DDS]
-        needed = [each for each in requirements if each not in dds]
+        dds = [requirement for requirement in requirements if distribution(requirement) == DDS]
+        needed = [requirement for requirement in requirements if requirement not in dds]
         say(f"Installing what '{stage}' needs: {', '.join(map(distribution, needed))}")
         self.pip("install", *needed)
         if not dds:
             return
+        # The DDS library is optional: it is installed from a wheel or not at all, and pip's failure is no error. The
+        # search for the module then tells both cases apart, and also finds a library from an earlier run.
         if not self._without_dds:
             self.pip("install", "--only-binary", DDS, *dds, quietly=True)
         look = f"import importlib.util as u, sys; sys.exit(u.find_spec({DDS!r}) is None)"
@@ -316,7 +324,7 @@ class Environment:
 
 
 def say(text: str) -> None:
-    """Print a step."""
+    """Print what is done next, or was done, on a line that begins with `--`."""
     print(f"-- {text}", flush=True)
 
 
@@ -326,7 +334,9 @@ def collect_wheels(folder: Path) -> None:
         environment = Environment(Path(scratch) / "venv")
         environment.make(keep_python=False)
         project = read_project(environment.python)
-        requirements = [each for name in up_to("check") for each in requirements_of(project, name)]
+        requirements = [
+            requirement for name in up_to("check") for requirement in requirements_of(project, name)
+        ]
         say(f"Collecting wheels in {shown(folder)}")
         environment.pip("wheel", "--wheel-dir", str(folder), *requirements)
 
@@ -356,8 +366,10 @@ def requirements_of(project: Mapping[str, Any], stage: str) -> list[str]:
     """Return the additions of a stage to the one before it, as requirements for pip."""
     groups, extras = STAGES[stage]
     own: list[str] = project["project"]["dependencies"] if stage == "demo" else []
-    grouped = [each for group in groups for each in project["dependency-groups"][group]]
-    extra = [each for name in extras for each in project["project"]["optional-dependencies"][name]]
+    grouped = [requirement for group in groups for requirement in project["dependency-groups"][group]]
+    extra = [
+        requirement for name in extras for requirement in project["project"]["optional-dependencies"][name]
+    ]
     return [*grouped, *own, *extra]
 
 
@@ -419,6 +431,7 @@ def package_command(commands: Mapping[str, str], otherwise: str) -> str:
         return commands.get("darwin", otherwise)
     with suppress(OSError, AttributeError):
         release = platform.freedesktop_os_release()
+        # ID_LIKE names the distributions that this one derives from, the nearest first.
         for name in (release.get("ID", ""), *release.get("ID_LIKE", "").split()):
             if name in commands:
                 return commands[name]

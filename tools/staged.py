@@ -18,7 +18,7 @@ def stage(folder: Path) -> Path:
     extension = Path(_native.__file__)
     if not (folder / "tfloom" / extension.name).exists():
         shutil.copy(extension, folder / "tfloom")
-    installed = next(path for each in sys.path if (path := Path(each, "tfloom.pth")).exists())
+    installed = next(path for entry in sys.path if (path := Path(entry, "tfloom.pth")).exists())
     _, finder = installed.read_text("utf-8").splitlines()
     (folder / "tfloom.pth").write_text(f"tfloom/ros_names\n{finder}\n", "utf-8")
     return folder
@@ -34,7 +34,7 @@ def stage_dds(folder: Path) -> Path:
     if spec is None or not spec.submodule_search_locations:
         raise FileNotFoundError("cyclonedds is not installed")
     package = Path(next(iter(spec.submodule_search_locations)))
-    for each in (package, package.parent / "cyclonedds.libs"):
-        if each.exists():
-            (folder / each.name).symlink_to(each, target_is_directory=True)
+    for part in (package, package.parent / "cyclonedds.libs"):
+        if part.exists():
+            (folder / part.name).symlink_to(part, target_is_directory=True)
     return folder

@@ -27,13 +27,13 @@ def message(index: int) -> bytes:
     stamp = START + index * PERIOD_NS
     transforms = []
     for link in range(TRANSFORMS):
-        each = TransformStamped(
+        stamped = TransformStamped(
             header=Header(frame_id="map" if link == 0 else f"link_{link - 1}"), child_frame_id=f"link_{link}"
         )
-        each.header.stamp.sec, each.header.stamp.nanosec = divmod(stamp, 1_000_000_000)
-        each.transform.translation.x = index * 1e-3 + link
-        each.transform.rotation.w = 1.0
-        transforms.append(each)
+        stamped.header.stamp.sec, stamped.header.stamp.nanosec = divmod(stamp, 1_000_000_000)
+        stamped.transform.translation.x = index * 1e-3 + link
+        stamped.transform.rotation.w = 1.0
+        transforms.append(stamped)
     return encode(TFMessage(transforms=transforms))
 
 
@@ -41,19 +41,19 @@ def definition(name: str) -> bytes:
     """Return a type's definition with those of all types in it, as rosbag2 writes it."""
     texts, waiting = {}, [name]
     while waiting:
-        each = waiting.pop()
-        source = find_source(each)
-        if source is None or each in texts:
+        type_name = waiting.pop()
+        source = find_source(type_name)
+        if source is None or type_name in texts:
             continue
-        texts[each] = source.text
-        package = each.partition("/")[0]
+        texts[type_name] = source.text
+        package = type_name.partition("/")[0]
         for line in source.text.splitlines():
             base = line.partition("#")[0].strip().partition(" ")[0].partition("[")[0]
             if base and (base[0].isupper() or "/" in base):
                 short = base if "/" in base else f"{package}/{base}"
                 waiting.append(short.replace("/", "/msg/") if short.count("/") == 1 else short)
     parts = [texts.pop(name)]
-    parts += [f"MSG: {each.replace('/msg/', '/')}\n{text}" for each, text in texts.items()]
+    parts += [f"MSG: {type_name.replace('/msg/', '/')}\n{text}" for type_name, text in texts.items()]
     return ("\n" + "=" * 80 + "\n").join(parts).encode()
 
 

@@ -24,12 +24,12 @@ def with_tfloom(path: Path) -> Buffer:
 
 def store(buffer: Buffer, message: Any) -> None:
     """Store a decoded message, whose fields are those of any Python ROS library."""
-    for each in message.transforms:
-        stamp, at, turn = each.header.stamp, each.transform.translation, each.transform.rotation
+    for stamped in message.transforms:
+        stamp, at, turn = stamped.header.stamp, stamped.transform.translation, stamped.transform.rotation
         stamp_ns = stamp.sec * 1_000_000_000 + stamp.nanosec
         buffer.set(
-            each.header.frame_id,
-            each.child_frame_id,
+            stamped.header.frame_id,
+            stamped.child_frame_id,
             stamp_ns,
             (at.x, at.y, at.z),
             (turn.x, turn.y, turn.z, turn.w),
@@ -41,9 +41,9 @@ def messages_of_rosbags(path: Path) -> Iterator[Any]:
     from rosbags.typesys import Stores, get_typestore
 
     with AnyReader([path], default_typestore=get_typestore(Stores.ROS2_JAZZY)) as reader:
-        wanted = [each for each in reader.connections if each.topic == "/tf"]
-        for each, _, data in reader.messages(wanted):
-            yield reader.deserialize(data, each.msgtype)
+        wanted = [connection for connection in reader.connections if connection.topic == "/tf"]
+        for connection, _, data in reader.messages(wanted):
+            yield reader.deserialize(data, connection.msgtype)
 
 
 def messages_of_mcap(path: Path) -> Iterator[Any]:
@@ -52,8 +52,8 @@ def messages_of_mcap(path: Path) -> Iterator[Any]:
 
     with path.open("rb") as file:
         reader = make_reader(file, decoder_factories=[DecoderFactory()])
-        for each in reader.iter_decoded_messages(topics=["/tf"]):
-            yield each.decoded_message
+        for message in reader.iter_decoded_messages(topics=["/tf"]):
+            yield message.decoded_message
 
 
 def best(call: Callable[[], object], turns: int = TURNS) -> float:

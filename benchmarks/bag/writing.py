@@ -82,7 +82,7 @@ def best(write: Write, messages: list[bytes], place: Path, turns: int) -> float:
         times.append(perf_counter() - start)
         path = place / "bag" if (place / "bag" / "metadata.yaml").exists() else place / "bag" / "bag.mcap"
         with open_bag(path) as bag:
-            if [each.data for each in bag.messages()] != messages:
+            if [message.data for message in bag.messages()] != messages:
                 raise SystemExit(f"{path} does not hold what was written")
         shutil.rmtree(place / "bag")
     return min(times)
@@ -119,7 +119,7 @@ def record(place: Path, publishers: int, rate: float, size: int, seconds: float)
             )
             for topic in topics
         ]
-        sent = sum(int(each.communicate(timeout=seconds + 60.0)[0]) for each in running)
+        sent = sum(int(process.communicate(timeout=seconds + 60.0)[0]) for process in running)
     finally:
         recorder.send_signal(signal.SIGINT)
         recorder.wait(60.0)

@@ -97,9 +97,9 @@ def main(argv: list[str] | None = None) -> int:
         runs = measure(rounds)
     baseline = statistics.median(run.wall_ms for run in runs["python -c pass"])
     print(f"{'start-up':<26}{'median ms':>10}{'best ms':>10}{'CPU ms':>8}{'ratio':>8}{'aim ms':>8}")
-    for name, each in runs.items():
-        walls = [run.wall_ms for run in each]
-        median, cpu = statistics.median(walls), min(run.cpu_ms for run in each)
+    for name, timed_runs in runs.items():
+        walls = [run.wall_ms for run in timed_runs]
+        median, cpu = statistics.median(walls), min(run.cpu_ms for run in timed_runs)
         aim = AIMS_MS.get(name, "")
         print(f"{name:<26}{median:>10.1f}{min(walls):>10.1f}{cpu:>8.1f}{median / baseline:>8.1f}{aim:>8}")
     return 0

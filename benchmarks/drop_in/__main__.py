@@ -89,8 +89,8 @@ def measure(processes: Processes, way: str, transforms: int, rate_hz: int) -> Ta
         stack.callback(sender.kill)
         assert sender.stdout.readline() == "matched\n"
         time.sleep(SETTLING_S)  # until the other end has matched, too
-        for each in (receiver, sender):
-            tell(each)
+        for program in (receiver, sender):
+            tell(program)
         assert sender.stdout.readline().startswith("sent")
         tell(receiver)
         cpu_s, elapsed_s, received = json.loads(receiver.stdout.readline())

@@ -139,9 +139,9 @@ def main(argv: list[str] | None = None) -> int:
                     times.setdefault(name, []).append(value)
         baseline = statistics.median(times["python -c pass"])
         print(f"{'command':<28}{'median ms':>10}{'best ms':>10}{'ratio':>8}")
-        for name, each in times.items():
-            median = statistics.median(each)
-            print(f"{name:<28}{median:>10.1f}{min(each):>10.1f}{median / baseline:>8.1f}")
+        for name, durations in times.items():
+            median = statistics.median(durations)
+            print(f"{name:<28}{median:>10.1f}{min(durations):>10.1f}{median / baseline:>8.1f}")
         print(f"\n{'train of 14 nodes':<28}{'follows s':>10}{'ends s':>10}")
         for number in range(1, args.trains + 1):
             following_s, ended_s = train_s(environment)

@@ -88,7 +88,7 @@ def deskew() -> Case:
 
 
 def padded_cloud() -> Case:
-    """Transform a cloud of 32 octets a point."""
+    """Transform a cloud of 32 bytes a point."""
     points = np.random.default_rng(3).normal(size=(100_000, 3)).astype(np.float32)
     cloud = create_cloud(Header(), create_cloud_xyz32(Header(), points).fields, points, point_step=32)
     transform = Transform()

@@ -24,7 +24,7 @@ TURNS = 7
 
 
 def own_memory() -> int:
-    """Return the anonymous memory of the process (RssAnon) [octets]."""
+    """Return the anonymous memory of the process (RssAnon) [bytes]."""
     for line in Path("/proc/self/status").read_text("ascii").splitlines():
         if line.startswith("RssAnon"):
             return int(line.split()[1]) * 1024
@@ -32,7 +32,7 @@ def own_memory() -> int:
 
 
 def start(how: str, folder: Path) -> None:
-    """Print the time to the first answer [s], the memory used [octets], and the answer."""
+    """Print the time to the first answer [s], the memory used [bytes], and the answer."""
     tree = humanoid(1)
     before, begin = own_memory(), perf_counter()
     if how == "mapped":
@@ -64,9 +64,9 @@ def measure() -> dict[str, tuple[float, float]]:
             for how in ("stored", "mapped"):
                 command = [sys.executable, "-m", "benchmarks.native.frozen", how, name]
                 done = subprocess.run(command, capture_output=True, text=True, check=True)
-                took, octets, answer = json.loads(done.stdout)
+                took, size, answer = json.loads(done.stdout)
                 times[how].append(took * 1e3)
-                memory[how].append(octets / 1e6)
+                memory[how].append(size / 1e6)
                 answers.append(answer)
     if any(answer != answers[0] for answer in answers):
         raise SystemExit("a frozen buffer answers otherwise than one that was stored")

@@ -1,6 +1,6 @@
 """A message there and back between two processes, with one form of the extension: `trips.py EXTENSION COUNT DOMAIN`.
 
-One message is in flight. Each carries its number, and the answer must be the same octets. Prints the time of each trip
+One message is in flight. Each carries its number, and the answer must be the same bytes. Prints the time of each trip
 [µs] as a line of JSON.
 """
 

@@ -104,9 +104,9 @@ def listeners() -> None:
     head("a TransformListener without lookups [% of a core]")
     for transforms, rate_hz in ((50, 100), (1, 1000)):
         taken = listener.measure(transforms, rate_hz, apis("tf2_msgs"))
-        for api, each in taken.items():
-            if not 0.9 < each.rate_hz / rate_hz < 1.1:
-                print(f"  {api} received {each.rate_hz:.0f} messages a second, not {rate_hz}: busy machine")
+        for api, rate in taken.items():
+            if not 0.9 < rate.rate_hz / rate_hz < 1.1:
+                print(f"  {api} received {rate.rate_hz:.0f} messages a second, not {rate_hz}: busy machine")
         ours = taken["tfloom"].percent
         name = f"{rate_hz} Hz x {transforms} transforms"
         rclpy = taken[PEER].percent if PEER in taken else math.nan
@@ -118,9 +118,9 @@ def listeners() -> None:
 def many_timers() -> None:
     head(f"{timers.TIMERS} timers at {1 / timers.PERIOD_S:.0f} Hz", "asyncio")
     kept = timers.measure(["tfloom", "asyncio", *({PEER} & set(apis()))])
-    for api, each in kept.items():
-        if each.share < timers.COMPLETE:
-            print(f"  {api} made {each.share:.0%} of the calls that were due: busy machine")
+    for api, calls in kept.items():
+        if calls.share < timers.COMPLETE:
+            print(f"  {api} made {calls.share:.0%} of the calls that were due: busy machine")
     none = timers.Kept(*[math.nan] * len(timers.Kept._fields))
     ours, peers, rclpy = kept["tfloom"], kept["asyncio"], kept.get(PEER, none)
     row("% of a core", ours.percent, peers.percent, rclpy.percent)
@@ -145,7 +145,7 @@ def starts() -> None:
     row("first node; cyclonedds: participant [ms]", ours.node_ms, peers.node_ms, rclpy.node_ms)
     row("first publisher [ms]", ours.publisher_ms, peers.publisher_ms, rclpy.publisher_ms)
     row("CPU of all that [ms]", ours.cpu_ms, peers.cpu_ms, rclpy.cpu_ms)
-    memory = (each.node_mb - each.python_mb for each in (ours, peers, rclpy))
+    memory = (sizes.node_mb - sizes.python_mb for sizes in (ours, peers, rclpy))
     row("memory then, beyond Python's [MB]", *memory)
 
 

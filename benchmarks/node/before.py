@@ -30,7 +30,7 @@ def smallest(measure: Callable[[str], dict[str, float]]) -> Iterator[Row]:
     """Yield a row for each value of `measure(api)`: the smallest of some rounds, in each of which both APIs run."""
     rounds = [[measure(api) for api in APIS] for _ in range(ROUNDS)]
     for name in rounds[0][0]:
-        before, after = (min(each[index][name] for each in rounds) for index in range(len(APIS)))
+        before, after = (min(values[index][name] for values in rounds) for index in range(len(APIS)))
         yield name, before, after
 
 
@@ -64,7 +64,7 @@ def between_callbacks() -> Iterator[Row]:
 
 def kept_timers() -> Iterator[Row]:
     kept = timers.measure(APIS)
-    if any(each.share < timers.COMPLETE for each in kept.values()):
+    if any(calls.share < timers.COMPLETE for calls in kept.values()):
         print("busy machine: timers were skipped", file=sys.stderr)
     before, after = (kept[api] for api in APIS)
     name = f"{timers.TIMERS:,} timers at 10 Hz"
@@ -118,7 +118,7 @@ def idle() -> Iterator[Row]:
     }
     rounds = [start.measure_idle(APIS) for _ in range(ROUNDS)]
     for what, name in names.items():
-        before, after = (min(each[api, what] for each in rounds) for api in APIS)
+        before, after = (min(values[api, what] for values in rounds) for api in APIS)
         yield f"idle: {name}, of a core [%]", before, after
 
 

@@ -86,7 +86,9 @@ def measure(kind: str, way: str) -> Budget:
         pair.turns_us.clear()
         processes = (pair.asking, pair.answering)
         recordings = [folder / "asking", folder / "answering"]
-        recorders = [record(*each) for each in zip(processes, recordings, strict=True)]
+        recorders = [
+            record(process, recording) for process, recording in zip(processes, recordings, strict=True)
+        ]
         time.sleep(START_S)
         before = [cpu_us(process) for process in processes]
         end = time.monotonic() + MEASURED_S
@@ -96,7 +98,7 @@ def measure(kind: str, way: str) -> Budget:
         for recorder in recorders:
             recorder.terminate()
             recorder.wait()
-        times_us = [each for turn in pair.turns_us for each in turn]
+        times_us = [time_us for turn in pair.turns_us for time_us in turn]
         trips = len(times_us)
         asking, answering = (
             {part: share * (used - unused) / trips for part, share in shares(recording).items()}
@@ -175,7 +177,11 @@ def bar(y: float, side: str, parts: dict[str, float], clock: float, px_per_us: f
 
 def axis(y: float, most_us: float, px_per_us: float) -> list[str]:
     """Return a line with ticks at round numbers, at most eight of them."""
-    step = next(each for each in (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 10**6) if most_us / each <= 8)
+    step = next(
+        candidate
+        for candidate in (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 10**6)
+        if most_us / candidate <= 8
+    )
     lines = [f'<line x1="{LEFT_PX}" x2="{LEFT_PX + BAR_PX}" y1="{y}" y2="{y}" stroke="#666666"/>']
     for us in range(0, int(most_us) + 1, step):
         x = LEFT_PX + us * px_per_us

@@ -52,7 +52,7 @@ class Content:
         return int(message.layout.data_offset)
 
     def check(self, message: Any) -> None:
-        """Raise ValueError if a message has not the octets that were sent."""
+        """Raise ValueError if a message has not the bytes that were sent."""
         if self._size is not None and bytes(message.data) != self._octets:
             raise ValueError("a message returned with other octets than were sent")
 

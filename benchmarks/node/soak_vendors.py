@@ -168,7 +168,9 @@ class Soak:
             self._check_command()
             for member in self.members:
                 member.ask("stop")
-            self._wait("no call is in flight", lambda: not any(each.last["calling"] for each in self.members))
+            self._wait(
+                "no call is in flight", lambda: not any(member.last["calling"] for member in self.members)
+            )
             self._wait("all messages have arrived", self._has_arrived)
             self._check_staying()
 
@@ -238,7 +240,7 @@ class Soak:
 
     def _judge_lost(self, receiver: Member, lost: dict[str, Any]) -> None:
         """Count a lost message; it is a fault if the sender and the receiver were no longer new."""
-        sender = next(each for each in (*self.members, *self._gone) if each.key == lost["sender"])
+        sender = next(member for member in (*self.members, *self._gone) if member.key == lost["sender"])
         age_s = min(lost["at_s"] - sender.start_s, lost["at_s"] - receiver.start_s)
         if age_s < NEW_S:
             self.early_losses.append(age_s)

@@ -31,13 +31,13 @@ def measure_debian(trees: dict[str, Tree]) -> dict[str, Any]:
         }
         for where, tree in trees.items()
     }
-    octets = [json.dumps(header).encode(), b"\n"]
+    parts = [json.dumps(header).encode(), b"\n"]
     for tree in trees.values():
         rows = np.concatenate((tree.positions, tree.rotations_xyzw), axis=2)
-        octets += [tree.stamps_ns.tobytes(), rows.tobytes()]
+        parts += [tree.stamps_ns.tobytes(), rows.tobytes()]
     done = subprocess.run(
         [PYTHON, Path(__file__).parent / "debian_tf2.py"],
-        input=b"".join(octets),
+        input=b"".join(parts),
         capture_output=True,
         timeout=LIMIT_S,
         check=False,

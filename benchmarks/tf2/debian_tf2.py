@@ -46,8 +46,8 @@ def measure(tree):
         rows = read("d", 7 * len(stamps))
         messages = [message(parent, child, stamp, rows[7 * i : 7 * i + 7]) for i, stamp in enumerate(stamps)]
         start = process_time()
-        for each in messages:
-            buffer.set_transform(each, "bench")
+        for stamped in messages:
+            buffer.set_transform(stamped, "bench")
         seconds.append((process_time() - start) / len(messages))
     names = tree["target"], tree["source"]
     middle = Time(*divmod(tree["middle"], 1_000_000_000))
@@ -66,8 +66,8 @@ def insert_shuffled():
     messages = [message("a", "b", stamp, (1.0, 2.0, 3.0, 0.0, 0.0, 0.0, 1.0)) for stamp in stamps]
     buffer = BufferCore(Duration(1000))
     start = process_time()
-    for each in messages:
-        buffer.set_transform(each, "bench")
+    for stamped in messages:
+        buffer.set_transform(stamped, "bench")
     return 1e6 * (process_time() - start) / len(messages)
 
 

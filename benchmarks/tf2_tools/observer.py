@@ -53,9 +53,9 @@ def fastest_us(make_sink: Callable[[], Sink], rounds: list[list[bytes]]) -> floa
     for _ in range(TURNS):
         push = make_sink().push
         start_s = time.perf_counter()
-        for number, each in enumerate(rounds):
+        for number, messages in enumerate(rounds):
             received_ns = START_NS + number * PERIOD_NS + 100_000
-            for data in each:
+            for data in messages:
                 push(data, received_ns, received_ns, GID)
         fastest_s = min(fastest_s, time.perf_counter() - start_s)
     return fastest_s * 1e6 / (ROUNDS * FRAMES)

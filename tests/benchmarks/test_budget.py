@@ -27,7 +27,7 @@ def drawn(trip_us: float) -> ET.Element:
 
 
 def bars(svg: ET.Element) -> list[ET.Element]:
-    return [each for each in svg.iter(f"{SVG}rect") if each.get("height") == str(THICK_PX)]
+    return [box for box in svg.iter(f"{SVG}rect") if box.get("height") == str(THICK_PX)]
 
 
 def test_bars_are_as_long_as_their_times() -> None:
@@ -44,7 +44,7 @@ def test_bars_are_as_long_as_their_times() -> None:
 def test_no_digits_are_on_the_line_of_the_clock_or_outside_of_their_part(trip_us: float) -> None:
     svg = drawn(trip_us)
     clock = LEFT_PX + BAR_PX * trip_us / max(trip_us, 100.0)
-    assert f"{trip_us:.0f} µs" in [each.text for each in svg.iter(f"{SVG}text")]
+    assert f"{trip_us:.0f} µs" in [element.text for element in svg.iter(f"{SVG}text")]
     parts = bars(svg)
     found = 0
     for label in svg.iter(f"{SVG}text"):
@@ -63,5 +63,5 @@ def test_no_digits_are_on_the_line_of_the_clock_or_outside_of_their_part(trip_us
 
 def test_all_is_inside_of_the_picture() -> None:
     svg = drawn(130.0)
-    for each in svg.iter():
-        assert all(0 <= float(each.get(name, 0)) <= WIDTH_PX for name in ("x", "x1", "x2"))
+    for element in svg.iter():
+        assert all(0 <= float(element.get(name, 0)) <= WIDTH_PX for name in ("x", "x1", "x2"))

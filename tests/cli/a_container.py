@@ -21,8 +21,8 @@ def load(request: LoadNode.Request, response: LoadNode.Response) -> LoadNode.Res
     name = request.node_name or request.plugin_name.rpartition("::")[2].lower()
     response.full_node_name = f"{request.node_namespace}/{name}"
     components[response.unique_id] = response.full_node_name
-    given = {each.name: parameter_value_to_python(each.value) for each in request.parameters}
-    extra = {each.name: parameter_value_to_python(each.value) for each in request.extra_arguments}
+    given = {parameter.name: parameter_value_to_python(parameter.value) for parameter in request.parameters}
+    extra = {argument.name: parameter_value_to_python(argument.value) for argument in request.extra_arguments}
     print("loaded", request.log_level, list(request.remap_rules), given, extra, flush=True)
     return response
 

@@ -43,13 +43,15 @@ for node_name, written in WRITERS.items():
     participant = open_participant()
     node = NodeName("/", node_name)
     participant.add_node(node)
-    for each in written:
+    for topic_name_and_type in written:
         durability = (
-            DurabilityPolicy.TRANSIENT_LOCAL if each[0] == "/tf_static" else DurabilityPolicy.VOLATILE
+            DurabilityPolicy.TRANSIENT_LOCAL
+            if topic_name_and_type[0] == "/tf_static"
+            else DurabilityPolicy.VOLATILE
         )
-        participant.create_writer(node, topic(*each), QoS(depth=7, durability=durability))
-    for each in READERS[node_name]:
-        participant.create_reader(node, topic(*each), QoS())
+        participant.create_writer(node, topic(*topic_name_and_type), QoS(depth=7, durability=durability))
+    for topic_and_type in READERS[node_name]:
+        participant.create_reader(node, topic(*topic_and_type), QoS())
     participants.append(participant)
 print("ready", flush=True)
 sys.stdin.read()

@@ -107,10 +107,10 @@ def test_conversion_joins_filters_and_compresses(bags: Path) -> None:
     )
     with open_bag(bags / "joined") as bag:
         assert bag.message_count == 876 - 1 + 1521
-        stamps = [each.log_time_ns for each in bag.messages()]
+        stamps = [message.log_time_ns for message in bag.messages()]
         assert stamps == sorted(stamps)
     with open_bag(bags / "chatter") as bag:
-        assert [each.message_count for each in bag.files] != [16]
+        assert [file.message_count for file in bag.files] != [16]
         assert bag.message_count == 16
     with open_bag(bags / "part") as bag:
         assert bag.topics.keys() == {"/turtle1/pose"}

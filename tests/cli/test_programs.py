@@ -105,7 +105,9 @@ def test_unknown_arguments_are_rejected(package: str, name: str, capsys: pytest.
         (["--params-file", "/nowhere.yaml"], "No such file or directory: '/nowhere.yaml'"),
     ],
 )
-@pytest.mark.parametrize(("package", "name"), [each for each in EVERY if each[1] != "xacro"])  # it is no node
+@pytest.mark.parametrize(
+    ("package", "name"), [program for program in EVERY if program[1] != "xacro"]
+)  # it is no node
 def test_malformed_ros_arguments_are_rejected(
     package: str, name: str, words: list[str], text: str, capsys: pytest.CaptureFixture[str]
 ) -> None:

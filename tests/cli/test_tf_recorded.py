@@ -48,7 +48,9 @@ def test_statics_of_a_bag_are_saved_and_compared(run: Run, bag: Path, tmp_path: 
 def test_bags_are_compared_with_their_moving_edges(run: Run, bag: Path, tmp_path: Path) -> None:
     other = write_mcap(tmp_path / "other.mcap", drive(10))
     assert run("diff", bag, other) == (0, "")
-    still = write_mcap(tmp_path / "still.mcap", [each for each in drive() if each[0] == "/tf_static"])
+    still = write_mcap(
+        tmp_path / "still.mcap", [message for message in drive() if message[0] == "/tf_static"]
+    )
     assert run("diff", bag, still) == (
         1,
         f"--- {bag}\n+++ {still}\n- odom -> base_link (moving)\n- map -> odom (moving)",

@@ -25,10 +25,10 @@ def parsers(parser: VerbParser) -> dict[str, VerbParser]:
     if not parser.words:
         return {"": parser}
     return {
-        f"{word} {rest}".strip(): each
+        f"{word} {rest}".strip(): subparser
         for word, child in parser.words.items()
         if child.prog.split()[-1] == word  # no alias
-        for rest, each in parsers(child).items()
+        for rest, subparser in parsers(child).items()
     }
 
 

@@ -47,32 +47,36 @@ def blocks(path: Path) -> list[Block]:
     text = path.read_text("utf-8")
     found = re.finditer(r"(?:<!-- not run: (.+?) -->\n)?^```([^\n`]*)\n((?:.*\n)*?)```$", text, re.MULTILINE)
     return [
-        Block(each[2].strip(), each[3], text.count("\n", 0, each.start()) + 1, each[1] or "")
-        for each in found
+        Block(match[2].strip(), match[3], text.count("\n", 0, match.start()) + 1, match[1] or "")
+        for match in found
     ]
 
 
 def files(page: list[Block]) -> dict[str, str]:
     """Return the programs that a page shows, by the names of their files."""
-    return {name[1]: each.text for each in page if each.kind == "python" and (name := FILE.match(each.text))}
+    return {
+        name[1]: block.text for block in page if block.kind == "python" and (name := FILE.match(block.text))
+    }
 
 
 def commands(page: list[Block]) -> Iterator[Command]:
     """Yield the commands of a page's consoles."""
-    for each in page:
-        if each.kind not in {"console", "console keep"}:
+    for block in page:
+        if block.kind not in {"console", "console keep"}:
             continue
-        parts = re.split(r"^\$ ", each.text, flags=re.MULTILINE)
-        assert not parts[0], f"line {each.line}: text before the first command"
+        parts = re.split(r"^\$ ", block.text, flags=re.MULTILINE)
+        assert not parts[0], f"line {block.line}: text before the first command"
         for part in parts[1:]:
             words, _, output = part.partition("\n")
-            yield Command(words, output.splitlines(), each.kind == "console keep", each.line)
+            yield Command(words, output.splitlines(), block.kind == "console keep", block.line)
 
 
 def program(page: list[Block]) -> tuple[str, str]:
     """Return the page's program, and its documented output."""
-    codes = [each for each in page if each.kind == "python" and not FILE.match(each.text)]
-    return "\n".join(each.text for each in codes), "".join(each.text for each in page if each.kind == "text")
+    codes = [block for block in page if block.kind == "python" and not FILE.match(block.text)]
+    return "\n".join(block.text for block in codes), "".join(
+        block.text for block in page if block.kind == "text"
+    )
 
 
 def pattern(output: list[str]) -> re.Pattern[str]:

@@ -38,8 +38,8 @@ def name_of(path: Path) -> str:
 @pytest.fixture
 def folder(tmp_path: Path, path: Path) -> Path:
     """Return a folder with the programs of the tutorial, and of the page itself."""
-    for each in [*TUTORIAL, path]:
-        for name, text in page.files(page.blocks(each)).items():
+    for document in [*TUTORIAL, path]:
+        for name, text in page.files(page.blocks(document)).items():
             (tmp_path / name).write_text(text, "utf-8")
     return tmp_path
 
@@ -90,9 +90,9 @@ def test_programs_print_what_the_page_says(path: Path, tmp_path: Path) -> None:
 @for_each(PAGES, name=name_of)
 def test_each_block_is_run_or_says_why_not(path: Path) -> None:
     found = page.blocks(path)
-    unknown = [each for each in found if each.kind not in page.QUOTED]
+    unknown = [block for block in found if block.kind not in page.QUOTED]
     assert not unknown
-    not_run = [each.line for each in found if each.kind == "bash" and not each.reason]
+    not_run = [block.line for block in found if block.kind == "bash" and not block.reason]
     assert not not_run, "lines of ```bash blocks without <!-- not run: REASON -->"
     program = page.program(found)
     assert bool(program[0]) == bool(program[1]), "a program without its output"

@@ -76,7 +76,7 @@ def test_each_wheel_holds_the_licence(files: list[Path]) -> None:
     text = (ROOT / "LICENSE").read_bytes()
     for wheel in (path for path in files if path.suffix == ".whl"):
         with zipfile.ZipFile(wheel) as content:
-            (name,) = (each for each in content.namelist() if each.endswith(".dist-info/licenses/LICENSE"))
+            (name,) = (entry for entry in content.namelist() if entry.endswith(".dist-info/licenses/LICENSE"))
             assert content.read(name) == text, wheel.name
 
 
@@ -157,7 +157,7 @@ def test_wheels_are_configured_for_each_platform(tools: Tools, platform: str) ->
     found = set(tools.run("cibuildwheel", *command).split())
     missing = {f"{python}-{system}" for python in PYTHONS for system in PLATFORMS[platform]} - found
     assert not missing
-    assert {each.split("-")[0] for each in found} == PYTHONS
+    assert {name.split("-")[0] for name in found} == PYTHONS
 
 
 @pytest.mark.slow
@@ -173,7 +173,7 @@ def test_workflows_and_forms_fit_their_schemas(tools: Tools) -> None:
 
 def test_the_workflow_builds_on_each_system_and_stores_no_token() -> None:
     text = (GITHUB / "workflows" / "wheels.yml").read_text("utf-8")
-    assert [each for each in RUNNERS if f"          - {each}" not in text] == []
+    assert [runner for runner in RUNNERS if f"          - {runner}" not in text] == []
     publish = text.partition("\n  publish:")[2]
     assert "needs: [wheels, sources]" in publish
     assert '--check-tag "$TAG"' in text.partition("\n  sources:")[2].partition("\n  publish:")[0]
@@ -196,8 +196,10 @@ def test_what_tests_a_wheel_is_the_core_tier_of_the_matrix() -> None:
 
 def test_a_wheel_for_musl_is_tested_with_all_it_needs_but_dds() -> None:
     project = read_project(Path(sys.executable))
-    overrides = {each["select"]: each for each in project["tool"]["cibuildwheel"]["overrides"]}
-    needed = {distribution(each) for each in project["project"]["dependencies"]} - {"cyclonedds"}
+    overrides = {override["select"]: override for override in project["tool"]["cibuildwheel"]["overrides"]}
+    needed = {distribution(requirement) for requirement in project["project"]["dependencies"]} - {
+        "cyclonedds"
+    }
     needed |= set(project["tool"]["cibuildwheel"]["test-requires"])
     assert needed <= set(overrides["*-musllinux_*"]["before-test"].split())
     free_threaded = set(overrides["cp314t-*"]["test-requires"])

@@ -107,12 +107,12 @@ def test_programs_of_the_peer_get_none_of_the_users_discovery(
 def test_the_profile_has_the_loopback_transport_alone() -> None:
     root = ET.parse(ros_peer.PROFILE).getroot()
     transport = root.find("dds:transport_descriptors/dds:transport_descriptor", XML)
-    assert [each.text for each in transport.findall("dds:interfaceWhiteList/dds:address", XML)] == [
+    assert [element.text for element in transport.findall("dds:interfaceWhiteList/dds:address", XML)] == [
         "127.0.0.1"
     ]
     rtps = root.find("dds:participant[@is_default_profile='true']/dds:rtps", XML)
     assert rtps.find("dds:useBuiltinTransports", XML).text == "false"
-    assert [each.text for each in rtps.findall("dds:userTransports/dds:transport_id", XML)] == [
+    assert [element.text for element in rtps.findall("dds:userTransports/dds:transport_id", XML)] == [
         transport.find("dds:transport_id", XML).text
     ]
-    assert {each.text for each in rtps.findall(".//dds:address", XML)} == {"127.0.0.1"}
+    assert {element.text for element in rtps.findall(".//dds:address", XML)} == {"127.0.0.1"}

@@ -228,6 +228,10 @@ def test_python_below_3_10_is_rejected_in_one_line(tmp_path: Path) -> None:
 def test_extra_all_is_the_union_of_the_others() -> None:
     project = set_up.read_project(Path(sys.executable))["project"]
     extras = project["optional-dependencies"]
-    together = {each for name, requirements in extras.items() if name != "all" for each in requirements}
+    together = {
+        requirement for name, requirements in extras.items() if name != "all" for requirement in requirements
+    }
     assert set(extras["all"]) == together
-    assert not [each for each in together if set_up.distribution(each).startswith("tfloom")]
+    assert not [
+        requirement for requirement in together if set_up.distribution(requirement).startswith("tfloom")
+    ]

@@ -165,18 +165,18 @@ def is_of(name: Name, pattern: str) -> bool:
 
 def parameters_of(signature: str) -> list[Parameter]:
     """Return the parameters in a recorded signature, without `self` and `cls`."""
-    found: list[Parameter] = []
+    parameters: list[Parameter] = []
     kind = "positional"
     for part in _split(signature[1:]):
         name = part.split(":")[0].split("=")[0].strip()
         if name == "*":
             kind = "keyword"
         elif name.startswith("*"):
-            found.append(Parameter(name, "variable", None))
+            parameters.append(Parameter(name, "variable", None))
             kind = "keyword"
         elif name not in {"self", "cls", "/"}:
-            found.append(Parameter(name, kind, _default(part)))
-    return found
+            parameters.append(Parameter(name, kind, _default(part)))
+    return parameters
 
 
 def _split(text: str) -> list[str]:
@@ -198,7 +198,7 @@ def _split(text: str) -> list[str]:
             part = ""
         else:
             part += letter
-    return [each.strip() for each in (*parts, part) if each.strip()]
+    return [text.strip() for text in (*parts, part) if text.strip()]
 
 
 def _default(part: str) -> str | None:

@@ -58,21 +58,23 @@ class Client:
             nonlocal hint_s, while_waiting
             if self._requester.is_ready():
                 return True
+            # An incompatible server stays so: end the wait with the reason, instead of at the timeout without one.
             if obstacle := self._requester.obstacle():
                 raise CommandError(obstacle)
             if while_waiting is not None:
                 while_waiting()
                 while_waiting = None
+            # The hint comes after discovery: earlier, the graph would lack the names that are near.
             if time.monotonic() > hint_s:
                 hint_s = math.inf
-                print(f"no server of {self._nearest()}", file=sys.stderr)
+                print(f"no server of {self._name_with_nearest()}", file=sys.stderr)
             return False
 
         end_s = time.monotonic() + timeout_s
         if not wait_until_ready(self._requester, is_ready, end_s, look_again_s=CHECK_S):
             raise CommandError(f"no server of {self.name}: waited {timeout_s:g} s for it")
 
-    def _nearest(self) -> str:
+    def _name_with_nearest(self) -> str:
         """Return the name of the service or its action, and a line with the nearest existing names."""
         is_action = self.name.endswith(SEND_GOAL)
         served = {end.name for end in self._graph.service_ends() if end.is_server}
@@ -94,14 +96,17 @@ class Client:
         """
         end_s = time.monotonic() + timeout_s
         while True:
+            # Take all responses: one of another number answers a request whose wait has ended at its timeout.
             while response := self._requester.take():
                 if response.id.sequence_number == number:
-                    return self._decoded(response.data)
+                    return self._decode_response(response.data)
             meanwhile()
             if time.monotonic() > end_s:
                 raise CommandError(f"no response from {self.name} within {timeout_s:g} s")
+            # Look for the server only after the reader: a response that arrived before the server left still counts.
             if not self._requester.is_ready():
                 raise CommandError(f"the server of {self.name} has left without a response")
+            # A response posts a token and ends the sleep at once; a server that leaves posts none, so sleep briefly.
             self._queue.wait(int(LOOK_AGAIN_S * 1e9))
 
     def call(self, request: Any, timeout_s: float = math.inf) -> Any:
@@ -119,14 +124,14 @@ class Client:
 
         return self.receive(self.send(request), timeout_s, report_once)
 
-    def _decoded(self, data: bytes) -> Any:
+    def _decode_response(self, data: bytes) -> Any:
         try:
             return cdr.decode(self._class.Response, data)
         except cdr.DecodeError as error:
             raise CommandError(f"the response of {self.name} can't be decoded: {error}") from None
 
     def close(self) -> None:
-        """Leave the service."""
+        """Close the requester, so that servers no longer see this client."""
         self._requester.close()
 
 
@@ -148,7 +153,7 @@ def call_each(asked: Mapping[str, Callable[[], T]]) -> dict[str, T]:
     Raises:
         CommandError: all calls failed.
     """
-    answers = {name: _answer(ask) for name, ask in asked.items()}
+    answers = {name: _result_or_error(ask) for name, ask in asked.items()}
     errors = [answer for answer in answers.values() if isinstance(answer, CommandError)]
     text = "\n".join(map(str, errors))
     if errors and len(errors) == len(answers):
@@ -158,7 +163,7 @@ def call_each(asked: Mapping[str, Callable[[], T]]) -> dict[str, T]:
     return {name: answer for name, answer in answers.items() if not isinstance(answer, CommandError)}
 
 
-def _answer(ask: Callable[[], T]) -> T | CommandError:
+def _result_or_error(ask: Callable[[], T]) -> T | CommandError:
     try:
         return ask()
     except CommandError as error:

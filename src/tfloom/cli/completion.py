@@ -172,7 +172,7 @@ def _transitions(args: argparse.Namespace) -> list[str]:
 
     asked = argparse.Namespace(spin_time=MAX_WAIT_S, include_hidden_nodes=True)
     with lifecycles(asked, args.node_name) as nodes:
-        return [each.transition.label for each in nodes[0].transitions()]
+        return [description.transition.label for description in nodes[0].transitions()]
 
 
 def _frames(args: argparse.Namespace) -> list[str]:

@@ -86,6 +86,8 @@ def wait_until_quiet(graph: Graph, most_s: float) -> None:
     has_told = False
     graph.notify(queue)
     try:
+        # `quiet` is the time at which nothing new has come for long enough. Each change moves it, and each sleep that
+        # ended late, because on a busy machine a process that announces itself is late as well.
         seen, changed, late_s = graph.changes(), start, 0.0
         while True:
             now = time.monotonic()
@@ -93,17 +95,22 @@ def wait_until_quiet(graph: Graph, most_s: float) -> None:
             until = min(quiet, start + most_s)
             if not has_told and now >= start + NOTICE_S and (late := graph.late_count()):
                 has_told = True
-                _tell(f"waiting for the nodes of {_participants(late)}, which lists them up to 3 s late")
+                _print_notice(
+                    f"waiting for the nodes of {_participants(late)}, which lists them up to 3 s late"
+                )
             if now >= until:
+                # It is quiet. Return if all that was announced is here, or if patience is over; otherwise look again in
+                # a moment. A process that ends releases its ports and is no longer missing, which posts no token.
                 late = graph.late_count()
                 patience_s = LATE_PEERS_S if late else PATIENCE_S
                 if now >= min(until + patience_s, start + most_s) or graph.is_whole():
                     if late:
-                        _tell(f"nodes may be missing: {_participants(late)} did not list them")
+                        _print_notice(f"nodes may be missing: {_participants(late)} did not list them")
                     return
                 until = now + LOOK_S
             asked_s = min(until - now, LOOK_S)
             came = queue.wait(int(asked_s * 1e9) + 1)
+            # A sleep that a token ended says nothing of lateness. One that ran its full time should have ended on time.
             if not came:
                 late_s += max(0.0, time.monotonic() - now - asked_s - PUNCTUAL_S)
             if (changes := graph.changes()) != seen:
@@ -116,7 +123,7 @@ def _participants(count: int) -> str:
     return f"{count} participant{'' if count == 1 else 's'} of Fast DDS"
 
 
-def _tell(text: str) -> None:
+def _print_notice(text: str) -> None:
     """Print a line on stderr, unless the command completes what is typed on a terminal."""
     if "_ARGCOMPLETE" not in os.environ:
         print(text, file=sys.stderr, flush=True)

@@ -23,7 +23,7 @@ DISCOVERY_SERVER = "ROS_DISCOVERY_SERVER"
 
 TRIP_TIMEOUT_S = 5.0
 LARGE_BUFFER = 4 << 20
-"""Receive buffer that suffices for messages of megabytes at best effort [octets]."""
+"""Receive buffer that suffices for messages of megabytes at best effort [bytes]."""
 
 DISTRIBUTIONS = (
     "tfloom-ros2",
@@ -112,6 +112,7 @@ def check_domain() -> Finding:
         return Finding(
             Verdict.OK, f"domain {domain}, discovery as configured by CYCLONEDDS_URI", details=details
         )
+    # Only now the range: it has no effect where CYCLONEDDS_URI configures discovery.
     asked = discovery_range()
     if asked == "OFF":
         advice = (
@@ -129,10 +130,12 @@ def check_domain() -> Finding:
 def check_network() -> Finding:
     """Check the network interfaces, multicast on them, and the receive buffer of sockets."""
     interfaces = list(_interfaces())
-    details: dict[str, Any] = {each.name: each.state for each in interfaces}
-    up = [f"{each.name} ({each.multicast})" for each in interfaces if each.is_up]
-    summary = f"interfaces that are up: {', '.join(up) or 'not known on this system'}{_used(interfaces)}"
-    if interfaces and _needs_multicast() and not any(each.may_find_others for each in interfaces):
+    details: dict[str, Any] = {interface.name: interface.state for interface in interfaces}
+    up = [f"{interface.name} ({interface.multicast})" for interface in interfaces if interface.is_up]
+    summary = (
+        f"interfaces that are up: {', '.join(up) or 'not known on this system'}{_used_interface(interfaces)}"
+    )
+    if interfaces and _needs_multicast() and not any(interface.may_find_others for interface in interfaces):
         advice = "ROS_STATIC_PEERS can name hosts to search without multicast"
         return Finding(
             Verdict.WARNING, f"{summary}; none can discover other machines by multicast", advice, details
@@ -165,18 +168,20 @@ def _needs_multicast() -> bool:
     return _requested_range() == "SUBNET" and not os.environ.get("ROS_STATIC_PEERS")
 
 
-def _used(interfaces: list[Interface]) -> str:
+def _used_interface(interfaces: list[Interface]) -> str:
     """Return a text with the interface that the wire uses; empty if it is unknown."""
     from tfloom.rmw.cyclone_config import why_peers_are_ignored
 
     if _requested_range() == "OFF":
         return "; DDS uses none"
     if _requested_range() == "LOCALHOST":
-        loopback = next((each.name for each in interfaces if each.is_loopback), "the loopback interface")
+        loopback = next(
+            (interface.name for interface in interfaces if interface.is_loopback), "the loopback interface"
+        )
         reaches_peers = os.environ.get("ROS_STATIC_PEERS") and not why_peers_are_ignored()
         beside = " and those towards ROS_STATIC_PEERS" if reaches_peers else ""
         return f"; DDS uses {loopback}{beside}, by unicast"
-    far = [each.name for each in interfaces if each.may_find_others]
+    far = [interface.name for interface in interfaces if interface.may_find_others]
     return f"; DDS uses {far[0]}, by multicast" if _requested_range() == "SUBNET" and len(far) == 1 else ""
 
 
@@ -262,10 +267,10 @@ def _opened_ports(domain: int) -> str:
     if asked == "OFF" or is_local():
         return ""
     if asked == "LOCALHOST":
-        return f"ROS_STATIC_PEERS opens {_pair(domain)}"
-    multicast = f"{_port(domain)} and {_port(domain) + 1}"
+        return f"ROS_STATIC_PEERS opens {_port_pair(domain)}"
+    multicast = f"{_first_port(domain)} and {_first_port(domain) + 1}"
     if asked == "SUBNET":
-        return f"discovery range {asked} opens the UDP ports {multicast} and {_pair(domain)}"
+        return f"discovery range {asked} opens the UDP ports {multicast} and {_port_pair(domain)}"
     return f"discovery range {asked} opens the UDP ports {multicast} and one that the system selects"
 
 
@@ -280,16 +285,16 @@ def _unbound_ports(domain: int) -> str:
     participant = CycloneParticipant(domain, "/")
     failure = participant.loopback_failure
     participant.close()
-    return f"{_pair(domain)} aren't bound to loopback, because {failure}" if failure else ""
+    return f"{_port_pair(domain)} aren't bound to loopback, because {failure}" if failure else ""
 
 
-def _port(domain: int) -> int:
+def _first_port(domain: int) -> int:
     """Return the first port of a domain, by RTPS's formula."""
     return 7400 + 250 * domain
 
 
-def _pair(domain: int) -> str:
-    return f"two UDP ports from {_port(domain) + 10} on"
+def _port_pair(domain: int) -> str:
+    return f"two UDP ports from {_first_port(domain) + 10} on"
 
 
 def check_round_trip() -> Finding:
@@ -307,6 +312,8 @@ def check_round_trip() -> Finding:
     try:
         writer = here.create_writer(node, topic, QoS())
         reader = there.create_reader(node, topic, QoS())
+        # Wait for both sides: a volatile writer sends nothing to a reader that it doesn't know yet, and a reader drops
+        # what comes from a writer that it doesn't know.
         while not (writer.matched_count() and reader.matched_count()):
             if time.monotonic() - start > TRIP_TIMEOUT_S:
                 return Finding(
@@ -316,6 +323,8 @@ def check_round_trip() -> Finding:
                 )
             time.sleep(0.002)
         found_s = time.monotonic() - start
+        # An empty message in CDR: four bytes of header (little endian), and one byte, padded, for a struct without
+        # fields.
         writer.write(bytes((0, 1, 0, 0, 0, 0, 0, 0)))
         while reader.take() is None:
             if time.monotonic() - start > 2 * TRIP_TIMEOUT_S:
@@ -348,6 +357,8 @@ def check_names() -> Finding:
     details = {**ours, **others}
     if not others:
         return Finding(Verdict.OK, f"all {len(ours)} packages come from tfloom", details=details)
+    # Others provide some names. If nobody provides any of them, tfloom.pth was not read; if none is ours, a sourced ROS
+    # comes first on the path, which works; a mixture is a failure if rclpy is among theirs, and else a warning.
     nobody = all(origin == "nobody" for origin in others.values())
     if nobody:
         advice = (
@@ -368,22 +379,23 @@ def check_names() -> Finding:
 
 def check_commands() -> Finding:
     """Check for a real ROS on the path."""
-    found = [
+    commands = [
         str(Path(folder, "ros2"))
         for folder in dict.fromkeys(os.environ.get("PATH", "").split(os.pathsep))
         if shutil.which("ros2", path=folder)
     ]
     details = {
-        "ros2": ", ".join(found) or "not on the path",
+        "ros2": ", ".join(commands) or "not on the path",
         "ROS_DISTRO": os.environ.get("ROS_DISTRO", "not set"),
         "workspaces": ", ".join(index.search_paths()) or "none sourced",
     }
-    real = [path for path in found if not Path(path).parent.samefile(Path(sys.executable).parent)]
-    if real and len(found) > len(real):
+    # What is beside this Python is tfloom's own; `samefile` because either path may be a link.
+    real = [path for path in commands if not Path(path).parent.samefile(Path(sys.executable).parent)]
+    if real and len(commands) > len(real):
         return Finding(
             Verdict.WARNING,
             f"besides tfloom's, there is a ros2 in {real[0]}",
-            f"the first on the path is run: {found[0]}",
+            f"the first on the path is run: {commands[0]}",
             details,
         )
     if real:
@@ -399,7 +411,7 @@ def check_workspace() -> Finding:
     if source is None:
         return Finding(Verdict.OK, "no workspace here: no folder src with packages, here or above")
     wants = read_wants(source)
-    details = {each.name: ", ".join(each.depends) or "nothing" for each in wants}
+    details = {package.name: ", ".join(package.depends) or "nothing" for package in wants}
     packages = f"{len(wants)} package{'s' * (len(wants) != 1)} in {source}"
     lacking = missing(wants)
     if not lacking:

@@ -193,8 +193,8 @@ def _bare_word(error: Exception) -> str:
 
 
 def _missing_space(text: Any) -> str:
-    found = re.match(r"\s*(\w+):(\S+)", text) if isinstance(text, str) else None
-    return f"\na space is missing after the colon: {found[1]}: {found[2]}" if found else ""
+    match = re.match(r"\s*(\w+):(\S+)", text) if isinstance(text, str) else None
+    return f"\na space is missing after the colon: {match[1]}: {match[2]}" if match else ""
 
 
 def _fields_there_are(error: Exception) -> str:

@@ -157,10 +157,10 @@ def _existing_file(path: str) -> str:
 
 def _files_here(folder: str, name: str) -> str:
     """Return a line with the launch files of a folder: those of a name near to `name`, or all if it is empty."""
-    found = sorted(each.name for each in Path(folder).iterdir() if launch_api.is_launch_file(str(each)))
+    files = sorted(path.name for path in Path(folder).iterdir() if launch_api.is_launch_file(str(path)))
     if name:
-        return did_you_mean(name, found)
-    return f"\nlaunch files in it: {', '.join(found)}" if found else ""
+        return did_you_mean(name, files)
+    return f"\nlaunch files in it: {', '.join(files)}" if files else ""
 
 
 def _listed(package: str) -> str:
@@ -225,10 +225,10 @@ def _offered_arguments(prefix: str, path: str, before: Sequence[str]) -> list[st
         declared = launch_api.arguments_of_launch_file(path)
     except Exception:  # noqa: BLE001  # any of the user's file; the shell shows no error
         return []
-    given = {argument.partition(":=")[0] for argument in before}
+    given_names = {argument.partition(":=")[0] for argument in before}
     words = []
     for argument in declared:
-        if argument.name in given:
+        if argument.name in given_names:
             continue
         start = f"{argument.name}:="
         if prefix.startswith(start) and argument.choices:

@@ -68,7 +68,7 @@ def get_share_file_path_from_package(*, package_name: str, file_name: str) -> st
 
 
 def _files_below(folder: str) -> list[str]:
-    return [str(Path(each, name)) for each, _, names in sorted(os.walk(folder)) for name in sorted(names)]
+    return [str(Path(parent, name)) for parent, _, names in sorted(os.walk(folder)) for name in sorted(names)]
 
 
 def is_launch_file(path: str) -> bool:
@@ -76,12 +76,14 @@ def is_launch_file(path: str) -> bool:
     from tfloom.launch.frontend.parser import Parser
 
     extensions = ["py", *Parser.get_file_extensions_from_parsers()]
-    return str(path).endswith(tuple(f"launch.{each}" for each in extensions)) and Path(path).is_file()
+    return (
+        str(path).endswith(tuple(f"launch.{extension}" for extension in extensions)) and Path(path).is_file()
+    )
 
 
 def get_launch_file_paths(*, path: str) -> list[str]:
     """Return the launch files in a folder and in those below it."""
-    return [each for each in _files_below(path) if is_launch_file(each)]
+    return [file for file in _files_below(path) if is_launch_file(file)]
 
 
 def launch_files_of_package(package: str) -> list[str]:
@@ -127,7 +129,7 @@ def print_arguments_of_launch_description(*, launch_description: LaunchDescripti
     """Print the arguments of a launch description, each with its description and default."""
     print("Arguments (pass arguments as '<name>:=<value>'):")
     arguments = launch_description.get_launch_arguments()
-    conditional = [each for each in arguments if each._conditionally_included]  # noqa: SLF001  # launch's own
+    conditional = [argument for argument in arguments if argument._conditionally_included]  # noqa: SLF001  # launch's own
     for argument in arguments:
         print(f"\n    '{argument.name}':{'*' if argument in conditional else ''}")
         print(f"        {argument.description}")
@@ -209,7 +211,7 @@ def _warning_of_undeclared(source: Any, file_name: str, given: Sequence[str]) ->
     def warn(context: Any) -> None:
         declared = source.get_launch_description(context).get_launch_arguments()
         visited = context._declared_arguments  # noqa: SLF001  # launch's own
-        names = list(dict.fromkeys([*(each.name for each in declared), *visited]))
+        names = list(dict.fromkeys([*(argument.name for argument in declared), *visited]))
         for name in given:
             if name not in names and name not in _OF_LAUNCH:
                 get_logger("launch").warning(undeclared_text(name, names, file_name))

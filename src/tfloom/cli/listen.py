@@ -62,6 +62,7 @@ def wait_for_publishers(graph: Graph, name: str, end_s: float) -> list[EndpointI
     try:
         report_s = time.monotonic() + PATIENCE_S
         while not (publishers := publishers_of(graph, name)):
+            # The queue was registered before the graph is read, so a change in between has posted a token already.
             now_s = time.monotonic()
             if now_s >= end_s:
                 return []
@@ -75,15 +76,13 @@ def wait_for_publishers(graph: Graph, name: str, end_s: float) -> list[EndpointI
         graph.notify(None)
 
 
-def unmet(graph: Graph, topic: Topic, *, is_publisher: bool) -> str:
+def mismatch_reason(graph: Graph, topic: Topic, *, is_publisher: bool) -> str:
     """Return why a topic's publisher or subscription matches no peer, by names and types; empty if it may match."""
     others = [end.topic for end in graph.endpoints() if end.is_writer is not is_publisher]
     types = sorted({other.type_name for other in others if other.name == topic.name})
     if not types:
         peer = "subscription" if is_publisher else "publisher"
-        return (
-            f"no {peer} of {topic.name} yet{did_you_mean(topic.name, sorted({each.name for each in others}))}"
-        )
+        return f"no {peer} of {topic.name} yet{did_you_mean(topic.name, sorted({other.name for other in others}))}"
     if topic.type_name in types:
         return ""
     verb = "subscribed to" if is_publisher else "published"
@@ -153,6 +152,8 @@ def samples_and_ticks(
                 on_lost = _if_counted(reader, queue, on_lost)
             next_tick_s = time.monotonic() + tick_s
             while time.monotonic() < end_s:
+                # Take until the reader is empty, because a token says that there is something, not how much. Stop when
+                # a tick or the end is due: a topic faster than its consumer would never leave this loop.
                 while sample := reader.take():
                     if on_lost is not None:
                         _report_losses(reader, on_lost)
@@ -160,11 +161,13 @@ def samples_and_ticks(
                     if time.monotonic() >= min(next_tick_s, end_s):
                         break
                 else:
+                    # The reader is empty: sleep until data, an incompatible publisher, a loss, or the next tick.
                     wait_for_token(queue, min(end_s, next_tick_s))
                     if on_lost is not None:
                         _report_losses(reader, on_lost)
                     warn_of_mismatch(reader, participant.graph, name, is_publisher=False)
                 if time.monotonic() >= next_tick_s:
+                    # Count from the time when it was due, so that late ticks don't shift those that follow.
                     next_tick_s += tick_s
                     yield None
         finally:

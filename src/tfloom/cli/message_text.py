@@ -37,7 +37,7 @@ def message_text(args: argparse.Namespace) -> Callable[[Any], str]:
         from tfloom.rosidl import yaml_text
 
         if isinstance(value, dict):
-            return ",".join(csv(each) for each in value.values())
+            return ",".join(csv(item) for item in value.values())
         return yaml_text.message_to_csv(value, **of_csv) if isinstance(value, Message) else f"{value}"
 
     def text(value: Any) -> str:
@@ -50,7 +50,7 @@ def message_text(args: argparse.Namespace) -> Callable[[Any], str]:
         if args.csv:
             return csv(value)
         if isinstance(value, dict):
-            return "\n".join(_titled(path, each, options) for path, each in value.items()) + "\n---"
+            return "\n".join(_titled(path, item, options) for path, item in value.items()) + "\n---"
         if isinstance(value, Message):
             return f"{yaml_text.message_to_yaml(value, **options)}---"
         return f"{value}\n---"

@@ -65,7 +65,7 @@ def count(text: str) -> int:
     Raises:
         argparse.ArgumentTypeError: it is not a number, negative, or beyond 32 bits.
     """
-    return _whole(text, 0)
+    return _whole_number(text, 0)
 
 
 def size(text: str) -> int:
@@ -74,7 +74,7 @@ def size(text: str) -> int:
     Raises:
         argparse.ArgumentTypeError: it is not a number, negative, or beyond 63 bits.
     """
-    return _whole(text, 0, INT64_END - 1)
+    return _whole_number(text, 0, INT64_END - 1)
 
 
 def positive_count(text: str) -> int:
@@ -83,7 +83,7 @@ def positive_count(text: str) -> int:
     Raises:
         argparse.ArgumentTypeError: as `count`, or it is 0.
     """
-    return _whole(text, 1)
+    return _whole_number(text, 1)
 
 
 def finite(text: str) -> float:
@@ -119,7 +119,7 @@ def unsigned(text: str) -> int:
     Raises:
         argparse.ArgumentTypeError: it is none.
     """
-    return _whole(text, 0, 2 * INT64_END - 1)
+    return _whole_number(text, 0, 2 * INT64_END - 1)
 
 
 def _number(text: str) -> float:
@@ -129,7 +129,7 @@ def _number(text: str) -> float:
         return math.nan
 
 
-def _whole(text: str, least: int, most: int = MOST) -> int:
+def _whole_number(text: str, least: int, most: int = MOST) -> int:
     try:
         value = int(text)
     except ValueError:

@@ -17,7 +17,7 @@ VENDORS = {
     b"\x01\x11": "GurumDDS",
     b"\x01\x12": "RustDDS",
 }
-"""Vendors by the first octets of their participants' gids (RTPS's vendor ids)."""
+"""Vendors by the first bytes of their participants' gids (RTPS's vendor ids)."""
 
 
 def check_peers() -> Finding:
@@ -33,7 +33,7 @@ def check_peers() -> Finding:
             if participant.graph.participants()[0].gid.startswith(b"tfloom::"):
                 return Finding(Verdict.OK, "none: tfloom_local connects the nodes of one process")
             wait_until_quiet(participant.graph, PEERS_TIMEOUT_S)
-            peers = [each for each in participant.graph.participants() if not each.is_own]
+            peers = [peer for peer in participant.graph.participants() if not peer.is_own]
         failure = untranslated(find_library())
     except WireError as error:
         return Finding(Verdict.FAILED, str(error))

@@ -31,8 +31,8 @@ def hint_after_error(args: argparse.Namespace) -> str:
         return ""
     programs = package_programs(package)
     if programs is None:
-        known = {*index.workspace_packages(), *index.PROGRAMS}
-        return f"\nPackage '{package}' not found{way_to_package(package, known)}"
+        names = {*index.workspace_packages(), *index.PROGRAMS}
+        return f"\nPackage '{package}' not found{way_to_package(package, names)}"
     return f"\n{package} has: {', '.join(programs) or 'no programs'}"
 
 
@@ -83,8 +83,8 @@ def find_command(package: str, program: str) -> list[str] | str:
     prefix = index.find_package(package)
     if prefix is None:
         if package not in index.own_packages():
-            known = {*index.workspace_packages(), *index.PROGRAMS}
-            raise CommandError(f"Package '{package}' not found{way_to_package(package, known)}")
+            names = {*index.workspace_packages(), *index.PROGRAMS}
+            raise CommandError(f"Package '{package}' not found{way_to_package(package, names)}")
         own = index.PROGRAMS.get(package, {})
         if program not in own:
             raise CommandError(f"No executable found{did_you_mean(program, own)}")

@@ -39,23 +39,25 @@ def warn_if_unknown(name: str, kind: str, live: Collection[str]) -> None:
 
 def nearest_types(name: str, known: Iterable[str], live: Collection[str] = ()) -> list[str]:
     """Return up to three known names near to a name, the nearest first; see `did_you_mean_type`."""
-    likeness = {each: _likeness(name, each) for each in known}
+    likeness = {candidate: _likeness(name, candidate) for candidate in known}
     best = max(likeness.values(), default=0.0)
-    near = [each for each, like in likeness.items() if like >= max(NEAR, best - SPREAD)]
-    return sorted(near, key=lambda each: (each not in live, -likeness[each], _rank(each), each))[:3]
+    near = [candidate for candidate, like in likeness.items() if like >= max(NEAR, best - SPREAD)]
+    return sorted(
+        near, key=lambda candidate: (candidate not in live, -likeness[candidate], _rank(candidate), candidate)
+    )[:3]
 
 
-def _likeness(name: str, known: str) -> float:
-    name, known = name.lower(), known.lower()
-    base, known_base = name.rpartition("/")[2], known.rpartition("/")[2]
-    if name == known or base == known_base:
-        return 1.0 if "/" not in name or name == known else SAME_BASE
+def _likeness(name: str, type_name: str) -> float:
+    name, type_name = name.lower(), type_name.lower()
+    base, known_base = name.rpartition("/")[2], type_name.rpartition("/")[2]
+    if name == type_name or base == known_base:
+        return 1.0 if "/" not in name or name == type_name else SAME_BASE
     if "/" not in name:
         return SAME_BASE * difflib.SequenceMatcher(None, base, known_base).ratio()
     if name.count("/") == 1:
-        package, _, last = known.partition("/")
-        known = f"{package}/{last.rpartition('/')[2]}"
-    return SAME_BASE * difflib.SequenceMatcher(None, name, known).ratio()
+        package, _, last = type_name.partition("/")
+        type_name = f"{package}/{last.rpartition('/')[2]}"
+    return SAME_BASE * difflib.SequenceMatcher(None, name, type_name).ratio()
 
 
 def _rank(name: str) -> int:

@@ -102,14 +102,14 @@ class Echo:
 
     def _text(self) -> str:
         try:
-            found = self._buffer.lookup_transform(*self._frames, Time())
+            stamped = self._buffer.lookup_transform(*self._frames, Time())
         except TransformException as error:
             now_s = self._node.get_clock().now().nanoseconds / 1e9
             frames = self._buffer.all_frames_as_string()
             return (
                 f"Failure at {now_s:.3f}\nException thrown:{error}\nThe current list of frames is:\n{frames}"
             )
-        stamp, transform = found.header.stamp, found.transform
+        stamp, transform = stamped.header.stamp, stamped.transform
         where, turn = transform.translation, transform.rotation
         return transform_text(
             stamp.sec * 1_000_000_000 + stamp.nanosec,

@@ -44,12 +44,12 @@ class Delays:
         self._samples: deque[float] = deque(maxlen=MAX_SAMPLES)
 
     def add(self, delay_s: float) -> None:
-        """Add a delay."""
+        """Add a delay to those from which the mean is formed."""
         self._samples.append(delay_s)
 
     @property
     def average_s(self) -> float:
-        """Their mean."""
+        """The mean of these delays."""
         return sum(self._samples) / len(self._samples)
 
     @property
@@ -67,7 +67,7 @@ class NetDelay:
         self._is_empty = True
 
     def add(self, delay_s: float) -> None:
-        """Add a sample."""
+        """Take in a delay: the first one as the average, each further one with the low-pass's part of it."""
         self.average_s = delay_s if self._is_empty else LOW_PASS * delay_s + (1.0 - LOW_PASS) * self.average_s
         self.greatest_s = max(self.greatest_s, delay_s)
         self._is_empty = False
@@ -127,7 +127,9 @@ class Monitor(Node):
         self.create_subscription(TFMessage, "/tf_static", self._on_transforms, static)
 
     def _on_transforms(self, message: TFMessage) -> None:
-        stamps_s = ((each.child_frame_id, _seconds(each.header.stamp)) for each in message.transforms)
+        stamps_s = (
+            (transform.child_frame_id, _seconds(transform.header.stamp)) for transform in message.transforms
+        )
         self._statistics.add(stamps_s, self._now_s())
 
     def _now_s(self) -> float:

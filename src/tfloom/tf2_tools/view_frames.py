@@ -81,9 +81,9 @@ def _formats(text: str) -> list[str]:
         argparse.ArgumentTypeError: one is unknown.
     """
     formats = text.lower().split(",")
-    for each in formats:
-        if each not in FORMATS:
-            raise argparse.ArgumentTypeError(f"{each!r} is not one of {', '.join(FORMATS)}")
+    for ending in formats:
+        if ending not in FORMATS:
+            raise argparse.ArgumentTypeError(f"{ending!r} is not one of {', '.join(FORMATS)}")
     return formats
 
 
@@ -102,8 +102,8 @@ def write_files(
     Raises:
         OSError: a file can't be written.
     """
-    for each in formats:
-        write_file(folder / f"{name}.{each}", _content(tree, records, each))
+    for ending in formats:
+        write_file(folder / f"{name}.{ending}", _content(tree, records, ending))
 
 
 def _content(tree: FrameTree, records: list[FrameRecord], file_format: str) -> bytes | str:
@@ -177,7 +177,7 @@ def publishers_of(observation: Observation) -> dict[str, list[str]]:
     for edge in observation.edges:
         if parents.get(edge.child) == edge.parent:
             names.setdefault(edge.child, {})[edge.publisher.label] = None
-    return {child: list(each) for child, each in names.items()}
+    return {child: list(parents) for child, parents in names.items()}
 
 
 class Gathered(NamedTuple):
@@ -265,8 +265,8 @@ def _export(
         OSError: a file can't be written.
     """
     report, folder = node.get_logger(), Path.cwd()
-    for each in formats or ["pdf"]:
-        report.info(f"Exporting graph in {name}.{each} file...")
+    for ending in formats or ["pdf"]:
+        report.info(f"Exporting graph in {name}.{ending} file...")
     write_files(*drawn, formats or DEFAULT_FORMATS, name, folder)
     picture = folder / f"{name}.pdf"
     if formats is None and picture != folder / COPY_NAME:

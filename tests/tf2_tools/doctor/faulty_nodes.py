@@ -80,7 +80,7 @@ def send_steadily(
 ) -> Steps:
     """Publish edges at each step, which move unless `options` fix them."""
     while True:
-        node.send(*(edge(*each, **options) for each in edges), topic=topic, qos=qos)  # type: ignore[arg-type]
+        node.send(*(edge(*arguments, **options) for arguments in edges), topic=topic, qos=qos)  # type: ignore[arg-type]
         yield
 
 
@@ -117,7 +117,7 @@ def trunk(participant: Participant) -> Steps:
 
 def several_publishers(participant: Participant) -> Steps:
     """Publish one frame from two nodes."""
-    nodes = [Node(participant, f"several_publishers_{each}") for each in "ab"]
+    nodes = [Node(participant, f"several_publishers_{letter}") for letter in "ab"]
     while True:
         for x, node in enumerate(nodes):
             node.send(edge("world", "several_publishers/base", x=x + math.sin(time.time())))
@@ -134,8 +134,8 @@ def static_and_dynamic(participant: Participant) -> Steps:
 def reparenting(participant: Participant) -> Steps:
     """Change the parent of a frame at each step."""
     node = Node(participant, "reparenting")
-    anchors = [f"reparenting/{each}" for each in "ab"]
-    node.send(*(edge("world", each, x=0.0) for each in anchors), topic="/tf_static")
+    anchors = [f"reparenting/{letter}" for letter in "ab"]
+    node.send(*(edge("world", anchor, x=0.0) for anchor in anchors), topic="/tf_static")
     for step in count():
         node.send(edge(anchors[step % 2], "reparenting/cup"))
         yield
@@ -143,7 +143,7 @@ def reparenting(participant: Participant) -> Steps:
 
 def loop(participant: Participant) -> Steps:
     """Publish three frames in a ring."""
-    a, b, c = (f"loop/{each}" for each in "abc")
+    a, b, c = (f"loop/{letter}" for letter in "abc")
     return send_steadily(Node(participant, "loop"), (a, b), (b, c), (c, a))
 
 
@@ -173,7 +173,7 @@ def leading_slash(participant: Participant) -> Steps:
 
 def rep105_order(participant: Participant) -> Steps:
     """Publish a robot's map below its odom."""
-    odom, outer, base = (f"rep105_order/{each}" for each in ("odom", "map", "base_link"))
+    odom, outer, base = (f"rep105_order/{name}" for name in ("odom", "map", "base_link"))
     return send_steadily(Node(participant, "rep105_order"), ("world", odom), (odom, outer), (outer, base))
 
 
@@ -334,12 +334,14 @@ def listener(participant: Participant) -> Steps:
         yield
 
 
-SOUND: dict[str, Callable[[Participant], Steps]] = {each.__name__: each for each in (clean, trunk, listener)}
+SOUND: dict[str, Callable[[Participant], Steps]] = {
+    scene.__name__: scene for scene in (clean, trunk, listener)
+}
 """What every run has."""
 
 FAULTS: dict[str, Callable[[Participant], Steps]] = {
-    each.__name__: each
-    for each in (
+    scene.__name__: scene
+    for scene in (
         *(several_publishers, static_and_dynamic, reparenting, loop, disconnected, self_transform),
         *(empty_frame_id, leading_slash, rep105_order, rep105_name, not_finite, not_unit, teleport),
         *(zero_stamps, ahead, skew, low_rate, jitter, gap, old_data, time_jump, static_on_tf),

@@ -117,8 +117,8 @@ def test_names_of_rep_105() -> None:
     failures = []
     for what, edges, expected in REP105:
         scene = Scene()
-        for each in edges:
-            scene.send(*each.split(), static=True)
+        for names in edges:
+            scene.send(*names.split(), static=True)
         if (codes := scene.codes()) != expected:
             failures.append((what, codes))
     assert failures == []
@@ -207,7 +207,7 @@ def test_old_transforms_and_jumps() -> None:
     for step in range(50):
         beside.send("map", "base", step * 0.02 + 60.0, node="fast", late_s=-59.9)
         beside.send("map", "base", step * 0.02, node="right", late_s=0.11)
-    [old] = [each for each in beside.findings() if each.code == "TF407"]
+    [old] = [finding for finding in beside.findings() if finding.code == "TF407"]
     assert old.sources[0].node == "/right"
     assert old.evidence[0].text.endswith("older than the newest, which is from /fast on /tf")
     swapped = Scene()
@@ -284,10 +284,10 @@ def test_qualities_of_service() -> None:
 def test_recordings_name_topics() -> None:
     scene = Scene(is_live=False)
     scene.send("base", "base")
-    [finding] = [each for each in scene.findings() if each.code == "TF106"]
+    [finding] = [finding for finding in scene.findings() if finding.code == "TF106"]
     assert finding.as_dict()["nodes"] == []
     scene.send("map", "base", x=math.nan)
-    assert any("nan" not in each.summary for each in scene.findings())
+    assert any("nan" not in finding.summary for finding in scene.findings())
 
 
 @pytest.mark.parametrize(
@@ -297,7 +297,8 @@ def test_unknown_frames_in_headers(frame: str, hint: str) -> None:
     scene = Scene()
     scene.send("map", "base", static=True)
     scene.headers = [
-        FrameUse(each, Source("/camera", "/image", "00"), 7) for each in ("base", "map", "", frame)
+        FrameUse(used_frame, Source("/camera", "/image", "00"), 7)
+        for used_frame in ("base", "map", "", frame)
     ]
     [finding] = scene.findings()
     assert (finding.code, finding.frames) == ("TF601", [frame])

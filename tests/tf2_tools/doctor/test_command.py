@@ -90,7 +90,7 @@ def test_json(bag: str, capsys: pytest.CaptureFixture[str]) -> None:
         "warnings": 1,
         "exit_code": 1,
     }
-    assert [(each["code"], each["severity"], each["frames"]) for each in findings] == [
+    assert [(finding["code"], finding["severity"], finding["frames"]) for finding in findings] == [
         ("TF601", "error", ["laser"]),
         ("TF404", "warning", ["arm"]),
     ]

@@ -66,9 +66,9 @@ def test_svg_escapes_what_xml_does_not_allow() -> None:
     hostile = "<script>&\"'\x00\x1b\ud800"
     group = Group([Text(0.0, 10.0, hostile, PLAIN, "#000000")], hostile, hostile)
     root = ET.fromstring(svg_text(Picture(10.0, 10.0, [group], hostile)))
-    names = [each.get("data-name") for each in root.iter() if each.get("data-name")]
+    names = [element.get("data-name") for element in root.iter() if element.get("data-name")]
     assert names == ["<script>&\"'\\x00\\x1b\\ud800"]
-    assert not [each for each in root.iter() if each.tag.endswith("script")]
+    assert not [element for element in root.iter() if element.tag.endswith("script")]
 
 
 def test_a_pdf_is_the_same_each_time_and_has_a_page_for_each_picture() -> None:

@@ -43,7 +43,7 @@ def robot() -> list[RecordedMessage]:
     messages = [message("base", "laser", 0.0, x=0.5, static=True), message("rig", "camera", 0.0, static=True)]
     messages += [message("odom", "base", 0.1 * step, x=0.1 * step) for step in range(51)]
     messages += [message("map", "odom", 0.5 * step, 0.25) for step in range(10)]
-    return sorted(messages, key=lambda each: each[1])
+    return sorted(messages, key=lambda message: message[1])
 
 
 def looked_up(
@@ -219,7 +219,7 @@ def test_the_report_is_the_recorded_one(name: str, at_s: float | None) -> None:
 def test_plain_values_have_the_same_facts() -> None:
     values = plain_values(looked_up("map", "laser", 4.9))
     assert (values["outcome"], values["newest_limited_by"], values["top"]) == ("future", "odom", "map")
-    assert [each["child"] for each in values["chain"]] == ["laser", "base", "odom"]
+    assert [link["child"] for link in values["chain"]] == ["laser", "base", "odom"]
     assert values["chain"][1]["publishers"][0]["rate_hz"] == pytest.approx(10.0)
     assert values["chain"][2]["publishers"][0]["delay_mean_s"] == pytest.approx(0.25)
     assert values["chain"][0]["publishers"][0]["delay_mean_s"] is None

@@ -108,8 +108,10 @@ def test_static_chains_have_no_motion_and_unconnected_frames_raise() -> None:
 
 def lines(picture: Picture, curve: str) -> list[int]:
     """Return the number of points of each line of a curve."""
-    (group,) = [each for each in picture.shapes if isinstance(each, Group) and each.title.startswith(curve)]
-    return [len(each.points) if isinstance(each, Line) else 1 for each in group.shapes]
+    (group,) = [
+        shape for shape in picture.shapes if isinstance(shape, Group) and shape.title.startswith(curve)
+    ]
+    return [len(shape.points) if isinstance(shape, Line) else 1 for shape in group.shapes]
 
 
 def test_gaps_break_lines_and_have_a_band() -> None:
@@ -117,8 +119,8 @@ def test_gaps_break_lines_and_have_a_band() -> None:
     assert_looks_as_kept(PICTURE, png_bytes(picture))
     assert len(lines(picture, "x")) == 3
     assert len(lines(picture, "yaw")) == 5  # it passes 180 degrees twice
-    assert sum(isinstance(each, Box) and each.fill == BAND for each in picture.shapes) == 4 + 2
-    texts = [each.text for each in picture.shapes if isinstance(each, Text)]
+    assert sum(isinstance(shape, Box) and shape.fill == BAND for shape in picture.shapes) == 4 + 2
+    texts = [shape.text for shape in picture.shapes if isinstance(shape, Text)]
     for text in ("camera in map", "position [m]", "yaw [deg]", "x", "yaw", "no data"):
         assert text in texts
     assert "robot.mcap, 60 s, 2807 samples, 2 gaps, the longest 3.5 s" in texts
@@ -137,8 +139,8 @@ def test_a_long_recording_has_as_many_points_as_columns_and_its_extremes() -> No
     motion.positions[123_456, 0] = 50.0
     picture = chart(motion, "long")
     assert sum(lines(picture, "x")) < 3000
-    (group,) = [each for each in picture.shapes if isinstance(each, Group) and each.title.startswith("x")]
-    highest = min(y for each in group.shapes if isinstance(each, Line) for _, y in each.points)
+    (group,) = [shape for shape in picture.shapes if isinstance(shape, Group) and shape.title.startswith("x")]
+    highest = min(y for shape in group.shapes if isinstance(shape, Line) for _, y in shape.points)
     assert highest == pytest.approx(62.0 + 171.0 * (60.0 - 50.0) / 70.0, abs=30.0)
 
 

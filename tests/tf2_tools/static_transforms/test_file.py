@@ -64,8 +64,10 @@ def test_a_rounded_quaternion_is_normalised(tmp_path: Path) -> None:
 
 def test_the_message_has_all_transforms_and_one_stamp() -> None:
     message = cdr.decode(TFMessage, encoded([LASER, ODD], 5_000_000_007))
-    assert [each.child_frame_id for each in message.transforms] == ["laser", "1.0: #ü 雷射"]
-    assert {(each.header.stamp.sec, each.header.stamp.nanosec) for each in message.transforms} == {(5, 7)}
+    assert [transform.child_frame_id for transform in message.transforms] == ["laser", "1.0: #ü 雷射"]
+    assert {
+        (transform.header.stamp.sec, transform.header.stamp.nanosec) for transform in message.transforms
+    } == {(5, 7)}
     assert message.transforms[0].transform.rotation.z == LASER.rotation_xyzw[2]
 
 

@@ -149,8 +149,8 @@ def terminal() -> Iterator[Callable[..., Terminal]]:
         return opened[-1]
 
     yield start
-    for each in opened:
-        each.close()
+    for opened_terminal in opened:
+        opened_terminal.close()
 
 
 @pytest.fixture(scope="module")

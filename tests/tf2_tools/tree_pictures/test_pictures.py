@@ -54,9 +54,9 @@ def test_the_comparison_notices_a_box_instead_of_a_letter() -> None:
     kept = Image.open(PICTURES / "scripts.png").convert("L")
     tree = trees.scripts()
     edges = [edge.record for edge in tree.edges.values()]
-    renamed = [each._replace(child=each.child.replace("λέιζερ", "\u25a1" * 6)) for each in edges]
+    renamed = [edge._replace(child=edge.child.replace("λέιζερ", "\u25a1" * 6)) for edge in edges]
     publishers = {
-        each.child: tree.edges[old.child].publishers for each, old in zip(renamed, edges, strict=True)
+        edge.child: tree.edges[old.child].publishers for edge, old in zip(renamed, edges, strict=True)
     }
     drawn = grey(png_bytes(draw_page(build_tree(renamed, tree.recorded_at_s, publishers))))
     assert drawn.size != kept.size or worst_block(drawn, kept) >= MAX_BLOCK_DIFFERENCE
@@ -186,7 +186,7 @@ def test_parts_of_a_graph_do_not_overlap(data: st.DataObject) -> None:
 def test_texts_of_a_table_stay_in_their_columns() -> None:
     table = Table(trees.robot(100))
     for row in (shape for shape in table.shapes(range(100), 0.0, 0.0) if isinstance(shape, Group)):
-        texts = [each for each in row.shapes if isinstance(each, Text)]
+        texts = [shape for shape in row.shapes if isinstance(shape, Text)]
         assert max(text.y for text in texts) - min(text.y for text in texts) < ROW / 3
         ends = [text.x + text.font.width(text.text) for text in texts]
         assert all(end < text.x for end, text in zip(ends, texts[1:], strict=False))
@@ -200,9 +200,9 @@ def test_static_transforms_are_dashed_and_stale_ones_grey_in_a_table() -> None:
     lines = {}
     for shape in one_page(tree).shapes:
         if isinstance(shape, Group) and shape.name != "map":
-            pens = [each.pen for each in shape.shapes if isinstance(each, Line) and each.pen]
+            pens = [line.pen for line in shape.shapes if isinstance(line, Line) and line.pen]
             lines[shape.name] = bool(pens[-1].dash), pens[-1].color
-            box = next(each for each in shape.shapes if isinstance(each, Box))
+            box = next(inner_shape for inner_shape in shape.shapes if isinstance(inner_shape, Box))
             assert (box.fill == "#ececec") is (shape.name == "old")
     assert lines == {"s": (True, "#3d74b8"), "m": (False, "#3d74b8"), "old": (False, "#9a9a9a")}
 

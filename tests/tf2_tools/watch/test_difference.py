@@ -22,7 +22,7 @@ def compared(
     before: list[Link], after: list[Link], translation: float = 0.0, rotation_rad: float = 0.0
 ) -> list[Difference]:
     """Return the differences of two lists of links."""
-    trees = ({each.child: each for each in links} for links in (before, after))
+    trees = ({link.child: link for link in links} for links in (before, after))
     return differences(*trees, translation=translation, rotation_rad=rotation_rad)
 
 
@@ -33,7 +33,7 @@ def test_equal_trees_have_no_difference() -> None:
 
 def test_edges_of_one_tree_only() -> None:
     found = compared([link("a", "base")], [link("b", "base")])
-    assert [(each.kind, each.child) for each in found] == [("removed", "a"), ("added", "b")]
+    assert [(difference.kind, difference.child) for difference in found] == [("removed", "a"), ("added", "b")]
 
 
 def test_another_parent_and_another_kind() -> None:
@@ -41,7 +41,10 @@ def test_another_parent_and_another_kind() -> None:
         [link("laser", "base"), link("wheel", "base")],
         [link("laser", "mast"), link("wheel", "base", static=False)],
     )
-    assert [(each.kind, each.child) for each in found] == [("re-parented", "laser"), ("kind", "wheel")]
+    assert [(difference.kind, difference.child) for difference in found] == [
+        ("re-parented", "laser"),
+        ("kind", "wheel"),
+    ]
 
 
 def test_tolerances_apply_to_distance_and_angle() -> None:

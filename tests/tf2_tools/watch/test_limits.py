@@ -59,8 +59,10 @@ def test_publishers_that_have_left_make_room() -> None:
     sink.push(data, 0, 1, gid(MAX_PUBLISHERS))
     snapshot = observer.snapshot()
     left = {gid(number) for number in range(MAX_PUBLISHERS + 1)} - {gid(number) for number in range(10, 20)}
-    assert {each.gid for each in snapshot.publishers} == {each.gid for each in snapshot.edges} == left
-    assert [each.statistics.count for each in snapshot.edges if each.gid == gid(MAX_PUBLISHERS)] == [1]
+    assert (
+        {publisher.gid for publisher in snapshot.publishers} == {edge.gid for edge in snapshot.edges} == left
+    )
+    assert [edge.statistics.count for edge in snapshot.edges if edge.gid == gid(MAX_PUBLISHERS)] == [1]
 
 
 def test_long_names_are_not_recorded() -> None:

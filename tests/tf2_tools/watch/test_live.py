@@ -87,8 +87,8 @@ def test_edges_name_the_node_that_publishes_them(participant: Participant) -> No
         assert {end.gid for end in seen.endpoints} == {static.gid, moving.gid}
         assert buffer.can("odom", "laser", 0)
         moving.close()
-        left = observed(watch, lambda seen: any(each.has_left for each in seen.publishers))
-        assert [each.name for each in left.publishers if each.has_left] == ["/robot/driver"]
+        left = observed(watch, lambda seen: any(publisher.has_left for publisher in seen.publishers))
+        assert [publisher.name for publisher in left.publishers if publisher.has_left] == ["/robot/driver"]
 
 
 def test_publishers_of_another_quality_are_recorded(participant: Participant) -> None:

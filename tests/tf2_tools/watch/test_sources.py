@@ -45,7 +45,7 @@ def test_bags_hold_the_edges_that_a_buffer_of_them_holds(tmp_path: Path) -> None
         }
         if found != expected or not found or len(buffer.edges()) != len(expected):
             wrong[path.name] = (found, expected, buffer.edges())
-        assert {each.label for each in seen.publishers} == {str(path)}
+        assert {publisher.label for publisher in seen.publishers} == {str(path)}
         assert 0 < seen.started_ns <= seen.taken_ns
     assert wrong == {}
 

@@ -17,7 +17,9 @@ from tfloom.tf2_tools.watch.statics import last_statics, quarrels, unusable
 
 def observed(*transforms: TransformStamped) -> Observation:
     """Return the observation of a recording with these static transforms, one in each message."""
-    messages = [recorded(START_NS + i, each, topic="/tf_static") for i, each in enumerate(transforms, 1)]
+    messages = [
+        recorded(START_NS + i, transform, topic="/tf_static") for i, transform in enumerate(transforms, 1)
+    ]
     return observe_recorded(messages, "a.mcap")
 
 
@@ -30,7 +32,10 @@ def static(parent: str, child: str, x: float = 1.0, qw: float = 1.0) -> Transfor
 
 def test_the_last_transform_of_each_child_is_taken() -> None:
     seen = observed(static("base", "laser"), static("base", "arm"), static("/mast", "/laser", 2.0))
-    assert [(each.frame_id, each.child_frame_id, each.translation[0]) for each in last_statics(seen)] == [
+    assert [
+        (transform.frame_id, transform.child_frame_id, transform.translation[0])
+        for transform in last_statics(seen)
+    ] == [
         ("base", "arm", 1.0),
         ("mast", "laser", 2.0),
     ]
@@ -69,11 +74,11 @@ def test_what_no_lookup_can_use_is_left_out(tmp_path: Path) -> None:
         ("'mast' -> 'laser'", "its numbers are not finite"),
     ]
     statics = last_statics(seen)
-    assert [each.child_frame_id for each in statics] == ["a", "b", "near"]
+    assert [transform.child_frame_id for transform in statics] == ["a", "b", "near"]
     assert quarrels(seen) == []
     path = tmp_path / "saved.yaml"
     path.write_text(file_text(statics), "utf-8")
-    assert [each.child_frame_id for each in read_statics(path)] == ["a", "b", "near"]
+    assert [transform.child_frame_id for transform in read_statics(path)] == ["a", "b", "near"]
 
 
 def test_rejected_transforms_are_no_difference() -> None:

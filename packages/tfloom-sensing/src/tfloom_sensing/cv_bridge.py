@@ -98,8 +98,8 @@ class CvBridge:
         Raises:
             CvBridgeError: there is no such encoding.
         """
-        found = _find(encoding)
-        return found.dtype.name, found.channels
+        image_format = _find(encoding)
+        return image_format.dtype.name, image_format.channels
 
     def imgmsg_to_cv2(self, img_msg: Image, desired_encoding: str = _PASSTHROUGH) -> Array:
         """Return the image of a message.
@@ -134,17 +134,17 @@ class CvBridge:
         """
         _check_array(cvim)
         cv_name = self.dtype_with_channels_to_cvtype2(cvim.dtype, cvim.shape[2] if cvim.ndim == 3 else 1)
-        found = _find(cv_name if encoding == _PASSTHROUGH else encoding)
-        if self.dtype_with_channels_to_cvtype2(found.dtype, found.channels) != cv_name:
+        image_format = _find(cv_name if encoding == _PASSTHROUGH else encoding)
+        if self.dtype_with_channels_to_cvtype2(image_format.dtype, image_format.channels) != cv_name:
             raise CvBridgeError(
                 f"encoding specified as {encoding}, but image has incompatible type {cv_name}"
             )
         rows, width = cvim.shape[:2]
         try:
-            height = found.height(rows)
+            height = image_format.height(rows)
         except ImageError as error:
             raise CvBridgeError(error) from None
-        message = Image(height=height, width=width, encoding=found.name)
+        message = Image(height=height, width=width, encoding=image_format.name)
         if header is not None:
             message.header = header
         byte_order = cvim.dtype.byteorder

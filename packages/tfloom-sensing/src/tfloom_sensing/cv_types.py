@@ -32,8 +32,8 @@ def getCvType(encoding: str) -> int:  # noqa: N802  # the reference's name
         RuntimeError: the encoding is unknown.
         ImportError: OpenCV is not installed.
     """
-    found = find_encoding(encoding)
-    return cv_type(DEPTHS[found.dtype.name], found.channels)
+    image_format = find_encoding(encoding)
+    return cv_type(DEPTHS[image_format.dtype.name], image_format.channels)
 
 
 def CV_MAT_CNWrap(i: int) -> int:  # noqa: N802  # the reference's name

@@ -68,20 +68,20 @@ def _named() -> dict[str, Encoding]:
 
     Source: sensor_msgs, include/sensor_msgs/image_encodings.hpp, and the kernel's description of the YUV formats.
     """
-    found = []
+    encodings = []
     for bits, dtype in ((8, np.dtype(np.uint8)), (16, np.dtype(np.uint16))):
-        found.append(Encoding(f"mono{bits}", dtype, 1, "gray"))
-        found += [
+        encodings.append(Encoding(f"mono{bits}", dtype, 1, "gray"))
+        encodings += [
             Encoding(f"{order}{bits}", dtype, len(order), order) for order in ("rgb", "bgr", "rgba", "bgra")
         ]
-        found += [
+        encodings += [
             Encoding(f"bayer_{mosaic}{bits}", dtype, 1, f"bayer_{mosaic}")
             for mosaic in ("rggb", "bggr", "gbrg", "grbg")
         ]
     byte = np.dtype(np.uint8)
-    found += [Encoding(name, byte, 2, color) for name, color in _YUV.items()]
-    found += [Encoding(name, byte, 1, name, rows) for name, rows in _PLANES.items()]
-    return {encoding.name: encoding for encoding in found}
+    encodings += [Encoding(name, byte, 2, color) for name, color in _YUV.items()]
+    encodings += [Encoding(name, byte, 1, name, rows) for name, rows in _PLANES.items()]
+    return {encoding.name: encoding for encoding in encodings}
 
 
 _NAMED = _named()

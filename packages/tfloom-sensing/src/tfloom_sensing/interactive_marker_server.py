@@ -226,14 +226,14 @@ class InteractiveMarkerServer:
             feedback_type: Type of feedback for which it is called, in place of the default callback.
         """
         with self.mutex:
-            found = [
-                each
-                for each in (self.marker_contexts.get(name), self.pending_updates.get(name))
-                if each is not None
+            targets = [
+                target
+                for target in (self.marker_contexts.get(name), self.pending_updates.get(name))
+                if target is not None
             ]
-            for each in found:
-                each.set_callback(feedback_callback, feedback_type)
-            return bool(found)
+            for target in targets:
+                target.set_callback(feedback_callback, feedback_type)
+            return bool(targets)
 
     def applyChanges(self) -> None:  # noqa: N802  # the reference's name
         """Publish the changes since the last call, if any."""

@@ -21,10 +21,10 @@ def main(args: argparse.Namespace) -> int:
     for end in settled_ends():
         types.setdefault(end.name, set()).add(end.type_name)
     if args.json:
-        print_json([{"name": name, "types": sorted(each)} for name, each in types.items()])
+        print_json([{"name": name, "types": sorted(type_names)} for name, type_names in types.items()])
     elif args.count_actions:
         print(len(types))
     else:
-        for name, each in types.items():
-            print(f"{name} [{', '.join(sorted(each))}]" if args.show_types else name)
+        for name, type_names in types.items():
+            print(f"{name} [{', '.join(sorted(type_names))}]" if args.show_types else name)
     return 0

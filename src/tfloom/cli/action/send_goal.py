@@ -135,7 +135,7 @@ class _ActionClient:
 
         request = self._class.Impl.CancelGoalService.Request(goal_info=GoalInfo(goal_id=self.goal_id))
         response = self._cancel_goal.call(request, CANCEL_TIMEOUT_S)
-        if any(key_of(each.goal_id) == self._key for each in response.goals_canceling):
+        if any(key_of(goal.goal_id) == self._key for goal in response.goals_canceling):
             return "Goal canceled."
         return f"The server did not cancel the goal: {CANCEL_REFUSALS.get(response.return_code, 'no reason given')}"
 

@@ -28,7 +28,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def main(args: argparse.Namespace) -> int:
-    """Write the bags."""
+    """Read the settings of the output bags, and write them from the input bags."""
     from tfloom.bag.converting import convert, read_outputs
 
     for words in args.input:

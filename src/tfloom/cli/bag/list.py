@@ -22,7 +22,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def main(args: argparse.Namespace) -> int:
-    """Print a line for each."""
+    """Print the names of the storage plugins of one kind."""
     for name, text in KINDS[args.plugin_type].items():
         print(f"{name}: {text}" if args.verbose else name)
     return 0

@@ -160,7 +160,7 @@ def _add_storage(parser: argparse.ArgumentParser) -> None:
 
 
 def main(args: argparse.Namespace) -> int:
-    """Record until Ctrl-C."""
+    """Check the folder and the settings, and record until Ctrl-C."""
     folder = _checked_folder(args)
 
     with common.explained():

@@ -15,7 +15,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def main(args: argparse.Namespace) -> int:
-    """Write metadata.yaml."""
+    """Write metadata.yaml anew, from what the files of the bag hold."""
     from tfloom.bag.reindexing import reindex
 
     path = Path(args.bag_path)

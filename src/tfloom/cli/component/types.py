@@ -13,5 +13,5 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def main(_: argparse.Namespace) -> int:
-    """Raise the explanation."""
+    """Raise the error that says why this verb needs C++."""
     raise needs_cpp()

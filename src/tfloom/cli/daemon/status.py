@@ -13,5 +13,5 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def main(_: argparse.Namespace) -> int:
-    """Print why."""
+    """Print why this installation has no daemon; return the exit code."""
     return no_daemon()

@@ -16,7 +16,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def main(args: argparse.Namespace) -> int:
-    """Print the value."""
+    """Print the default values of the interface's fields, as YAML."""
     quote = "" if args.no_quotes else '"'
     print(f"{quote}{message_to_yaml(_class_to_send(args.type)())}{quote}")
     return 0

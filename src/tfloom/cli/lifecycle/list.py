@@ -29,8 +29,8 @@ def main(args: argparse.Namespace) -> int:
     if args.json:
         print_json(transitions)
         return 0
-    for each in transitions:
-        print(f"- {each.transition.label} [{each.transition.id}]")
-        print(f"\tStart: {each.start_state.label}")
-        print(f"\tGoal: {each.goal_state.label}")
+    for description in transitions:
+        print(f"- {description.transition.label} [{description.transition.id}]")
+        print(f"\tStart: {description.start_state.label}")
+        print(f"\tGoal: {description.goal_state.label}")
     return 0

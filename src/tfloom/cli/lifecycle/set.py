@@ -19,10 +19,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def main(args: argparse.Namespace) -> int:
     """Request the transition and print the outcome."""
     with lifecycles(args, args.node_name) as nodes:
-        transitions = [each.transition for each in nodes[0].transitions()]
-        wanted = [each for each in transitions if args.transition in {each.label, str(each.id)}]
+        transitions = [description.transition for description in nodes[0].transitions()]
+        wanted = [
+            transition
+            for transition in transitions
+            if args.transition in {transition.label, str(transition.id)}
+        ]
         if not wanted:
-            listed = "".join(f"\n- {each.label} [{each.id}]" for each in transitions)
+            listed = "".join(f"\n- {transition.label} [{transition.id}]" for transition in transitions)
             raise CommandError(f"Unknown transition requested, available ones are:{listed}")
         if not nodes[0].change(wanted[0]):
             raise CommandError("Transitioning failed")

@@ -13,7 +13,7 @@ from tfloom.rmw.cyclone_config import DEFAULT_RANGE
 GROUP = "225.0.0.1"
 PORT = 49150
 MAX_DATAGRAM_SIZE = 4096
-"""The largest datagram that is read [octets]."""
+"""The largest datagram that is read [bytes]."""
 LOOPBACK = "127.0.0.1"
 ANY = "0.0.0.0"  # noqa: S104  # the interface that the system chooses
 

@@ -28,7 +28,7 @@ def _ttl(text: str) -> int:
 
 
 def main(args: argparse.Namespace) -> int:
-    """Send it."""
+    """Send the datagram; `multicast receive` prints it."""
     print("Sending one UDP multicast datagram...")
     with udp_socket() as sender:
         sender.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_TTL, args.ttl)

@@ -23,9 +23,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def main(args: argparse.Namespace) -> int:
     """Print type, description and constraints of each."""
     with requested_node(args) as services:
-        known = services.names()
+        existing_names = services.names()
         for name in args.parameter_names:
-            if name not in known:
+            if name not in existing_names:
                 raise unknown_parameter(services, name)
         descriptors = services.descriptors(args.parameter_names)
     if args.json:

@@ -19,7 +19,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def main(args: argparse.Namespace) -> int:
-    """Print the YAML."""
+    """Print the parameters below the name of their node and `ros__parameters`."""
     import yaml
 
     from tfloom.node.parameters.parameter import parameter_value_to_python

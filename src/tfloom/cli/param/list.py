@@ -33,11 +33,13 @@ def main(args: argparse.Namespace) -> int:
         raise CommandError(f"--filter isn't a regular expression: {error}") from None
     _find_node_among_prefixes(args)
     with nodes_with_parameters(args, args.node_name) as nodes:
-        found = call_each({node: partial(_names, services, pattern, args) for node, services in nodes})
+        names_by_node = call_each(
+            {node: partial(_names, services, pattern, args) for node, services in nodes}
+        )
     if args.json:
-        print_json(found)
+        print_json(names_by_node)
         return 0
-    for node, names in found.items():
+    for node, names in names_by_node.items():
         if args.node_name is None:
             print(f"{node}:")
         for name, kind in names.items():

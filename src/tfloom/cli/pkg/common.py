@@ -16,6 +16,6 @@ def package_prefix(package: str) -> str | None:
     prefix = index.find_package(package)
     own = index.own_packages()
     if prefix is None and package not in own:
-        known = {*own, *index.workspace_packages()}
-        raise CommandError(f"Package not found{way_to_package(package, known)}")
+        names = {*own, *index.workspace_packages()}
+        raise CommandError(f"Package not found{way_to_package(package, names)}")
     return prefix

@@ -46,8 +46,8 @@ def main(args: argparse.Namespace) -> int:
     """Write the package, and print the next commands."""
     if args.license == "?":
         print("Supported licenses:")
-        for each in LICENSES:
-            print(each.spdx)
+        for known_license in LICENSES:
+            print(known_license.spdx)
         return 0
     package = Package(
         args.package_name,
@@ -73,7 +73,7 @@ def main(args: argparse.Namespace) -> int:
     print(f"\nIn the workspace's top folder: colcon build --packages-select {args.package_name}")
     if package.node:
         print(f"then: source install/setup.bash && {args.prog} run {args.package_name} {package.node}")
-    if package.license not in {Package("").license, *(each.spdx for each in LICENSES)}:
+    if package.license not in {Package("").license, *(known_license.spdx for known_license in LICENSES)}:
         print(
             f"{args.package_name} has no LICENSE file, because the text of '{package.license}' isn't known: "
             "--license ? lists those that are",

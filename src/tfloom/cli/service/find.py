@@ -30,6 +30,8 @@ def main(args: argparse.Namespace) -> int:
     if not names:
         from tfloom.cli.type_names import warn_if_unknown
 
-        warn_if_unknown(args.service_type, "srv", {each for types in services.values() for each in types})
+        warn_if_unknown(
+            args.service_type, "srv", {type_name for types in services.values() for type_name in types}
+        )
     print_names(names, as_json=args.json, only_count=args.count_services)
     return 0

@@ -63,16 +63,18 @@ def main(args: argparse.Namespace) -> int:
         not source.is_live(name) and is_static_file(Path(name)) for name in names
     )
     before, after = (_links(name, args, only_static=only_static) for name in names)
-    found = differences(before, after, translation=args.translation, rotation_rad=math.radians(args.rotation))
+    tree_differences = differences(
+        before, after, translation=args.translation, rotation_rad=math.radians(args.rotation)
+    )
     if args.json:
         from tfloom.cli.listing import print_json
 
-        print_json([_plain(each) for each in found])
-    elif found:
+        print_json([_plain(difference) for difference in tree_differences])
+    elif tree_differences:
         print(f"--- {args.before}\n+++ {args.after}")
-        for each in found:
-            print(_line(each))
-    return DIFFERENT if found else 0
+        for difference in tree_differences:
+            print(_line(difference))
+    return DIFFERENT if tree_differences else 0
 
 
 def _links(name: str, args: argparse.Namespace, *, only_static: bool) -> dict[str, Link]:

@@ -145,10 +145,10 @@ def settled(source: Source, timeout_s: float, *, only_static: bool = False) -> O
             return True
         if len(seen.edges) != count:
             count, since_s = len(seen.edges), time.monotonic()
-        awaited = [each for each in seen.publishers if each.is_static or not only_static]
+        awaited = [publisher for publisher in seen.publishers if publisher.is_static or not only_static]
         return (
             count > 0
-            and all(each.traffic is not None for each in awaited)
+            and all(publisher.traffic is not None for publisher in awaited)
             and (only_static or time.monotonic() >= since_s + SETTLED_S)
         )
 

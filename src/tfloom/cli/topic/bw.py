@@ -41,10 +41,10 @@ def main(args: argparse.Namespace) -> int:
 
 
 def bandwidth_text(sizes: list[float], duration_s: float) -> str:
-    """Return the two lines on messages of these sizes [octets] in a time [s]; the rate determines the unit."""
+    """Return the two lines on messages of these sizes [bytes] in a time [s]; the rate determines the unit."""
     mean, least, greatest, _ = rates.spread(sizes)
     per_second = sum(sizes) / duration_s if duration_s > 0 else float("inf")
-    unit = next(unit for unit, octets in UNITS.items() if per_second >= octets or unit == "B")
+    unit = next(unit for unit, size in UNITS.items() if per_second >= size or unit == "B")
     rate, mean, least, greatest = (value / UNITS[unit] for value in (per_second, mean, least, greatest))
     return (
         f"{rate:.2f} {unit}/s from {len(sizes)} messages\n"

@@ -11,7 +11,7 @@ from typing import Any
 from tfloom.cli import graph, message_text, qos
 from tfloom.cli.errors import CommandError
 from tfloom.cli.interfaces import message_class
-from tfloom.cli.listen import decoded, find_type, publishers_of, samples, unmet, wait_for_publishers
+from tfloom.cli.listen import decoded, find_type, mismatch_reason, publishers_of, samples, wait_for_publishers
 from tfloom.cli.names import full_topic_name
 from tfloom.cli.numbers import seconds
 from tfloom.cli.selection import field_picker, message_filter
@@ -70,7 +70,7 @@ def main(args: argparse.Namespace) -> int:
         quality = qos.requested_qos(args, SENSOR_DATA) or _suiting_qos(participant, name, end_s)
         topic = topic_of(listen_to, name)
         if publishers_of(participant.graph, name) and (
-            reason := unmet(participant.graph, topic, is_publisher=False)
+            reason := mismatch_reason(participant.graph, topic, is_publisher=False)
         ):
             print(f"WARNING: {reason}", file=sys.stderr)
         for sample in samples(participant, name, listen_to, quality, end_s, on_lost):

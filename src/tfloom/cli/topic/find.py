@@ -35,6 +35,8 @@ def main(args: argparse.Namespace) -> int:
     if not names:
         from tfloom.cli.type_names import warn_if_unknown
 
-        warn_if_unknown(args.topic_type, "msg", {each for types in topics.values() for each in types})
+        warn_if_unknown(
+            args.topic_type, "msg", {type_name for types in topics.values() for type_name in types}
+        )
     print_names(names, as_json=args.json, only_count=args.count_topics)
     return 0

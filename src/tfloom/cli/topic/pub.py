@@ -12,7 +12,7 @@ from itertools import repeat
 from tfloom.cli import graph, qos
 from tfloom.cli.errors import CommandError, standard_input
 from tfloom.cli.interfaces import fill_message, message_class, parse_yaml, set_stamps, yaml_documents
-from tfloom.cli.listen import HINT_S, cli_node, shown_node, unmet, warn_of_mismatch
+from tfloom.cli.listen import HINT_S, cli_node, mismatch_reason, shown_node, warn_of_mismatch
 from tfloom.cli.names import full_topic_name, named_node
 from tfloom.cli.numbers import count, rate, seconds
 from tfloom.cli.sim_time import NowNs, clock, wait_until_known
@@ -87,7 +87,10 @@ def main(args: argparse.Namespace) -> int:
 
         try:
             _wait_for_subscriptions(
-                writer, args, look_for_mismatch, lambda: unmet(participant.graph, topic, is_publisher=True)
+                writer,
+                args,
+                look_for_mismatch,
+                lambda: mismatch_reason(participant.graph, topic, is_publisher=True),
             )
             with clock(participant, node, simulated=args.use_sim_time) as now_ns:
                 _publish(writer, drafts, args, look_for_mismatch, now_ns)
@@ -123,19 +126,19 @@ def _wait_for_subscriptions(
         wanted = 1 if args.once or args.times else 0
     start = reported = time.monotonic()
     hint_s = start + HINT_S
-    while (found := writer.matched_count()) < wanted:
+    while (match_count := writer.matched_count()) < wanted:
         look_for_mismatch()
         now = time.monotonic()
         if args.max_wait_time_secs is not None and now - start >= args.max_wait_time_secs:
             raise CommandError(
-                f"waited {args.max_wait_time_secs:g} s for {wanted} matching subscription(s), there are {found}"
+                f"waited {args.max_wait_time_secs:g} s for {wanted} matching subscription(s), there are {match_count}"
             )
         if now - reported >= 1.0:
             print(f"Waiting for at least {wanted} matching subscription(s)...", file=sys.stderr)
             reported = now
         if now >= hint_s:
             hint_s = math.inf
-            if not found and (reason := why_unmet()):
+            if not match_count and (reason := why_unmet()):
                 print(reason, file=sys.stderr)
         time.sleep(0.01)
 

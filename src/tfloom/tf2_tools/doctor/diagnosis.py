@@ -28,5 +28,10 @@ def diagnose(subject: Subject, limits: Limits | None = None, ignored: Collection
         ignored: Codes of findings to leave out.
     """
     limits = limits or Limits()
-    found = [each for check in CHECKS for each in check(subject, limits) if each.code not in ignored]
-    return sorted(found, key=lambda each: (each.kind.severity is not Severity.ERROR, each.code, each.summary))
+    findings = [
+        finding for check in CHECKS for finding in check(subject, limits) if finding.code not in ignored
+    ]
+    return sorted(
+        findings,
+        key=lambda finding: (finding.kind.severity is not Severity.ERROR, finding.code, finding.summary),
+    )

@@ -57,6 +57,6 @@ class Finding(NamedTuple):
             "nodes": sorted({source.node for source in self.sources if source.node}),
             "sources": [source._asdict() for source in self.sources],
             "frames": self.frames,
-            "evidence": [{"text": each.text, **each.figures} for each in self.evidence],
+            "evidence": [{"text": evidence.text, **evidence.figures} for evidence in self.evidence],
             "mend": self.kind.mend,
         }

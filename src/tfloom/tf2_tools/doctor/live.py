@@ -48,7 +48,7 @@ def listen(
         with_topics: Whether to subscribe to all topics with headers as well.
         topics: The topics of moving and of static transforms.
     """
-    with _reading(participant, topics) as readers:
+    with _open_readers(participant, topics) as readers:
         end_s = time.monotonic() + duration_s
         with suppress(KeyboardInterrupt):
             while (now_s := time.monotonic()) < end_s:
@@ -58,7 +58,7 @@ def listen(
 
 
 @contextmanager
-def _reading(participant: Participant, topics: tuple[str, str]) -> Iterator[_Readers]:
+def _open_readers(participant: Participant, topics: tuple[str, str]) -> Iterator[_Readers]:
     node = NodeName("/", f"_tfloom_tf_doctor_{os.getpid()}")
     participant.add_node(node)
     try:
@@ -72,7 +72,7 @@ def _reading(participant: Participant, topics: tuple[str, str]) -> Iterator[_Rea
 
 
 class _Readers:
-    """All readers of a diagnosis. For one thread."""
+    """The watch of transforms, and the readers of headers and requests. One thread may use it."""
 
     def __init__(self, participant: Participant, node: NodeName, topics: tuple[str, str]) -> None:
         self._participant = participant
@@ -99,6 +99,8 @@ class _Readers:
         if (changes := graph.changes()) != self._changes:
             self._changes = changes
             for end in graph.raw_endpoints():
+                # Names are kept: the graph forgets a node that leaves, and the report still names it. DDS's own
+                # endpoints, because the gid of a request is that of a client's writer, which is on no ROS topic.
                 if end.node is not None:
                     self._nodes[end.gid] = end.node.full
             self._open_requests()
@@ -111,6 +113,7 @@ class _Readers:
             name, type_name = end.topic.name, end.topic.type_name
             if not end.is_writer or name in self._skipped:
                 continue
+            # Judge each topic once, by the first publisher that is seen.
             self._skipped.add(name)
             if begins_with_header(type_name):
                 sink = HeaderSink()
@@ -135,13 +138,14 @@ class _Readers:
 
     def _take_requests(self) -> None:
         for name, reader in self._requests.items():
-            for sample in _taken(reader):
+            for sample in _take_all(reader):
                 for frame in requested_frames(sample):
                     key = sample.publisher_gid, name.removesuffix(SEND_GOAL), frame
                     self._asked[key] = self._asked.get(key, 0) + 1
 
     def subject(self) -> Subject:
         """Return what was seen."""
+        # Take what came since the last look. New topics would bring nothing any more, so no headers are opened.
         self.refresh(with_topics=False)
         until_ns = time.time_ns()
         return Subject(
@@ -175,7 +179,7 @@ class _Readers:
         ]
 
     def close(self) -> None:
-        """Close all readers."""
+        """Close the watch, all readers, and the writers of responses."""
         self._watch.close()
         headers = [reader for reader, _ in self._headers.values()]
         readers = [*self._requests.values(), *self._responses.values(), *headers]
@@ -183,6 +187,6 @@ class _Readers:
             reader.close()
 
 
-def _taken(reader: Reader) -> Iterator[Sample]:
+def _take_all(reader: Reader) -> Iterator[Sample]:
     while (sample := reader.take()) is not None:
         yield sample

@@ -32,14 +32,14 @@ def check_names(subject: Subject, limits: Limits) -> Iterator[Finding]:  # noqa:
         if edge.child.startswith("/") or edge.parent.startswith("/")
     ]
     yield from for_each_publisher("TF201", "sends frame ids with a leading slash: {}", slashed)
-    yield from _unchecked(subject)
+    yield from _unchecked_transforms(subject)
     for prefix in sorted({frame.rpartition("/")[0] for frame in subject.frames}):
-        yield from _misordered(subject, f"{prefix}/" if prefix else "")
+        yield from _misordered_frames(subject, f"{prefix}/" if prefix else "")
     for frame in sorted(subject.frames):
-        yield from _misspelled(subject, frame)
+        yield from _misspelled_frame(subject, frame)
 
 
-def _unchecked(subject: Subject) -> Iterator[Finding]:
+def _unchecked_transforms(subject: Subject) -> Iterator[Finding]:
     """Yield a finding for the transforms beyond the observer's limits, with the publishers that send them."""
     if not subject.seen.unrecorded:
         return
@@ -61,7 +61,7 @@ def _unchecked(subject: Subject) -> Iterator[Finding]:
     )
 
 
-def _misordered(subject: Subject, prefix: str) -> Iterator[Finding]:
+def _misordered_frames(subject: Subject, prefix: str) -> Iterator[Finding]:
     """Yield a finding for each frame of a robot that doesn't hang below the one that REP 105 puts above it."""
     told = set()
     for order in _ORDERS:
@@ -69,7 +69,7 @@ def _misordered(subject: Subject, prefix: str) -> Iterator[Finding]:
         for outer, inner in pairwise(present):
             if (outer, inner) not in told and not _is_below(subject, inner, outer):
                 told.add((outer, inner))
-                yield _misorder(subject, outer, inner)
+                yield _order_finding(subject, outer, inner)
 
 
 def _is_below(subject: Subject, inner: str, outer: str) -> bool:
@@ -78,10 +78,11 @@ def _is_below(subject: Subject, inner: str, outer: str) -> bool:
     return outer in tree.branch(inner)[1:] or tree.root(inner) != tree.root(outer)
 
 
-def _misorder(subject: Subject, outer: str, inner: str) -> Finding:
+def _order_finding(subject: Subject, outer: str, inner: str) -> Finding:
     tree = subject.tree
     outer_branch = tree.branch(outer)
     is_reversed = inner in outer_branch
+    # In a reversed order, every edge from the outer frame up to the inner one is wrong; otherwise only the inner's own.
     chain = outer_branch[: outer_branch.index(inner)] if is_reversed else [inner]
     edges = [edge for frame in chain for edge in subject.edges_of[frame]]
     sources = sorted({source_of(edge.publisher) for edge in edges})
@@ -94,13 +95,13 @@ def _misorder(subject: Subject, outer: str, inner: str) -> Finding:
     return Finding("TF202", summary, sources, [outer, inner], evidence)
 
 
-def _misspelled(subject: Subject, frame: str) -> Iterator[Finding]:
+def _misspelled_frame(subject: Subject, frame: str) -> Iterator[Finding]:
     prefix, slash, name = frame.rpartition("/")
     meant = _BY_LETTERS.get("".join(letter for letter in name.lower() if letter.isalnum()))
     if meant is None or name == meant:
         return
     near = [frame, *subject.tree.children.get(frame, ())]
-    edges = [e for each in near for e in subject.edges_of.get(each, ()) if frame in e.frames]
+    edges = [e for child in near for e in subject.edges_of.get(child, ()) if frame in e.frames]
     sources = sorted({source_of(edge.publisher) for edge in edges})
     yield Finding(
         "TF203",

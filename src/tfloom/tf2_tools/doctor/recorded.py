@@ -35,9 +35,11 @@ def read(path: Path, *, with_topics: bool = False, topics: tuple[str, str] = TOP
         BagError: it is no bag, or has no transforms.
         OSError: it can't be read.
     """
-    seen = open_path(path, topics=topics).observation()
+    observation = open_path(path, topics=topics).observation()
     uses = _header_uses(path) if with_topics and not is_static_file(path) else []
-    return Subject(seen, (seen.started_ns, seen.taken_ns), uses, static_topic=topics[True])
+    return Subject(
+        observation, (observation.started_ns, observation.taken_ns), uses, static_topic=topics[True]
+    )
 
 
 def _header_uses(path: Path) -> list[FrameUse]:
@@ -46,6 +48,7 @@ def _header_uses(path: Path) -> list[FrameUse]:
         sinks = {name: HeaderSink() for name in headed}
         of_ros1: Counter[tuple[str, str]] = Counter()
         for message in bag.messages(list(headed)) if headed else ():
+            # The native sink reads CDR. A message of ROS 1 has another layout, and its frame is read here.
             if headed[message.topic].serialization_format == ROS1:
                 of_ros1[message.topic, ros1_frame_id(message.data)] += 1
             else:

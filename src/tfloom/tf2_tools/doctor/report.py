@@ -18,7 +18,7 @@ INDENT = " " * 9
 
 
 class Report(NamedTuple):
-    """A diagnosis."""
+    """What was looked at and what was found, as text, as JSON, and as an exit code."""
 
     subject: Subject
     findings: Sequence[Finding]
@@ -38,16 +38,16 @@ class Report(NamedTuple):
 
     def as_dict(self) -> dict[str, object]:
         """Return the report as JSON values."""
-        seen = self.subject.seen
+        observation = self.subject.seen
         return {
             "origin": self.origin,
-            "is_live": seen.is_live,
+            "is_live": observation.is_live,
             "is_simulated": self.subject.is_simulated,
             "duration_s": round(self.subject.duration_s, 3),
             "frames": len(self.subject.frames),
             "edges": len(self.subject.tree.parents),
-            "publishers": len(seen.publishers),
-            "transforms": sum(edge.statistics.count for edge in seen.edges),
+            "publishers": len(observation.publishers),
+            "transforms": sum(edge.statistics.count for edge in observation.edges),
             "roots": self.subject.tree.roots(),
             "errors": self.count(Severity.ERROR),
             "warnings": self.count(Severity.WARNING),
@@ -57,14 +57,14 @@ class Report(NamedTuple):
 
     def head(self) -> str:
         """Return the line that says what was looked at."""
-        seen, tree = self.subject.seen, self.subject.tree
+        observation, tree = self.subject.seen, self.subject.tree
         counts = [
             counted(len(self.subject.frames), "frame"),
             counted(len(tree.roots()), "tree"),
-            counted(len(seen.publishers), "publisher"),
-            counted(sum(edge.statistics.count for edge in seen.edges), "transform"),
+            counted(len(observation.publishers), "publisher"),
+            counted(sum(edge.statistics.count for edge in observation.edges), "transform"),
         ]
-        unknown = "" if seen.is_live else "; a recording does not name publishers"
+        unknown = "" if observation.is_live else "; a recording does not name publishers"
         simulated = ", by /clock" if self.subject.is_simulated else ""
         return f"{self.origin}, {self.subject.duration_s:.1f} s{simulated}: {', '.join(counts)}{unknown}"
 
@@ -79,25 +79,25 @@ class Report(NamedTuple):
 
 def body(finding: Finding, width: int = MAX_WIDTH) -> Iterator[str]:
     """Yield the lines of a finding that follow its code and severity, of at most `width` columns where words allow."""
-    first, *rest = _wrapped(finding.summary, INDENT, width=width)
+    first, *rest = _wrapped_lines(finding.summary, INDENT, width=width)
     yield first.lstrip()
     yield from rest
-    for each in finding.evidence[:SHOWN]:
-        yield from _wrapped(f"- {each.text}", INDENT, f"{INDENT}  ", width)
+    for evidence in finding.evidence[:SHOWN]:
+        yield from _wrapped_lines(f"- {evidence.text}", INDENT, f"{INDENT}  ", width)
     if len(finding.evidence) > SHOWN:
         yield f"{INDENT}- and {len(finding.evidence) - SHOWN} more"
-    yield from _wrapped(f"mend: {finding.kind.mend}", INDENT, f"{INDENT}      ", width)
+    yield from _wrapped_lines(f"mend: {finding.kind.mend}", INDENT, f"{INDENT}      ", width)
 
 
 def explanation(kind: Kind) -> str:
     """Return all that the catalogue has of a kind of findings."""
     lines = [f"{kind.code} ({kind.severity.value}, {GROUPS[kind.code[2]].lower()}): {kind.title}"]
     for title, text in (("meaning", kind.meaning), ("cause", kind.cause), ("mend", kind.mend)):
-        lines += _wrapped(f"{title + ':':<9}{text}", "  ", " " * 11)
+        lines += _wrapped_lines(f"{title + ':':<9}{text}", "  ", " " * 11)
     return "\n".join(lines)
 
 
-def _wrapped(text: str, indent: str, further: str | None = None, width: int = MAX_WIDTH) -> list[str]:
+def _wrapped_lines(text: str, indent: str, further: str | None = None, width: int = MAX_WIDTH) -> list[str]:
     return textwrap.wrap(
         text,
         min(width, MAX_WIDTH),

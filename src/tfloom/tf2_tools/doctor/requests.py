@@ -8,7 +8,7 @@ from tfloom.rosidl import cdr
 
 _ENCAPSULATION_SIZE = 4
 _HEADER_SIZE = 16
-"""Of a request in the form of rmw_cyclonedds: the client's key and a sequence number, 8 octets each."""
+"""Of a request in the form of rmw_cyclonedds: the client's key and a sequence number, 8 bytes each."""
 
 
 def requested_frames(sample: Sample) -> list[str]:

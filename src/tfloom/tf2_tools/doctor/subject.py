@@ -53,10 +53,10 @@ class Subject:
     @cached_property
     def edges_of(self) -> dict[str, list[Edge]]:
         """The edges of each child, by its name as listeners store it."""
-        found: dict[str, list[Edge]] = {}
+        edges_by_child: dict[str, list[Edge]] = {}
         for edge in self.edges:
-            found.setdefault(stored_name(edge.child), []).append(edge)
-        return found
+            edges_by_child.setdefault(stored_name(edge.child), []).append(edge)
+        return edges_by_child
 
     @cached_property
     def tree(self) -> Tree:
@@ -133,9 +133,9 @@ def for_each_publisher(code: str, what: str, edges: Iterable[tuple[Edge, Evidenc
         what: What its publisher does to them: `sends {} with the stamp zero`.
         edges: Each edge, and what was seen of it.
     """
-    seen = {id(edge): (edge, evidence) for edge, evidence in edges}
-    for source, group in by_publisher(edge for edge, _ in seen.values()):
+    by_id = {id(edge): (edge, evidence) for edge, evidence in edges}
+    for source, group in by_publisher(edge for edge, _ in by_id.values()):
         names = listed(dict.fromkeys(edge_text(edge) for edge in group))
         frames = sorted({stored_name(edge.child) for edge in group if edge.child})
         summary = f"{source} {what.format(names)}"
-        yield Finding(code, summary, [source], frames, [seen[id(edge)][1] for edge in group])
+        yield Finding(code, summary, [source], frames, [by_id[id(edge)][1] for edge in group])

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import statistics
 from collections.abc import Iterable, Iterator
+from statistics import median
 
 from tfloom.tf2_tools.doctor.finding import Evidence, Finding
 from tfloom.tf2_tools.doctor.limits import MIN_COUNT, Limits
@@ -27,30 +27,36 @@ MIN_JUMP_NS = 1_000_000_000
 def check_stamps(subject: Subject, limits: Limits) -> Iterator[Finding]:
     """Yield the findings on stamps."""
     offset_s = common_offset_s(subject)
-    yield from for_each_publisher("TF401", "sends moving frames with the stamp zero: {}", _zero(subject))
-    yield from for_each_publisher("TF402", "stamps ahead of now: {}", _ahead(subject, limits, offset_s))
-    yield from _skewed(subject, limits, offset_s)
-    yield from for_each_publisher("TF407", "sends transforms that are too old: {}", _too_old(subject))
-    yield from for_each_publisher("TF408", "stamps went back in time: {}", _jumps(subject))
+    yield from for_each_publisher(
+        "TF401", "sends moving frames with the stamp zero: {}", _zero_stamps(subject)
+    )
+    yield from for_each_publisher(
+        "TF402", "stamps ahead of now: {}", _future_stamps(subject, limits, offset_s)
+    )
+    yield from _skewed_clocks(subject, limits, offset_s)
+    yield from for_each_publisher("TF407", "sends transforms that are too old: {}", _old_transforms(subject))
+    yield from for_each_publisher("TF408", "stamps went back in time: {}", _time_jumps(subject))
 
 
 def common_offset_s(subject: Subject) -> float:
     """Return the time from the stamps to now, of most publishers, if it is long; else 0 [s]."""
     if subject.is_simulated:
         return 0.0
+    # In a recording that was made from a simulation, all stamps are far from the times of receipt. The median over
+    # edges is not moved by one publisher with a wrong clock, which is what `_skewed_clocks` looks for.
     means = [edge.statistics.delay.mean for edge in subject.moving if edge.statistics.delay.count]
-    middle_s = statistics.median(means) if means else 0.0
+    middle_s = median(means) if means else 0.0
     return middle_s if abs(middle_s) > OTHER_TIME_S else 0.0
 
 
-def _zero(subject: Subject) -> Iterator[tuple[Edge, Evidence]]:
+def _zero_stamps(subject: Subject) -> Iterator[tuple[Edge, Evidence]]:
     for edge in subject.moving:
         zero, count = edge.statistics.zero_stamps, edge.statistics.count
         if zero:
             yield edge, evidence_of(edge, f"{zero} of {count} transforms", zero_stamps=zero, count=count)
 
 
-def _ahead(subject: Subject, limits: Limits, offset_s: float) -> Iterator[tuple[Edge, Evidence]]:
+def _future_stamps(subject: Subject, limits: Limits, offset_s: float) -> Iterator[tuple[Edge, Evidence]]:
     if offset_s:
         return  # now is not of the stamps' time
     for edge in subject.moving:
@@ -60,12 +66,14 @@ def _ahead(subject: Subject, limits: Limits, offset_s: float) -> Iterator[tuple[
             yield edge, evidence_of(edge, text, ahead_s=-delay.least, count=edge.statistics.count)
 
 
-def _skewed(subject: Subject, limits: Limits, offset_s: float) -> Iterator[Finding]:
+def _skewed_clocks(subject: Subject, limits: Limits, offset_s: float) -> Iterator[Finding]:
     for source, edges in by_publisher(subject.moving):
         stamped = [edge for edge in edges if edge.statistics.delay.count]
         count = sum(edge.statistics.delay.count for edge in stamped)
         if count < MIN_COUNT:
             continue
+        # A wrong clock shifts all stamps by the same time; load or a slow network spreads them. So the offset must be
+        # large, and the range of delays small beside it.
         mean_s = sum(e.statistics.delay.mean * e.statistics.delay.count for e in stamped) / count - offset_s
         width_s = max(e.statistics.delay.greatest for e in stamped) - min(
             e.statistics.delay.least for e in stamped
@@ -75,7 +83,7 @@ def _skewed(subject: Subject, limits: Limits, offset_s: float) -> Iterator[Findi
         whose = "those of the others" if offset_s else "now"
         side = "behind" if mean_s > 0 else "ahead of"
         figures = {"offset_s": -mean_s, "count": count}
-        evidence = [Evidence(f"{count} stamps vary by {width_s:.3f} s{_clock(stamped[0])}", {**figures})]
+        evidence = [Evidence(f"{count} stamps vary by {width_s:.3f} s{_clock_note(stamped[0])}", {**figures})]
         frames = sorted({edge.child for edge in stamped})
         yield Finding(
             "TF403",
@@ -86,11 +94,13 @@ def _skewed(subject: Subject, limits: Limits, offset_s: float) -> Iterator[Findi
         )
 
 
-def _clock(edge: Edge) -> str:
+def _clock_note(edge: Edge) -> str:
     """Return whether a publisher's host has another time, by the time of writing that DDS sends along."""
     traffic = edge.publisher.traffic
     if traffic is None or not traffic.transit.count:
         return ""
+    # DDS stamps each message when it is written, by the clock of the sender's host. If that time fits ours, the host's
+    # clock is right, and the node itself writes other stamps into its transforms.
     transit_s, delay_s = traffic.transit.mean, edge.statistics.delay.mean
     if abs(transit_s) < CONSTANT_PART * abs(delay_s):
         return (
@@ -99,12 +109,13 @@ def _clock(edge: Edge) -> str:
     return f"; its host's clock differs by {-transit_s:.3f} s"
 
 
-def _jumps(subject: Subject) -> Iterator[tuple[Edge, Evidence]]:
+def _time_jumps(subject: Subject) -> Iterator[tuple[Edge, Evidence]]:
     for edge in subject.moving:
         if (back_ns := _jump_ns(subject, edge)) > 0:
-            seen = edge.statistics
-            text = f"by {back_ns / 1e9:.3f} s at most, {seen.too_old} of {seen.count} transforms are rejected as old"
-            figures = {"rejected": seen.too_old, "count": seen.count}
+            statistics = edge.statistics
+            rejected, count = statistics.too_old, statistics.count
+            text = f"by {back_ns / 1e9:.3f} s at most, {rejected} of {count} transforms are rejected as old"
+            figures = {"rejected": rejected, "count": count}
             yield edge, evidence_of(edge, text, back_s=back_ns / 1e9, **figures)
 
 
@@ -113,28 +124,33 @@ def _jump_ns(subject: Subject, edge: Edge) -> int:
 
     They may be those of a publisher that left, as before a simulation was restarted. An old one in between is no jump.
     """
-    seen = edge.statistics
-    if seen.largest_step_back_ns > MIN_JUMP_NS and seen.out_of_order > seen.steps_back + 1:
-        return seen.largest_step_back_ns
-    if not seen.too_old:
+    statistics = edge.statistics
+    # After a jump, each transform is older than the newest one (`out_of_order`), but only the first is older than the
+    # one before it (`steps_back`). A single old transform in between raises both by one.
+    if statistics.largest_step_back_ns > MIN_JUMP_NS and statistics.out_of_order > statistics.steps_back + 1:
+        return statistics.largest_step_back_ns
+    if not statistics.too_old:
         return 0
+    # The publisher's own stamps advance, but buffers reject them: the newer ones may be of a publisher that has left.
     former = [e.statistics for e in subject.edges_of[stored_name(edge.child)] if e.publisher.has_left]
-    back_ns = max((each.newest_stamp_ns - seen.oldest_stamp_ns for each in former), default=0)
+    back_ns = max(
+        (former_statistics.newest_stamp_ns - statistics.oldest_stamp_ns for former_statistics in former),
+        default=0,
+    )
     return back_ns if back_ns > MIN_JUMP_NS else 0
 
 
-def _too_old(subject: Subject) -> Iterable[tuple[Edge, Evidence]]:
+def _old_transforms(subject: Subject) -> Iterable[tuple[Edge, Evidence]]:
     for edge in subject.moving:
-        seen = edge.statistics
-        if seen.too_old and not _jump_ns(subject, edge):
+        statistics = edge.statistics
+        if statistics.too_old and not _jump_ns(subject, edge):
             newest = max(
-                subject.edges_of[stored_name(edge.child)], key=lambda each: each.statistics.newest_stamp_ns
+                subject.edges_of[stored_name(edge.child)], key=lambda other: other.statistics.newest_stamp_ns
             )
-            age_s = (newest.statistics.newest_stamp_ns - seen.oldest_stamp_ns) / 1e9
+            age_s = (newest.statistics.newest_stamp_ns - statistics.oldest_stamp_ns) / 1e9
             whose = (
                 "" if newest.publisher is edge.publisher else f", which is from {source_of(newest.publisher)}"
             )
-            text = (
-                f"{seen.too_old} of {seen.count} transforms, up to {age_s:.1f} s older than the newest{whose}"
-            )
-            yield edge, evidence_of(edge, text, rejected=seen.too_old, count=seen.count, age_s=age_s)
+            rejected, count = statistics.too_old, statistics.count
+            text = f"{rejected} of {count} transforms, up to {age_s:.1f} s older than the newest{whose}"
+            yield edge, evidence_of(edge, text, rejected=rejected, count=count, age_s=age_s)

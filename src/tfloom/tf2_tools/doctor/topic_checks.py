@@ -17,15 +17,17 @@ TYPE = TFMessage._TYPE_NAME
 
 def check_topics(subject: Subject, limits: Limits) -> Iterator[Finding]:  # noqa: ARG001 - as all checks
     """Yield the findings on topics; on their endpoints only if the graph is known."""
-    yield from _unreadable(subject)
+    yield from _unreadable_messages(subject)
     yield from _other_types(subject)
     ends = [end for end in subject.seen.endpoints if end.topic.type_name == TYPE]
+    # An endpoint that connects with none of its peers is an error; its quality of service is not reported again as
+    # unusual.
     mismatched: set[bytes] = set()
     for writer in (end for end in ends if end.is_writer):
         for finding in _mismatches(writer, [end for end in ends if not end.is_writer]):
             mismatched.update((writer.gid, *(bytes.fromhex(source.gid) for source in finding.sources)))
             yield finding
-    yield from _unusual([end for end in ends if end.gid not in mismatched], subject.static_topic)
+    yield from _unusual_qos([end for end in ends if end.gid not in mismatched], subject.static_topic)
 
 
 def end_source(end: EndpointInfo) -> Source:
@@ -33,7 +35,7 @@ def end_source(end: EndpointInfo) -> Source:
     return Source("" if end.node is None else end.node.full, end.topic.name, end.gid.hex())
 
 
-def _unreadable(subject: Subject) -> Iterator[Finding]:
+def _unreadable_messages(subject: Subject) -> Iterator[Finding]:
     for publisher in subject.seen.publishers:
         traffic = publisher.traffic
         if traffic is None or not traffic.unreadable:
@@ -71,7 +73,7 @@ def _mismatches(writer: EndpointInfo, readers: list[EndpointInfo]) -> Iterator[F
                 apart.setdefault(policy, []).append(reader)
     for policy, deprived in apart.items():
         sources = [end_source(end) for end in (writer, *deprived)]
-        offered, requested = _policy(writer, policy), _policy(deprived[0], policy)
+        offered, requested = _policy_text(writer, policy), _policy_text(deprived[0], policy)
         names = listed(source.node or f"GID {source.gid}" for source in sources[1:])
         yield Finding(
             "TF503",
@@ -82,12 +84,12 @@ def _mismatches(writer: EndpointInfo, readers: list[EndpointInfo]) -> Iterator[F
         )
 
 
-def _policy(end: EndpointInfo, policy: QoSPolicyKind) -> str:
+def _policy_text(end: EndpointInfo, policy: QoSPolicyKind) -> str:
     value = getattr(end.qos, policy.name.lower(), None)
     return str(getattr(value, "name", None) or policy.name.lower())
 
 
-def _unusual(ends: list[EndpointInfo], static_topic: str) -> Iterator[Finding]:
+def _unusual_qos(ends: list[EndpointInfo], static_topic: str) -> Iterator[Finding]:
     for end in ends:
         is_volatile = (
             end.topic.name == static_topic and end.qos.durability != DurabilityPolicy.TRANSIENT_LOCAL

@@ -22,17 +22,17 @@ from tfloom.tf2_tools.watch.model import Edge, Publisher, stored_name
 def check_tree(subject: Subject, limits: Limits) -> Iterator[Finding]:  # noqa: ARG001 - as all checks
     """Yield the findings on the tree."""
     if not (subject.seen.edges or subject.seen.unrecorded):
-        yield _nothing(subject)
+        yield _silence_finding(subject)
     for child, edges in subject.edges_of.items():
-        yield from _several_publishers(child, edges)
-        yield from _static_and_dynamic(child, edges)
-        yield from _reparented(subject, child, edges)
+        yield from _shared_child(child, edges)
+        yield from _mixed_child(child, edges)
+        yield from _reparented_child(subject, child, edges)
     yield from _loops(subject)
-    yield from _trees(subject)
-    yield from _rejected(subject)
+    yield from _separate_trees(subject)
+    yield from _rejected_edges(subject)
 
 
-def _nothing(subject: Subject) -> Finding:
+def _silence_finding(subject: Subject) -> Finding:
     sources = [source_of(publisher) for publisher in subject.seen.publishers]
     who = f"from {listed(str(source) for source in sources)}" if sources else "and there is no publisher"
     evidence = [
@@ -54,18 +54,22 @@ def _are_at_once(edges: list[Edge]) -> bool:
 
     A node that was restarted sends after the former one, which the graph may list for a while if it was killed.
     """
+    # Present publishers of different names are different nodes. Two of one name may be a node that was killed, which
+    # the graph lists until its lease ends, and its successor: then the times of sending decide, below. A static
+    # transform is sent once, so its times can't overlap; what is present counts.
     present = {_owner(edge.publisher) for edge in edges if not edge.publisher.has_left}
     if len(present) > 1 and (edges[0].is_static or len({name for name, _ in present}) > 1):
         return True
+    # A node may have sent to several parents: its span is from the first of these edges to the last.
     spans: dict[tuple[str, bytes], tuple[int, int]] = {}
     for edge in edges:
-        seen, owner = edge.statistics, _owner(edge.publisher)
-        begin, end = spans.get(owner, (seen.first_received_ns, seen.last_received_ns))
-        spans[owner] = min(begin, seen.first_received_ns), max(end, seen.last_received_ns)
+        statistics, owner = edge.statistics, _owner(edge.publisher)
+        begin, end = spans.get(owner, (statistics.first_received_ns, statistics.last_received_ns))
+        spans[owner] = min(begin, statistics.first_received_ns), max(end, statistics.last_received_ns)
     return any(later[0] < former[1] for former, later in pairwise(sorted(spans.values())))
 
 
-def _several_publishers(child: str, edges: list[Edge]) -> Iterator[Finding]:
+def _shared_child(child: str, edges: list[Edge]) -> Iterator[Finding]:
     for is_static in (False, True):
         same = [edge for edge in edges if edge.is_static is is_static]
         owners = {_owner(edge.publisher) for edge in same}
@@ -78,26 +82,32 @@ def _several_publishers(child: str, edges: list[Edge]) -> Iterator[Finding]:
             f"{len(owners)} publishers send {child}: {names}",
             sources,
             [child],
-            [_rate(edge) for edge in same],
+            [_rate_evidence(edge) for edge in same],
         )
 
 
-def _static_and_dynamic(child: str, edges: list[Edge]) -> Iterator[Finding]:
+def _mixed_child(child: str, edges: list[Edge]) -> Iterator[Finding]:
     if len({edge.is_static for edge in edges}) < 2:
         return
     sources = sorted({source_of(edge.publisher) for edge in edges})
     names = listed(str(source) for source in sources)
     yield Finding(
-        "TF102", f"{child} is static and dynamic: {names}", sources, [child], [_rate(edge) for edge in edges]
+        "TF102",
+        f"{child} is static and dynamic: {names}",
+        sources,
+        [child],
+        [_rate_evidence(edge) for edge in edges],
     )
 
 
-def _reparented(subject: Subject, child: str, edges: list[Edge]) -> Iterator[Finding]:
+def _reparented_child(subject: Subject, child: str, edges: list[Edge]) -> Iterator[Finding]:
     parents = list(dict.fromkeys(stored_name(edge.parent) for edge in edges))
     spellings = {edge.child for edge in edges}
     changes = sum(
         subject.seen.children[name].reparented for name in spellings if name in subject.seen.children
     )
+    # A frame that moves to a new parent for good changes once for each further parent. More changes than that are
+    # returns to a parent that it had left.
     if len(parents) < 2 or changes < len(parents):
         return
     sources = sorted({source_of(edge.publisher) for edge in edges})
@@ -106,11 +116,11 @@ def _reparented(subject: Subject, child: str, edges: list[Edge]) -> Iterator[Fin
         f"{child} changed its parent {changes} times, between {listed(parents)}",
         sources,
         [child],
-        [_rate(edge) for edge in edges],
+        [_rate_evidence(edge) for edge in edges],
     )
 
 
-def _rate(edge: Edge) -> Evidence:
+def _rate_evidence(edge: Edge) -> Evidence:
     source, count = source_of(edge.publisher), edge.statistics.count
     rate = f"{count} in all" if edge.is_static else f"{edge.rate_hz:.1f} Hz, {count} in all"
     return evidence_of(edge, f"{source}, {rate}", rate_hz=round(edge.rate_hz, 3), count=count)
@@ -123,17 +133,18 @@ def _loops(subject: Subject) -> Iterator[Finding]:
         sources = sorted({source_of(edge.publisher) for edge in edges})
         way = " -> ".join([*reversed(loop), loop[-1]])
         yield Finding(
-            "TF104", f"the frames {way} form a loop", sources, loop, [_rate(edge) for edge in edges]
+            "TF104", f"the frames {way} form a loop", sources, loop, [_rate_evidence(edge) for edge in edges]
         )
 
 
-def _trees(subject: Subject) -> Iterator[Finding]:
+def _separate_trees(subject: Subject) -> Iterator[Finding]:
     tree = subject.tree
     in_loops = {frame for loop in tree.loops() for frame in loop}
     roots = [root for root in tree.roots() if root not in in_loops]
     if len(roots) < 2:
         return
     members = {root: [frame for _, frame in tree.walk(root)] for root in roots}
+    # The largest tree is taken for the right one; the publishers of the others are to be mended.
     roots.sort(key=lambda root: (-len(members[root]), root))
     outer = {frame for root in roots[1:] for frame in members[root]}
     sources = {source_of(edge.publisher) for frame in outer for edge in subject.edges_of.get(frame, ())}
@@ -151,13 +162,13 @@ def _trees(subject: Subject) -> Iterator[Finding]:
     )
 
 
-def _rejected(subject: Subject) -> Iterator[Finding]:
+def _rejected_edges(subject: Subject) -> Iterator[Finding]:
     """Yield the findings on edges that no listener stores."""
     all_edges = [
         (edge, evidence_of(edge, counted(edge.statistics.count, "time"), count=edge.statistics.count))
         for edge in subject.seen.edges
     ]
-    empty = [(edge, seen) for edge, seen in all_edges if not (edge.child and edge.parent)]
-    own = [(edge, seen) for edge, seen in all_edges if edge.child and is_own_parent(edge)]
+    empty = [(edge, evidence) for edge, evidence in all_edges if not (edge.child and edge.parent)]
+    own = [(edge, evidence) for edge, evidence in all_edges if edge.child and is_own_parent(edge)]
     yield from for_each_publisher("TF106", "sends a frame as its own parent: {}", own)
     yield from for_each_publisher("TF107", "sends an empty frame id: {}", empty)

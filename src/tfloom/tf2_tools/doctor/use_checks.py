@@ -12,11 +12,11 @@ from tfloom.tf2_tools.text.counts import counted
 
 def check_uses(subject: Subject, limits: Limits) -> Iterator[Finding]:  # noqa: ARG001 - as all checks
     """Yield the findings on frames that are named and that no transform holds."""
-    yield from _unknown(subject, "TF601", subject.headers, "is in the frame", "message")
-    yield from _unknown(subject, "TF602", subject.requests, "requests the frame", "request")
+    yield from _unknown_frames(subject, "TF601", subject.headers, "is in the frame", "message")
+    yield from _unknown_frames(subject, "TF602", subject.requests, "requests the frame", "request")
 
 
-def _unknown(
+def _unknown_frames(
     subject: Subject, code: str, uses: Sequence[FrameUse], verb: str, what: str
 ) -> Iterator[Finding]:
     for use in uses:

@@ -31,13 +31,17 @@ def unknown_frame(lookup: Lookup) -> list[str]:
     sentences = []
     nowhere = []
     for frame in lookup.missing:
-        if several := _replaced(lookup, [edge for edge in _stored(lookup) if edge.frames[1] == frame]):
+        if several := _replaced_children(
+            lookup, [edge for edge in _stored_edges(lookup) if edge.frames[1] == frame]
+        ):
             sentences += several
             continue
         nowhere.append(frame)
-        sentences.append(f"No transform has the frame {frame!r}.{_near(frame, tree.frames())}")
-        sentences += _unheard(lookup, frozenset({frame})) + _rejected(lookup, frozenset({frame}))
-    if not nowhere or _rejected(lookup, frozenset({child := nowhere[0]})):
+        sentences.append(f"No transform has the frame {frame!r}.{_similar_names(frame, tree.frames())}")
+        sentences += _unheard_publishers(lookup, frozenset({frame})) + _rejected_edges(
+            lookup, frozenset({frame})
+        )
+    if not nowhere or _rejected_edges(lookup, frozenset({child := nowhere[0]})):
         return sentences
     sentences.append(
         f"Use a frame that is there, or start the node that publishes the transform of {child!r} "
@@ -47,13 +51,13 @@ def unknown_frame(lookup: Lookup) -> list[str]:
 
 
 def _nothing_came(lookup: Lookup) -> list[str]:
-    if reasons := _unheard(lookup) + _rejected(lookup):
+    if reasons := _unheard_publishers(lookup) + _rejected_edges(lookup):
         return reasons
     if not lookup.seen.is_live:
         return ["There is no transform in it."]
     waited = seconds_text((lookup.seen.taken_ns - lookup.seen.started_ns) / NS_PER_S)
     if lookup.seen.publishers:
-        names = ", ".join(f"{each.label} on {each.topic}" for each in lookup.seen.publishers)
+        names = ", ".join(f"{publisher.label} on {publisher.topic}" for publisher in lookup.seen.publishers)
         return [
             f"No transform came in {waited}, although there are publishers: {names}. Check what they wait for."
         ]
@@ -62,22 +66,22 @@ def _nothing_came(lookup: Lookup) -> list[str]:
     ]
 
 
-def _unheard(lookup: Lookup, frames: frozenset[str] | None = None) -> list[str]:
+def _unheard_publishers(lookup: Lookup, frames: frozenset[str] | None = None) -> list[str]:
     """Return a sentence for each publisher of these frames, or of any, from which listeners receive nothing."""
-    found = {
+    publishers = {
         edge.publisher.gid: edge.publisher
         for edge in lookup.seen.edges
         if edge.publisher.mismatches and (frames is None or frames.intersection(edge.frames))
     }
     return [
-        f"{each.label} publishes it on {each.topic}, but transform listeners receive nothing from there, because its "
-        f"{' and '.join(kind.name.lower() for kind in each.mismatches)} is less than they request: publish with "
-        f"{'RELIABLE and TRANSIENT_LOCAL' if each.is_static else 'RELIABLE'}."
-        for each in found.values()
+        f"{publisher.label} publishes it on {publisher.topic}, but transform listeners receive nothing from "
+        f"there, because its {' and '.join(kind.name.lower() for kind in publisher.mismatches)} is less than they "
+        f"request: publish with {'RELIABLE and TRANSIENT_LOCAL' if publisher.is_static else 'RELIABLE'}."
+        for publisher in publishers.values()
     ]
 
 
-def _rejected(lookup: Lookup, frames: frozenset[str] | None = None) -> list[str]:
+def _rejected_edges(lookup: Lookup, frames: frozenset[str] | None = None) -> list[str]:
     """Return a sentence for each edge of these frames, or of any, that buffers reject."""
     return [
         f"{edge.publisher.label} sends {edge.parent!r} -> {edge.child!r} on {edge.topic}, but buffers reject it, "
@@ -87,12 +91,12 @@ def _rejected(lookup: Lookup, frames: frozenset[str] | None = None) -> list[str]
     ]
 
 
-def _stored(lookup: Lookup) -> list[Edge]:
+def _stored_edges(lookup: Lookup) -> list[Edge]:
     """Return what a buffer has stored, although a later transform may have replaced it."""
     return [edge for edge in lookup.seen.edges if not (edge.publisher.mismatches or edge.rejection)]
 
 
-def _replaced(lookup: Lookup, edges: Iterable[Edge]) -> list[str]:
+def _replaced_children(lookup: Lookup, edges: Iterable[Edge]) -> list[str]:
     """Return a sentence for each child of these edges that has another parent in the buffer, with all its sources."""
     replaced = dict.fromkeys(
         edge.frames[0] for edge in edges if edge.frames[1] != lookup.parents.get(edge.frames[0])
@@ -107,7 +111,7 @@ def _replaced(lookup: Lookup, edges: Iterable[Edge]) -> list[str]:
 def _sources(lookup: Lookup, child: str) -> str:
     """Return who sends a child on which topic and with which parent, in order of the parents."""
     edges = sorted(
-        (edge for edge in _stored(lookup) if edge.frames[0] == child), key=lambda edge: edge.frames[1]
+        (edge for edge in _stored_edges(lookup) if edge.frames[0] == child), key=lambda edge: edge.frames[1]
     )
     return " and ".join(
         dict.fromkeys(
@@ -118,11 +122,11 @@ def _sources(lookup: Lookup, child: str) -> str:
     )
 
 
-def _near(frame: str, frames: Iterable[str]) -> str:
+def _similar_names(frame: str, frames: Iterable[str]) -> str:
     """Return a sentence with the frames of similar names, or nothing; case and slashes don't matter."""
-    plain = {each.strip("/").casefold(): each for each in frames}
+    plain = {name.strip("/").casefold(): name for name in frames}
     near = difflib.get_close_matches(frame.strip("/").casefold(), list(plain), 3, 0.6)
-    return f" Similar: {', '.join(repr(plain[each]) for each in near)}." if near else ""
+    return f" Similar: {', '.join(repr(plain[name]) for name in near)}." if near else ""
 
 
 def not_connected(lookup: Lookup) -> list[str]:
@@ -136,10 +140,12 @@ def not_connected(lookup: Lookup) -> list[str]:
         )
     ]
     branches = {*tree.branch(lookup.target), *tree.branch(lookup.source)}
-    if several := _replaced(lookup, [edge for edge in _stored(lookup) if edge.frames[0] in branches]):
+    if several := _replaced_children(
+        lookup, [edge for edge in _stored_edges(lookup) if edge.frames[0] in branches]
+    ):
         return sentences + several
     roots = frozenset({source_root, target_root})
-    sentences += _unheard(lookup, roots)
+    sentences += _unheard_publishers(lookup, roots)
     left = [edge for edge in lookup.seen.edges if edge.publisher.has_left and edge.frames[0] in roots]
     sentences += [
         f"{edge.publisher.label}, which sent {edge.parent} -> {edge.child}, has left." for edge in left
@@ -160,9 +166,9 @@ def loop(lookup: Lookup) -> list[str]:
     """Return each loop and who publishes it."""
     tree = Tree(lookup.parents)
     sentences = []
-    for each in tree.loops():
-        way = " -> ".join(reversed([*each, each[0]]))
-        edges = [edge for frame in each for edge in lookup.seen.edges_of(frame)[-1:]]
+    for loop in tree.loops():
+        way = " -> ".join(reversed([*loop, loop[0]]))
+        edges = [edge for frame in loop for edge in lookup.seen.edges_of(frame)[-1:]]
         sources = dict.fromkeys(f"{edge.publisher.label} ({edge.parent} -> {edge.child})" for edge in edges)
         sentences.append(
             f"The frames form a loop: {way}. It is published by {', '.join(sources)}: end one of these."

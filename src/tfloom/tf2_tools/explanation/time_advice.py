@@ -40,14 +40,14 @@ def future(lookup: Lookup) -> list[str]:
             "Check the clock that stamps the request."
         )
         return sentences
-    return sentences + _late(lookup, span)
+    return sentences + _late_publisher(lookup, span)
 
 
 def _is_simulated(span: Span) -> bool:
     return 0 < span.newest_ns < SIMULATED_NS
 
 
-def _late(lookup: Lookup, span: Span) -> list[str]:
+def _late_publisher(lookup: Lookup, span: Span) -> list[str]:
     """Return why the newest transform of an edge isn't newer, and how long to wait."""
     edge = span.last
     if edge is None:
@@ -100,7 +100,7 @@ def past(lookup: Lookup) -> list[str]:
     sentence = f"The oldest transform of {span.name}, from {span.publishers}, is {seconds_text(gap_s)} newer than that."
     if lookup.asked_ns == 0:
         ended = f"The edges have no common time, because {other.name} ended before."
-        return [sentence, ended, *_late(lookup, other)]
+        return [sentence, ended, *_late_publisher(lookup, other)]
     return [sentence, _short_history(lookup, span)]
 
 

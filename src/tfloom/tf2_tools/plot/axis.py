@@ -59,4 +59,4 @@ def _step(least: float, *, degrees: bool) -> float:
     if degrees and ROUND_ANGLES[0] / 3 < least <= ROUND_ANGLES[-1]:
         return next(step for step in ROUND_ANGLES if step >= least)
     power = 10.0 ** math.floor(math.log10(least))
-    return next(power * each for each in ROUND if power * each >= least * (1 - 1e-9))
+    return next(power * digit for digit in ROUND if power * digit >= least * (1 - 1e-9))

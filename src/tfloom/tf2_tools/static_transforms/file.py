@@ -42,12 +42,12 @@ def file_text(transforms: Iterable[StaticTransform], *, ascii_only: bool = False
 
     items = [
         {
-            "frame_id": each.frame_id,
-            "child_frame_id": each.child_frame_id,
-            "translation": dict(zip(AXES, each.translation, strict=True)),
-            "rotation": dict(zip(QUATERNION, each.rotation_xyzw, strict=True)),
+            "frame_id": entry.frame_id,
+            "child_frame_id": entry.child_frame_id,
+            "translation": dict(zip(AXES, entry.translation, strict=True)),
+            "rotation": dict(zip(QUATERNION, entry.rotation_xyzw, strict=True)),
         }
-        for each in sorted(transforms, key=lambda each: each.child_frame_id)
+        for entry in sorted(transforms, key=lambda transform: transform.child_frame_id)
     ]
     text = yaml.safe_dump(
         {KEY: items}, sort_keys=False, allow_unicode=not ascii_only, width=200, default_flow_style=None
@@ -62,13 +62,13 @@ def encoded(transforms: Iterable[StaticTransform], stamp_ns: int) -> bytes:
     from tfloom.rosidl import cdr
 
     message = TFMessage()
-    for each in transforms:
-        stamped = TransformStamped(child_frame_id=each.child_frame_id)
-        stamped.header.frame_id = each.frame_id
+    for transform in transforms:
+        stamped = TransformStamped(child_frame_id=transform.child_frame_id)
+        stamped.header.frame_id = transform.frame_id
         stamped.header.stamp.sec, stamped.header.stamp.nanosec = divmod(stamp_ns, 1_000_000_000)
         moved, turned = stamped.transform.translation, stamped.transform.rotation
-        moved.x, moved.y, moved.z = each.translation
-        turned.x, turned.y, turned.z, turned.w = each.rotation_xyzw
+        moved.x, moved.y, moved.z = transform.translation
+        turned.x, turned.y, turned.z, turned.w = transform.rotation_xyzw
         message.transforms.append(stamped)
     return cdr.encode(message)
 
@@ -137,20 +137,20 @@ class _Reader:
         return name
 
     def _translation(self, item: dict[str, Any]) -> tuple[float, float, float]:
-        given = item.get("translation", {})
-        x, y, z = self._numbers(item, "translation", given, (AXES,), dict.fromkeys(AXES, 0.0))
+        value = item.get("translation", {})
+        x, y, z = self._numbers(item, "translation", value, (AXES,), dict.fromkeys(AXES, 0.0))
         return x, y, z
 
     def _rotation(self, item: dict[str, Any]) -> tuple[float, float, float, float]:
-        given = item.get("rotation", {})
-        if isinstance(given, dict) and given.keys() & set(EULER):
-            roll, pitch, yaw = self._numbers(item, "rotation", given, (EULER,), dict.fromkeys(EULER, 0.0))
+        value = item.get("rotation", {})
+        if isinstance(value, dict) and value.keys() & set(EULER):
+            roll, pitch, yaw = self._numbers(item, "rotation", value, (EULER,), dict.fromkeys(EULER, 0.0))
             return quaternion_from_rpy(roll, pitch, yaw)
-        defaults = {} if given else {"x": 0.0, "y": 0.0, "z": 0.0, "w": 1.0}
-        x, y, z, w = self._numbers(item, "rotation", given, (QUATERNION, EULER), defaults)
+        defaults = {} if value else {"x": 0.0, "y": 0.0, "z": 0.0, "w": 1.0}
+        x, y, z, w = self._numbers(item, "rotation", value, (QUATERNION, EULER), defaults)
         length = math.hypot(x, y, z, w)
         if abs(length - 1.0) > MAX_NORM_ERROR:
-            raise self._error(given, f"the rotation's quaternion has the length {length:g}, not 1")
+            raise self._error(value, f"the rotation's quaternion has the length {length:g}, not 1")
         if abs(length - 1.0) > ROUNDING:
             return x / length, y / length, z / length, w / length
         return x, y, z, w
@@ -159,24 +159,24 @@ class _Reader:
         self,
         item: object,
         key: str,
-        given: object,
+        value: object,
         forms: Sequence[Sequence[str]],
         defaults: Mapping[str, float],
     ) -> list[float]:
         """Return the numbers of the first form; missing ones are in `defaults`, or an error."""
         names = forms[0]
-        if not isinstance(given, dict) or not given.keys() <= set(names):
-            known = " or ".join(", ".join(form) for form in forms)
-            place = given if isinstance(given, (dict, list)) else item
-            raise self._error(place, f"{key} is a mapping with {known}, not {given!r}")
+        if not isinstance(value, dict) or not value.keys() <= set(names):
+            keys = " or ".join(", ".join(form) for form in forms)
+            place = value if isinstance(value, (dict, list)) else item
+            raise self._error(place, f"{key} is a mapping with {keys}, not {value!r}")
         numbers = []
         for name in names:
-            number = given.get(name, defaults.get(name))
+            number = value.get(name, defaults.get(name))
             if number is None:
-                raise self._error(given, f"{key} lacks {name}")
+                raise self._error(value, f"{key} lacks {name}")
             if isinstance(number, bool) or not isinstance(number, (int, float)):
-                raise self._error(given, f"{key}.{name} must be a finite number, not {number!r}")
-            numbers.append(self._finite(given, f"{key}.{name}", number))
+                raise self._error(value, f"{key}.{name} must be a finite number, not {number!r}")
+            numbers.append(self._finite(value, f"{key}.{name}", number))
         return numbers
 
     def _finite(self, given: object, name: str, number: float) -> float:

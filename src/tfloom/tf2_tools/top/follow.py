@@ -21,13 +21,13 @@ def follow_lines(buffer: Buffer, pair: tuple[str, str], now_ns: int) -> list[str
     target, source = pair
     heading = f"{shown_name(target)} from {shown_name(source)}"
     try:
-        found = buffer.lookup(target, source)
+        transform = buffer.lookup(target, source)
     except TransformException as error:
         return [heading, f"  {shown_name(str(error).splitlines()[0])}", ""]
-    x, y, z = found.translation
-    angles = rpy_from_matrix(matrix_from_quaternion(found.rotation_xyzw))
+    x, y, z = transform.translation
+    angles = rpy_from_matrix(matrix_from_quaternion(transform.rotation_xyzw))
     roll, pitch, yaw = (round(math.degrees(angle), 2) + 0.0 for angle in angles)  # no -0.00
-    age = f"age {(now_ns - found.stamp_ns) / 1e9:.3f} s" if found.stamp_ns else "static"
+    age = f"age {(now_ns - transform.stamp_ns) / 1e9:.3f} s" if transform.stamp_ns else "static"
     return [
         f"{heading}  {age}",
         f"  translation [m]    x {x:+9.3f}  y {y:+9.3f}  z {z:+9.3f}   distance {math.hypot(x, y, z):.3f}",

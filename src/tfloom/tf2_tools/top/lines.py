@@ -56,6 +56,7 @@ def screen(
     columns, height = size
     shown = view.arrange(rows)
     panel = [Line(text, TITLE if i == 0 else "") for i, text in enumerate(followed)]
+    # Three lines are taken: the title, the headings, and the help or the prompt at the bottom.
     window = view.window(height - 3 - len(panel))
     widths = _widths(shown, columns)
     lines = [Line(title(rows, summary, view, len(shown)), TITLE), Line(headings(widths), HEADING)]
@@ -65,7 +66,7 @@ def screen(
         lines.append(Line(line(row, widths), f"{style} {SELECTED}" if index == view.selected else style))
     lines += [Line("")] * (height - 1 - len(panel) - len(lines))
     lines += [*panel, Line(view.prompt or HELP, TITLE if view.prompt else FAINT)]
-    return [Line(set_cell_size(each.text, columns), each.style) for each in lines[:height]]
+    return [Line(set_cell_size(shown_line.text, columns), shown_line.style) for shown_line in lines[:height]]
 
 
 def table(rows: Sequence[Row], summary: Summary, view: View) -> list[str]:
@@ -102,7 +103,7 @@ def title(rows: Sequence[Row], summary: Summary, view: View, shown: int) -> str:
 def headings(widths: tuple[int, int]) -> str:
     """Return the line of headings."""
     frame, rate, age, delay, publisher, note = HEADINGS
-    return _joined(frame, (f"{rate} Hz", f"{age} s", f"{delay} ms"), publisher, note, widths)
+    return _joined_columns(frame, (f"{rate} Hz", f"{age} s", f"{delay} ms"), publisher, note, widths)
 
 
 def line(row: Row, widths: tuple[int, int]) -> str:
@@ -111,7 +112,7 @@ def line(row: Row, widths: tuple[int, int]) -> str:
         numbers = "static" if row.health is not Health.ROOT else "", "", ""
     else:
         numbers = _number(row.rate_hz, 1), _number(row.age_s, 3), _number(row.delay_s * 1e3, 1)
-    return _joined(_frame(row), numbers, shown_name(row.publisher), row.note, widths)
+    return _joined_columns(_frame(row), numbers, shown_name(row.publisher), row.note, widths)
 
 
 def _frame(row: Row) -> str:
@@ -122,17 +123,17 @@ def _frame(row: Row) -> str:
     return prefix + shown_name(row.child)
 
 
-def _joined(
+def _joined_columns(
     frame: str, numbers: tuple[str, str, str], publisher: str, note: str, widths: tuple[int, int]
 ) -> str:
     rate, age, delay = numbers
     return " ".join(
         [
-            _fitted(frame, widths[0]),
+            _fitted_text(frame, widths[0]),
             rate.rjust(RATE_WIDTH),
             age.rjust(AGE_WIDTH),
             delay.rjust(DELAY_WIDTH),
-            _fitted(publisher, widths[1]),
+            _fitted_text(publisher, widths[1]),
             note,
         ]
     )
@@ -145,6 +146,8 @@ def _widths(rows: Sequence[Row], columns: int | None) -> tuple[int, int]:
     if columns is None:
         return frame, publisher
     note = max([len(HEADINGS[5]), *(cell_len(row.note) for row in rows)])
+    # The numbers have fixed widths, and the note gets up to a quarter of the line. What is left is for the two names:
+    # the publisher gives way first, down to a third, because rows are told apart by their frames.
     room = columns - RATE_WIDTH - AGE_WIDTH - DELAY_WIDTH - 5 - min(note, columns // 4)
     if frame + publisher <= room:
         return frame, publisher
@@ -152,7 +155,7 @@ def _widths(rows: Sequence[Row], columns: int | None) -> tuple[int, int]:
     return max(MIN_FRAME_WIDTH, min(frame, room - publisher)), publisher
 
 
-def _fitted(text: str, width: int) -> str:
+def _fitted_text(text: str, width: int) -> str:
     """Return a text as wide as `width`: with blanks, or with its end cut off and `…`."""
     if cell_len(text) <= width:
         return set_cell_size(text, width)

@@ -42,10 +42,10 @@ class Top:
 
     def look(self) -> tuple[list[Row], Summary]:
         """Observe, and return the rows and the title's figures."""
-        seen = self._source.observation()
-        self._rates.add(seen)
-        rows = rows_of(seen, self._source.now_ns(), self._rates)
-        return rows, self._summary(seen)
+        observation = self._source.observation()
+        self._rates.add(observation)
+        rows = rows_of(observation, self._source.now_ns(), self._rates)
+        return rows, self._summary(observation)
 
     def _summary(self, seen: Observation) -> Summary:
         publishers = len({publisher.label for publisher in seen.publishers if publisher.traffic is not None})
@@ -58,12 +58,12 @@ class Top:
             return []
         if self._buffer is None:
             self._buffer = Buffer()
-            self._buffer.set_log_callback(_no_log)
+            self._buffer.set_log_callback(_ignore_log)
             self._stack.enter_context(self._open_source(self._buffer))
         return follow_lines(self._buffer, pair, self._source.now_ns())
 
     def close(self) -> None:
-        """Stop following."""
+        """Stop following: close the second source and drop its buffer."""
         self._buffer = None
         self._stack.close()
 
@@ -81,10 +81,12 @@ def run(top: Top, view: View, terminal: Screen, keyboard: Keyboard, period_s: fl
         for key in keys:
             view.press(key)
         if time.monotonic() >= next_s:
+            # Keep the rhythm; but after an observation that took longer than a period, don't make up for lost ones.
             next_s = max(next_s + period_s, time.monotonic())
+            # Only the period observes anew. A key draws what was observed last, so it responds at once.
             if not view.is_paused:
                 rows, summary = top.look()
 
 
-def _no_log(_: int, __: str) -> None:
+def _ignore_log(_: int, __: str) -> None:
     """Log nothing of rejected transforms, because the screen is the table's; its notes say what is wrong."""

@@ -107,6 +107,8 @@ class Rates:
         """Count an observation, made at `now_s` on the monotonic clock [s]."""
         now_s = time.monotonic() if now_s is None else now_s
         counts = {_key(edge): edge.statistics.count for edge in seen.edges}
+        # Keep one observation that is at least a second old, as the beginning of the window: an older one can go as
+        # soon as its successor is old enough.
         while len(self._past) > 1 and self._past[1][0] <= now_s - WINDOW_S:
             self._past.popleft()
         if self._past:
@@ -138,6 +140,7 @@ def rows_of(seen: Observation, now_ns: int, rates: Rates) -> list[Row]:
         now_ns: The time with which stamps are compared [ns since epoch]: this machine's, or a simulation's.
         rates: The rates, to which the observation has been added.
     """
+    # A small difference between the clocks is the time since the observation; a large one is a simulation's clock.
     ahead_ns = now_ns - seen.taken_ns
     clock = Clock(seen.taken_ns, ahead_ns if abs(ahead_ns) > OTHER_CLOCK_NS else 0)
     edges: dict[str, list[Edge]] = {}
@@ -150,6 +153,7 @@ def rows_of(seen: Observation, now_ns: int, rates: Rates) -> list[Row]:
     for frame, prefix in _walk(tree):
         if frame not in edges:
             rows.append(Row(frame, "", prefix, 0.0, None, None, "", Health.ROOT, ""))
+        # A publisher that has left keeps its row, but isn't one of several: its node may just have been restarted.
         reparented = seen.children[frame].reparented if frame in seen.children else 0
         living = [edge for edge in edges.get(frame, []) if not edge.publisher.has_left]
         names = {(edge.publisher.gid, edge.is_static) for edge in living}
@@ -177,7 +181,9 @@ def _walk(tree: Tree) -> Iterator[tuple[str, str]]:
                 yield frame, ""
                 ends.append(True)
                 continue
-            last = next(each for each in reversed(tree.children[tree.parents[frame]]) if each != root)
+            # `ends` has, for each depth above, whether that frame is the last child of its parent: below a last child
+            # no vertical line is drawn. In a loop, the root is also a child; it has been drawn at the top already.
+            last = next(child for child in reversed(tree.children[tree.parents[frame]]) if child != root)
             branches = "".join("  " if end else "│ " for end in ends[1:])
             ends.append(frame == last)
             yield frame, branches + ("└ " if ends[-1] else "├ ")

@@ -43,6 +43,8 @@ class Screen:
 
     def draw(self, lines: Sequence[Line]) -> None:
         """Show these lines from the upper left corner, each as wide as the screen."""
+        # Another size of the screen leaves rests of the former lines: clear it. Otherwise write the changed lines
+        # alone.
         is_new = len(lines) != len(self._drawn) or any(
             len(one.text) != len(other.text) for one, other in zip(lines, self._drawn, strict=False)
         )

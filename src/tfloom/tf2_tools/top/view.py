@@ -54,6 +54,7 @@ class View:
             shown = sorted((row for row in shown if row.health is not Health.ROOT), key=SORTS[self.sort])
         if self.is_reversed:
             shown.reverse()
+        # Branches connect a row with those above it, which now are others or missing.
         if self.sort != "tree" or self.is_reversed or words:
             shown = [row._replace(prefix="") for row in shown]
         self._shown = shown
@@ -63,6 +64,7 @@ class View:
     def window(self, height: int) -> range:
         """Return the numbers of the rows that fit on `height` lines, the selected one among them."""
         self._height = max(1, height)
+        # Scroll no further than needed to show the selected row, then fill the screen if the list has become shorter.
         self._first = min(self._first, self.selected)
         self._first = max(self._first, self.selected - self._height + 1)
         self._first = max(0, min(self._first, len(self._shown) - self._height))

@@ -124,8 +124,8 @@ def build_tree(
     newest_s = max((record.most_recent for record in records if not record.is_static), default=0.0)
     edges = {}
     for record in records:
-        known = tuple((publishers or {}).get(record.child, ()))
-        edges[record.child] = DrawnEdge(record, known or (record.broadcaster,), _is_stale(record, newest_s))
+        nodes = tuple((publishers or {}).get(record.child, ()))
+        edges[record.child] = DrawnEdge(record, nodes or (record.broadcaster,), _is_stale(record, newest_s))
     parents = {child: edge.record.parent for child, edge in edges.items()}
     names = sorted({*parents, *parents.values()}, key=natural_key)
     layout = arrange(parents, dict.fromkeys(names, Size(0.0, 0.0)))

@@ -70,15 +70,15 @@ def differences(
         translation: The longest distance that is no difference [m].
         rotation_rad: The widest angle that is no difference [rad].
     """
-    found = []
+    tree_differences = []
     for child in sorted(before.keys() | after.keys()):
         difference = _difference(child, before.get(child), after.get(child))
         if difference is None:
             continue
         is_near = difference.distance <= translation and difference.angle_rad <= rotation_rad
         if difference.kind != "moved" or not is_near:
-            found.append(difference)
-    return found
+            tree_differences.append(difference)
+    return tree_differences
 
 
 def _difference(child: str, before: Link | None, after: Link | None) -> Difference | None:

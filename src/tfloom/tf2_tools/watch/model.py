@@ -33,7 +33,7 @@ class Publisher:
     """A publisher of transforms on one topic."""
 
     gid: bytes
-    """16 octets."""
+    """The 16 bytes that identify its writer on DDS, or, in a recording, its topic."""
     topic: str
     is_static: bool
     """Whether the topic is that of static transforms."""
@@ -108,6 +108,7 @@ class Edge:
             return "the frame is its own parent"
         if self.statistics.count == self.statistics.non_finite:
             return "its numbers are not finite"
+        # The same test as a buffer's, on the squared length, so that both agree at the limit.
         squares = math.fsum(part * part for part in self.statistics.rotation_xyzw)
         if abs(squares - 1.0) >= MAX_SQUARED_NORM_ERROR:
             return f"its quaternion has the length {math.sqrt(squares):.4g}, not 1"
@@ -116,6 +117,8 @@ class Edge:
     @property
     def rate_hz(self) -> float:
         """Rate by stamps; by receipt where stamps don't advance; 0 with fewer than two transforms."""
+        # The period of stamps is that of the sender: delays of the network don't change it. Stamps that never advance,
+        # as those of a clock that stands still, leave only the times of receipt.
         by_stamp, by_receipt = self.statistics.stamp_period, self.statistics.receipt_period
         period_s = by_stamp.mean if by_stamp.count else by_receipt.mean
         return 1.0 / period_s if period_s > 0.0 else 0.0
@@ -191,22 +194,26 @@ def observation_of(
         endpoints: All other endpoints of these topics on the graph.
         is_live: Whether it is of a graph.
     """
+    # First the publishers that have sent something, which the native observer counted: it counts by gid and topic, so
+    # the key has both.
     publishers = {}
     for traffic in snapshot.publishers:
-        known = described.get(traffic.gid, Description())
+        description = described.get(traffic.gid, Description())
         publishers[traffic.gid, traffic.is_static] = Publisher(
             traffic.gid,
             topics[traffic.is_static],
             traffic.is_static,
-            known.node,
-            known.qos,
-            known.origin,
+            description.node,
+            description.qos,
+            description.origin,
             traffic,
         )
+    # Then those that the graph lists and from which nothing has come: they say where a missing frame could come from.
     for end in endpoints:
         is_static = end.topic.name == topics[True]
         if end.is_writer and (end.gid, is_static) not in publishers:
             publishers[end.gid, is_static] = Publisher(end.gid, end.topic.name, is_static, end.node, end.qos)
+    # Each edge has traffic, so the first loop has made its publisher.
     edges = [
         Edge(edge.child, edge.parent, publishers[edge.gid, edge.is_static], edge.statistics)
         for edge in snapshot.edges

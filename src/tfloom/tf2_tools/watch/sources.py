@@ -99,7 +99,10 @@ def _observe_bag(path: Path, topics: tuple[str, str], buffer: Buffer | None) -> 
             )
         ros1 = any(there[recorded].serialization_format == "ros1" for recorded in names)
         return observe_recorded(
-            ((names[each.topic], each.log_time_ns, each.data) for each in bag.messages(list(names))),
+            (
+                (names[message.topic], message.log_time_ns, message.data)
+                for message in bag.messages(list(names))
+            ),
             str(path),
             buffer=buffer,
             topics=topics,
@@ -109,4 +112,4 @@ def _observe_bag(path: Path, topics: tuple[str, str], buffer: Buffer | None) -> 
 
 def _spellings(name: str, there: Iterable[str]) -> list[str]:
     """Return the topic of this name, which recordings of ROS 1 may have without its first slash."""
-    return [each for each in there if each.lstrip("/") == name.lstrip("/")]
+    return [topic for topic in there if topic.lstrip("/") == name.lstrip("/")]

@@ -67,11 +67,11 @@ def quarrels(seen: Observation) -> list[str]:
     for edge in seen.edges:
         if edge.is_static and not edge.rejection:
             by_child.setdefault(stored_name(edge.child), []).append(edge)
-    found = []
+    sentences = []
     for child, edges in sorted(by_child.items()):
         if len(set(map(_transform, edges))) > 1:
             texts = [f"{edge.publisher.label} (parent {edge.parent!r})" for edge in edges]
-            found.append(
+            sentences.append(
                 f"{child!r} has different static transforms, from {' and '.join(texts)}; the last one is used"
             )
-    return found
+    return sentences
