@@ -85,9 +85,9 @@ def test_topics_and_services_are_remapped_by_their_full_names() -> None:
     ],
 )
 def test_values_are_parsed_by_the_rules_of_ros(text: str, value: object) -> None:
-    found = parse_value(text)
-    assert found == value
-    assert type(found) is type(value)
+    parsed_value = parse_value(text)
+    assert parsed_value == value
+    assert type(parsed_value) is type(value)
     parsed = parse_arguments(["--ros-args", "-p", f"x:={text}"])
     assert parsed.parameter_overrides("/any/node") == {"x": value}
 

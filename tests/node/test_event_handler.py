@@ -29,19 +29,25 @@ SpinUntil = Callable[..., None]
 def test_matched_events_count_peers(
     node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
 ) -> None:
-    seen: list[Any] = []
+    statuses: list[Any] = []
     executor.add_node(node)
     publisher = node.create_publisher(
-        String, "chatter", 10, event_callbacks=PublisherEventCallbacks(matched=seen.append)
+        String, "chatter", 10, event_callbacks=PublisherEventCallbacks(matched=statuses.append)
     )
     subscription = node.create_subscription(
-        String, "chatter", print, 10, event_callbacks=SubscriptionEventCallbacks(matched=seen.append)
+        String, "chatter", print, 10, event_callbacks=SubscriptionEventCallbacks(matched=statuses.append)
     )
-    spin_until(lambda: len(seen) == 2)
-    assert {(each.total_count, each.current_count, each.current_count_change) for each in seen} == {(1, 1, 1)}
+    spin_until(lambda: len(statuses) == 2)
+    assert {
+        (status.total_count, status.current_count, status.current_count_change) for status in statuses
+    } == {(1, 1, 1)}
     node.destroy_subscription(subscription)
-    spin_until(lambda: len(seen) == 3)
-    assert (seen[2].total_count, seen[2].current_count, seen[2].current_count_change) == (1, 0, -1)
+    spin_until(lambda: len(statuses) == 3)
+    assert (statuses[2].total_count, statuses[2].current_count, statuses[2].current_count_change) == (
+        1,
+        0,
+        -1,
+    )
     node.destroy_publisher(publisher)
 
 
@@ -74,14 +80,14 @@ def test_warning_about_incompatible_qos_has_both_policies(
 def test_callback_or_opt_out_replaces_the_warning(
     node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    seen: list[Any] = []
+    statuses: list[Any] = []
     executor.add_node(node)
     quiet = PublisherEventCallbacks(use_default_callbacks=False)
     node.create_publisher(String, "chatter", qos_profile_sensor_data, event_callbacks=quiet)
-    loud = SubscriptionEventCallbacks(incompatible_qos=seen.append)
+    loud = SubscriptionEventCallbacks(incompatible_qos=statuses.append)
     node.create_subscription(String, "chatter", print, 10, event_callbacks=loud)
-    spin_until(lambda: seen)
-    assert seen[0].last_policy_kind.name == "RELIABILITY"
+    spin_until(lambda: statuses)
+    assert statuses[0].last_policy_kind.name == "RELIABILITY"
     assert "incompatible" not in capsys.readouterr().err
 
 
@@ -97,7 +103,7 @@ def test_endpoint_with_unsupported_events_is_not_created(node: Node) -> None:
         node.create_subscription(
             String, "numbers", print, 1, event_callbacks=SubscriptionEventCallbacks(message_lost=print)
         )
-    assert "/numbers" not in [each.topic_name for each in [*node.publishers, *node.subscriptions]]
+    assert "/numbers" not in [endpoint.topic_name for endpoint in [*node.publishers, *node.subscriptions]]
     assert node.count_publishers("numbers") == node.count_subscribers("numbers") == 0
 
 
@@ -143,19 +149,19 @@ def test_deprecated_name_of_event_handler_warns(node: Node) -> None:
 def test_handler_accepts_rclpys_event_type_and_a_handle(
     node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
 ) -> None:
-    seen: list[Any] = []
+    statuses: list[Any] = []
     publisher = node.create_publisher(String, "chatter", 10)
     handler = EventHandler(
         callback_group=node.default_callback_group,
-        callback=seen.append,
+        callback=statuses.append,
         event_type=QoSPublisherEventType.RCL_PUBLISHER_MATCHED,
         parent_impl=publisher.handle,
     )
     node.add_waitable(handler)
     executor.add_node(node)
     node.create_subscription(String, "chatter", print, 10)
-    spin_until(lambda: seen)
-    assert seen[0].current_count == 1
+    spin_until(lambda: statuses)
+    assert statuses[0].current_count == 1
     node.remove_waitable(handler)
     with pytest.raises(ValueError, match="is no waitable of this node"):
         node.remove_waitable(handler)
@@ -189,14 +195,14 @@ def test_handler_names_the_event_that_it_cannot_watch(
 
 def test_event_types_have_rclpys_numbers() -> None:
     # as in a real Jazzy: rclpy.event_handler.QoSPublisherEventType.__members__
-    assert {each.name: int(each) for each in QoSPublisherEventType} == {
+    assert {event_type.name: int(event_type) for event_type in QoSPublisherEventType} == {
         "RCL_PUBLISHER_OFFERED_DEADLINE_MISSED": 0,
         "RCL_PUBLISHER_LIVELINESS_LOST": 1,
         "RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS": 2,
         "RCL_PUBLISHER_INCOMPATIBLE_TYPE": 3,
         "RCL_PUBLISHER_MATCHED": 4,
     }
-    assert {each.name: int(each) for each in QoSSubscriptionEventType} == {
+    assert {event_type.name: int(event_type) for event_type in QoSSubscriptionEventType} == {
         "RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED": 0,
         "RCL_SUBSCRIPTION_LIVELINESS_CHANGED": 1,
         "RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS": 2,

@@ -21,10 +21,12 @@ MODULES = sorted(
 @for_each(MODULES)
 def test_each_facade_module_re_exports_its_room(name: str) -> None:
     module = importlib.import_module(name)
-    for each in getattr(module, "__all__", [each for each in dir(module) if not each.startswith("_")]):
-        thing = getattr(module, each)
+    for export in getattr(
+        module, "__all__", [export for export in dir(module) if not export.startswith("_")]
+    ):
+        thing = getattr(module, export)
         defined_in = getattr(thing, "__module__", "tfloom.node")
-        assert str(defined_in).startswith(("tfloom.", "typing", "builtins", "collections.abc")), each
+        assert str(defined_in).startswith(("tfloom.", "typing", "builtins", "collections.abc")), export
 
 
 def run(code: str, *options: str) -> subprocess.CompletedProcess[str]:
@@ -45,10 +47,10 @@ def test_deferred_name_is_imported_on_first_use() -> None:
     code = (
         "import sys, rclpy.client, rclpy.node, tf2_ros\n"
         "late = 'tfloom.node.executing.executor', 'tfloom.node.action.client', 'tfloom.interfaces.sensor_msgs.msg'\n"
-        "print([each in sys.modules for each in late])\n"
+        "print([name in sys.modules for name in late])\n"
         "from rclpy.node import Executor\n"
         "from tf2_ros import ActionClient, MsgStamped\n"
-        "print([each in sys.modules for each in late])\n"
+        "print([name in sys.modules for name in late])\n"
         "print(Executor is rclpy.executors.Executor, 'Executor' in vars(rclpy.node))\n"
         "rclpy.node.Nope\n"
     )

@@ -141,7 +141,7 @@ def test_services_change_the_state_and_events_report_it(
     assert not change(Transition(id=99))
     assert call(GetState, "get_state").current_state.id == 3
     available = call(GetAvailableTransitions, "get_available_transitions").available_transitions
-    assert [(each.transition.id, each.transition.label) for each in available] == [
+    assert [(description.transition.id, description.transition.label) for description in available] == [
         (4, "deactivate"),
         (7, "shutdown"),
     ]

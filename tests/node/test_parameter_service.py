@@ -99,7 +99,9 @@ def test_parameters_are_set(client: AsyncParameterClient, remote: Node, finish: 
     assert remote.get_parameter("a.number").value == 7
     result = finish(client.set_parameters_atomically([wishes[0], wishes[1]])).result
     assert not result.successful
-    assert [each.successful for each in finish(client.delete_parameters(["free", "a.number"])).results] == [
+    assert [
+        result.successful for result in finish(client.delete_parameters(["free", "a.number"])).results
+    ] == [
         True,
         False,
     ]
@@ -162,10 +164,10 @@ def test_type_descriptions_are_returned(
     assert response.successful, response.failure_reason
     description = response.type_description
     assert [field.name for field in description.type_description.fields] == ["linear", "angular"]
-    assert [each.type_name for each in description.referenced_type_descriptions] == [
+    assert [referenced.type_name for referenced in description.referenced_type_descriptions] == [
         "geometry_msgs/msg/Vector3"
     ]
-    assert [each.type_name for each in response.type_sources] == [
+    assert [source.type_name for source in response.type_sources] == [
         "geometry_msgs/msg/Twist",
         "geometry_msgs/msg/Vector3",
     ]
@@ -204,7 +206,7 @@ def test_type_descriptions_of_parts_and_custom_types_are_returned(
         return finish(client.call_async(GetTypeDescription.Request(type_name=name)))
 
     encodings = {
-        name: [each.encoding for each in ask(name).type_sources[:2]]
+        name: [source.encoding for source in ask(name).type_sources[:2]]
         for name in (
             "own_described/msg/Mine",
             "turtlesim/srv/Spawn",

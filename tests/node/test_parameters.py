@@ -225,15 +225,15 @@ def test_callbacks_reject_modify_and_receive_changes(node: Node) -> None:
     heard: list[tuple[str, list[str]]] = []
 
     def pre(parameters: list[Parameter]) -> list[Parameter]:
-        heard.append(("pre", [each.name for each in parameters]))
+        heard.append(("pre", [parameter.name for parameter in parameters]))
         return [*parameters, Parameter("y", value=parameters[0].value)]
 
     def check(parameters: list[Parameter]) -> SetParametersResult:
-        heard.append(("on", [each.name for each in parameters]))
+        heard.append(("on", [parameter.name for parameter in parameters]))
         return SetParametersResult(successful=parameters[0].value < 10, reason="too big")
 
     def post(parameters: list[Parameter]) -> None:
-        heard.append(("post", [each.name for each in parameters]))
+        heard.append(("post", [parameter.name for parameter in parameters]))
 
     node.add_pre_set_parameters_callback(pre)
     node.add_on_set_parameters_callback(check)
@@ -293,7 +293,7 @@ def test_parameter_changes_are_published(
     node.set_parameters([Parameter("x", value=2)])
     spin_until(lambda: len(events) == 2)
     assert events[0].node == "/ns/node"
-    assert [each.name for each in events[0].new_parameters] == ["x"]
+    assert [parameter.name for parameter in events[0].new_parameters] == ["x"]
     assert events[1].changed_parameters[0].value.integer_value == 2
 
 
@@ -345,8 +345,8 @@ def test_parameters_are_read_from_a_file(tmp_path: Path) -> None:
 def test_rules_for_a_node_override_the_wildcard(tmp_path: Path) -> None:
     path = tmp_path / "p.yaml"
     path.write_text("/a: {ros__parameters: {x: 2}}\n/**: {ros__parameters: {x: 1, y: 1}}\n")
-    found = parameter_dict_from_yaml_file(str(path), use_wildcard=True)
-    assert {name: each.value.integer_value for name, each in found.items()} == {"x": 2, "y": 1}
+    parameters = parameter_dict_from_yaml_file(str(path), use_wildcard=True)
+    assert {name: parameter.value.integer_value for name, parameter in parameters.items()} == {"x": 2, "y": 1}
 
 
 REPEATED = """
@@ -373,8 +373,8 @@ def test_repeated_node_names_are_merged(make_node: MakeNode, tmp_path: Path) -> 
     )
     values = {name: node.get_parameter(name).value for name in ("a", "b", "n.x", "n.y")}
     assert values == {"a": 3, "b": 2, "n.x": 1, "n.y": 2}
-    found = parameter_dict_from_yaml_file(str(path), use_wildcard=True)
-    assert {name: each.value.integer_value for name, each in found.items()} == values
+    parameters = parameter_dict_from_yaml_file(str(path), use_wildcard=True)
+    assert {name: parameter.value.integer_value for name, parameter in parameters.items()} == values
 
 
 @pytest.mark.parametrize("text", [" ", "  ", "# x", "\n"])

@@ -145,7 +145,7 @@ def test_depth_of_zero_warns_at_the_line_of_the_caller(make: Callable[[], object
     )
     with pytest.warns(UserWarning, match=f"^{text}$") as caught:
         make()
-    assert [each.filename for each in caught] == [__file__]
+    assert [warning.filename for warning in caught] == [__file__]
 
 
 def test_depth_of_zero_is_allowed_without_keep_last() -> None:

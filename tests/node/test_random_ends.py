@@ -56,12 +56,12 @@ def faults_of(numbers: Iterator[int], domain_id: int, wait_s: float = 0.0) -> tu
     until = time.monotonic() + wait_s if wait_s else float("inf")
 
     def run(_: int) -> list[str | None]:
-        found = []
+        faults = []
         for number in numbers_left:
-            found.append(fault_of(number, domain_id))
+            faults.append(fault_of(number, domain_id))
             if time.monotonic() > until:
                 break
-        return found
+        return faults
 
     numbers_left = _Shared(numbers)
     workers = 5 * (os.cpu_count() or 1)  # most wait for a long callback

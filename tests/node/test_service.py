@@ -432,22 +432,22 @@ def test_call_during_shutdown_returns_none(node: Node, make_node: MakeNode, cont
 
 def test_wait_for_service_ends_when_the_service_appears(make_node: MakeNode) -> None:
     client = make_node("client").create_client(SetBool, "late")
-    found: list[bool] = []
-    thread = threading.Thread(target=lambda: found.append(client.wait_for_service(timeout_sec=10)))
+    is_ready: list[bool] = []
+    thread = threading.Thread(target=lambda: is_ready.append(client.wait_for_service(timeout_sec=10)))
     thread.start()
     make_node("server").create_service(SetBool, "late", lambda request, response: response)
     thread.join(10)
-    assert found == [True]
+    assert is_ready == [True]
 
 
 def test_wait_for_service_ends_at_shutdown(node: Node, context: Context) -> None:
     client = node.create_client(SetBool, "never")
-    found: list[bool] = []
-    thread = threading.Thread(target=lambda: found.append(client.wait_for_service()))
+    is_ready: list[bool] = []
+    thread = threading.Thread(target=lambda: is_ready.append(client.wait_for_service()))
     thread.start()
     context.shutdown()
     thread.join(10)
-    assert found == [False]
+    assert is_ready == [False]
 
 
 def test_server_callback_error_is_raised_by_spin_and_the_server_continues(
@@ -504,7 +504,7 @@ def test_undecodable_request_is_dropped(
 
 
 def test_destroyed_client_and_service_leave_the_graph(node: Node, client: Client) -> None:
-    (service,) = (each for each in node.services if each.service_name == "/add")
+    (service,) = (service for service in node.services if service.service_name == "/add")
     assert list(node.clients) == [client]
     assert node.destroy_service(service)
     assert not client.service_is_ready()
@@ -519,7 +519,7 @@ def test_destroyed_client_and_service_leave_the_graph(node: Node, client: Client
 def test_introspection_publishes_all_four_events(
     client: Client, node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
 ) -> None:
-    (service,) = (each for each in node.services if each.service_name == "/add")
+    (service,) = (service for service in node.services if service.service_name == "/add")
     clock, qos = node.get_clock(), QoSProfile(depth=10)
     client.configure_introspection(clock, qos, ServiceIntrospectionState.METADATA)
     service.configure_introspection(clock, qos, ServiceIntrospectionState.CONTENTS)

@@ -74,18 +74,18 @@ def test_topics_services_and_names_work_between_processes(
 
 def test_missed_deadline_calls_the_callbacks(domain_id: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("RMW_IMPLEMENTATION", "rmw_cyclonedds_cpp")
-    seen: list[Any] = []
+    statuses: list[Any] = []
     with Context() as context, Node("here", context=context) as node:
         executor = SingleThreadedExecutor(context=context)
         executor.add_node(node)
         qos = QoSProfile(depth=10, deadline=Duration(seconds=0.02))
         publisher = node.create_publisher(String, "chatter", qos)
-        callbacks = SubscriptionEventCallbacks(deadline=seen.append)
+        callbacks = SubscriptionEventCallbacks(deadline=statuses.append)
         node.create_subscription(String, "chatter", lambda msg: None, qos, event_callbacks=callbacks)
         wait_until(publisher.get_subscription_count)
         publisher.publish(String())
         for _ in range(200):
-            if seen:
+            if statuses:
                 break
             executor.spin_once(timeout_sec=0.1)
-        assert seen[0].total_count >= 1
+        assert statuses[0].total_count >= 1

@@ -53,10 +53,10 @@ def wrong_type(node: Node, parameter: Parameter) -> str | None:
     if not node.has_parameter(parameter.name):
         return None
     descriptor = node.describe_parameter(parameter.name)
-    declared, given = ParameterType(descriptor.type), ParameterType(parameter.type_.value)
-    if declared is given or descriptor.dynamic_typing:
+    declared_type, given_type = ParameterType(descriptor.type), ParameterType(parameter.type_.value)
+    if declared_type is given_type or descriptor.dynamic_typing:
         return None
     return (
-        f"Wrong parameter type, parameter {{{parameter.name}}} is of type {{{_TYPE_NAMES[declared]}}}, "
-        f"setting it to {{{_TYPE_NAMES[given]}}} is not allowed."
+        f"Wrong parameter type, parameter {{{parameter.name}}} is of type {{{_TYPE_NAMES[declared_type]}}}, "
+        f"setting it to {{{_TYPE_NAMES[given_type]}}} is not allowed."
     )

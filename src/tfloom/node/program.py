@@ -38,7 +38,7 @@ def run_program(args: list[str] | None, body: Callable[[], int | None], *, if_st
         return if_stopped
     except Exception as error:
         # A signal arrived between two calls, of which the second needs the context.
-        if not context.explains(error):
+        if not context.is_caused_by_signal(error):
             raise
         return if_stopped
     finally:

@@ -61,7 +61,7 @@ def start(start_program: Callable[..., Program]) -> Callable[..., Program]:
     """Start one of the programs next to this file, and wait until it prints `ready`."""
 
     def run(name: str, *arguments: object) -> Program:
-        program = start_program("python", PROGRAMS / f"{name}.py", *(str(each) for each in arguments))
+        program = start_program("python", PROGRAMS / f"{name}.py", *(str(argument) for argument in arguments))
         program.wait_for("ready")
         return program
 

@@ -41,7 +41,9 @@ def client(node: Node, server: Program) -> ActionClient:
 
 def test_server_that_is_discovered_is_ready_at_the_first_question(node: Node, server: Program) -> None:
     client = ActionClient(node, Fibonacci, "fibonacci")
-    services = [each.wire_endpoint for each in (client._send, client._result, client._cancel)]
+    services = [
+        service_client.wire_endpoint for service_client in (client._send, client._result, client._cancel)
+    ]
     topics = [client._feedback, client._status]
     wait_until(
         lambda: (
@@ -96,7 +98,7 @@ def test_single_goal_is_cancelled(client: ActionClient, finish: Finish, spin_unt
     spin_until(lambda: handle.status == GoalStatus.STATUS_EXECUTING)
     response = finish(handle.cancel_goal_async())
     assert response.return_code == CancelGoal.Response.ERROR_NONE
-    assert [each.goal_id for each in response.goals_canceling] == [handle.goal_id]
+    assert [goal_info.goal_id for goal_info in response.goals_canceling] == [handle.goal_id]
     assert finish(handle.get_result_async()).status == GoalStatus.STATUS_CANCELED
     again = finish(handle.cancel_goal_async())
     assert again.return_code == CancelGoal.Response.ERROR_GOAL_TERMINATED
@@ -121,9 +123,9 @@ def test_goals_are_cancelled_by_time_or_all(client: ActionClient, finish: Finish
         goal_info=GoalInfo(stamp=handles[1].stamp, goal_id=handles[3].goal_id)
     )
     response = finish(client._cancel.call_async(by_time_and_id))
-    assert [each.goal_id for each in response.goals_canceling] == [handles[3].goal_id]
+    assert [goal_info.goal_id for goal_info in response.goals_canceling] == [handles[3].goal_id]
     response = finish(client._cancel.call_async(CancelGoal.Request()))
-    assert [each.goal_id for each in response.goals_canceling] == [handles[2].goal_id]
+    assert [goal_info.goal_id for goal_info in response.goals_canceling] == [handles[2].goal_id]
     assert finish(handles[2].get_result_async()).status == GoalStatus.STATUS_CANCELED
 
 
@@ -135,7 +137,9 @@ def test_several_goals_of_several_clients_run_at_once(
     other = ActionClient(other_node, Fibonacci, "fibonacci")
     assert other.wait_for_server(timeout_sec=20)
     waiting = finish(send(client, WAITS))
-    handles = [finish(each) for order in (3, 5, 7) for each in (send(client, order), send(other, order + 1))]
+    handles = [
+        finish(future) for order in (3, 5, 7) for future in (send(client, order), send(other, order + 1))
+    ]
     results = [handle.get_result_async() for handle in handles]
     lengths = [len(finish(result).result.sequence) for result in results]
     assert lengths == [4, 5, 6, 7, 8, 9]
@@ -153,7 +157,9 @@ def test_late_client_receives_the_states_of_all_goals(
     qos = qos_profile_action_status_default
     node.create_subscription(GoalStatusArray, "fibonacci/_action/status", told.append, qos)
     spin_until(lambda: told)
-    states = {bytes(each.goal_info.goal_id.uuid): each.status for each in told[0].status_list}
+    states = {
+        bytes(goal_status.goal_info.goal_id.uuid): goal_status.status for goal_status in told[0].status_list
+    }
     assert states == {
         bytes(done.goal_id.uuid): GoalStatus.STATUS_SUCCEEDED,
         bytes(waiting.goal_id.uuid): GoalStatus.STATUS_EXECUTING,

@@ -95,7 +95,7 @@ def test_messages_of_ten_megabytes_arrive_unchanged(node: Node, start: Start, sp
     node.create_subscription(Image, "back", back.append, qos)
     there = node.create_publisher(Image, "there", qos)
     wait_until(lambda: there.get_subscription_count() and node.count_publishers("back"))
-    wait_until(lambda: all(each.get_publisher_count() for each in node.subscriptions))
+    wait_until(lambda: all(subscription.get_publisher_count() for subscription in node.subscriptions))
     for seed in range(3):
         data = random.Random(seed).randbytes(10 * MEGABYTE + seed)
         there.publish(Image(height=seed, data=data))

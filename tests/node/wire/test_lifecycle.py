@@ -77,7 +77,7 @@ def test_requested_transitions_are_made_and_published(
     assert change(call, "shutdown")
     assert state(call) == "finalized"
     spin_until(lambda: len(events) == 10)
-    told = [(each.transition.label, each.start_state.label, each.goal_state.label) for each in events]
+    told = [(event.transition.label, event.start_state.label, event.goal_state.label) for event in events]
     assert told == [
         ("configure", "unconfigured", "configuring"),
         ("transition_success", "configuring", "inactive"),
@@ -90,7 +90,7 @@ def test_requested_transitions_are_made_and_published(
         ("shutdown", "unconfigured", "shuttingdown"),
         ("transition_success", "shuttingdown", "finalized"),
     ]
-    assert [each.transition.id for each in events[:2]] == [Transition.TRANSITION_CONFIGURE, 10]
+    assert [event.transition.id for event in events[:2]] == [Transition.TRANSITION_CONFIGURE, 10]
 
 
 @pytest.mark.parametrize(
@@ -117,7 +117,7 @@ def test_failing_transitions_are_reported(
     assert finish(client.set_parameters([Parameter("configure", value=wish)])).results[0].successful
     assert not change(call, "configure")
     spin_until(lambda: len(events) == 1 + len(ends))
-    assert [(each.transition.label, each.goal_state.label) for each in events[1:]] == ends
+    assert [(event.transition.label, event.goal_state.label) for event in events[1:]] == ends
     assert state(call) == "unconfigured"
     if wish == "raise":
         managed.wait_for("Error raised while configuring: broken")
@@ -129,7 +129,7 @@ def test_failing_transitions_are_reported(
 
 def test_available_states_and_transitions_are_listed(call: Call) -> None:
     states = call(GetAvailableStates, "get_available_states").available_states
-    assert [(each.id, each.label) for each in states] == [
+    assert [(state.id, state.label) for state in states] == [
         (0, "unknown"),
         (1, "unconfigured"),
         (2, "inactive"),
@@ -143,7 +143,10 @@ def test_available_states_and_transitions_are_listed(call: Call) -> None:
         (15, "errorprocessing"),
     ]
     now = call(GetAvailableTransitions, "get_available_transitions").available_transitions
-    assert [(each.transition.id, each.transition.label, each.goal_state.label) for each in now] == [
+    assert [
+        (description.transition.id, description.transition.label, description.goal_state.label)
+        for description in now
+    ] == [
         (1, "configure", "configuring"),
         (5, "shutdown", "shuttingdown"),
     ]
@@ -157,10 +160,10 @@ def test_log_goes_to_console_rosout_and_file_at_the_set_level(
     records: list[Log] = []
     node.create_subscription(Log, "/rosout", records.append, qos_profile_rosout_default)
     spin_until(lambda: node.count_publishers("/rosout") == 2)
-    spin_until(lambda: all(each.get_publisher_count() == 2 for each in node.subscriptions))
+    spin_until(lambda: all(subscription.get_publisher_count() == 2 for subscription in node.subscriptions))
     names = ["managed", "rclpy", ""]
     levels = call(GetLoggerLevels, "get_logger_levels", names=names).levels
-    assert [each.level for each in levels] == [0, 0, 20]  # the level set for each name
+    assert [level.level for level in levels] == [0, 0, 20]  # the level set for each name
     assert change(call, "configure")
     spin_until(lambda: records)
     assert change(call, "cleanup")
@@ -170,7 +173,7 @@ def test_log_goes_to_console_rosout_and_file_at_the_set_level(
     assert call(GetLoggerLevels, "get_logger_levels", names=["managed"]).levels[0].level == 10
     assert change(call, "configure")
     spin_until(lambda: len(records) == 3)
-    assert [(each.level, each.name, each.msg) for each in records] == [
+    assert [(record.level, record.name, record.msg) for record in records] == [
         (20, "managed", "configure from unconfigured"),
         (20, "managed", "configure from unconfigured"),
         (10, "managed", "in detail"),

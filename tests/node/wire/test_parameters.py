@@ -79,9 +79,9 @@ def test_changes_are_published_to_all_nodes(
     assert {event.node for event in events} == {"/ns/remote"}
     told = [
         [
-            [each.name for each in event.new_parameters],
-            [each.name for each in event.changed_parameters],
-            [each.name for each in event.deleted_parameters],
+            [parameter.name for parameter in event.new_parameters],
+            [parameter.name for parameter in event.changed_parameters],
+            [parameter.name for parameter in event.deleted_parameters],
         ]
         for event in events
     ]

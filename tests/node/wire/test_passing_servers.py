@@ -73,8 +73,8 @@ def count_outcomes(
             servers.wait()
             servers = start("passing_servers", begun)
         assert fibonacci.wait_for_server(timeout_sec=30)
-        futures = [adding.call_async(AddTwoInts.Request(a=each, b=1)) for each in range(batch)]
-        futures += [follow(fibonacci.send_goal_async(Fibonacci.Goal(order=each))) for each in range(batch)]
+        futures = [adding.call_async(AddTwoInts.Request(a=number, b=1)) for number in range(batch)]
+        futures += [follow(fibonacci.send_goal_async(Fibonacci.Goal(order=order))) for order in range(batch)]
         for future in futures:
             executor.spin_until_future_complete(future, timeout_sec=30)
         outcomes.update(map(outcome, futures))
@@ -123,7 +123,7 @@ def test_1500_calls_at_once_are_all_answered(
     start("service_server")
     adding = node.create_client(AddTwoInts, "add")
     assert adding.wait_for_service(timeout_sec=20)
-    futures = [adding.call_async(AddTwoInts.Request(a=each, b=1)) for each in range(1500)]
+    futures = [adding.call_async(AddTwoInts.Request(a=number, b=1)) for number in range(1500)]
     for future in futures:
         executor.spin_until_future_complete(future, timeout_sec=30)
     assert [future.result().sum for future in futures] == list(range(1, 1501))

@@ -102,7 +102,7 @@ def running_context(log_level: str) -> Iterator[None]:
     except (KeyboardInterrupt, ExternalShutdownException):
         pass
     except Exception as problem:
-        if not context.explains(problem):
+        if not context.is_caused_by_signal(problem):
             raise
     finally:
         try_shutdown()

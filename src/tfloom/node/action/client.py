@@ -223,6 +223,8 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
             raise TypeError(f"Expected {self._action_type.Goal}, got {type(goal)}")
         goal_id = new_goal_id() if goal_uuid is None else goal_uuid
         key = key_of(goal_id)
+        # All is registered before the request is sent: the goal's feedback and state are on topics of their own, and
+        # may be received before the response.
         servers = self._end_goals_of_servers_that_left() if feedback_callback is not None else frozenset()
         with self._lock:
             self._unanswered[key] = GoalStatus.STATUS_UNKNOWN
@@ -240,6 +242,7 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
         ) -> ClientGoalHandle[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultResponseT]:
             handle = ClientGoalHandle(self, goal_id, response)
             if response.accepted:
+                # Under one lock, so that `_on_status` always finds the goal in one of the two, and no state is lost.
                 with self._lock:
                     handle.status = self._unanswered.pop(key, GoalStatus.STATUS_UNKNOWN)
                     self._goals[key] = handle
@@ -255,6 +258,8 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
                 self._forget_feedback(key)
             raise
         self._chain(answer, future, on_response)
+        # Added after that of `_chain`, and so called after it: `on_response` takes the state from `_unanswered`. This
+        # one also forgets a goal whose future was cancelled, for which `on_response` isn't called.
         answer.when_complete(lambda: self._forget_answered(key, answer))
         return future
 
@@ -293,6 +298,9 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
                 self._end(key)
 
         answer = self._result.call_async(request)
+        # The result may be received before feedback that was sent earlier, because they are on different endpoints.
+        # What has arrived by then is delivered first, so that the future's completion is the end of the goal's
+        # feedback.
         self._chain(answer, future, on_response, self._deliver_waiting_feedback)
         answer.when_complete(end_if_lost)
         return future
@@ -327,7 +335,7 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
         """
 
         def complete() -> None:
-            if then.cancelled():
+            if then.cancelled():  # by the program, which no longer waits
                 return
             if first.cancelled():
                 then.cancel()
@@ -336,10 +344,13 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
                 then.set_executor(self._node.executor)
                 then.set_exception(error)
                 return
+            # `before` may call the program's callback for feedback. What that raises goes on to the spin, and the
+            # future is completed nevertheless, because no other response would do it.
             try:
                 if before is not None:
                     before()
             finally:
+                # The executor of now: the node may have been added to one after the request was sent.
                 then.set_executor(self._node.executor)
                 stamp_ns = first.source_stamp_ns if isinstance(first, ResponseFuture) else None
                 then.set_result(convert(first.result(), stamp_ns))
@@ -401,18 +412,20 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
             executor.run_waiting(self._feedback)
 
     def _on_status(self, message: GoalStatusArray) -> None:
-        for each in message.status_list:
-            key = key_of(each.goal_info.goal_id)
+        for goal_status in message.status_list:
+            key = key_of(goal_status.goal_info.goal_id)
             with self._lock:
+                # The server publishes the state of a goal it has accepted, maybe before its response is received here.
+                # There is no handle yet to store it in.
                 if key in self._unanswered:
-                    self._unanswered[key] = each.status
+                    self._unanswered[key] = goal_status.status
                 handle = self._goals.get(key)
-                has_ended = each.status in TERMINAL and key not in self._ended_ns
+                has_ended = goal_status.status in TERMINAL and key not in self._ended_ns
             if has_ended:  # by itself, because nobody may ever request the result
                 self._end(key)
             # The status in the result is the final one.
             if handle is not None and (handle.status in ACTIVE or handle.status == GoalStatus.STATUS_UNKNOWN):
-                handle.status = each.status
+                handle.status = goal_status.status
 
     def destroy(self) -> None:
         """Destroy the clients and subscriptions."""

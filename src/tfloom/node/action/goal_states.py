@@ -56,10 +56,10 @@ def next_state(status: int, event: GoalEvent) -> int:
     Raises:
         RCLError: the event can't happen in this state.
     """
-    found = _TRANSITIONS.get((status, event))
-    if found is None:
+    next_status = _TRANSITIONS.get((status, event))
+    if next_status is None:
         raise RCLError(
             f"goal_handle attempted invalid transition from state {_NAMES.get(status, status)} "
             f"with event {event.name}"
         )
-    return found
+    return next_status

@@ -42,7 +42,7 @@ def get_action_client_names_and_types_by_node(
 def _actions(topics: Iterable[tuple[str, list[str]]]) -> NamesAndTypes:
     """Return the actions among topics, by their feedback topics, which both servers and clients have."""
     return [
-        (name.removesuffix(FEEDBACK), [each.removesuffix(_TYPE_SUFFIX) for each in types])
+        (name.removesuffix(FEEDBACK), [type_name.removesuffix(_TYPE_SUFFIX) for type_name in types])
         for name, types in topics
         if name.endswith(FEEDBACK)
     ]

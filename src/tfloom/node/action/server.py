@@ -172,7 +172,7 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
             carrier.FeedbackMessage, action_name + FEEDBACK, feedback_pub_qos_profile
         )
         self._status = node.create_publisher(GoalStatusArray, action_name + STATUS, status_pub_qos_profile)
-        self._expiry: Timer = node.create_timer(3600.0, self._expire, autostart=False)
+        self._expiry: Timer = node.create_timer(3600.0, self._drop_expired_goals, autostart=False)
 
     @property
     def action_type(self) -> type[Action[GoalT, ResultT, FeedbackT]]:
@@ -181,30 +181,30 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
 
     def register_execute_callback(self, execute_callback: ExecuteCallback[GoalT, ResultT, FeedbackT]) -> None:
         """Set the callback that executes goals; TypeError if it isn't callable."""
-        self._execute_callback = _callable(execute_callback, "execute")
+        self._execute_callback = _checked_callable(execute_callback, "execute")
 
     def register_goal_callback(self, goal_callback: GoalCallback[GoalT] | None) -> None:
         """Set the callback that accepts or rejects goals; None: accept all."""
-        self._goal_callback = _callable(goal_callback or default_goal_callback, "goal")
+        self._goal_callback = _checked_callable(goal_callback or default_goal_callback, "goal")
 
     def register_handle_accepted_callback(
         self, handle_accepted_callback: HandleAcceptedCallback[GoalT, ResultT, FeedbackT] | None
     ) -> None:
         """Set the callback for accepted goals; None: execute them."""
         callback = handle_accepted_callback or default_handle_accepted_callback
-        self._handle_accepted_callback = _callable(callback, "handle accepted")
+        self._handle_accepted_callback = _checked_callable(callback, "handle accepted")
 
     def register_cancel_callback(
         self, cancel_callback: CancelCallback[GoalT, ResultT, FeedbackT] | None
     ) -> None:
         """Set the callback that accepts or rejects cancellation; None: reject."""
-        self._cancel_callback = _callable(cancel_callback or default_cancel_callback, "cancel")
+        self._cancel_callback = _checked_callable(cancel_callback or default_cancel_callback, "cancel")
 
     # Goals
 
     async def _on_goal(self, request: Any, response: Any) -> Any:
         key = key_of(request.goal_id)
-        response.accepted = key not in self._goals and await self._accepts(request.goal)
+        response.accepted = key not in self._goals and await self._is_goal_accepted(request.goal)
         if not response.accepted:
             return response
         response.stamp = self._node.get_clock().now().to_msg()
@@ -212,9 +212,11 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         with self._lock:
             self._goals[key] = handle
         self._publish_status()
+        # The response is sent before the callback is called, which may execute the whole goal: otherwise the client
+        # would learn that its goal was accepted when that has ended.
         return ResponseFirst(response, lambda: await_or_execute(self._handle_accepted_callback, handle))
 
-    async def _accepts(self, goal: Any) -> bool:
+    async def _is_goal_accepted(self, goal: Any) -> bool:
         response = await await_or_execute(self._goal_callback, goal)
         if not isinstance(response, GoalResponse):
             self._node.get_logger().warning(
@@ -233,17 +235,18 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
     ) -> None:
         """Execute a goal; goal handles call this."""
         callback = execute_callback if execute_callback is not None else self._execute_callback
-        self._start(self._execute, _callable(callback, "execute"), goal_handle)
+        self._start(self._execute, _checked_callable(callback, "execute"), goal_handle)
 
     async def _execute(self, callback: Callable[[ServerGoalHandle], Any], handle: ServerGoalHandle) -> None:
         try:
             result = await await_or_execute(callback, handle)
         except Exception as error:  # the goal fails, not the server
-            if self._node.context.explains(error):
+            if self._node.context.is_caused_by_signal(error):
                 raise
             self._node.get_logger().error(f"Error raised in execute callback: {error}")
             traceback.print_exc()
             result = None
+        # The callback has raised, or returned without an end of the goal. The client waits for its result in any case.
         if handle.is_active:
             goal_id = key_of(handle.goal_id).hex()
             self._node.get_logger().warning(f"Goal state not set, assuming aborted. Goal ID: {goal_id}")
@@ -255,10 +258,11 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
             self._node.get_logger().error(
                 f"The execute callback returned a {type(result).__name__}, not a {self._action_type.Result.__name__}"
             )
+        # This sends the response to each request for the result that came before the end.
         handle.result_future.set_result(response)
         key = key_of(handle.goal_id)
         if self._goals.get(key) is handle:  # otherwise the goal, or the server, was destroyed
-            self._note_end(key)
+            self._record_end(key)
 
     def _on_result(self, request: Any, response: Any) -> Any:
         handle = self._goals.get(key_of(request.goal_id))
@@ -267,6 +271,8 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
             return response
         if self._forgets_sent_results:
             handle.result_future.when_complete(handle.destroy)
+        # The service sends what the future is completed with: at once after the goal's end; before it, the request
+        # waits without a thread.
         return handle.result_future
 
     # Cancelling
@@ -274,11 +280,15 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
     async def _on_cancel(
         self, request: CancelGoal_Request, response: CancelGoal_Response
     ) -> CancelGoal_Response | ResponseFirst:
-        goals = self._to_cancel(request)
+        goals = self._goals_to_cancel(request)
         key = key_of(request.goal_info.goal_id)
+        # A request for one goal by its id alone has a code of its own for a goal that can't be cancelled. One for a
+        # time, or for all goals, is answered by an empty list.
         if not goals and key != _NO_ID and not _stamp_ns(request.goal_info):
-            known = key in self._goals
-            response.return_code = response.ERROR_GOAL_TERMINATED if known else response.ERROR_UNKNOWN_GOAL_ID
+            is_known = key in self._goals
+            response.return_code = (
+                response.ERROR_GOAL_TERMINATED if is_known else response.ERROR_UNKNOWN_GOAL_ID
+            )
             return response
         raised: list[Exception] = []
         for handle in goals:
@@ -298,18 +308,22 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
             response.return_code = response.ERROR_REJECTED
         return ResponseFirst(response, partial(_raise_all, raised)) if raised else response
 
-    def _to_cancel(self, request: CancelGoal_Request) -> list[ServerGoalHandle[GoalT, ResultT, FeedbackT]]:
+    def _goals_to_cancel(
+        self, request: CancelGoal_Request
+    ) -> list[ServerGoalHandle[GoalT, ResultT, FeedbackT]]:
         """Return the goals of a request: one by its id, all up to a time, or all."""
         key = key_of(request.goal_info.goal_id)
         until_ns = _stamp_ns(request.goal_info)
         with self._lock:
             goals = dict(self._goals)
+        # As the action protocol has it: an id alone means that goal, a time alone all that were accepted up to then,
+        # both mean that goal and those, and neither means all goals.
         return [
             handle
-            for each, handle in goals.items()
+            for goal_key, handle in goals.items()
             if handle.status in (GoalStatus.STATUS_ACCEPTED, GoalStatus.STATUS_EXECUTING)
             and (
-                each == key
+                goal_key == key
                 or (until_ns and _stamp_ns(handle.goal_info) <= until_ns)
                 or (key == _NO_ID and not until_ns)
             )
@@ -350,16 +364,16 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
             self._goals.pop(key, None)
             self._ended_ns.pop(key, None)
 
-    def _note_end(self, key: bytes) -> None:
+    def _record_end(self, key: bytes) -> None:
         if self._result_timeout_ns < 0:
             return
         with self._lock:
             if key not in self._goals:  # dropped before
                 return
             self._ended_ns[key] = time.monotonic_ns()
-        self._expire()
+        self._drop_expired_goals()
 
-    def _expire(self) -> None:
+    def _drop_expired_goals(self) -> None:
         """Drop the goals whose results have expired, and set the timer to the next expiry."""
         now_ns = time.monotonic_ns()
         with self._lock:
@@ -368,6 +382,7 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
                 self._goals.pop(key, None)
                 del self._ended_ns[key]
             oldest_ns = min(self._ended_ns.values(), default=None)
+        # One timer for all goals, set to the oldest of those that are left.
         if oldest_ns is None:
             self._expiry.cancel()
             return
@@ -399,7 +414,7 @@ async def _raise_all(errors: list[Exception]) -> None:
     raise errors[0]
 
 
-def _callable(callback: Any, what: str) -> Any:
+def _checked_callable(callback: Any, what: str) -> Any:
     if not callable(callback):
         raise TypeError(f"Failed to register {what} callback: not callable")
     return callback

@@ -95,8 +95,8 @@ class NodeBase(NodeEntities, NodeParameters):
         declare_overrides: bool,
     ) -> None:
         names = NodeNames(node_name, namespace, arguments)
-        given = arguments.parameter_overrides(names.node.full)
-        first_values = {name: Parameter(name, value=value) for name, value in given.items()}
+        overrides = arguments.parameter_overrides(names.node.full)
+        first_values = {name: Parameter(name, value=value) for name, value in overrides.items()}
         first_values |= {parameter.name: parameter for parameter in parameter_overrides}
         self.__parameter_event_publisher: Publisher[rcl_msg.ParameterEvent] | None = None
         NodeParameters.__init__(
@@ -286,9 +286,9 @@ class NodeBase(NodeEntities, NodeParameters):
             )
 
     def __profile(
-        self, kind: str, topic_name: str, given: QoSProfile | int, options: QoSOverridingOptions | None
+        self, kind: str, topic_name: str, qos_profile: QoSProfile | int, options: QoSOverridingOptions | None
     ) -> QoSProfile:
-        profile = _profile(given)
+        profile = _profile(qos_profile)
         if options is None:
             return profile
         return apply_overrides(self, kind, topic_name, profile, options)

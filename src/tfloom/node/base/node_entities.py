@@ -104,7 +104,7 @@ class NodeEntities(NodeGraph):
             former.remove_node(self)
 
     def get_logger(self) -> RcutilsLogger:
-        """Return its logger."""
+        """Return the node's logger."""
         return self.__logger
 
     def get_clock(self) -> Clock:
@@ -128,32 +128,32 @@ class NodeEntities(NodeGraph):
     @property
     def subscriptions(self) -> Iterator[Subscription[Any]]:
         """The subscriptions that the node created."""
-        return (each for each in self.entities() if isinstance(each, Subscription))
+        return (entity for entity in self.entities() if isinstance(entity, Subscription))
 
     @property
     def services(self) -> Iterator[Service]:
         """The services that the node created."""
-        return (each for each in self.entities() if isinstance(each, Service))
+        return (entity for entity in self.entities() if isinstance(entity, Service))
 
     @property
     def clients(self) -> Iterator[Client]:
         """The clients that the node created."""
-        return (each for each in self.entities() if isinstance(each, Client))
+        return (entity for entity in self.entities() if isinstance(entity, Client))
 
     @property
     def timers(self) -> Iterator[Timer]:
         """The timers that the node created."""
-        return (each for each in self.entities() if isinstance(each, Timer))
+        return (entity for entity in self.entities() if isinstance(entity, Timer))
 
     @property
     def guards(self) -> Iterator[GuardCondition]:
         """The guard conditions that the node created."""
-        return (each for each in self.entities() if isinstance(each, GuardCondition))
+        return (entity for entity in self.entities() if isinstance(entity, GuardCondition))
 
     @property
     def waitables(self) -> Iterator[Waitable]:
         """The waitables that were added."""
-        return (each.waitable for each in self.entities() if isinstance(each, WaitableEntity))
+        return (entity.waitable for entity in self.entities() if isinstance(entity, WaitableEntity))
 
     def add_waitable(self, waitable: Waitable | EventHandler) -> None:
         """Add a waitable, or an event handler, to those that the node's executor waits for."""
@@ -168,9 +168,9 @@ class NodeEntities(NodeGraph):
         Raises:
             ValueError: it was never added.
         """
-        for each in self.entities():
-            if each is waitable or (isinstance(each, WaitableEntity) and each.waitable is waitable):
-                self.__owned.destroy(each)
+        for entity in self.entities():
+            if entity is waitable or (isinstance(entity, WaitableEntity) and entity.waitable is waitable):
+                self.__owned.destroy(entity)
                 return
         raise ValueError(f"{waitable!r} is no waitable of this node")
 

@@ -128,11 +128,11 @@ class NodeGraph:
         )
 
     def __names_and_types(self, matches: Callable[[EndpointInfo], bool], no_demangle: bool) -> NamesAndTypes:
-        found: dict[str, set[str]] = {}
+        types_by_name: dict[str, set[str]] = {}
         for info in self.__graph.raw_endpoints() if no_demangle else self.__graph.endpoints():
             if matches(info):
-                found.setdefault(info.topic.name, set()).add(info.topic.type_name)
-        return [(name, sorted(types)) for name, types in sorted(found.items())]
+                types_by_name.setdefault(info.topic.name, set()).add(info.topic.type_name)
+        return [(name, sorted(types)) for name, types in sorted(types_by_name.items())]
 
     def get_service_names_and_types(self) -> NamesAndTypes:
         """Return all services that have a server, with their types."""
@@ -166,11 +166,11 @@ class NodeGraph:
         )
 
     def __services(self, matches: Callable[[ServiceEndInfo], bool]) -> NamesAndTypes:
-        found: dict[str, set[str]] = {}
+        types_by_name: dict[str, set[str]] = {}
         for info in self.__graph.service_ends():
             if matches(info):
-                found.setdefault(info.name, set()).add(info.type_name)
-        return [(name, sorted(types)) for name, types in sorted(found.items())]
+                types_by_name.setdefault(info.name, set()).add(info.type_name)
+        return [(name, sorted(types)) for name, types in sorted(types_by_name.items())]
 
     def __check_node(self, name: str, namespace: str) -> None:
         if (name, namespace) not in self.get_node_names_and_namespaces():

@@ -64,7 +64,7 @@ class OwnedEntities:
         """
         if self._destroyed:
             raise InvalidHandle(f"cannot create anything for {self._node_name.full}: the node was destroyed")
-        self._context.check_not_inherited(f"cannot create anything for {self._node_name.full}")
+        self._context.check_not_from_parent_process(f"cannot create anything for {self._node_name.full}")
         return self._participant
 
     def entities(self) -> list[Entity]:
@@ -72,7 +72,7 @@ class OwnedEntities:
         return list(self._entities)
 
     def publishers(self) -> list[Publisher[Any]]:
-        """Return the publishers."""
+        """Return the publishers that are not destroyed."""
         return list(self._publishers)
 
     def add(self, entity: AnyEntity, owner: SpunNode) -> AnyEntity:
@@ -124,7 +124,7 @@ class OwnedEntities:
         return True
 
     def add_rate(self, rate: Rate) -> None:
-        """Add a rate."""
+        """Add a rate, which is destroyed with the node."""
         self._rates.append(rate)
 
     def destroy_rate(self, rate: Rate) -> bool:

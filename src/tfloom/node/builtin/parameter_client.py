@@ -181,4 +181,7 @@ def _call(client: Client, request: Any, callback: _Callback | None) -> Future[An
 
 
 def _messages(parameters: Sequence[Parameter | ParameterMsg]) -> list[ParameterMsg]:
-    return [each.to_parameter_msg() if isinstance(each, Parameter) else each for each in parameters]
+    return [
+        parameter.to_parameter_msg() if isinstance(parameter, Parameter) else parameter
+        for parameter in parameters
+    ]

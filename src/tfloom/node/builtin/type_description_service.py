@@ -57,12 +57,12 @@ class TypeDescriptionService:
         from tfloom.rosidl.registry import find_class
 
         try:
-            known = find_class(request.type_name)
-            if request.type_hash in ("", known._TYPE_HASH):  # ours
+            type_class = find_class(request.type_name)
+            if request.type_hash in ("", type_class._TYPE_HASH):  # ours
                 _describe(request.type_name, response, with_sources=request.include_type_sources)
             else:
                 response.failure_reason = (
-                    f"{request.type_name} is known with the hash {known._TYPE_HASH} only"  # ours
+                    f"{request.type_name} is known with the hash {type_class._TYPE_HASH} only"  # ours
                 )
         except (
             LookupError,
@@ -84,11 +84,11 @@ def _describe(name: str, response: GetTypeDescription_Response, *, with_sources:
 
     described = type_description(_find_interface(name), find_message)
     referenced = described["referenced_type_descriptions"]
-    names = [name, *(each["type_name"] for each in referenced)]
-    response.type_sources = [_source(each) for each in names] if with_sources else []
+    names = [name, *(description["type_name"] for description in referenced)]
+    response.type_sources = [_type_source(type_name) for type_name in names] if with_sources else []
     response.type_description = TypeDescription(
-        type_description=_individual(described["type_description"]),
-        referenced_type_descriptions=[_individual(each) for each in referenced],
+        type_description=_individual_description(described["type_description"]),
+        referenced_type_descriptions=[_individual_description(description) for description in referenced],
     )
     response.successful = True
 
@@ -101,17 +101,17 @@ def _find_interface(name: str) -> spec.Interface:
     """
     from tfloom.rosidl import sources, spec
 
-    whole = sources.find_interface(sources.definition_name(name))
-    known: list[spec.Interface] = [whole]
-    if isinstance(whole, spec.Action):
-        known += [whole.send_goal, whole.get_result]
-    for interface in known:
+    definition = sources.find_interface(sources.definition_name(name))
+    candidates: list[spec.Interface] = [definition]
+    if isinstance(definition, spec.Action):
+        candidates += [definition.send_goal, definition.get_result]
+    for interface in candidates:
         if interface.name == name:
             return interface
     return sources.find_message(name)
 
 
-def _source(name: str) -> TypeSource:
+def _type_source(name: str) -> TypeSource:
     """Return the text that defines a type; for a part of a service or action, an empty one."""
     from tfloom.rosidl.sources import definition_name, find_source
 
@@ -122,6 +122,6 @@ def _source(name: str) -> TypeSource:
     return TypeSource(type_name=name, encoding=encoding, raw_file_contents=source.text)
 
 
-def _individual(described: dict[str, Any]) -> IndividualTypeDescription:
-    fields = [Field(name=each["name"], type=FieldType(**each["type"])) for each in described["fields"]]
+def _individual_description(described: dict[str, Any]) -> IndividualTypeDescription:
+    fields = [Field(name=field["name"], type=FieldType(**field["type"])) for field in described["fields"]]
     return IndividualTypeDescription(type_name=described["type_name"], fields=fields)

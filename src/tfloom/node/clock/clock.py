@@ -161,6 +161,7 @@ class Clock(ReadableClock):
                 source_changed = True
             woken.set()
 
+        # Registered before the time is read for the first time, so that no jump, and no shutdown, is missed in between.
         with self.create_jump_callback(ANY_JUMP, post_callback=on_jump):
             context.add_shutdown_hook(woken.set)
             try:
@@ -168,6 +169,8 @@ class Clock(ReadableClock):
                     left_ns = until.nanoseconds - self.now_ns()
                     if left_ns <= 0:
                         return True
+                    # Simulated time changes by jumps alone. That of the machine may be set without a word, so it is
+                    # read again after a while.
                     woken.wait(None if self._is_simulated() else min(left_ns / S_TO_NS, _MAX_SLICE_S))
                     woken.clear()
             finally:
@@ -251,8 +254,8 @@ class ROSClock(Clock):
         at the end, to the thread that sets the clock.
         """
         handles = [handle for handle in self.jump_handles() if handle.threshold.is_passed_by(jump)]
-        before = [handle.pre_callback for handle in handles if handle.pre_callback is not None]
-        after = [
+        pre_callbacks = [handle.pre_callback for handle in handles if handle.pre_callback is not None]
+        post_callbacks = [
             partial(handle.post_callback, jump) for handle in handles if handle.post_callback is not None
         ]
-        call_all([*before, change, *after])
+        call_all([*pre_callbacks, change, *post_callbacks])

@@ -245,8 +245,8 @@ def _parse_log_level(parsed: Arguments, flag: str, value: str) -> None:
     try:
         severity = LoggingSeverity[level.upper()]
     except KeyError:
-        known = ", ".join(each.name.lower() for each in LoggingSeverity)
-        raise _fail(flag, value, f"'{level}' is no level; known are {known}") from None
+        level_names = ", ".join(severity.name.lower() for severity in LoggingSeverity)
+        raise _fail(flag, value, f"'{level}' is no level; known are {level_names}") from None
     if assign and not name:
         raise _fail(flag, value, f"expected {_EXPECTED['log_level']}")
     parsed.log_levels.append((name, severity))

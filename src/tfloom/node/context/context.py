@@ -95,7 +95,7 @@ class Context:
         """Number of nodes on the participant."""
         self._abandoned: deque[DestroyableNode] = deque()
         """Nodes that the garbage collector has finalized. Appended and popped without the lock."""
-        self._is_inherited = False
+        self._is_from_parent_process = False
         """Whether the parent process, from which this one was forked, used it. Set before the child's first thread."""
         self._domain_id: int | None = None
         self._arguments = Arguments()
@@ -132,10 +132,10 @@ class Context:
         if initialize_logging:
             _set_up_logging(arguments)
         number = next(_context_numbers)
-        known = _contexts  # at the interpreter's end, the module's name may be gone before a context is
+        contexts = _contexts  # at the interpreter's end, the module's name may be gone before a context is
 
         def forget(_: object) -> None:
-            known.pop(number, None)
+            contexts.pop(number, None)
 
         _contexts[number] = weakref.ref(self, forget)
 
@@ -169,11 +169,11 @@ class Context:
         """Return whether it was initialised, and has been shut down."""
         return self._initialized and not self._valid
 
-    def is_inherited(self) -> bool:
+    def is_from_parent_process(self) -> bool:
         """Return whether the parent process, from which this one was forked, used it, so that it can't be used."""
-        return self._is_inherited
+        return self._is_from_parent_process
 
-    def check_not_inherited(self, what: str) -> None:
+    def check_not_from_parent_process(self, what: str) -> None:
         """Check that it can be used in this process.
 
         Args:
@@ -182,15 +182,15 @@ class Context:
         Raises:
             ForkedProcessError: the parent process used it before the fork.
         """
-        if self._is_inherited:
+        if self._is_from_parent_process:
             raise ForkedProcessError(what)
 
-    def inherit(self) -> None:
+    def reset_in_forked_child(self) -> None:
         """Become the parent's context in a forked child: invalid, if the parent had nodes or executors on it."""
         self._lock = threading.RLock()  # a thread of the parent may have held the former one
         if self._participant is None and not self._queues:
             return
-        self._is_inherited = True
+        self._is_from_parent_process = True
         self._valid = False
         self._hooks, self._queues, self._participant, self._nodes = [], [], None, 0
         self._abandoned.clear()
@@ -199,7 +199,7 @@ class Context:
         """Return whether a signal has shut it down."""
         return self._interrupted
 
-    def explains(self, error: BaseException) -> bool:
+    def is_caused_by_signal(self, error: BaseException) -> bool:
         """Return whether an error follows from the context being shut down by a signal, or at the program's end."""
         return (self._interrupted or _is_ending) and isinstance(
             error, (RCLError, NotInitializedException, ROSInterruptException, ClosedError)
@@ -216,12 +216,13 @@ class Context:
         """
         if not self._initialized:
             raise RuntimeError("Context must be initialized before it can be shutdown")
-        if not self.try_shutdown() and not self._is_inherited:
+        if not self.try_shutdown() and not self._is_from_parent_process:
             raise RCLError("failed to shutdown: rcl_shutdown already called on the given context")
 
     def try_shutdown(self) -> bool:
         """Shut down unless that has been done; return whether this call did it."""
         postponed.take()  # the program ends by itself
+        # Of several threads that shut down, the one that finds it valid does all the rest.
         with self._lock:
             was_valid, self._valid = self._valid, False
         if not was_valid:
@@ -240,6 +241,7 @@ class Context:
         The callbacks of `on_shutdown` are called on a separate thread.
         """
         if self._valid:
+            # In this order: a thread that finds the context shut down asks whether a signal did it.
             self._interrupted = True
             self._valid = False
             self._wake_all()
@@ -316,7 +318,7 @@ class Context:
 
         self._destroy_abandoned()
         with self._lock:
-            self.check_not_inherited("cannot create node")
+            self.check_not_from_parent_process("cannot create node")
             if not self._valid:
                 if not self._interrupted:
                     raise NotInitializedException("cannot create node")
@@ -410,13 +412,13 @@ def _all_contexts() -> list[Context]:
     return [context for reference in list(_contexts.values()) if (context := reference()) is not None]
 
 
-def _inherit_all() -> None:
+def _reset_all_in_forked_child() -> None:
     for context in _all_contexts():
-        context.inherit()
+        context.reset_in_forked_child()
 
 
 if hasattr(os, "register_at_fork"):
-    os.register_at_fork(after_in_child=_inherit_all)
+    os.register_at_fork(after_in_child=_reset_all_in_forked_child)
 
 _will_close_at_exit = False
 _is_ending = False

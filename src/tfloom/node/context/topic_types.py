@@ -30,9 +30,9 @@ class TopicTypes:
 
     def add(self, topic: Topic, endpoint: TopicEndpoint) -> str | None:
         """Add an endpoint; return the type of the topic's first one if it is another, else None."""
-        found = self._first.get(topic.name)
-        first = None if found is None else found[0]()
-        if found is None or first is None or first.is_destroyed:
+        reference, first_topic = self._first.get(topic.name, (None, topic))
+        first = None if reference is None else reference()
+        if first is None or first.is_destroyed:
             self._first[topic.name] = weakref.ref(endpoint), topic
             return None
-        return found[1].type_name if found[1].type_name != topic.type_name else None
+        return first_topic.type_name if first_topic.type_name != topic.type_name else None

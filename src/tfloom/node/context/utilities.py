@@ -43,7 +43,7 @@ def get_default_context(*, shutting_down: bool = False) -> Context:
     with _lock:
         defaults = current_defaults()
         context = defaults.context
-        if context is None or (context.is_inherited() and not shutting_down):
+        if context is None or (context.is_from_parent_process() and not shutting_down):
             context = defaults.context = Context()
         if shutting_down:
             defaults.context = None

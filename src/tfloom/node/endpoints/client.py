@@ -146,6 +146,8 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         may not spin. With a limit, the wait for a response that can't arrive takes as long as for one that may.
         """
         is_ended = False
+        # Each thread that waits has a queue of its own, which no other `call` uses meanwhile. `pop` is one operation,
+        # so two threads never get the same queue.
         try:
             queue = self._queues.pop()
         except IndexError:
@@ -153,14 +155,18 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
 
         def end() -> None:
             nonlocal is_ended
+            # With a limit, a NoResponseError doesn't end the wait, which takes its time as the docstring tells.
             if timeout_sec is None or future.exception() is None:
                 is_ended = True
                 queue.post(WAKE)
 
         end_s = math.inf if timeout_sec is None else time.monotonic() + timeout_sec
         self._context.add_queue(queue)
+        # From here on responses wake this thread and not the executor. One that has arrived before posts at once.
         self._posting.divert(queue, _RESPONSE)
         try:
+            # If the future is complete already, because an executor was faster or no server was there, `end` is called
+            # here.
             future.when_complete(end)
             look_s = time.monotonic() + LOOK_AGAIN_S
             while not is_ended and self._context.ok():
@@ -171,12 +177,16 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
                     look_s = now_s + LOOK_AGAIN_S
                     orphans = self.take_orphans(future)
                     self.fail_orphans(orphans)
-                    if any(each is not future for each in orphans):
+                    # The futures of other threads and of `call_async` have just failed on this thread: the executor's
+                    # `spin_once` must return, so that the program looks at them.
+                    if any(orphan is not future for orphan in orphans):
                         self._tell_executor()
                 wait_for_token(queue, min(end_s, look_s))
                 self._run_responses(future)
             return True
         finally:
+            # A response may have arrived after the last look. `restore` makes the endpoint post at once, to the next
+            # thread that waits or to the executor, if something is left.
             self._posting.restore(queue)
             self._context.remove_queue(queue)
             self._queues.append(queue)
@@ -201,7 +211,7 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         """
         if not isinstance(request, self.srv_type.Request):
             raise TypeError(f"Expected {self.srv_type.Request}, got {type(request)}")
-        self._context.check_not_inherited(f"cannot call {self.srv_name}")
+        self._context.check_not_from_parent_process(f"cannot call {self.srv_name}")
         data = cdr.encode(request)
         future: ResponseFuture[SrvTypeResponse] = ResponseFuture()
         with self._alive()._lock:  # a response may arrive before `send` has returned  # noqa: SLF001
@@ -275,14 +285,14 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         super().destroy()
         with self._lock:
             pending, self._pending = self._pending, {}
-        for each in pending.values():
-            each.future.cancel()
+        for request in pending.values():
+            request.future.cancel()
 
     def service_is_ready(self) -> bool:
         """Return whether a server is matched in both directions, so that it receives a request sent now."""
         if self._destroyed:
             return False
-        self._context.check_not_inherited(f"cannot find a server of {self.srv_name}")
+        self._context.check_not_from_parent_process(f"cannot find a server of {self.srv_name}")
         if self._endpoint.is_ready():
             return True
         obstacle = self._endpoint.obstacle()
@@ -328,6 +338,8 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         self._posting.post()
 
     def _take_next(self) -> Any:
+        # Another thread that looks for orphans must not see the request of a response that is between the reader and
+        # `_read`: it would fail a request that was answered.
         with self._take_lock:
             return super().take()
 
@@ -337,6 +349,8 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         After a response that was received elsewhere, return `UNREADABLE` once.
         """
         taken = self._take_next()
+        # A thread in `call` has completed a future that this executor's program may wait for. `UNREADABLE` runs
+        # nothing, but it counts as a response, so that `spin_once` returns.
         if taken is None and self._was_completed_elsewhere:
             self._was_completed_elsewhere = False
             return UNREADABLE
@@ -387,7 +401,7 @@ class ServerWatch(Entity):
         return orphans or None
 
     def run(self, taken: Any) -> None:
-        """Fail these requests."""
+        """Complete the futures of these requests with a NoResponseError."""
         self._client.fail_orphans(taken)
 
     def destroy(self) -> None:

@@ -55,6 +55,6 @@ class Posting:
         """Undo `divert`: post to the next thread that waits, or to the executor's queue."""
         with self._lock:
             was_first = self._waiting[0][0] is queue
-            self._waiting = [each for each in self._waiting if each[0] is not queue]
+            self._waiting = [waiter for waiter in self._waiting if waiter[0] is not queue]
             if was_first:
                 self._notify(*(self._waiting[0] if self._waiting else self._usual))

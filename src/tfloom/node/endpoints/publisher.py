@@ -63,7 +63,7 @@ class Publisher(Endpoint["Writer"], Generic[MsgType]):
         if self._destroyed:
             raise InvalidHandle(f"cannot publish on {self.topic}: the publisher was destroyed")
         if not self._context.ok():
-            self._context.check_not_inherited(f"cannot publish on {self.topic}")
+            self._context.check_not_from_parent_process(f"cannot publish on {self.topic}")
             raise RCLError("Failed to publish: publisher's context is invalid")
         self._endpoint.write(data)
 
@@ -78,7 +78,7 @@ class Publisher(Endpoint["Writer"], Generic[MsgType]):
 
     @property
     def gid(self) -> bytes:
-        """Global id on the wire: 16 octets."""
+        """Global id on the wire: 16 bytes."""
         return self._endpoint.gid
 
     def assert_liveliness(self) -> None:

@@ -116,11 +116,11 @@ class EventHandler(Entity):
         return None if self._destroyed else self._endpoint.take_event(self._event)
 
     def run(self, taken: Any) -> Any:
-        """Call the callback."""
+        """Call the callback with the status."""
         return self.callback(taken)
 
     def destroy(self) -> None:
-        """Stop watching."""
+        """Take no more changes of the status."""
         self._destroyed = True
 
 
@@ -178,7 +178,7 @@ class _EventCallbacks:
         self.matched = matched
         self.use_default_callbacks = use_default_callbacks
 
-    def _by_event(self) -> dict[Event, StatusCallback | None]:
+    def _callbacks_by_event(self) -> dict[Event, StatusCallback | None]:
         return {
             Event.DEADLINE_MISSED: self.deadline,
             Event.INCOMPATIBLE_QOS: self.incompatible_qos,
@@ -202,7 +202,7 @@ class _EventCallbacks:
         Raises:
             UnsupportedEventTypeError: the wire doesn't support an event that there is a callback for.
         """
-        callbacks = self._by_event()
+        callbacks = self._callbacks_by_event()
         if self.use_default_callbacks and self.incompatible_qos is None:
             callbacks[Event.INCOMPATIBLE_QOS] = lambda status: logger.warning(
                 mismatch_text(status, topic_name, endpoint.gid, graph, is_publisher=self.is_publisher)
@@ -275,5 +275,5 @@ class SubscriptionEventCallbacks(_EventCallbacks):
         )
         self.message_lost = message_lost
 
-    def _by_event(self) -> dict[Event, StatusCallback | None]:
-        return {**super()._by_event(), Event.MESSAGE_LOST: self.message_lost}
+    def _callbacks_by_event(self) -> dict[Event, StatusCallback | None]:
+        return {**super()._callbacks_by_event(), Event.MESSAGE_LOST: self.message_lost}

@@ -55,13 +55,13 @@ def wire_event(event_type: QoSPublisherEventType | QoSSubscriptionEventType) -> 
         TypeError: `event_type` is of neither enumeration.
     """
     if isinstance(event_type, QoSPublisherEventType):
-        found = _PUBLISHER_EVENTS.get(event_type)
+        event = _PUBLISHER_EVENTS.get(event_type)
     elif isinstance(event_type, QoSSubscriptionEventType):
-        found = _SUBSCRIPTION_EVENTS.get(event_type)
+        event = _SUBSCRIPTION_EVENTS.get(event_type)
     else:
         raise TypeError(
             f"event_type must be a QoSPublisherEventType or QoSSubscriptionEventType, not {event_type!r}"
         )
-    if found is None:
+    if event is None:
         raise UnsupportedEventError(f"{event_type.name}: no wire here reports peers of another type")
-    return found
+    return event

@@ -30,7 +30,7 @@ class EventsExecutor(Executor):
             with self._running:
                 self._run_until_shutdown()
         except Exception as error:
-            if self._context.explains(error):  # as in the other executors
+            if self._context.is_caused_by_signal(error):  # as in the other executors
                 raise shutdown_exception() from error
             raise
         finally:

@@ -107,8 +107,8 @@ class Executor(WorkQueue):
         """Set once, by `shutdown`, without a lock."""
         self._running = RunningWork()
         """The threads that run callbacks now."""
-        self._held_since_ns: int | None = None
-        """When callbacks were first found held by one that spins. Of the thread that spins alone, as all below."""
+        self._blocked_since_ns: int | None = None
+        """When callbacks were first found blocked by one that spins. Of the thread that spins alone, as all below."""
         self._endless_since_ns: int | None = None
         """When the present wait of a callback that spins without a limit began."""
         self._has_hinted = False
@@ -184,6 +184,7 @@ class Executor(WorkQueue):
 
         task: Task[Any] = Task(run, executor=self)
         self._register_task(task)
+        # Not at the end of `run`: a callback that is a coroutine occupies its group until it completes.
         task.when_complete(lambda: self._end(entity))
         node = next((node for node in self.get_nodes() if entity in node.entities()), None)
         return task, getattr(entity, "waitable", entity), node
@@ -206,18 +207,24 @@ class Executor(WorkQueue):
         waited = self._has_response = False
         self._endless_since_ns = None
         while True:
+            # What ends the wait is checked before each callback: nothing begins after a shutdown, even if it is ready.
             if self._is_shutdown:
                 raise ShutdownException
             if not self._context.ok():
                 raise shutdown_exception()
             if condition is not None and condition():
                 raise ConditionReachedException
+            # While all threads of a pool are busy, the rest of the pass stays in `_ready`; a thread that becomes free
+            # wakes this one.
             if self._has_room():
                 work = self._work_of_this_pass()
                 if work is not None:
                     return work
+            # A response completes its future on this thread, without a callback that could be returned here. The
+            # program's `spin_once` must return nevertheless, so that it can look at its future.
             if self._has_response and until_response:
                 raise ConditionReachedException
+            # The time is checked only after one look at the queue, so that a timeout of 0 finds what was posted before.
             if waited and end_ns is not None and time.monotonic_ns() >= end_ns:
                 raise TimeoutException
             waited = True
@@ -233,14 +240,15 @@ class Executor(WorkQueue):
         """
         if self._has_hinted or not RunningWork.is_any_on_this_thread():
             return end_ns
-        entities = list(self._entities.values())
+        entities = list(self._entities.values())  # a copy, because other threads add and remove entities
         now_ns = time.monotonic_ns()
-        entity = next((entity for entity in entities if _is_held(entity)), None)
+        entity = next((entity for entity in entities if _is_blocked_by_group(entity)), None)
         if entity is not None:
-            since_ns = self._held_since_ns = self._held_since_ns or now_ns
+            # The time counts over several waits, because the callback may spin in a loop with short timeouts.
+            since_ns = self._blocked_since_ns = self._blocked_since_ns or now_ns
             hint, hint_ns = NESTED_HINT, since_ns + NESTED_HINT_NS
         else:
-            self._held_since_ns = None
+            self._blocked_since_ns = None
             # Where no callback of these entities runs, none of them waits for the callback that spins.
             entity = next(filter(_is_running, entities), None) if end_ns is None else None
             if entity is None:
@@ -248,6 +256,7 @@ class Executor(WorkQueue):
             since_ns = self._endless_since_ns = self._endless_since_ns or now_ns
             hint, hint_ns = ENDLESS_HINT, since_ns + ENDLESS_HINT_NS
         if now_ns < hint_ns:
+            # Nothing is posted when the hint is due, so the wait ends then, and this is called again.
             return hint_ns if end_ns is None else min(end_ns, hint_ns)
         self._has_hinted = True
         entity._part_of.get_logger().warning(hint)  # noqa: SLF001  # ours
@@ -261,9 +270,12 @@ class Executor(WorkQueue):
         To be called where a response was taken. It does nothing while another thread spins.
         """
         token = self._tokens.get(entity)
+        # `_take` uses what belongs to the thread that spins alone. If that is another one, the posts of the entity have
+        # told it, and it runs these callbacks itself.
         if token is None or not self._spinning.acquire(blocking=False):
             return
         try:
+            # Bounded, so that a publisher that is faster than the callback doesn't hold up the caller for ever.
             for _ in range(MAX_BATCH_SIZE):
                 taken = self._take(entity, token)
                 if taken is None:
@@ -285,7 +297,7 @@ class Executor(WorkQueue):
                     self._run_entity(work.entity, work.taken)
         except Exception as error:
             # A signal arrived during the callback, which then used the context, by publishing for example.
-            if self._context.explains(error):
+            if self._context.is_caused_by_signal(error):
                 raise shutdown_exception() from error
             raise
 
@@ -347,6 +359,7 @@ class Executor(WorkQueue):
         def is_over() -> bool:
             return future.done() or future.cancelled()
 
+        # Another thread may complete the future, which posts nothing to the queue that this one waits on.
         future.when_complete(self.wake)
         end_ns = _end_ns(timeout_sec)
         while self._context.ok() and not self._is_shutdown and not is_over():
@@ -401,7 +414,10 @@ class Executor(WorkQueue):
             RuntimeError: another thread is spinning; inside a callback, the text has what to do instead.
             ForkedProcessError: this process is a fork of the one that created the executor.
         """
-        self._context.check_not_inherited("cannot spin")
+        self._context.check_not_from_parent_process("cannot spin")
+        # The lock is reentrant, so a callback on the thread that spins may spin again. Another thread gets an error,
+        # and doesn't wait: in a callback in a pool of threads, it would wait for the spin that may wait for this
+        # callback.
         if not self._spinning.acquire(blocking=False):
             advice = ""
             if self._running.is_this_thread():
@@ -420,9 +436,11 @@ class Executor(WorkQueue):
             False if a callback still runs after `timeout_sec` [s] (None: no limit).
         """
         self._is_shutdown = True
-        if self._context.is_inherited():
+        if self._context.is_from_parent_process():
             return True  # its threads, which may hold its locks, are the parent's
         self._context.remove_queue(self._queue)
+        # The flag is set, so a thread that spins ends when it wakes. Nodes are removed when no callback runs any more,
+        # because a callback may use them to its end.
         self.wake()
         if not self._running.wait(timeout_sec):
             return False
@@ -456,7 +474,7 @@ def _is_running(entity: Entity) -> bool:
     return isinstance(group, MutuallyExclusiveCallbackGroup) and group.is_running(entity)
 
 
-def _is_held(entity: Entity) -> bool:
+def _is_blocked_by_group(entity: Entity) -> bool:
     """Return whether an entity has posted, and waits for a callback of another one in its group to complete."""
     group = entity.callback_group
     if not isinstance(group, MutuallyExclusiveCallbackGroup) or not group.has_parked(entity):

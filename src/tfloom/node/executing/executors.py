@@ -101,11 +101,14 @@ class MultiThreadedExecutor(Executor):
         def stop() -> bool:
             return bool(self._errors) or (condition is not None and condition())
 
+        # A callback is in the pool's queue, and no thread to run it. Any call makes the pool try to start one again.
         if self._lacks_thread:
             self._start_thread(lambda: None)
         with suppress(TimeoutException, ShutdownException, ConditionReachedException):
             work = self._wait_for_work(end_ns, stop, until_response=True)
             self._submit(work)
+        # One error for each spin; the next one stops at once for the next error. What a callback saw of the shutdown on
+        # its thread is replaced by what this thread must raise, KeyboardInterrupt on the main one after Ctrl-C.
         if self._errors:
             error = self._errors.popleft()
             raise shutdown_exception() if isinstance(error, ExternalShutdownException) else error
@@ -118,6 +121,7 @@ class MultiThreadedExecutor(Executor):
             self._awaited = None
 
     def _submit(self, work: Work) -> None:
+        # Counted here and not on the pool's thread, which may begin late: `_has_room` would admit too many meanwhile.
         with self._busy_lock:
             self._busy += 1
         self._start_thread(lambda: self._run_in_pool(work), work)
@@ -135,6 +139,7 @@ class MultiThreadedExecutor(Executor):
             self._pool.submit(run)
             self._lacks_thread = False
         except RuntimeError as error:
+            # `submit` puts the call in the queue before it starts a thread, so only the thread is missing.
             if not self._is_shutdown:
                 self._lacks_thread = not self._has_thread
                 if self._lacks_thread:
@@ -157,6 +162,7 @@ class MultiThreadedExecutor(Executor):
         finally:
             with self._busy_lock:
                 self._busy -= 1
+            # The thread that spins may wait for a free thread of the pool, or has an error to raise.
             self.wake()
 
     def _run_entity(self, entity: Entity, taken: Any) -> None:
@@ -176,6 +182,10 @@ class MultiThreadedExecutor(Executor):
     def _may_continue(self, entity: Entity, outcome: Any, batch_end_ns: int) -> bool:
         """Return whether this thread of the pool may run the next callback of an entity, and keep its group."""
         group, awaited = entity.callback_group, self._awaited
+        # `take` may be called on one thread at a time: a mutually exclusive group, which this callback still occupies,
+        # keeps the thread that spins from taking from the same entity. A reentrant one would not.
+        # The rest of the conditions is about what must not wait for another callback here: the end of the spin, an
+        # error, a shutdown, the removal of the entity, and callbacks that wait for a thread or for this group.
         return (
             entity.takes_on_any_thread
             and type(group) is MutuallyExclusiveCallbackGroup
@@ -221,13 +231,14 @@ def get_global_executor() -> Executor:
     """Return the executor on the default context that `rclpy.spin` and its variants use if none is given."""
     defaults = current_defaults()
     executor: Executor | None = defaults.executor
+    # The usual case needs no lock; under it, all is checked again, because another thread may have been faster.
     if executor is not None and executor.context is defaults.context and not executor._is_shutdown:  # noqa: SLF001
         return executor
     with _global_lock:
         executor = defaults.executor
         context = get_default_context()
         if executor is None or executor.context is not context or executor._is_shutdown:  # noqa: SLF001
-            if executor is not None:
+            if executor is not None:  # a callback of it that still runs isn't waited for
                 executor.shutdown(0.0)
             executor = defaults.executor = SingleThreadedExecutor(context=context)
         return executor

@@ -71,5 +71,5 @@ class GuardCondition(Entity):
         return triggered or None
 
     def run(self, taken: Any) -> Any:  # noqa: ARG002
-        """Call the callback."""
+        """Call the callback of the guard condition."""
         return None if self.callback is None else self.callback()

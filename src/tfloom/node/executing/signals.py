@@ -63,15 +63,17 @@ _uninterruptible_functions = {"__del__", "new_event_loop"}  # the destructor of 
 _interrupted_at = -math.inf
 """When a signal shut a context down [s], until the next `init`."""
 _previous: dict[signal.Signals, Any] = {}
-_left: set[signal.Signals] = set()
+_kept_after_shutdown: set[signal.Signals] = set()
 """Those of `_previous` that are still handled because the program is ending by a signal."""
-_handled_now: set[int] = set()
+_numbers_in_previous_handler: set[int] = set()
 _SIGNALS = {SignalHandlerOptions.SIGINT: signal.SIGINT, SignalHandlerOptions.SIGTERM: signal.SIGTERM}
 
 
 def _on_signal(number: int, frame: FrameType | None) -> None:
     global _interrupted_at  # noqa: PLW0603  # written on the main thread alone
     contexts = live_contexts()
+    # The first signal finds live contexts and shuts them down. Later ones find none: the same signal from a launcher,
+    # which is ignored; a SIGINT by which `_retry` asks to raise what was postponed; or one that is meant by the user.
     if contexts:
         _interrupted_at = time.monotonic()
     elif number == signal.SIGINT and postponed.is_set():
@@ -84,9 +86,12 @@ def _on_signal(number: int, frame: FrameType | None) -> None:
     for guard in _guards:
         guard.trigger()
     if contexts and number == signal.SIGINT:
+        # Set before the attempt: where no exception may be raised now, a spin or `_retry` finds it here and raises it.
         postponed.set(time.monotonic() + POSTPONED_S)
         _interrupt_main_thread(frame)
-    elif number in _left:
+    elif number in _kept_after_shutdown:
+        # The handler is ours only to protect the clean-up from a repetition of the signal. This is none, so it acts as
+        # it would have before `init`.
         _end_as_before_init(signal.Signals(number))
     else:
         _call_previous(number, frame)
@@ -94,13 +99,15 @@ def _on_signal(number: int, frame: FrameType | None) -> None:
 
 def _is_repetition(number: int) -> bool:
     """Return whether a signal that arrives when no context is alive follows the one that ended the last."""
-    return time.monotonic() < _interrupted_at + ECHO_S and (number == signal.SIGINT or number in _left)
+    return time.monotonic() < _interrupted_at + ECHO_S and (
+        number == signal.SIGINT or number in _kept_after_shutdown
+    )
 
 
 def _interrupt_main_thread(frame: FrameType | None) -> None:
     """Call the previous handler of SIGINT; Python's raises KeyboardInterrupt. Where it would be lost, do it later."""
     if _may_interrupt(frame) or postponed.is_overdue(time.monotonic()):
-        postponed.take()
+        postponed.take()  # raised here, so no spin must raise it once more
         _call_previous(signal.SIGINT, frame)
     else:
         # Not a Thread, because its start may be what was interrupted. Without one, a spin raises what is postponed.
@@ -109,6 +116,8 @@ def _interrupt_main_thread(frame: FrameType | None) -> None:
 
 
 def _retry() -> None:
+    # The main thread leaves the code that must not be interrupted meanwhile, or reaches a spin, which raises what was
+    # postponed itself. The signal runs `_on_signal` again, which starts the next retry if need be.
     time.sleep(RETRY_S)
     if not postponed.is_set():
         return
@@ -121,12 +130,12 @@ def _retry() -> None:
 
 def _call_previous(number: int, frame: FrameType | None) -> None:
     previous = _previous.get(signal.Signals(number))
-    if callable(previous) and number not in _handled_now:
-        _handled_now.add(number)  # a handler that was installed after ours may call ours
+    if callable(previous) and number not in _numbers_in_previous_handler:
+        _numbers_in_previous_handler.add(number)  # a handler that was installed after ours may call ours
         try:
             previous(number, frame)
         finally:
-            _handled_now.discard(number)
+            _numbers_in_previous_handler.discard(number)
 
 
 def _end_as_before_init(number: signal.Signals) -> None:
@@ -168,6 +177,8 @@ def _may_interrupt(frame: FrameType | None) -> bool:
 
     Python prints and drops an exception in a destructor, and the code of `_uninterruptible_files` would keep a lock.
     """
+    # All callers count, not only the innermost frame: the code of such a file may have called what runs now, as an
+    # import runs the code of a module.
     while frame is not None:
         code = frame.f_code
         if code.co_name in _uninterruptible_functions or code.co_filename in _uninterruptible_files:
@@ -223,9 +234,10 @@ def leave_signal_handlers() -> None:
     if threading.current_thread() is not threading.main_thread():
         return
     for number, previous in list(_previous.items()):
+        # A handler of the program's own is restored: what a second signal does is its decision.
         is_default = previous in {signal.SIG_DFL, signal.default_int_handler}
         if is_default and _interrupted_at > -math.inf and signal.getsignal(number) is _on_signal:
-            _left.add(number)
+            _kept_after_shutdown.add(number)
         else:
             _uninstall(number)
 
@@ -234,7 +246,7 @@ def get_current_signal_handlers_options() -> SignalHandlerOptions:
     """Return the signals that are handled."""
     options = SignalHandlerOptions.NO
     for option, number in _SIGNALS.items():
-        if number in _previous and number not in _left:
+        if number in _previous and number not in _kept_after_shutdown:
             options |= option
     return options
 
@@ -268,7 +280,7 @@ def _unblock_signals() -> None:
         signal.pthread_sigmask(signal.SIG_SETMASK, mask)
 
 
-def _inherit() -> None:
+def _restore_handlers_in_forked_child() -> None:
     """In a forked child, restore the former handlers if the parent's contexts, which they shut down, are not usable.
 
     So Ctrl-C and the SIGTERM of `multiprocessing.Process.terminate` end a child that creates no context.
@@ -279,11 +291,15 @@ def _inherit() -> None:
 
 
 if hasattr(os, "register_at_fork"):
-    os.register_at_fork(before=_block_signals, after_in_parent=_unblock_signals, after_in_child=_inherit)
+    os.register_at_fork(
+        before=_block_signals,
+        after_in_parent=_unblock_signals,
+        after_in_child=_restore_handlers_in_forked_child,
+    )
 
 
 def _install(number: signal.Signals) -> None:
-    _left.discard(number)
+    _kept_after_shutdown.discard(number)
     current = signal.getsignal(number)
     if current is not _on_signal:
         _previous[number] = current
@@ -291,7 +307,7 @@ def _install(number: signal.Signals) -> None:
 
 
 def _uninstall(number: signal.Signals) -> None:
-    _left.discard(number)
+    _kept_after_shutdown.discard(number)
     if number in _previous:
         previous = _previous.pop(number)
         # A handler that was installed after ours stays.

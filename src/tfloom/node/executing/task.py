@@ -145,6 +145,8 @@ class Future(Generic[T]):
         self._executor = None if executor is None else weakref.ref(executor)
 
     def _run_callbacks(self) -> None:
+        # Taken out under the lock, so that each is called once; called without it, because a callback may wait for a
+        # thread that uses this future.
         with self._lock:
             callbacks, self._callbacks = self._callbacks, []
             resumers, self._resumers = self._resumers, []
@@ -196,15 +198,21 @@ class Task(Future[T]):
 
     def __call__(self) -> None:
         """Run one step; do nothing if the task is done, cancelled, or running on another thread."""
+        # A thread that finds the lock held may leave: after its step, the other one waits for what the coroutine
+        # awaits, and is called back at once if that is complete.
         if self._done or self._cancelled or not self._step_lock.acquire(blocking=False):
             return
         try:
             waits_for = self._step()
         finally:
             self._step_lock.release()
+        # Only after the release: the awaited future may be complete, or complete on another thread right now. The
+        # thread that then runs the next step must find the lock free, or the task would never go on.
         if waits_for is not None:
             waits_for.when_complete(self._notify_runnable)
-        elif not self._done and not self._cancelled:
+        elif (
+            not self._done and not self._cancelled
+        ):  # it awaits what is no future of ours, and can't be told of its end
             self._notify_runnable()
 
     def on_resume(self, resume: Callable[[], None]) -> None:
@@ -222,6 +230,7 @@ class Task(Future[T]):
 
     def abandon(self) -> None:
         """Stop running steps: close a waiting coroutine, and leave the future incomplete."""
+        # Python can't close a coroutine that runs, and waiting for its step might wait for this very thread.
         if self._step_lock.acquire(blocking=False):
             try:
                 if self._coroutine is not None:
@@ -233,7 +242,7 @@ class Task(Future[T]):
         """Run to the end or the next await; return the future awaited, None for any other awaitable."""
         try:
             if self._coroutine is None and self._handler is not None:
-                handler, self._handler = self._handler, None
+                handler, self._handler = self._handler, None  # it is called in the first step alone
                 outcome = handler(*self._args, **self._kwargs)
                 if not isinstance(outcome, Coroutine):
                     self.set_result(outcome)

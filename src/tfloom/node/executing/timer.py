@@ -167,10 +167,14 @@ class Timer(Entity):
             now_ns = self._clock.now_ns() if is_simulated else time.monotonic_ns()
             if self._canceled or now_ns < self._next_ns:
                 return None
+            # The next period begins when this call was due, so that late calls don't add up to a lower frequency. Calls
+            # that were missed by a whole period are left out, and the rhythm is kept.
             self._last_ns = now_ns
             self._next_ns += self._period_ns
             if self._next_ns < now_ns:
                 self._next_ns = now_ns if not self._period_ns else self._skip_missed(now_ns)
+        # Without a deadline by the steady clock, the executor looks again only after a post; the clock may have jumped
+        # over more than one period.
         if is_simulated:
             self._post_if_ready()
         return True
@@ -180,7 +184,7 @@ class Timer(Entity):
         return self._next_ns + missed * self._period_ns
 
     def run(self, taken: Any) -> Any:  # noqa: ARG002
-        """Call the callback."""
+        """Call the timer's callback."""
         return None if self.callback is None else self.callback()
 
     def _post(self) -> None:
@@ -204,9 +208,10 @@ class Timer(Entity):
                 self._last_ns += shift_ns
                 self._next_ns += shift_ns
             elif now_ns < self._last_ns:
+                # The time was set back, as when a recording begins again. The next call would be far away: begin anew.
                 self._last_ns = now_ns
                 self._next_ns = now_ns + self._period_ns
-            elif now_ns < self._next_ns:
+            elif now_ns < self._next_ns:  # the usual step of simulated time, within the period
                 return
         self._post()
 
@@ -241,14 +246,14 @@ class Rate:
         if self._destroyed:
             raise RuntimeError("Rate cannot sleep: it was destroyed")
         if not self._context.ok():
-            self._context.check_not_inherited("cannot sleep")
+            self._context.check_not_from_parent_process("cannot sleep")
             raise ROSInterruptException
         self._ticked.wait()
         self._ticked.clear()
         if self._destroyed:
             raise RuntimeError("Rate was destroyed while it slept")
         if not self._context.ok():
-            self._ticked.set()
+            self._ticked.set()  # `clear` has undone that of the shutdown, for which another thread may wait, too
             raise ROSInterruptException
 
     def destroy(self) -> None:

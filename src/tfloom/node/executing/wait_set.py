@@ -93,12 +93,12 @@ class WaitSet:
         return [waited[index] for index in sorted(self._ready[entity_type])]
 
     def everything(self) -> list[Waited]:
-        """Return all items."""
-        return [each for kind in KINDS for each in self._waited[kind]]
+        """Return the items of all kinds."""
+        return [item for kind in KINDS for item in self._waited[kind]]
 
     def update(self) -> None:
         """Update which items are ready."""
         self._ready = {
-            kind: {index for index, each in enumerate(waited) if each.becomes_ready()}
+            kind: {index for index, item in enumerate(waited) if item.becomes_ready()}
             for kind, waited in self._waited.items()
         }

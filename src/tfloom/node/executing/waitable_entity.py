@@ -33,30 +33,30 @@ class WaitableEntity(Entity):
     def attach(self, queue: ReadyQueue, token: int) -> None:
         """Build the wait set, and make all its items post `token`."""
         self._queue, self._token = queue, token
-        self._arm()
+        self._rebuild_wait_set()
         queue.post(token)  # it may be ready without a post
 
     def detach(self) -> None:
         """Stop posting."""
         self._queue = None
-        for each in self._wait_set.everything():
-            each.detach()
+        for item in self._wait_set.everything():
+            item.detach()
 
-    def _arm(self) -> None:
+    def _rebuild_wait_set(self) -> None:
         queue = self._queue
         if queue is None:
             return
-        before = self._wait_set.everything()
+        former_items = self._wait_set.everything()
         wait_set = WaitSet()
         self.waitable.add_to_wait_set(wait_set)  # if it raises, the items of the last call go on posting
         self._wait_set = wait_set
-        now = wait_set.everything()
-        for each in before:
-            if not any(each is other for other in now):
-                each.detach()
-        for each in now:
-            if not any(each is other for other in before):
-                each.attach(queue, self._token)
+        items = wait_set.everything()
+        for item in former_items:
+            if not any(item is other for other in items):
+                item.detach()
+        for item in items:
+            if not any(item is other for other in former_items):
+                item.attach(queue, self._token)
 
     def take(self) -> Any:
         """Return the data of the waitable, in a tuple, if it is ready."""
@@ -68,15 +68,20 @@ class WaitableEntity(Entity):
                 return None
             taken = (self.waitable.take_data(),)
         finally:
-            self._arm()
+            # The waitable may wait for other items from now on, so it is asked after each check.
+            self._rebuild_wait_set()
         if self._queue is not None:
             self._queue.post(self._token)  # there may be more
         return taken
 
     def deadline_ns(self) -> int | None:
         """Return the earliest deadline of its timers."""
-        ends = [end for each in self._wait_set.everything() if (end := each.deadline_ns()) is not None]
-        return min(ends, default=None)
+        deadlines_ns = [
+            deadline_ns
+            for item in self._wait_set.everything()
+            if (deadline_ns := item.deadline_ns()) is not None
+        ]
+        return min(deadlines_ns, default=None)
 
     def run(self, taken: Any) -> Any:
         """Execute the data; the executor runs the coroutine."""

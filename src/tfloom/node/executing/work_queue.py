@@ -71,7 +71,7 @@ class WorkQueue:
         """Counter of tokens; taking the next is a single operation."""
         self._ready: deque[int] = deque()
         """Tokens to check, the oldest first. Used by the thread that spins alone, as are the four below."""
-        self._refused: list[int] = []
+        self._unadmitted: list[int] = []
         """Tokens of entities that their group, of a class of the program's own, has not admitted."""
         self._pass_left = 0
         """Number of tokens in `_ready` that belong to the present pass."""
@@ -117,7 +117,7 @@ class WorkQueue:
                     continue
                 del by_token[token]
                 if entity.is_polled:
-                    self._polled = [each for each in self._polled if each != token]
+                    self._polled = [polled_token for polled_token in self._polled if polled_token != token]
                 entity.detach()
 
     def create_task(
@@ -175,37 +175,46 @@ class WorkQueue:
         With `quiet`, this includes subscriptions whose messages were pushed into a sink. Responses to clients are
         taken at once, or in the pass, after the tasks that are ready already.
         """
-        if self._refused:
-            self._retry_refused()
+        # Groups of the program's own classes post nothing when they would admit a callback: ask them at each wake.
+        if self._unadmitted:
+            self._retry_unadmitted()
         tokens = self._queue.wait(self._wait_ns(end_ns), quiet)
         responses: list[int] = []
         for token in tokens:
             entity = self._entities.get(token)
-            if entity is None:
+            if entity is None:  # the token of a task, or of an entity removed since, which `_begin` ignores
                 if token != WAKE:
                     self._ready.append(token)
             elif not entity.goes_by_group:
                 responses.append(token)
             elif entity.is_timed and not entity.is_polled and (due_ns := entity.deadline_ns()) is not None:
-                self._timers.set(token, due_ns)  # timers run in the order of their deadlines
+                # A timer posts when its deadline has changed, not when it is due. Timers run in the order of their
+                # deadlines. One without, by simulated time or cancelled, is looked at in the pass instead.
+                self._timers.set(token, due_ns)
             else:
                 self._ready.append(token)
+        # A task that is ready may be what the callback before had begun, as the execution of a goal. Behind it in the
+        # pass, the response completes its caller's future after that, as programs expect on one thread. Without a task,
+        # nothing is gained by waiting for the pass.
         if responses and self._runs_tasks_first and any(token in self._tasks for token in tokens):
             self._ready.extend(responses)
         else:
             self._take_all_responses(responses)
         self._ready.extend(self._timers.take_due(time.monotonic_ns()))
-        if self._polled:
+        if self._polled:  # those that have posted are in the pass already
             self._ready.extend(token for token in self._polled if token not in tokens)
+        # The pass ends here: an entity that had an item is appended again behind this mark, so that a full reader
+        # doesn't keep the other entities from their turn.
         self._pass_left = len(self._ready)
 
-    def _retry_refused(self) -> None:
-        """Move the entities that their groups admit from `_refused` to `_ready`."""
-        refused, self._refused = dict.fromkeys(self._refused), []
-        for token in refused:
+    def _retry_unadmitted(self) -> None:
+        """Move the entities that their groups admit from `_unadmitted` to `_ready`."""
+        # An entity is here once for each time that it was refused, and is tried once.
+        unadmitted, self._unadmitted = dict.fromkeys(self._unadmitted), []
+        for token in unadmitted:
             entity = self._entities.get(token)
             if entity is not None:
-                (self._ready if self.can_execute(entity) else self._refused).append(token)
+                (self._ready if self.can_execute(entity) else self._unadmitted).append(token)
 
     def _take_all_responses(self, tokens: list[int]) -> None:
         for index, token in enumerate(tokens):
@@ -228,9 +237,11 @@ class WorkQueue:
             self._has_response = True
             try:
                 entity.run(taken)
-            except BaseException:
-                self._queue.post(token)  # there may be more
+            except BaseException:  # of a callback for feedback, which is run before the result
+                # The endpoint has posted for the responses behind this one, and won't do so again: post for it.
+                self._queue.post(token)
                 raise
+        # Responses that arrive faster than they are taken must not keep this thread here; the next pass has the rest.
         self._queue.post(token)
 
     def _wait_ns(self, end_ns: int | None) -> int:
@@ -255,15 +266,19 @@ class WorkQueue:
         group = entity.callback_group
         if group is not None and type(group) not in _GROUPS_FREED_ON_COMPLETION:
             return self._take_with_consent(group, entity, token)
+        # The group is occupied before the item is taken, because an item that was taken can't go back to its reader.
         if group is not None and not group.beginning_execution(entity):
             group.park(entity, lambda: self._queue.post(token))
-            if group.can_execute(entity):  # a callback completed in between
+            # The callback that occupied the group may have completed on another thread between the refusal and `park`,
+            # and have released the parked entities too early for this one. Nothing else would post it again.
+            if group.can_execute(entity):
                 group.release_parked()
             return None
         taken = None
         try:
             taken = entity.take()
         finally:
+            # There was no item; or `take` has raised, as a program's Waitable may. No callback runs that would end it.
             if taken is None:
                 self._end(entity)
         self._reschedule(entity, token, taken)
@@ -274,16 +289,20 @@ class WorkQueue:
 
         A refused entity is tried again each time the executor wakes, because the group may admit it at any time.
         """
+        # Ask before an item is taken: until then it waits in its reader, where the history depth limits the number.
         if not group.can_execute(entity):
-            self._refused.append(token)
+            self._unadmitted.append(token)
             return None
+        # An item that the group refused earlier is older than those in the reader.
         taken, entity.refused_item = entity.refused_item, None
         if taken is None:
             taken = entity.take()
             self._reschedule(entity, token, taken)
+        # The answer may differ from that of `can_execute`. The item then stays at the entity, and not here, because the
+        # program may add the node to another executor before the group admits it.
         if taken is not None and not group.beginning_execution(entity):
             entity.refused_item = taken
-            self._refused.append(token)
+            self._unadmitted.append(token)
             return None
         return taken
 

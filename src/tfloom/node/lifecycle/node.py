@@ -156,18 +156,20 @@ class LifecycleNodeMixin(ManagedEntity):
         return self.__trigger("deactivate")
 
     def __trigger(self, label: str) -> TransitionCallbackReturn:
-        return self.__change(self.__machine.find(0, label))
+        return self.__make_transition(self.__machine.find(0, label))
 
-    def __change(self, step: Step) -> TransitionCallbackReturn:
+    def __make_transition(self, step: Step) -> TransitionCallbackReturn:
         """Make a transition to its end, and return the result of its first callback."""
-        self.__go(step)
-        result = self.__call(step.start)
-        self.__go(self.__machine.outcome(result))
+        # A transition leads to a state that lasts while its callback runs, whose result decides on the state after it.
+        # An error leads to one more such state, in which `on_error` decides whether the node can be configured again.
+        self.__enter_state(step)
+        result = self.__run_callback(step.start)
+        self.__enter_state(self.__machine.outcome(result))
         if self.__machine.state == ERRORPROCESSING:
-            self.__go(self.__machine.outcome(self.__call(step.start)))
+            self.__enter_state(self.__machine.outcome(self.__run_callback(step.start)))
         return result
 
-    def __call(self, previous: LifecycleState) -> TransitionCallbackReturn:
+    def __run_callback(self, previous: LifecycleState) -> TransitionCallbackReturn:
         try:
             return TransitionCallbackReturn(self.__callbacks[self.__machine.state](previous))
         except Exception as error:  # noqa: BLE001  # on_error follows
@@ -176,7 +178,7 @@ class LifecycleNodeMixin(ManagedEntity):
             traceback.print_exc()
             return TransitionCallbackReturn.ERROR
 
-    def __go(self, step: Step) -> None:
+    def __enter_state(self, step: Step) -> None:
         self.__machine.state = step.goal
         if self.__events is not None:
             self.__events.publish(
@@ -197,7 +199,7 @@ class LifecycleNodeMixin(ManagedEntity):
             self.__node.get_logger().warning(str(error))
             response.success = False
             return response
-        response.success = self.__change(step) is TransitionCallbackReturn.SUCCESS
+        response.success = self.__make_transition(step) is TransitionCallbackReturn.SUCCESS
         return response
 
     def __on_get_state(self, request: Any, response: Any) -> Any:  # noqa: ARG002

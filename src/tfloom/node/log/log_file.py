@@ -56,7 +56,7 @@ class LogFile:
         name = f"{self._name or _program()}_{os.getpid()}_{time.time_ns() // 1_000_000}.log"
         return open(os.path.join(directory, name), "w", encoding="utf-8", errors="backslashreplace")
 
-    def inherit(self) -> None:
+    def reset_in_forked_child(self) -> None:
         """In a forked child, make a new lock, because a thread of the parent may have held it."""
         self._lock = threading.RLock()
 

@@ -37,7 +37,7 @@ _NO_COLOR = "\033[0m"
 _ESCAPES = {"\\n": "\n", "\\t": "\t", "\\r": "\r", "\\a": "\a", "\\b": "\b", "\\x1b": "\x1b"}
 
 
-def _unescaped(text: str) -> str:
+def _replace_escapes(text: str) -> str:
     for written, meant in _ESCAPES.items():
         text = text.replace(written, meant)
     return text
@@ -72,11 +72,12 @@ class Record:
         rest = template
         while rest:
             before, brace, rest = rest.partition("{")
-            parts.append(_unescaped(before) if "\\" in before else before)
+            parts.append(_replace_escapes(before) if "\\" in before else before)
             if not brace:
                 break
             token, end, after = rest.partition("}")
             value = self._token(token) if end else None
+            # An unknown token stays as it is, and a known one may begin inside it: go on right behind the brace.
             parts.append("{" if value is None else value)
             rest = rest if value is None else after
         return "".join(parts)
@@ -156,16 +157,16 @@ def reset_levels() -> None:
         _levels[""] = LoggingSeverity.INFO
 
 
-def _inherit() -> None:
+def _reset_in_forked_child() -> None:
     """In a forked child, drop the parent's listeners, and locks that a thread of the parent may have held."""
     global _lock, _listeners
     _lock, _listeners = threading.RLock(), {}
     if _file is not None:
-        _file.inherit()
+        _file.reset_in_forked_child()
 
 
 if hasattr(os, "register_at_fork"):
-    os.register_at_fork(after_in_child=_inherit)
+    os.register_at_fork(after_in_child=_reset_in_forked_child)
 
 
 def configure(*, file: LogFile | None, console: bool) -> None:
@@ -186,9 +187,9 @@ def add_listener(name: str, listener: Callable[[Record], None]) -> None:
 def remove_listener(name: str, listener: Callable[[Record], None]) -> None:
     """Undo one `add_listener`."""
     with _lock:
-        left = [other for other in _listeners.get(name, ()) if other != listener]
-        if left:
-            _listeners[name] = left
+        listeners = [other for other in _listeners.get(name, ()) if other != listener]
+        if listeners:
+            _listeners[name] = listeners
         else:
             _listeners.pop(name, None)
 
@@ -207,6 +208,7 @@ def write(record: Record) -> None:
     file = _file
     if file is not None:
         file.write(text)
+    # Each logger passes its records on to those above it: for `a.b`, the listeners of `a.b` and then of `a`.
     name = record.name
     while name and _listeners:
         for listener in _listeners.get(name, ()):

@@ -84,8 +84,10 @@ def make_state(severity: LoggingSeverity, options: dict[str, Any]) -> CallState:
     """
     for name in options:
         if name not in _PARAMETERS:
-            known = ", ".join(_PARAMETERS)
-            raise TypeError(f'parameter "{name}" is not one of the recognized logging options "{known}"')
+            option_names = ", ".join(_PARAMETERS)
+            raise TypeError(
+                f'parameter "{name}" is not one of the recognized logging options "{option_names}"'
+            )
     period_s = options.get("throttle_duration_sec")
     clock = options.get("throttle_time_source_type")
     if period_s is not None and not hasattr(period_s, "__float__"):

@@ -110,14 +110,16 @@ class NodeParameters(DeclaredParameters):
         """
         declarations = read_declarations(namespace, parameters)
         with self.__parameters_lock:
-            known = [each.name for each in declarations if each.name in self._parameters]
-            if known:
-                raise ParameterAlreadyDeclaredException(known)
-            for each in declarations:
-                validate_parameter_name(each.name)
-            for each in declarations:
-                self.__declare(each, ignore_override)
-            return [self._parameters[each.name] for each in declarations]
+            declared_names = [
+                declaration.name for declaration in declarations if declaration.name in self._parameters
+            ]
+            if declared_names:
+                raise ParameterAlreadyDeclaredException(declared_names)
+            for declaration in declarations:
+                validate_parameter_name(declaration.name)
+            for declaration in declarations:
+                self.__declare(declaration, ignore_override)
+            return [self._parameters[declaration.name] for declaration in declarations]
 
     def __declare(self, declaration: Declaration, ignore_override: bool) -> None:
         parameter = Parameter(declaration.name, value=declaration.default)
@@ -182,9 +184,11 @@ class NodeParameters(DeclaredParameters):
             raise TypeError("parameter must be instance of type 'rclpy.parameter.Parameter'")
         if self._allow_undeclared_parameters:
             return
-        unknown = [each.name for each in parameters if each.name not in self._parameters]
-        if unknown:
-            raise ParameterNotDeclaredException(unknown)
+        undeclared_names = [
+            parameter.name for parameter in parameters if parameter.name not in self._parameters
+        ]
+        if undeclared_names:
+            raise ParameterNotDeclaredException(undeclared_names)
 
     def __set_atomically(self, parameters: list[Parameter]) -> rcl_msg.SetParametersResult:
         with self.__parameters_lock:
@@ -197,7 +201,7 @@ class NodeParameters(DeclaredParameters):
                     )
                     return rcl_msg.SetParametersResult(successful=False, reason=reason)
             self.__check_declared(parameters)
-            descriptors = {each.name: self.__descriptor_for(each.name) for each in parameters}
+            descriptors = {parameter.name: self.__descriptor_for(parameter.name) for parameter in parameters}
             return self.__apply(parameters, descriptors, check_read_only=True)
 
     def __descriptor_for(self, name: str) -> rcl_msg.ParameterDescriptor:
@@ -211,6 +215,7 @@ class NodeParameters(DeclaredParameters):
         check_read_only: bool = False,
     ) -> rcl_msg.SetParametersResult:
         """Set the parameters if their descriptors and all callbacks allow it, and publish the change."""
+        # Until every check and callback has accepted all of them, nothing is stored: the setting is all or nothing.
         for parameter in parameters:
             reason = check_against_descriptor(
                 parameter, descriptors[parameter.name], check_read_only=check_read_only

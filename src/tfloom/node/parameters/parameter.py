@@ -76,7 +76,7 @@ def _is_list(item: Callable[[Any], bool]) -> Callable[[Any], bool]:
             return False
         if hasattr(value, "tolist"):  # an array of numbers
             value = value.tolist()
-        return isinstance(value, Sequence) and all(item(each) for each in value)
+        return isinstance(value, Sequence) and all(item(element) for element in value)
 
     return check
 
@@ -131,7 +131,7 @@ class Parameter:
 
     @property
     def name(self) -> str:
-        """The name."""
+        """The parameter's name."""
         return self._name
 
     @property
@@ -234,10 +234,10 @@ def parameter_dict(rules: Iterable[ParameterRule], namespace: str = "") -> dict[
     Raises:
         RuntimeError: there are no rules.
     """
-    found: dict[str, rcl_msg.Parameter] = {}
+    parameters: dict[str, rcl_msg.Parameter] = {}
     for rule in sorted(rules, key=lambda rule: rule.node != EVERY_NODE):
         name = f"{namespace}{rule.name}"
-        found[name] = Parameter(name, value=rule.value).to_parameter_msg()
-    if not found:
+        parameters[name] = Parameter(name, value=rule.value).to_parameter_msg()
+    if not parameters:
         raise RuntimeError("Param file does not contain selected parameters")
-    return found
+    return parameters

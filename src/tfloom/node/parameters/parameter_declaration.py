@@ -34,7 +34,7 @@ def read_declarations(namespace: str, parameters: Sequence[tuple[Any, ...]]) -> 
         ValueError: a type is NOT_SET, or given together with dynamic typing; or there is neither value nor type,
             and no dynamic typing.
     """
-    return [_read(index, namespace, each) for index, each in enumerate(parameters)]
+    return [_read(index, namespace, parameter) for index, parameter in enumerate(parameters)]
 
 
 def _read(index: int, namespace: str, entry: tuple[Any, ...]) -> Declaration:

@@ -109,6 +109,6 @@ def checked_value(name: str, value: Any) -> Any:
     if kinds == {int, float}:
         return [float(item) for item in value]
     if len(kinds) > 1 or not kinds <= {bool, int, float, str, bytes}:
-        found = ", ".join(sorted(kind.__name__ for kind in kinds))
-        raise ValueError(f"the list of '{name}' must be of one scalar type, not {found}")
+        kind_names = ", ".join(sorted(kind.__name__ for kind in kinds))
+        raise ValueError(f"the list of '{name}' must be of one scalar type, not {kind_names}")
     return value

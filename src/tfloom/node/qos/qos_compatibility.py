@@ -86,7 +86,7 @@ def find_errors(publisher: QoS, subscription: QoS) -> list[str]:
         publisher: The publisher's profile; a duration of 0 means none.
         subscription: The subscription's profile.
     """
-    found = [
+    errors = [
         _RELIABILITY.error(publisher, subscription),
         _DURABILITY.error(publisher, subscription),
         _duration_error(
@@ -103,13 +103,15 @@ def find_errors(publisher: QoS, subscription: QoS) -> list[str]:
             "Subscription liveliness lease duration is less than publisher",
         ),
     ]
-    return [error for error in found if error is not None]
+    return [error for error in errors if error is not None]
 
 
 def find_warnings(publisher: QoS, subscription: QoS) -> list[str]:
     """Return the reasons why it is undetermined whether the two connect; arguments as of `find_errors`."""
-    found = [choice.warning(publisher, subscription) for choice in (_RELIABILITY, _DURABILITY, _LIVELINESS)]
-    return [warning for warning in found if warning is not None]
+    warnings = [
+        choice.warning(publisher, subscription) for choice in (_RELIABILITY, _DURABILITY, _LIVELINESS)
+    ]
+    return [warning for warning in warnings if warning is not None]
 
 
 def _duration_error(offered_ns: int, requested_ns: int, none_offered: str, too_long: str) -> str | None:

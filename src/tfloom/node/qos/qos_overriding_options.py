@@ -136,8 +136,8 @@ def _declare(node: NodeParameters, name: str, policy: QoSPolicyKind, default: An
     try:
         return kind.get_from_short_key(text)
     except KeyError:
-        known = ", ".join(kind.short_keys())
-        raise InvalidQosOverridesError(f"{name} is '{text}', which is none of: {known}") from None
+        short_keys = ", ".join(kind.short_keys())
+        raise InvalidQosOverridesError(f"{name} is '{text}', which is none of: {short_keys}") from None
 
 
 def _value(node: NodeParameters, name: str, default: Any, descriptor: ParameterDescriptor) -> Any:

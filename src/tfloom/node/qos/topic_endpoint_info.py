@@ -57,7 +57,7 @@ class TopicEndpointInfo:
     endpoint_type: TopicEndpointTypeEnum
     """Publisher or subscription."""
     endpoint_gid: list[int]
-    """Global id on the wire: 16 octets."""
+    """Global id on the wire: 16 bytes."""
     qos_profile: QoSProfile
     """The offered or requested QoS."""
 

@@ -28,7 +28,7 @@ __all__ = [
 TOPIC_SEPARATOR_STRING = "/"
 HIDDEN_TOPIC_PREFIX = "_"
 
-# DDS allows 255 octets, of which the longest prefix and suffix, "rq/" and "Reply", take 8.
+# DDS allows 255 bytes, of which the longest prefix and suffix, "rq/" and "Reply", take 8.
 TOPIC_NAME_LIMIT = 247
 NAMESPACE_LIMIT = 245
 NODE_NAME_LIMIT = 255
@@ -88,7 +88,7 @@ def _check_is_text(what: str, name: object) -> None:
         raise TypeError(f"a {what} must be a str, not {name!r} of class {type(name).__name__}")
 
 
-def _first(pattern: str, text: str) -> int | None:
+def _first_match_index(pattern: str, text: str) -> int | None:
     match = re.search(pattern, text)
     return match.start() if match else None
 
@@ -96,7 +96,7 @@ def _first(pattern: str, text: str) -> int | None:
 def _check_node_name(name: str) -> _Finding | None:
     if not name:
         return "node name must not be empty", 0
-    at = _first(r"[^A-Za-z0-9_]", name)
+    at = _first_match_index(r"[^A-Za-z0-9_]", name)
     if at is not None:
         return "node name must not contain characters other than alphanumerics or '_'", at
     if name[0].isdigit():
@@ -108,13 +108,13 @@ def _check_node_name(name: str) -> _Finding | None:
 
 def _check_absolute(name: str, what: str) -> _Finding | None:
     """Check the rules common to full topic names and namespaces; `name` isn't empty."""
-    at = _first(r"[^A-Za-z0-9_/]", name)
+    at = _first_match_index(r"[^A-Za-z0-9_/]", name)
     if at is not None:
         return f"{what} must not contain characters other than alphanumerics, '_', or '/'", at
-    at = _first(r"(?<=/)/", name)
+    at = _first_match_index(r"(?<=/)/", name)
     if at is not None:
         return f"{what} must not contain repeated '/'", at
-    at = _first(r"/[0-9]", name)
+    at = _first_match_index(r"/[0-9]", name)
     if at is not None:
         return f"{what} must not have a token that starts with a number", at + 1
     return None
@@ -127,10 +127,10 @@ def _check_namespace(namespace: str) -> _Finding | None:
         return "namespace must be absolute, it must lead with a '/'", 0
     if len(namespace) > 1 and namespace[-1] == "/":
         return "namespace must not end with a '/', unless only a '/'", len(namespace) - 1
-    found = _check_absolute(namespace, "namespace")
-    if found is None and len(namespace) > NAMESPACE_LIMIT:
+    finding = _check_absolute(namespace, "namespace")
+    if finding is None and len(namespace) > NAMESPACE_LIMIT:
         return f"namespace should not exceed '{NAMESPACE_LIMIT}'", NAMESPACE_LIMIT
-    return found
+    return finding
 
 
 def _check_full_topic_name(name: str) -> _Finding | None:
@@ -140,10 +140,10 @@ def _check_full_topic_name(name: str) -> _Finding | None:
         return "topic name must be absolute, it must lead with a '/'", 0
     if name[-1] == "/":
         return "topic name must not end with a '/'", len(name) - 1
-    found = _check_absolute(name, "topic name")
-    if found is None and len(name) > TOPIC_NAME_LIMIT:
+    finding = _check_absolute(name, "topic name")
+    if finding is None and len(name) > TOPIC_NAME_LIMIT:
         return f"topic length should not exceed '{TOPIC_NAME_LIMIT}'", TOPIC_NAME_LIMIT
-    return found
+    return finding
 
 
 def _check_substitutions(name: str) -> _Finding | None:
@@ -151,11 +151,11 @@ def _check_substitutions(name: str) -> _Finding | None:
         inner = match.group(1)
         if inner[:1].isdigit():
             return "substitution name must not start with a number", match.start() + 1
-        at = _first(r"[^A-Za-z0-9_]", inner)
+        at = _first_match_index(r"[^A-Za-z0-9_]", inner)
         if at is not None:
             text = "substitution name must not contain characters other than alphanumerics or '_'"
             return text, match.start() + 1 + at
-    at = _first(r"[{}]", _SUBSTITUTION.sub(lambda match: "_" * len(match.group()), name))
+    at = _first_match_index(r"[{}]", _SUBSTITUTION.sub(lambda match: "_" * len(match.group()), name))
     return None if at is None else ("topic name must not have unmatched (unbalanced) curly braces '{}'", at)
 
 
@@ -164,19 +164,19 @@ def _check_topic_name(name: str) -> _Finding | None:  # noqa: PLR0911  # one ret
         return "topic name must not be empty string", 0
     if name[-1] == "/":
         return "topic name must not end with a forward slash", len(name) - 1
-    found = _check_substitutions(name)
-    if found is not None:
-        return found
-    at = _first(r"[^A-Za-z0-9_~{}/]", name)
+    finding = _check_substitutions(name)
+    if finding is not None:
+        return finding
+    at = _first_match_index(r"[^A-Za-z0-9_~{}/]", name)
     if at is not None:
         text = "topic name must not contain characters other than alphanumerics, '_', '~', '{', or '}'"
         return text, at
-    at = _first(r"(?<!^)~", name)
+    at = _first_match_index(r"(?<!^)~", name)
     if at is not None:
         return "topic name must not have tilde '~' unless it is the first character", at
     if len(name) > 1 and name[0] == "~" and name[1] != "/":
         return "topic name must not have a tilde '~' that is not followed by a forward slash '/'", 1
-    at = _first(r"(^|(?<=/))[0-9]", name)
+    at = _first_match_index(r"(^|(?<=/))[0-9]", name)
     return None if at is None else ("topic name token must not start with a number", at)
 
 
@@ -188,9 +188,9 @@ def validate_node_name(node_name: str) -> bool:
         TypeError: the name is not a str.
     """
     _check_is_text("node name", node_name)
-    found = _check_node_name(node_name)
-    if found is not None:
-        raise InvalidNodeNameException(node_name, *found)
+    finding = _check_node_name(node_name)
+    if finding is not None:
+        raise InvalidNodeNameException(node_name, *finding)
     return True
 
 
@@ -202,9 +202,9 @@ def validate_namespace(namespace: str) -> bool:
         TypeError: the namespace is not a str.
     """
     _check_is_text("namespace", namespace)
-    found = _check_namespace(namespace)
-    if found is not None:
-        raise InvalidNamespaceException(namespace, *found)
+    finding = _check_namespace(namespace)
+    if finding is not None:
+        raise InvalidNamespaceException(namespace, *finding)
     return True
 
 
@@ -232,10 +232,10 @@ def validate_full_topic_name(name: str, *, is_service: bool = False) -> bool:
 
 def _validate(check: Callable[[str], _Finding | None], name: str, is_service: bool) -> bool:
     _check_is_text("service name" if is_service else "topic name", name)
-    found = check(name)
-    if found is None:
+    finding = check(name)
+    if finding is None:
         return True
-    raise (InvalidServiceNameException if is_service else InvalidTopicNameException)(name, *found)
+    raise (InvalidServiceNameException if is_service else InvalidTopicNameException)(name, *finding)
 
 
 def expand_topic_name(topic_name: str, node_name: str, node_namespace: str) -> str:
@@ -254,14 +254,14 @@ def expand_topic_name(topic_name: str, node_name: str, node_namespace: str) -> s
     validate_node_name(node_name)
     validate_namespace(node_namespace)
     below = "" if node_namespace == "/" else node_namespace
-    known = {"node": node_name, "ns": node_namespace, "namespace": node_namespace}
+    values = {"node": node_name, "ns": node_namespace, "namespace": node_namespace}
 
     def substitute(match: re.Match[str]) -> str:
-        if match.group(1) not in known:
+        if match.group(1) not in values:
             raise InvalidTopicNameException(
                 topic_name, f"unknown substitution: {match.group()}", match.start()
             )
-        return known[match.group(1)]
+        return values[match.group(1)]
 
     name = _SUBSTITUTION.sub(substitute, topic_name)
     if name.startswith("~"):

@@ -74,7 +74,7 @@ def _construct(node: Any) -> Any:
     if isinstance(node, yaml.MappingNode):
         content: dict[str, Any] = {}
         for key, value in node.value:
-            _put(content, str(key.value), _construct(value))
+            _merge_value(content, str(key.value), _construct(value))
         return content
     if isinstance(node, yaml.SequenceNode):
         items = [_construct(item) for item in node.value]
@@ -87,12 +87,12 @@ def _construct(node: Any) -> Any:
     return parse_scalar(node.value)
 
 
-def _put(content: dict[str, Any], key: str, value: Any) -> None:
+def _merge_value(content: dict[str, Any], key: str, value: Any) -> None:
     """Set `key` to `value`; merge them if both are mappings."""
-    before = content.get(key)
-    if isinstance(value, dict) and isinstance(before, dict):
+    former_value = content.get(key)
+    if isinstance(value, dict) and isinstance(former_value, dict):
         for inner_key, inner in value.items():
-            _put(before, inner_key, inner)
+            _merge_value(former_value, inner_key, inner)
     else:
         content[key] = value
 

@@ -24,7 +24,7 @@ def check_for_type_support(msg_or_srv_type: Any) -> None:
     Raises:
         AttributeError: it is none of them.
     """
-    _check_known(msg_or_srv_type, "message or service class, such as std_msgs.msg.String")
+    _check_is_ros_type(msg_or_srv_type, "message or service class, such as std_msgs.msg.String")
 
 
 def check_is_valid_msg_type(msg_type: Any) -> None:
@@ -54,14 +54,14 @@ def check_type(candidate: Any, base: type, wanted: str) -> None:
         AttributeError: it is not a ROS type.
         RuntimeError: it is a ROS type of another kind.
     """
-    _check_known(candidate, wanted)
+    _check_is_ros_type(candidate, wanted)
     if not _is_subclass(candidate, (base,)):
         kind = wanted.partition(" ")[0]
         others = " or ".join(other for other in ("message", "service", "action") if other != kind)
         raise RuntimeError(f"The {kind} type provided is not valid ({candidate}), this might be a {others}")
 
 
-def _check_known(candidate: Any, wanted: str) -> None:
+def _check_is_ros_type(candidate: Any, wanted: str) -> None:
     if not _is_subclass(candidate, _TYPES):
         article = "an" if wanted.startswith("a") else "a"
         raise AttributeError(f"expected {article} {wanted}, got {_describe(candidate)}")
