@@ -31,7 +31,7 @@ def test_a_guard_forgets_a_group_that_has_ended_and_tells_the_guardian_all(
     """The id of such a group may be another's when the launch ends, or is killed."""
     lines: list[str] = []
     guard = Guard()
-    monkeypatch.setattr(guard, "_send", lines.append)
+    monkeypatch.setattr(guard, "_send_line", lines.append)
     process = sleeping()
     guard.add(process.pid)
     process.kill()

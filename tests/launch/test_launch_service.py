@@ -274,9 +274,9 @@ def test_the_context_keeps_the_launch_running_for_a_future(launch: Launch) -> No
 
 
 def test_arguments_of_the_command_line_are_in_the_context(launch: Launch) -> None:
-    seen: list[list[str]] = []
-    launch(OpaqueFunction(function=lambda context: seen.append(context.argv)), argv=("a:=b",))
-    assert seen == [["a:=b"]]
+    argument_lists: list[list[str]] = []
+    launch(OpaqueFunction(function=lambda context: argument_lists.append(context.argv)), argv=("a:=b",))
+    assert argument_lists == [["a:=b"]]
 
 
 @pytest.mark.skipif(os.name == "nt", reason="the signals are of POSIX")

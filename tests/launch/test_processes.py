@@ -194,7 +194,7 @@ def test_a_process_that_cannot_be_started_is_named_and_the_rest_goes_on(
 
 
 def test_events_of_a_process_reach_their_handlers(launch: Launch) -> None:
-    seen: list[tuple] = []
+    events: list[tuple] = []
     action = shell("read line; echo got $line; exit 4")
     launch(
         RegisterEventHandler(
@@ -208,18 +208,18 @@ def test_events_of_a_process_reach_their_handlers(launch: Launch) -> None:
         RegisterEventHandler(
             OnProcessIO(
                 target_action=action,
-                on_stdout=lambda event: seen.append((event.text, event.from_stdout)),
+                on_stdout=lambda event: events.append((event.text, event.from_stdout)),
             )
         ),
         RegisterEventHandler(
             OnProcessExit(
                 target_action=lambda other: other is action,
-                on_exit=lambda event, _: seen.append((event.process_name, event.returncode, event.cmd[0])),
+                on_exit=lambda event, _: events.append((event.process_name, event.returncode, event.cmd[0])),
             )
         ),
         action,
     )
-    assert seen == [(b"got word\n", True), ("bash-1", 4, "bash")]
+    assert events == [(b"got word\n", True), ("bash-1", 4, "bash")]
 
 
 def test_on_exit_entities_are_visited_at_each_end(launch: Launch) -> None:
@@ -377,7 +377,7 @@ def test_the_process_group_of_an_ended_process_may_be_anothers(launch: Launch) -
 def test_the_guardian_ends_no_group_that_the_launch_no_longer_has() -> None:
     with sleeping() as ended, sleeping(ended.pid) as unrelated:
         with sleeping(ended.pid) as left:
-            start = next(each for each in members_of(ended.pid) if each[0] == left.pid)[1]
+            start = next(member for member in members_of(ended.pid) if member[0] == left.pid)[1]
         for lines in (
             f"{ended.pid}\nended {ended.pid}\n",
             f"{ended.pid}\nended {ended.pid} {left.pid}:{start!r}\n",
@@ -400,7 +400,9 @@ def test_no_process_is_of_a_launch_that_began_after_it() -> None:
     """Its group's id may be that of a group before the launch."""
     with sleeping() as process:
         started = psutil.Process(process.pid).create_time()
-        assert [each.pid for each in find(uuid.uuid4().hex, {process.pid: None}, started)] == [process.pid]
+        assert [relative.pid for relative in find(uuid.uuid4().hex, {process.pid: None}, started)] == [
+            process.pid
+        ]
         assert find(uuid.uuid4().hex, {process.pid: None}, started + 10.0) == []
 
 
@@ -485,7 +487,7 @@ def test_a_frozen_program_has_no_guardian(launch: Launch, monkeypatch: pytest.Mo
 def test_the_guardian_ends_with_the_launch(launch: Launch) -> None:
     ran = launch(shell("true"), ExecuteProcess(cmd=["no_such_program"]))
     assert ran.code == 0
-    assert not [each for each in psutil.Process().children() if "guardian" in " ".join(each.cmdline())]
+    assert not [child for child in psutil.Process().children() if "guardian" in " ".join(child.cmdline())]
 
 
 def test_a_script_runs_whose_interpreter_has_a_space_in_its_path(

@@ -63,7 +63,7 @@ class BackgroundWriter:
     def is_behind(self) -> bool:
         """Whether no more should come for now."""
         with self._changed:
-            return self._size > MAX_BACKLOG and not self._gives_up()
+            return self._size > MAX_BACKLOG and not self._drops_excess()
 
     @property
     def dropped_lines(self) -> int:
@@ -71,7 +71,7 @@ class BackgroundWriter:
         with self._changed:
             return self._dropped_lines
 
-    def _gives_up(self) -> bool:
+    def _drops_excess(self) -> bool:
         """Return whether what exceeds the backlog is left out."""
         patience_s = 0.0 if self.name == SCREEN else STUCK_S
         return self._is_hurried and time.monotonic() - self._progress_s >= patience_s
@@ -85,9 +85,12 @@ class BackgroundWriter:
             is_droppable: Whether the text may be left out after `hurry`.
         """
         with self._changed:
-            if is_droppable and self._size > MAX_BACKLOG and self._gives_up():
+            # Normally nothing is left out, however long the backlog: the caller stops reading its process when
+            # `is_behind`. After `hurry` the process is read to its end, and the backlog would grow without bound.
+            if is_droppable and self._size > MAX_BACKLOG and self._drops_excess():
                 self._dropped_lines += text.count("\n")
                 return
+            # The time without progress counts from now, not from the last text, which may be minutes ago.
             was_idle = not self._size
             if was_idle:
                 self._progress_s = time.monotonic()
@@ -113,6 +116,7 @@ class BackgroundWriter:
             self._ends = True
             is_writing = bool(self._size)
             self._changed.notify_all()
+        # A thread that waits for texts ends at once; one inside a `write` may never do, and is left behind.
         if not is_writing:
             self._thread.join()
 
@@ -123,10 +127,13 @@ class BackgroundWriter:
                 if self._ends:
                     return
                 write, text = self._waiting.popleft()
+            # Without the lock, because `put`, `is_behind` and `hurry` must not wait for a slow destination.
             for start in range(0, len(text), PIECE):
                 piece = text[start : start + PIECE]
                 write(piece)
                 with self._changed:
+                    # Now, and not when the text was taken: as long as it is inside `write`, it counts as unwritten, so
+                    # that the end of the launch waits for it.
                     self._size -= len(piece)
                     self._progress_s = time.monotonic()
                     self._changed.notify_all()
@@ -159,6 +166,7 @@ class BackgroundWriting:
                     self._writers[name] = BackgroundWriter(name)
                 except RuntimeError:
                     return None
+                # A process that is first heard of after the signal has its own log file, which begins hurried.
                 if self._is_hurried:
                     self._writers[name].hurry()
             return self._writers[name]
@@ -192,6 +200,8 @@ class BackgroundWriting:
         try:
             yield
         finally:
+            # Launches on several threads share the writers, so the last one to end waits for them. What was left out is
+            # told first, while the writers still run: `on_dropped` may log it, which adds to their texts.
             with self._lock:
                 writers, is_last = list(self._writers.values()), self._running == 1
             for writer in writers if is_last else []:
@@ -206,6 +216,9 @@ class BackgroundWriting:
     async def _finish(self) -> None:
         import asyncio  # loaded with the first launch
 
+        # The loop must go on meanwhile, because the handler of Ctrl-C is one of its callbacks. So this polls, in place
+        # of a wait for the threads. `hurry` may come during it, and its time counts from then. The writers are asked
+        # for in each round, because a line that is logged meanwhile may begin a new file.
         hurried_s: float | None = None
         while True:
             with self._lock:
@@ -224,12 +237,15 @@ class BackgroundWriting:
             writers = list(self._writers.values())
             self._writers.clear()
             self._is_hurried = False
+        # Without the lock, because `end` waits for a thread, and others may ask for a writer meanwhile.
         for writer in writers:
             writer.end()
 
 
 def _is_awaited(writer: BackgroundWriter, hurried_s: float | None) -> bool:
     """Return whether a launch waits for a writer at its end; `hurried_s` is when it began to hurry there."""
+    # Without a signal the launch waits for as long as there is something to write. After one, the screen has a fixed
+    # time, because what it shows is in the log files, too; a file is waited for while it makes progress.
     idle_s = writer.idle_s()
     if idle_s is None or hurried_s is None:
         return idle_s is not None

@@ -47,7 +47,7 @@ def refuse_circle(context: LaunchContext, path: str) -> None:
     variables = context.get_locals_as_dict()
     including = variables.get("current_launch_file_path")
     chain: list[tuple[str, Any]] = list(variables.get(_CHAIN, ()))
-    while chain and not _is_same(chain[-1][0], including):
+    while chain and not _is_same_file(chain[-1][0], including):
         chain.pop()  # of a file that has been visited completely
     configurations: dict[str, Any] = dict(context.launch_configurations)
     for key, value in configurations.items():
@@ -56,12 +56,12 @@ def refuse_circle(context: LaunchContext, path: str) -> None:
     state = (configurations, dict(context.environment))
     files = [file for file, _ in chain]
     for number, (file, earlier) in enumerate(chain):
-        if _is_same(file, path) and earlier == state:
+        if _is_same_file(file, path) and earlier == state:
             raise CircularIncludeError([*files[number:], path])
     if len(chain) >= _DEEPEST:
         raise CircularIncludeError([*files[-3:], path], f"launch files are included {_DEEPEST} levels deep")
     context.extend_locals({_CHAIN: (*chain, (path, state))})
 
 
-def _is_same(one: str, other: str | None) -> bool:
+def _is_same_file(one: str, other: str | None) -> bool:
     return other is not None and os.path.realpath(one) == os.path.realpath(other)

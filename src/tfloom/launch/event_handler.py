@@ -82,7 +82,7 @@ class EventHandler(BaseEventHandler):
 
     @property
     def entities(self) -> list[LaunchDescriptionEntity] | None:
-        """Entities to visit."""
+        """Entities that are visited after each event; None if there are none."""
         return self._entities
 
     @property

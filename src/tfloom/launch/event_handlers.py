@@ -81,9 +81,9 @@ class OnActionEventBase(BaseEventHandler):
         self._actions: list[LaunchDescriptionEntity] | None = None
         if not callable(on_event):
             self._actions = normalize_to_list_of_entities([on_event])
-        super().__init__(matcher=self._is_meant, **kwargs)
+        super().__init__(matcher=self._is_target_event, **kwargs)
 
-    def _is_meant(self, event: Any) -> bool:
+    def _is_target_event(self, event: Any) -> bool:
         if not isinstance(event, self._target_event_cls):
             return False
         matcher = self._action_matcher
@@ -310,5 +310,5 @@ class OnShutdown(BaseEventHandler):
 
     def describe(self) -> tuple[str, list[SomeEntitiesType]]:
         """Return a description for people, and the entities to visit, as far as they are known."""
-        known = [] if callable(self._on_shutdown) else [self._on_shutdown]
-        return super().describe()[0], list(normalize_to_list_of_entities(known))
+        entities = [] if callable(self._on_shutdown) else [self._on_shutdown]
+        return super().describe()[0], list(normalize_to_list_of_entities(entities))

@@ -20,7 +20,7 @@ class Performs(Protocol):
     """A substitution, as the context needs it."""
 
     def perform(self, context: Any) -> str:
-        """Return the text."""
+        """Return the text that the substitution stands for."""
 
 
 class Locals:

@@ -1,4 +1,4 @@
-"""Launch descriptions."""
+"""The launch description: the entities of a launch, and the arguments that they declare."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ class LaunchDescription(LaunchDescriptionEntity):
         return self._entities
 
     def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        """Return the entities."""
+        """Return the entities of the description, without a visit."""
         return self._entities
 
     def get_launch_arguments(self, conditional_inclusion: bool = False) -> list[Any]:
@@ -90,14 +90,14 @@ class LaunchDescription(LaunchDescriptionEntity):
         `_conditionally_included` of each is set: whether it may not be visited. What can't be loaded before the launch
         has no arguments here, nor has what follows a ResetLaunchConfigurations.
         """
-        found: dict[str, tuple[Any, list[Any] | None]] = {}
+        declarations: dict[str, tuple[Any, list[Any] | None]] = {}
         for argument, inclusions, is_conditional in _declared_arguments(
             self._entities, [], conditional_inclusion
         ):
-            if argument.name not in found:
+            if argument.name not in declarations:
                 argument._conditionally_included = is_conditional  # noqa: SLF001  # the name that others read
-                found[argument.name] = argument, inclusions or None
-        return list(found.values())
+                declarations[argument.name] = argument, inclusions or None
+        return list(declarations.values())
 
 
 def _declared_arguments(
@@ -117,7 +117,7 @@ def _declared_arguments(
         around = inclusions
         if hasattr(entity, "location_without_context"):
             location = entity.location_without_context()
-            if location and location in (each.location_without_context() for each in inclusions):
+            if location and location in (outer.location_without_context() for outer in inclusions):
                 continue
             around = [*inclusions, entity]
         yield from _declared_arguments(entity.describe_sub_entities(), around, is_conditional)

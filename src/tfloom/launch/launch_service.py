@@ -120,17 +120,22 @@ class LaunchService:
         try:
             await self._handle_events(shutdown_when_idle=shutdown_when_idle)
         except asyncio.CancelledError:
+            # The processes still run. They end as at any shutdown: the events of their end are handled here, before
+            # the task is cancelled for good. A second cancellation ends this wait, and the guard ends what is left.
             self._shut_down("the launch's task was cancelled")
             await self._handle_events(shutdown_when_idle=True)
             raise
         finally:
             left = guard_of(self._context).close()
             if left:
+                # They held the pipes of the processes that had started them. The loop reads what they wrote last.
                 await asyncio.sleep(CLOSE_S)
                 self._logger.warning("ended processes that others had started and left: %s", ", ".join(left))
 
     async def _handle_events(self, *, shutdown_when_idle: bool) -> None:
         """Handle events in order, until the launch is idle after its shutdown."""
+        # `_wake` is cleared at the end of each round, and all conditions are checked after that without an `await`
+        # between. So a wake-up can come too early, which costs one round, but none is lost.
         state = self._state
         while True:
             if state.events:
@@ -141,6 +146,7 @@ class LaunchService:
             elif state.is_shutdown:
                 return
             elif shutdown_when_idle:
+                # Idle, but the end is not reached: handlers of Shutdown may return entities that go on.
                 await self._context.emit_event(Shutdown(reason="idle"))
             else:
                 await self._wake.wait()
@@ -151,6 +157,7 @@ class LaunchService:
         self._logger.debug("processing event: '%s'", event)
         if isinstance(event, Shutdown):
             self._has_begun_shutdown = True  # before its handlers: an error in one must not emit another
+        # A copy, because a handler may register others, which are asked from the next event on.
         for handler in tuple(self._state.handlers):
             try:
                 self._handle_by(handler, event)
@@ -167,9 +174,11 @@ class LaunchService:
             self._visit(entity)
 
     def _visit(self, entity: LaunchDescriptionEntity) -> None:
-        for pair in visit_all_entities(entity, self._context):
-            self._open.append(pair)
-            pair[1].add_done_callback(lambda _: self._wake.set())
+        # The visit is a generator. If an entity raises, the processes that were started before it are already in
+        # `_open`, so that the launch waits for their end.
+        for entity_and_future in visit_all_entities(entity, self._context):
+            self._open.append(entity_and_future)
+            entity_and_future[1].add_done_callback(lambda _: self._wake.set())
 
     def _has_open_futures(self) -> bool:
         """Drop the futures that are done, end the launch if one failed, and return whether any is open."""
@@ -185,6 +194,7 @@ class LaunchService:
         self._state.is_shutdown = True
 
     def _shut_down(self, reason: str, *, due_to_sigint: bool = False) -> None:
+        # Errors and signals during the shutdown must not begin another one: its handlers would run twice.
         if not self._state.is_shutdown and not self._has_begun_shutdown:
             self._context.emit_event_sync(Shutdown(reason=reason, due_to_sigint=due_to_sigint))
 
@@ -218,6 +228,7 @@ class LaunchService:
 
     @contextmanager
     def _running(self, loop: asyncio.AbstractEventLoop) -> Iterator[asyncio.AbstractEventLoop]:
+        # Whether it runs is checked and noted under one lock, because two threads may call `run`.
         with self._lock:
             if self._loop is not None:
                 raise RuntimeError("LaunchService is already running")
@@ -255,6 +266,7 @@ class LaunchService:
         if loop is None or is_own:
             self._context.emit_event_sync(event)
         else:
+            # The queue and the asyncio.Event that wakes its reader belong to the loop's thread.
             loop.call_soon_threadsafe(self._context.emit_event_sync, event)
 
     def shutdown(self, force_sync: bool = False) -> Coroutine[Any, Any, None] | None:

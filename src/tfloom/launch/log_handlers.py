@@ -85,7 +85,9 @@ class StdoutHandler(_StreamHandler):
         if self.stream is None:
             return
         try:
-            text = _text(self, record, lines)
+            # Formatted on this thread, because the record is used again for the next line and the next handler. Written
+            # by the writer's thread if a launch runs and there is a descriptor; otherwise here.
+            text = _formatted_text(self, record, lines)
             descriptor = _descriptor(self.stream)
             writer = None if descriptor is None else background_writing.writer(SCREEN)
             if descriptor is None or writer is None:
@@ -109,14 +111,14 @@ class StdoutHandler(_StreamHandler):
         """
         try:
             data = memoryview(text.encode(stream.encoding, stream.errors or "strict"))
-            while data:
+            while data:  # a pipe may take a part only
                 data = data[os.write(descriptor, data) :]
         except Exception:  # noqa: BLE001
             self.handleError(record)
 
     def handleError(self, record: logging.LogRecord) -> None:  # noqa: N802  # of the base class
         """Print one line on stderr, once, if stdout can't be written."""
-        if not _is_full(self, "stdout"):
+        if not _is_file_error(self, "stdout"):
             super().handleError(record)
 
     def format(self, record: logging.LogRecord) -> str:
@@ -132,7 +134,7 @@ class FileHandler(logging.FileHandler):
 
     @property
     def destination(self) -> str:
-        """Its path."""
+        """Path of the file, which is the name of its background writer."""
         return self.baseFilename
 
     def emit(self, record: logging.LogRecord) -> None:
@@ -142,7 +144,7 @@ class FileHandler(logging.FileHandler):
     def emit_lines(self, record: logging.LogRecord, lines: Sequence[str] | None) -> None:
         """Write the lines of a process, each with the attributes of `record`; None: the record itself."""
         try:
-            text = _text(self, record, lines)
+            text = _formatted_text(self, record, lines)
             writer = background_writing.writer(self.baseFilename)
             if writer is None:
                 self._write(record, text)
@@ -162,14 +164,14 @@ class FileHandler(logging.FileHandler):
 
     def handleError(self, record: logging.LogRecord) -> None:  # noqa: N802  # of the base class
         """Print one line on stderr, once, if the file can't be written."""
-        if not _is_full(self, self.baseFilename):
+        if not _is_file_error(self, self.baseFilename):
             super().handleError(record)
 
 
 _OWN_HANDLERS = (StdoutHandler, FileHandler)
 
 
-def _text(handler: logging.Handler, record: logging.LogRecord, lines: Sequence[str] | None) -> str:
+def _formatted_text(handler: logging.Handler, record: logging.LogRecord, lines: Sequence[str] | None) -> str:
     """Return what a handler writes of a record, or of lines of a process.
 
     Short lines come by the ten thousand, in one part of a process's output: what is equal in all of them is found once.
@@ -179,6 +181,8 @@ def _text(handler: logging.Handler, record: logging.LogRecord, lines: Sequence[s
     formatter = handler.formatter
     if not isinstance(formatter, BraceFormatter) or (around := formatter.around_message(record)) is None:
         return "".join(_format_line(handler, record, line) for line in lines)
+    # What stands around the message is the same in all lines. A terminal needs more for each line: its color, and no
+    # control sequences of the process.
     before, after = around
     if isinstance(handler, StdoutHandler) and is_terminal(handler.stream):
         text = "\n".join(lines)
@@ -209,18 +213,18 @@ def _descriptor(stream: Any) -> int | None:
     return raw.fileno()
 
 
-_full: weakref.WeakSet[logging.Handler] = weakref.WeakSet()
+_failed_handlers: weakref.WeakSet[logging.Handler] = weakref.WeakSet()
 """Handlers whose files could not be written: the next line says no more."""
 
 
-def _is_full(handler: logging.Handler, name: str) -> bool:
+def _is_file_error(handler: logging.Handler, name: str) -> bool:
     """Return whether the error that is handled is one of the file; print it if it is the first one."""
     error = sys.exc_info()[1]
     if not isinstance(error, OSError):
         return False
     # After `| head -1` nobody reads stdout any more, and the log files have every line.
-    if not isinstance(error, BrokenPipeError) and handler not in _full and sys.stderr is not None:
-        _full.add(handler)
+    if not isinstance(error, BrokenPipeError) and handler not in _failed_handlers and sys.stderr is not None:
+        _failed_handlers.add(handler)
         with contextlib.suppress(OSError):
             sys.stderr.write(f"[launch]: lines of {name} are lost: {error.strerror}\n")
     return True
@@ -234,6 +238,8 @@ def log_lines(logger: logging.Logger, lines: Sequence[str]) -> None:
     """
     if not lines or not logger.isEnabledFor(logging.INFO):
         return
+    # The short way is taken only if nobody could tell the difference: no filter, which may change a record, no handler
+    # of a user's, here or at a parent logger, and no level that leaves lines out.
     is_plain = not logger.filters and not logger.propagate
     own = [
         handler
@@ -248,6 +254,7 @@ def log_lines(logger: logging.Logger, lines: Sequence[str]) -> None:
             logger.info("%s", line)
         return
     record = logger.makeRecord(logger.name, logging.INFO, "", 0, "", (), None)
+    # In place of `Handler.handle`, which takes this lock, and checks the filters: there are none.
     for handler in own:
         with handler.lock or contextlib.nullcontext():
             handler.emit_lines(record, lines)

@@ -25,12 +25,12 @@ def colors_of(stream: Any) -> Colors | None:
     if stream is None or os.environ.get("NO_COLOR") or os.environ.get("TERM") == "dumb":
         return None
     try:
-        return _colored if stream.isatty() else None
+        return _colored_line if stream.isatty() else None
     except (AttributeError, ValueError):  # a closed file
         return None
 
 
-def _colored(line: str, level: str, name: str) -> str:
+def _colored_line(line: str, level: str, name: str) -> str:
     if name.endswith(STREAMS):
         end = line.find("]") + 1
         color = PROCESSES[zlib.crc32(name.rpartition("-")[0].encode()) % len(PROCESSES)]

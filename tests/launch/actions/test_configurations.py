@@ -25,8 +25,8 @@ def test_name_and_value_are_performed() -> None:
 
 def test_properties_are_lists_of_substitutions() -> None:
     action = SetLaunchConfiguration("a", "one")
-    assert [each.describe() for each in (*action.name, *action.value)] == ["'a'", "'one'"]
-    assert [each.describe() for each in UnsetLaunchConfiguration(TextSubstitution(text="a")).name] == ["'a'"]
+    assert [part.describe() for part in (*action.name, *action.value)] == ["'a'", "'one'"]
+    assert [part.describe() for part in UnsetLaunchConfiguration(TextSubstitution(text="a")).name] == ["'a'"]
 
 
 def test_removing_one_that_is_not_set_is_no_error() -> None:

@@ -68,8 +68,8 @@ def test_descriptions_and_properties() -> None:
     def function(i: int) -> None:
         """Return nothing."""
 
-    loop, each = ForLoop("2", function=function, name="i"), ForEach("{}", function=function)
-    assert (loop.name, loop.function, each.function) == ("i", function, function)
+    loop, for_each = ForLoop("2", function=function, name="i"), ForEach("{}", function=function)
+    assert (loop.name, loop.function, for_each.function) == ("i", function, function)
     assert loop.describe().startswith("ForLoop(length='[")
-    assert each.describe().startswith("ForEach(input_values='[")
-    assert [part.describe() for part in (*loop.length, *each.input_values)] == ["'2'", "'{}'"]
+    assert for_each.describe().startswith("ForEach(input_values='[")
+    assert [part.describe() for part in (*loop.length, *for_each.input_values)] == ["'2'", "'{}'"]

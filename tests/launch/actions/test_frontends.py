@@ -119,7 +119,7 @@ def test_log(text: str, visit: Visit, capsys: pytest.CaptureFixture[str]) -> Non
 def test_environment(text: str, visit: Visit, capsys: pytest.CaptureFixture[str]) -> None:
     visit(text)
     logged = ["2 start" + os.pathsep + "1", "start", "3", "none", "start"]
-    assert capsys.readouterr().out.splitlines() == [f"[INFO] [launch.user]: {each}" for each in logged]
+    assert capsys.readouterr().out.splitlines() == [f"[INFO] [launch.user]: {value}" for value in logged]
 
 
 @in_both(
@@ -162,9 +162,9 @@ def test_a_process_in_a_loop_is_started_in_each_iteration(launch: Callable[..., 
     "- for_each: {values: $(var robots), children: [{let: {name: $(for-var name), value: $(for-var id none)}}]}",
 )
 def test_for_each(text: str, visit: Visit) -> None:
-    found = visit(text)
-    assert found.pop("robots")
-    assert found == {"a": "1", "b": "none"}
+    configurations = visit(text)
+    assert configurations.pop("robots")
+    assert configurations == {"a": "1", "b": "none"}
 
 
 @in_both(

@@ -24,14 +24,14 @@ def inner_and_outer(**options: Any) -> tuple[dict[str, str], dict[str, str]]:
     """Return the launch configurations that an action in a group has, and those after the group."""
     context = LaunchContext()
     context.launch_configurations["a"] = "outer"
-    seen: list[dict[str, str]] = []
+    configurations: list[dict[str, str]] = []
 
     def see(context: LaunchContext) -> None:
-        seen.append(dict(context.launch_configurations))
+        configurations.append(dict(context.launch_configurations))
 
     actions = [SetLaunchConfiguration("b", "inner"), OpaqueFunction(function=see)]
     visit_all_entities_and_collect_futures(GroupAction(actions, **options), context)
-    return seen[0], dict(context.launch_configurations)
+    return configurations[0], dict(context.launch_configurations)
 
 
 @pytest.mark.parametrize(
@@ -63,15 +63,15 @@ def test_scope(options: dict[str, Any], inner: dict[str, str], after: dict[str, 
 
 def test_environment_is_scoped() -> None:
     context = LaunchContext()
-    seen: list[str | None] = []
+    values: list[str | None] = []
 
     def see(context: LaunchContext) -> None:
-        seen.append(context.environment.get(NAME))
+        values.append(context.environment.get(NAME))
 
     group = GroupAction([SetEnvironmentVariable(NAME, "inner"), OpaqueFunction(function=see)])
     visit_all_entities_and_collect_futures(group, context)
     see(context)
-    assert seen == ["inner", None]
+    assert values == ["inner", None]
 
 
 def test_a_group_without_forwarding_starts_with_the_first_environment(
@@ -79,16 +79,16 @@ def test_a_group_without_forwarding_starts_with_the_first_environment(
 ) -> None:
     monkeypatch.setenv(NAME, "first")
     context = LaunchContext()
-    seen: list[str | None] = []
+    values: list[str | None] = []
 
     def see(context: LaunchContext) -> None:
-        seen.append(context.environment.get(NAME))
+        values.append(context.environment.get(NAME))
 
     SetEnvironmentVariable(NAME, "outer").visit(context)
     group = GroupAction([OpaqueFunction(function=see)], forwarding=False)
     visit_all_entities_and_collect_futures(group, context)
     see(context)
-    assert seen == ["first", "outer"]
+    assert values == ["first", "outer"]
 
 
 def test_condition_holds_for_all_actions() -> None:

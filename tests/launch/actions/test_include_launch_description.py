@@ -98,8 +98,8 @@ def test_arguments_of_a_description_are_found_in_its_inclusions_and_groups() -> 
             DeclareLaunchArgument("last"),
         ]
     )
-    found = description.get_launch_arguments_with_include_launch_description_actions()
-    assert [(each.name, each._conditionally_included, path) for each, path in found] == [
+    declarations = description.get_launch_arguments_with_include_launch_description_actions()
+    assert [(argument.name, argument._conditionally_included, path) for argument, path in declarations] == [
         ("both", False, None),
         ("inner", True, [include]),
         ("if", True, None),
@@ -119,12 +119,12 @@ def test_place_of_the_current_file(tmp_path: Path) -> None:
         '<include file="$(dirname)/inner/b.launch.xml"><let name="given" value="$(dirname)"/></include>',
         '<let name="outer" value="$(dirname)"/>',
     )
-    found = visited(IncludeLaunchDescription(outer))
-    assert found == {
+    configurations = visited(IncludeLaunchDescription(outer))
+    assert configurations == {
         "inner": str(tmp_path / "inner"),
         "f": inner,
         "outer": str(tmp_path),
-        "given": found["given"],
+        "given": configurations["given"],
     }
 
 
@@ -145,15 +145,15 @@ def test_a_file_may_include_itself_while_its_arguments_change(tmp_path: Path) ->
         '<include file="$(filename)" if="$(eval \'$(var n) &gt; 0\')">',
         '<arg name="n" value="$(eval \'$(var n) - 1\')"/></include>',
     )
-    found = visited(IncludeLaunchDescription(path, launch_arguments=[("n", "3")]))
-    assert found == {"n": "0", "at_3": "yes", "at_2": "yes", "at_1": "yes", "at_0": "yes"}
+    configurations = visited(IncludeLaunchDescription(path, launch_arguments=[("n", "3")]))
+    assert configurations == {"n": "0", "at_3": "yes", "at_2": "yes", "at_1": "yes", "at_0": "yes"}
 
 
 def test_a_file_may_be_included_where_parameters_and_remappings_are_set(tmp_path: Path) -> None:
     path = write(tmp_path / "a.launch.xml", '<let name="seen" value="yes"/>')
     again = SetParameter("p", 1), SetRemap("a", "b"), IncludeLaunchDescription(path)
-    found = visited(*again, *again)
-    assert found["seen"] == "yes"
+    configurations = visited(*again, *again)
+    assert configurations["seen"] == "yes"
 
 
 def test_a_dictionary_of_arguments_is_an_error_that_says_what_to_give() -> None:

@@ -50,5 +50,5 @@ def test_unknown_level_is_an_error_that_lists_the_levels() -> None:
 
 def test_level_of_a_derived_class_is_its_own() -> None:
     action = LogInfo(msg="x", level="ERROR")
-    assert [each.describe() for each in action.level] == ["'INFO'"]
-    assert [each.describe() for each in action.msg] == ["'x'"]
+    assert [part.describe() for part in action.level] == ["'INFO'"]
+    assert [part.describe() for part in action.msg] == ["'x'"]

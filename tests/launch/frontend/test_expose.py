@@ -38,9 +38,9 @@ def exposed_in_sources(decorator: str) -> Iterator[tuple[str, str]]:
         module = ".".join(("tfloom", *path.relative_to(HOUSE).with_suffix("").parts))
         for node in ast.walk(ast.parse(path.read_text("utf-8"))):
             if isinstance(node, (ast.ClassDef, ast.FunctionDef)):
-                for each in node.decorator_list:
-                    if isinstance(each, ast.Call) and ast.unparse(each.func) == decorator:
-                        yield ast.literal_eval(each.args[0]), module
+                for call in node.decorator_list:
+                    if isinstance(call, ast.Call) and ast.unparse(call.func) == decorator:
+                        yield ast.literal_eval(call.args[0]), module
 
 
 def test_tables_name_what_the_modules_expose() -> None:
@@ -147,13 +147,14 @@ class EntryPoint:
 @pytest.fixture
 def installed(monkeypatch: pytest.MonkeyPatch) -> list[EntryPoint]:
     """Return the list of installed entry points, to add some."""
-    found: list[EntryPoint] = []
+    entry_points: list[EntryPoint] = []
     monkeypatch.setattr(
-        "importlib.metadata.entry_points", lambda group: [each for each in found if each.group == group]
+        "importlib.metadata.entry_points",
+        lambda group: [entry_point for entry_point in entry_points if entry_point.group == group],
     )
     monkeypatch.setattr(extensions, "_loaded", False)
     monkeypatch.setattr(Parser, "frontend_parsers", None)
-    return found
+    return entry_points
 
 
 def test_extensions_are_loaded_with_the_first_unknown_name(installed: list[EntryPoint]) -> None:
@@ -242,7 +243,7 @@ class Shout(Substitution):
         return cls, {"text": data[0]}
 
     def perform(self, context):
-        return "".join(each.perform(context) for each in self.text).upper()
+        return "".join(part.perform(context) for part in self.text).upper()
 """
 
 
@@ -262,9 +263,9 @@ def test_installed_package_extends_launch_files(tmp_path: Path) -> None:
         "from launch import LaunchContext\n"
         "from launch.frontend import Parser\n"
         "root, parser = Parser.load(sys.argv[1])\n"
-        "for each in parser.parse_description(root).entities:\n"
-        "    text = ''.join(part.perform(LaunchContext()) for part in each.msg)\n"
-        "    print(type(each).__name__, text, each.condition is None)\n"
+        "for action in parser.parse_description(root).entities:\n"
+        "    text = ''.join(part.perform(LaunchContext()) for part in action.msg)\n"
+        "    print(type(action).__name__, text, action.condition is None)\n"
     )
 
     def run(name: str) -> subprocess.CompletedProcess[str]:

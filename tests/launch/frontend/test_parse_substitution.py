@@ -27,7 +27,7 @@ class Shown(Substitution):
 
     def perform(self, context: LaunchContext) -> str:
         """Return the arguments, each in brackets."""
-        return "".join(f"[{shown(each)}]" for each in self.arguments)
+        return "".join(f"[{shown(argument)}]" for argument in self.arguments)
 
 
 def shown(parts: list[Substitution]) -> str:
@@ -143,7 +143,7 @@ ARGUMENTS = {
 
 @pytest.mark.parametrize("name", sorted(SUBSTITUTION_MODULES))
 def test_each_name_gives_its_substitution(name: str) -> None:
-    arguments = "".join(f" '{each}'" for each in ARGUMENTS.get(name, ["x"]))
+    arguments = "".join(f" '{argument}'" for argument in ARGUMENTS.get(name, ["x"]))
     (substitution,) = parse_substitution(f"$({name}{arguments})")
     assert type(substitution).__module__ == SUBSTITUTION_MODULES[name]
 

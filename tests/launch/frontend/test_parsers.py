@@ -94,8 +94,8 @@ def test_xml_elements_and_places() -> None:
     entity = xml('<a x="1">\n<b/>\n<c y="2"/><b/></a>')
     assert (entity.type_name, entity.place, entity.parent.type_name) == ("a", "a.xml:2", "launch")
     children = entity.get_attr("b", data_type=List[Entity])
-    assert [(each.type_name, each.place) for each in children] == [("b", "a.xml:3"), ("b", "a.xml:4")]
-    assert [each.type_name for each in entity.children] == ["b", "c", "b"]
+    assert [(child.type_name, child.place) for child in children] == [("b", "a.xml:3"), ("b", "a.xml:4")]
+    assert [child.type_name for child in entity.children] == ["b", "c", "b"]
     assert children[0].parent is entity
     assert XmlEntity(ET.fromstring("<a/>")).place == ""
 
@@ -152,8 +152,8 @@ def test_yaml_elements_and_places() -> None:
     entity = yaml("- a:\n    b:\n    - x: 1\n    - x: 2\n    children:\n    - c: {}\n    - d:\n")
     assert (entity.type_name, entity.place, entity.parent.type_name) == ("a", "a.yaml:2", "launch")
     children = entity.get_attr("b", data_type=List[Entity])
-    assert [(each.type_name, each.place) for each in children] == [("b", "a.yaml:4"), ("b", "a.yaml:5")]
-    assert [(each.type_name, each.place) for each in entity.children] == [
+    assert [(child.type_name, child.place) for child in children] == [("b", "a.yaml:4"), ("b", "a.yaml:5")]
+    assert [(child.type_name, child.place) for child in entity.children] == [
         ("c", "a.yaml:7"),
         ("d", "a.yaml:8"),
     ]
@@ -346,7 +346,7 @@ def test_files_and_paths(tmp_path: Path) -> None:
 
 def test_yaml_file_with_a_version() -> None:
     root, parser = Parser.load(named("%YAML 1.2\n---\nlaunch:\n- log: {message: x}\n", "a.yaml"))
-    assert [each.place for each in root.children] == ["a.yaml:4"]  # type: ignore[attr-defined]
+    assert [child.place for child in root.children] == ["a.yaml:4"]  # type: ignore[attr-defined]
     (action,) = parser.parse_description(root).entities
     assert isinstance(action, LogInfo)
 
@@ -392,7 +392,7 @@ def test_deprecated_file(name: str, text: str) -> None:
 def test_types_of_attributes() -> None:
     assert check_is_list_entity(List[Entity])
     assert check_is_list_entity(list[XmlEntity])
-    assert not any(check_is_list_entity(each) for each in (List[int], list, str, None))
+    assert not any(check_is_list_entity(kind) for kind in (List[int], list, str, None))
     assert get_data_type_from_identifier("list_of_int") == List[int]
     assert get_data_type_from_identifier("yaml") is None
     with pytest.raises(ValueError, match="Got invalid type identifier 'double'; the types are str, bool"):

@@ -130,14 +130,14 @@ def described(value: Any) -> Any:
     if isinstance(value, TextSubstitution):
         return value.text
     if type(value).__module__.startswith("tfloom.launch"):
-        held = [(name, each) for name, each in vars(value).items() if name != "_launch_place"]
+        held = [(name, member) for name, member in vars(value).items() if name != "_launch_place"]
         return type(value).__name__, {
-            name: described(each) for name, each in sorted(held) if "log" not in name
+            name: described(member) for name, member in sorted(held) if "log" not in name
         }
     if isinstance(value, Mapping):
-        return [[described(key), described(each)] for key, each in value.items()]
+        return [[described(key), described(item)] for key, item in value.items()]
     if isinstance(value, (list, tuple)):
-        items = [described(each) for each in value]
+        items = [described(item) for item in value]
         return items[0] if len(items) == 1 else items
     return value if value is None or isinstance(value, (str, bool, int, float)) else type(value).__name__
 

@@ -285,4 +285,4 @@ def test_arguments_of_files_that_include_each_other(tmp_path: Path) -> None:
         f"launch: [{{arg: {{name: y}}}}, {{include: {{file: {tmp_path}/a.launch.xml}}}}]"
     )
     description = get_launch_description_from_any_launch_file(str(tmp_path / "b.launch.yaml"))
-    assert [each.name for each in description.get_launch_arguments()] == ["y", "x"]
+    assert [argument.name for argument in description.get_launch_arguments()] == ["y", "x"]

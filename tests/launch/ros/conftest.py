@@ -46,7 +46,7 @@ def words(launch: Callable[..., object], toys: Path) -> Callable[..., list[str]]
         ran = launch(*entities)
         assert ran.code == 0, ran.lines
         shown = [line.partition("] ") for line in ran.lines if line.startswith("[show-")]
-        shown.sort(key=lambda each: int(each[0].partition("-")[2]))
+        shown.sort(key=lambda parts: int(parts[0].partition("-")[2]))
         return [line for _, _, line in shown]
 
     return words

@@ -135,7 +135,7 @@ def test_each_tag_has_its_action(tmp_path: Path, tag: str) -> None:
     path = tmp_path / "a.launch.xml"
     path.write_text(f"<launch>{tag}</launch>", "utf-8")
     description = AnyLaunchDescriptionSource(str(path)).get_launch_description(LaunchContext())
-    assert [type(each) for each in description.entities] == [TAGS[tag]]
+    assert [type(entity) for entity in description.entities] == [TAGS[tag]]
 
 
 @pytest.mark.parametrize(
@@ -170,8 +170,8 @@ def test_xml_without_a_type_is_read_as_yaml(words: Callable[..., list[str]], tmp
     path.write_text(f'<launch><node pkg="toys" exec="show" output="screen">{params}</node></launch>', "utf-8")
     lines = words(IncludeLaunchDescription(AnyLaunchDescriptionSource(str(path))))
     shown = [line.removeprefix("file").strip() for line in lines if line.startswith("file ")]
-    found = [line for line in shown if line not in {"/**:", "ros__parameters:"}]
-    assert found == ["a: 1", "b: true", "c: x", "d:", "- 1", "- 2", "e: 1.5", "f: 2"]
+    parameter_lines = [line for line in shown if line not in {"/**:", "ros__parameters:"}]
+    assert parameter_lines == ["a: 1", "b: true", "c: x", "d:", "- 1", "- 2", "e: 1.5", "f: 2"]
 
 
 def test_groups_in_python_have_the_same_words(words: Callable[..., list[str]]) -> None:

@@ -103,27 +103,32 @@ def event(start: str, goal: str) -> StateTransition:
 
 
 def test_event_has_what_the_node_published() -> None:
-    found = event("configuring", "inactive")
-    assert (found.start_state, found.goal_state, found.transition, found.timestamp) == (
+    transition_event = event("configuring", "inactive")
+    assert (
+        transition_event.start_state,
+        transition_event.goal_state,
+        transition_event.transition,
+        transition_event.timestamp,
+    ) == (
         *("configuring", "inactive", "configure"),
         7,
     )
-    assert found.name == "launch_ros.events.lifecycle.StateTransition"
+    assert transition_event.name == "launch_ros.events.lifecycle.StateTransition"
 
 
 def test_matchers() -> None:
-    found = event("configuring", "inactive")
+    transition_event = event("configuring", "inactive")
     assert matches_node_name("a/sensor")(Named())
     assert not matches_node_name("sensor")(Named())
     with pytest.warns(
         UserWarning, match=r"'launch_ros.events.lifecycle.matches_node_name' function is deprecated"
     ):
         assert lifecycle_node_matchers.matches_node_name("/a/sensor")(Named())
-    assert match_node_name_goal("/a/sensor", "inactive")(found)
-    assert not match_node_name_goal("/a/sensor", "active")(found)
-    assert not match_node_name_goal("/sensor", "inactive")(found)
-    assert match_node_name_start_goal("/a/sensor", "configuring", "inactive")(found)
-    assert not match_node_name_start_goal("/a/sensor", "activating", "inactive")(found)
+    assert match_node_name_goal("/a/sensor", "inactive")(transition_event)
+    assert not match_node_name_goal("/a/sensor", "active")(transition_event)
+    assert not match_node_name_goal("/sensor", "inactive")(transition_event)
+    assert match_node_name_start_goal("/a/sensor", "configuring", "inactive")(transition_event)
+    assert not match_node_name_start_goal("/a/sensor", "activating", "inactive")(transition_event)
     assert not match_node_name_goal("/a/sensor", "inactive")(Event())
 
 
@@ -180,10 +185,10 @@ def test_next_transition_needs_the_success_of_the_one_before(
     followed = []
     for start, goal in states:
         happened = event(start, goal)
-        for handler in [each for each in context.run_state.handlers if each.matches(happened)]:
+        for handler in [handler for handler in context.run_state.handlers if handler.matches(happened)]:
             for entity in handler.handle(happened, context):
                 followed += entity.execute(context) or []
-    assert [each.event.transition_id for each in followed] == requested
+    assert [action.event.transition_id for action in followed] == requested
     assert reported in capsys.readouterr().out
 
 

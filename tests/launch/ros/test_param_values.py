@@ -61,8 +61,8 @@ def evaluated(path: Path, text: str) -> Any:
 def test_xml(tmp_path: Path, attributes: str, expected: Any) -> None:
     attributes = attributes.replace(r"\"", '"')
     text = f'<launch><node exec="x"><param name="a" {attributes}/></node></launch>'
-    found = evaluated(tmp_path / "a.launch.xml", text)
-    assert (found, type(found)) == (expected, type(expected))
+    value = evaluated(tmp_path / "a.launch.xml", text)
+    assert (value, type(value)) == (expected, type(expected))
 
 
 @pytest.mark.parametrize(("values", "expected"), YAML)
@@ -70,5 +70,5 @@ def test_yaml(tmp_path: Path, values: str, expected: Any) -> None:
     inner = values.strip("{}") if values.startswith("{") else values
     lines = inner.replace(", type:", "\n        type:")
     text = f"launch:\n- node:\n    exec: x\n    param:\n      - name: a\n        {lines}\n"
-    found = evaluated(tmp_path / "a.launch.yaml", text)
-    assert (found, type(found)) == (expected, type(expected))
+    value = evaluated(tmp_path / "a.launch.yaml", text)
+    assert (value, type(value)) == (expected, type(expected))

@@ -72,9 +72,9 @@ def test_mapping_has_these_values(given: dict[Any, Any], expected: Any) -> None:
         with pytest.raises(expected):
             evaluated(given)
         return
-    (found,) = evaluated(given)
-    assert found == expected
-    assert [type(value) for value in found.values()] == [type(value) for value in expected.values()]
+    (values,) = evaluated(given)
+    assert values == expected
+    assert [type(value) for value in values.values()] == [type(value) for value in expected.values()]
 
 
 def test_error_names_the_parameter_and_the_remedy() -> None:
@@ -92,8 +92,8 @@ def test_error_names_the_parameter_and_the_remedy() -> None:
 
 def test_paths_are_files_in_every_form(tmp_path: Path) -> None:
     path = tmp_path / "p.yaml"
-    found = evaluated(str(path), path, text(str(path)), [str(tmp_path), text("/p.yaml")], ParameterFile(path))
-    assert found == (path,) * 5
+    files = evaluated(str(path), path, text(str(path)), [str(tmp_path), text("/p.yaml")], ParameterFile(path))
+    assert files == (path,) * 5
 
 
 def test_parameter_is_shown_before_and_after_its_evaluation() -> None:
@@ -129,16 +129,21 @@ def test_values_for_a_node_are_parameters(tmp_path: Path) -> None:
     given = evaluate_parameters(
         context, normalize_parameters([path, {"a": 2, "c": ["x"]}, Parameter("d", 2.5)])
     )
-    found = to_parameters_list(context, "t", "/ns", given)
-    assert {each.name: each.value for each in found} == {"a": 2, "b": [1, 2], "c": ["x"], "d": 2.5}
+    parameters = to_parameters_list(context, "t", "/ns", given)
+    assert {parameter.name: parameter.value for parameter in parameters} == {
+        "a": 2,
+        "b": [1, 2],
+        "c": ["x"],
+        "d": 2.5,
+    }
     with pytest.warns(UserWarning, match="No parameters for /ns/v in"):
         assert to_parameters_list(context, "v", "/ns", [path]) == []
 
 
 def test_remap_rule_is_a_pair() -> None:
     ((name, replacement),) = normalize_remap_rules([("a", ["b", text("c")])])
-    assert [each.describe() for each in name] == ["'a'"]
-    assert [each.describe() for each in replacement] == ["'b'", "'c'"]
+    assert [part.describe() for part in name] == ["'a'"]
+    assert [part.describe() for part in replacement] == ["'b'", "'c'"]
     with pytest.raises(TypeError, match="remap_rule must be a tuple of length 2, got length 1"):
         normalize_remap_rule(("a",))
     with pytest.raises(TypeError, match="remap_rule"):

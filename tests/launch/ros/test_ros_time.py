@@ -43,10 +43,10 @@ def test_timer_ends_with_the_launch(launch: Callable[..., object]) -> None:
 
 
 def test_timer_stands_still_in_simulated_time(launch: Callable[..., object]) -> None:
-    seen: list[object] = []
+    values: list[object] = []
 
     def look(context: LaunchContext) -> None:
-        seen.append(get_ros_node(context).get_parameter("use_sim_time").value)
+        values.append(get_ros_node(context).get_parameter("use_sim_time").value)
 
     ran = launch(
         SetUseSimTime(True),
@@ -54,7 +54,7 @@ def test_timer_stands_still_in_simulated_time(launch: Callable[..., object]) -> 
         ROSTimer(period=0.01, actions=[LogInfo(msg="never, because nobody publishes /clock")]),
         OpaqueFunction(function=lambda context: [Shutdown(reason="enough")]),
     )
-    assert seen == [True]
+    assert values == [True]
     assert ran.lines == []
 
 

@@ -300,10 +300,10 @@ def test_number_of_arguments_in_launch_files(
 
 
 def test_properties_give_what_was_constructed() -> None:
-    assert [each.describe() for each in IfElseSubstitution("1", "a", "b").else_value] == ["'b'"]
-    assert [each.describe() for each in PathJoinSubstitution(["a", "b"]).substitutions] == ["'a'", "'b'"]
+    assert [part.describe() for part in IfElseSubstitution("1", "a", "b").else_value] == ["'b'"]
+    assert [part.describe() for part in PathJoinSubstitution(["a", "b"]).substitutions] == ["'a'", "'b'"]
     nested = PathJoinSubstitution(["a", ["b", "c"]]).substitutions
-    assert [each.describe() for each in nested[1]] == ["'b'", "'c'"]
-    assert [each.describe() for each in PythonExpression("1", ["sys"]).python_modules] == ["'sys'"]
-    assert [each.describe() for each in Command("ls", on_stderr="warn").on_stderr] == ["'warn'"]
+    assert [part.describe() for part in nested[1]] == ["'b'", "'c'"]
+    assert [part.describe() for part in PythonExpression("1", ["sys"]).python_modules] == ["'sys'"]
+    assert [part.describe() for part in Command("ls", on_stderr="warn").on_stderr] == ["'warn'"]
     assert EnvironmentVariable("A").default_value is None

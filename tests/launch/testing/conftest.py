@@ -57,13 +57,13 @@ def run_pytest(folder: Path, files: Mapping[str, str], *words: str, **environmen
 
 
 def _cases(results: Path) -> list[tuple[str, Case]]:
-    found = []
+    cases = []
     for element in ET.parse(results).getroot().iter("testcase"):
-        bad = next((each for each in element if each.tag in {"failure", "error", "skipped"}), None)
+        bad = next((child for child in element if child.tag in {"failure", "error", "skipped"}), None)
         text = "" if bad is None else f"{bad.get('message')}\n{bad.text}"
         name = "::".join(filter(None, (element.get("classname"), element.get("name"))))
-        found.append((name, Case("passed" if bad is None else bad.tag, text)))
-    return found
+        cases.append((name, Case("passed" if bad is None else bad.tag, text)))
+    return cases
 
 
 @pytest.fixture(scope="session", name="run_pytest")

@@ -211,7 +211,7 @@ def test_wait_for_output_of_another_thread(one: Process) -> None:
 def test_waits_end_with_the_launch(one: Process) -> None:
     output, info = ActiveIoHandler(), ActiveProcInfoHandler()
     info.append(one.started())
-    threads = [threading.Timer(0.05, each.close) for each in (output, info)]
+    threads = [threading.Timer(0.05, record.close) for record in (output, info)]
     begin = time.monotonic()
     for thread in threads:
         thread.start()

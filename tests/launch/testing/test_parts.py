@@ -201,7 +201,7 @@ def test_cases_before_and_after_the_end_are_told_apart() -> None:
     assert PreShutdownTestLoader().loadTestsFromModule(module).countTestCases() == 1
     assert PostShutdownTestLoader().loadTestsFromModule(module).countTestCases() == 1
     runs = LoadTestsFromPythonModule(module_with(parametrize("x", [1, 2])(lambda x: x)), name="some")
-    assert [str(each) for each in runs] == ["some[x=1]", "some[x=2]"]
+    assert [str(run) for run in runs] == ["some[x=1]", "some[x=2]"]
 
 
 @pytest.mark.parametrize(
@@ -280,12 +280,12 @@ def test_results_as_xml() -> None:
         "errors": "2",
         "skipped": "1",
     }
-    found = {case.get("name"): case for case in tests}
-    assert found["test_good"].get("classname") == "Mixed"
-    assert not list(found["test_good"])
-    assert "1 != 2" in found["test_fail"].find("failure").get("message")  # type: ignore[union-attr, operator]
-    assert found["test_error"].find("error").get("message") == "RuntimeError: broken  thing"  # type: ignore[union-attr]
-    assert found["test_skip"].find("skipped").get("message") == "of no use"  # type: ignore[union-attr]
-    assert any("setUpClass" in str(name) for name in found)
+    cases = {case.get("name"): case for case in tests}
+    assert cases["test_good"].get("classname") == "Mixed"
+    assert not list(cases["test_good"])
+    assert "1 != 2" in cases["test_fail"].find("failure").get("message")  # type: ignore[union-attr, operator]
+    assert cases["test_error"].find("error").get("message") == "RuntimeError: broken  thing"  # type: ignore[union-attr]
+    assert cases["test_skip"].find("skipped").get("message") == "of no use"  # type: ignore[union-attr]
+    assert any("setUpClass" in str(name) for name in cases)
     assert failed.find("testcase/failure").get("message") == "processes died"  # type: ignore[union-attr]
     assert skipped.find("testcase/skipped").get("message") == "no robot"  # type: ignore[union-attr]

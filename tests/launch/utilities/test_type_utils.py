@@ -115,7 +115,7 @@ def test_lists_of_texts_have_one_type() -> None:
     ],
 )
 def test_a_value_has_its_types(value: Any, types: set) -> None:
-    assert {each for each in AllowedTypesTuple if is_instance_of(value, each)} == types
+    assert {kind for kind in AllowedTypesTuple if is_instance_of(value, kind)} == types
     assert is_instance_of_valid_type(value) == bool(types)
 
 

@@ -86,7 +86,7 @@ class DeclareLaunchArgument(Action):
 
     @property
     def name(self) -> str:
-        """The name."""
+        """Name of the argument, as on the command line before `:=`."""
         return self.__name
 
     @property
@@ -121,7 +121,7 @@ class DeclareLaunchArgument(Action):
                 raise RuntimeError(f'Required launch argument "{self.__name}" was not provided.')
             configurations[self.__name] = perform_substitutions(context, self.__default_value)
         if self.__choices is not None and (value := configurations[self.__name]) not in self.__choices:
-            raise _logged(
+            raise _logged_error(
                 f'Argument "{self.__name}" provided value "{value}" is not valid. '
                 f"Valid options are: {self.__choices}"
             )
@@ -129,9 +129,11 @@ class DeclareLaunchArgument(Action):
 
 def _check_choices(choices: list[str], default_value: SomeSubstitutionsType | None) -> None:
     if not choices:
-        raise _logged("Provided choices arg is empty. Use None to ignore the choice list.")
+        raise _logged_error("Provided choices arg is empty. Use None to ignore the choice list.")
     if isinstance(default_value, str) and default_value not in choices:
-        raise _logged(f'Provided default_value "{default_value}" is not in provided choices "{choices}".')
+        raise _logged_error(
+            f'Provided default_value "{default_value}" is not in provided choices "{choices}".'
+        )
 
 
 def _describe(description: str | None, choices: list[str] | None) -> str:
@@ -142,6 +144,6 @@ def _describe(description: str | None, choices: list[str] | None) -> str:
     return f"{description}{'' if description.endswith('.') else '.'} Valid choices are: {choices}"
 
 
-def _logged(text: str) -> RuntimeError:
+def _logged_error(text: str) -> RuntimeError:
     get_logger(_LOGGER_NAME).error(text)
     return RuntimeError(text)

@@ -80,7 +80,7 @@ class AppendEnvironmentVariable(NamedValue):
         return self.__separator
 
     def execute(self, context: LaunchContext) -> None:
-        """Append to it."""
+        """Append the value to the variable, or set it if it has none."""
         name = perform_substitutions(context, self.name)
         parts = [perform_substitutions(context, self.value)]
         if name in context.environment:
@@ -100,7 +100,7 @@ class SetEnvironmentVariable(NamedValue):
     """
 
     def execute(self, context: LaunchContext) -> None:
-        """Set it."""
+        """Set the variable for the processes that are started from here on."""
         name = perform_substitutions(context, self.name)
         context.environment[name] = perform_substitutions(context, self.value)
 
@@ -129,11 +129,11 @@ class UnsetEnvironmentVariable(Action):
 
     @property
     def name(self) -> list[Substitution]:
-        """The name."""
+        """Name of the variable to remove."""
         return self.__name
 
     def execute(self, context: LaunchContext) -> None:
-        """Remove it."""
+        """Remove the variable, if it is set."""
         context.environment.pop(perform_substitutions(context, self.__name), None)
 
 
@@ -164,5 +164,5 @@ class ResetEnvironment(Action):
         return cls, kwargs
 
     def execute(self, context: LaunchContext) -> None:
-        """Restore them."""
+        """Restore the variables that the launch began with."""
         context._reset_environment()  # noqa: SLF001  # of this room

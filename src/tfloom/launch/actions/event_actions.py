@@ -35,7 +35,7 @@ class EmitEvent(Action):
 
     @property
     def event(self) -> Event:
-        """The event."""
+        """Event that is emitted."""
         return self._event
 
     def execute(self, context: LaunchContext) -> None:

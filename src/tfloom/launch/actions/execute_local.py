@@ -93,8 +93,10 @@ class ExecuteLocal(Action):
         self._sigkill_timeout = normalize_to_list_of_substitutions(sigkill_timeout)
         # The attributes have double underscores upstream, too; programs set this one.
         self.__emulate_tty = emulate_tty
-        given = os.environ.get("OVERRIDE_LAUNCH_PROCESS_OUTPUT", output)
-        self._given_output = given if isinstance(given, dict) else normalize_to_list_of_substitutions(given)
+        destination = os.environ.get("OVERRIDE_LAUNCH_PROCESS_OUTPUT", output)
+        self._given_output = (
+            destination if isinstance(destination, dict) else normalize_to_list_of_substitutions(destination)
+        )
         self._output: ProcessOutput | None = None
         self._output_format = output_format
         self._cached_output = cached_output
@@ -118,7 +120,7 @@ class ExecuteLocal(Action):
 
     @property
     def process_description(self) -> Executable:
-        """The program."""
+        """Program with its arguments, its folder and its environment."""
         return self._process_description
 
     @property
@@ -206,6 +208,8 @@ class ExecuteLocal(Action):
             number: _seconds(context, name, text)
             for number, text in (("SIGTERM", self._sigterm_timeout), ("SIGKILL", self._sigkill_timeout))
         }
+        # Both before the task's first step: the visit asks for the first one as soon as this returns, and an event of
+        # the end may be handled before the process is started.
         self._completed_future = loop.create_future()
         self._shutdown_future = loop.create_future()
         # Now, because the configurations of an enclosing group or include are gone when the process ends.
@@ -233,6 +237,7 @@ class ExecuteLocal(Action):
             while await self._run_once(context) and respawns and await self._waits_to_respawn(context):
                 self._respawn_count += 1
         finally:
+            # After an error, too, which would otherwise leave a future that is never done, and a launch without end.
             self._clean_up(context)
 
     async def _run_once(self, context: LaunchContext) -> bool:
@@ -250,6 +255,8 @@ class ExecuteLocal(Action):
         if self._log_cmd:
             logger.info("process details: cmd='%s', cwd='%s'", " ".join(cmd), executable.final_cwd)
         guard = guard_of(context)
+        # The loop reads the pipes while `start` still waits. Without details, `_receive` keeps what arrives: the events
+        # of output follow that of the start, and carry the process id. After a respawn, the old details are wrong.
         self._details = None
         try:
             process = await LocalProcess.start(
@@ -266,6 +273,8 @@ class ExecuteLocal(Action):
                 "process could not be started: %s", _start_error(error, cmd, executable.final_cwd)
             )
             return False
+        # At once, in case that the launch is killed: the guardian finds the group even if the process clears its
+        # environment, which holds the launch's id.
         guard.add(process.pid)
         self._process = process
         self._details = {
@@ -282,11 +291,17 @@ class ExecuteLocal(Action):
             self._receive(context, *early)
         self._early_output.clear()
         if self._shutdown_future is not None and self._shutdown_future.done():
-            self._send_signal(signal.SIGINT)  # the launch's end overtook the start
+            # The end was asked for while `start` waited. `_shut_down` had no process then: it has set the timers of
+            # SIGTERM and SIGKILL, and left SIGINT to this line.
+            self._send_signal(signal.SIGINT)
         code = await process.wait()
+        # From here on the system may give the process id to another process. The guard is told, and without
+        # `_process` no timer and no event sends a signal.
         guard.ended(process.pid)
         self._return_code = code
         self._process = None
+        # A last line without a line end is printed before the line that tells the end. The event of the end comes last,
+        # so that its handlers find the return code and all output.
         if self._output is not None:
             self._output.flush()
         if code == 0:
@@ -312,6 +327,7 @@ class ExecuteLocal(Action):
         return not self._shutdown_future.done()
 
     def _clean_up(self, context: LaunchContext) -> None:
+        # A timer that is left would find no process; but it would keep this action alive until then.
         for timer in self._escalation:
             timer.cancel()
         for handler in self._handlers:
@@ -324,11 +340,16 @@ class ExecuteLocal(Action):
 
     def _shut_down(self, context: LaunchContext, timeouts: dict[str, tuple[str, float]]) -> None:
         """Send SIGINT, and later the signals that a process can't ignore."""
+        # Several events lead here: Shutdown, and ShutdownProcess as often as a user emits it. The first one counts:
+        # a second set of timers would send each signal twice.
         future = self._shutdown_future
         if future is None or future.done() or self._completed_future is None or self._completed_future.done():
             return
+        # This ends the wait of a respawn, and `_run_once` reads it if the process is just being started.
         future.set_result(None)
         loop = self._completed_future.get_loop()
+        # Both timers start now, the second one with the sum of the times. They run also while there is no process yet,
+        # and `_clean_up` cancels them after its end.
         end_s, before = 0.0, "SIGINT"
         for number, (text, seconds) in timeouts.items():
             end_s += seconds

@@ -65,7 +65,7 @@ class ForEach(Action):
 
     @property
     def input_values(self) -> list[Substitution]:
-        """The sets of values."""
+        """Sets of values, as given: a text in YAML, or substitutions for it."""
         return self._input_values
 
     @property
@@ -133,7 +133,7 @@ class ForLoop(Action):
 
     @property
     def length(self) -> list[Substitution]:
-        """The number of times."""
+        """Number of iterations, as substitutions."""
         return self._length
 
     @property
@@ -194,9 +194,9 @@ class _Actions:
     def __init__(self, entity: Entity, parser: ParsesActions) -> None:
         self._entity = entity
         self._parser = parser
-        self._make()
+        self._make_actions()
 
-    def _make(self) -> list[LaunchDescriptionEntity]:
+    def _make_actions(self) -> list[LaunchDescriptionEntity]:
         return [self._parser.parse_action(child) for child in self._entity.children]
 
     def with_values(self, values: Mapping[str, Any]) -> Entities:
@@ -210,4 +210,4 @@ class _Actions:
         def pop(context: LaunchContext) -> None:
             context._pop_locals()  # noqa: SLF001  # of this room
 
-        return [OpaqueFunction(function=push), *self._make(), OpaqueFunction(function=pop)]
+        return [OpaqueFunction(function=push), *self._make_actions(), OpaqueFunction(function=pop)]

@@ -75,11 +75,11 @@ class IncludeLaunchDescription(Action):
         """
         _, kwargs = super().parse(entity, parser)
         kwargs["launch_description_source"] = parser.parse_substitution(entity.get_attr("file"))
-        given: list[Entity] = []
+        arguments: list[Entity] = []
         for tag in ("arg", "let"):
-            given += entity.get_attr(tag, data_type=list[Entity], optional=True) or []
-        if given:
-            kwargs["launch_arguments"] = parse_pairs(given, parser)
+            arguments += entity.get_attr(tag, data_type=list[Entity], optional=True) or []
+        if arguments:
+            kwargs["launch_arguments"] = parse_pairs(arguments, parser)
         return cls, kwargs
 
     @property
@@ -142,18 +142,18 @@ class IncludeLaunchDescription(Action):
 
     def _check_arguments(self, context: LaunchContext, description: LaunchDescription) -> None:
         """Raise RuntimeError if an argument that is certainly used has no value; others may fail when they are used."""
-        given = [perform_some_substitutions(context, name) for name, _ in self.__arguments]
-        found = description.get_launch_arguments_with_include_launch_description_actions()
-        for argument, inclusions in found:
+        given_names = [perform_some_substitutions(context, name) for name, _ in self.__arguments]
+        declarations = description.get_launch_arguments_with_include_launch_description_actions()
+        for argument, inclusions in declarations:
             is_optional = argument._conditionally_included  # noqa: SLF001  # of this room
             is_set = argument.name in context.launch_configurations
             if is_set or is_optional or argument.default_value is not None:
                 continue
             inner = {name for inclusion in inclusions or () for name in inclusion.known_argument_names()}
-            if argument.name not in given and argument.name not in inner:
+            if argument.name not in given_names and argument.name not in inner:
                 raise RuntimeError(
                     f"Included launch description missing required argument '{argument.name}' "
-                    f"(description: '{argument.description}'), given: [{', '.join(given)}]"
+                    f"(description: '{argument.description}'), given: [{', '.join(given_names)}]"
                 )
 
     def known_argument_names(self) -> list[str]:

@@ -40,7 +40,7 @@ class SetLaunchConfiguration(NamedValue):
     """
 
     def execute(self, context: LaunchContext) -> None:
-        """Set it."""
+        """Set the configuration in the scope that is visited, from here on."""
         name = perform_substitutions(context, self.name)
         context.launch_configurations[name] = perform_substitutions(context, self.value)
 
@@ -59,11 +59,11 @@ class UnsetLaunchConfiguration(Action):
 
     @property
     def name(self) -> list[Substitution]:
-        """The name."""
+        """Name of the configuration to remove."""
         return self.__name
 
     def execute(self, context: LaunchContext) -> None:
-        """Remove it."""
+        """Remove the configuration, if it is set."""
         context.launch_configurations.pop(perform_substitutions(context, self.__name), None)
 
 
@@ -123,7 +123,7 @@ class ResetLaunchConfigurations(Action):
         return cls, kwargs
 
     def execute(self, context: LaunchContext) -> None:
-        """Remove and set them."""
+        """Remove all configurations but those to keep, which get the values given here."""
         kept = {
             perform_some_substitutions(context, name): perform_some_substitutions(context, value)
             for name, value in self.__launch_configurations.items()

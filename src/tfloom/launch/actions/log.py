@@ -1,4 +1,4 @@
-"""Log a message."""
+"""Actions that log a message at one of the levels."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ class Log(Action):
 
     @property
     def msg(self) -> list[Substitution]:
-        """The message."""
+        """Message that is logged, as substitutions."""
         return self.__msg
 
     @property

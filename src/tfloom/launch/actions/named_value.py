@@ -37,10 +37,10 @@ class NamedValue(Action):
 
     @property
     def name(self) -> list[Substitution]:
-        """The name."""
+        """Name of what is set, as substitutions."""
         return self.__name
 
     @property
     def value(self) -> list[Substitution]:
-        """The value."""
+        """Value that it gets, as substitutions."""
         return self.__value

@@ -72,6 +72,7 @@ class ProcessOutput:
         stream = self._streams[fd]
         if details is not None:
             event = event_type(text=data, **details)
+            # Without a handler of it, no event is queued: loud processes would fill the queue for nothing.
             stream.has_events = context.would_handle_event(event)
             if stream.has_events:
                 context.emit_event_sync(event)
@@ -87,6 +88,7 @@ class ProcessOutput:
     def _print(self, stream: _Stream, text: str) -> None:
         if self._is_cached:
             stream.cached.append(text)
+        # The last part has no line end yet. It waits in `rest` until its line is complete, or too long to wait for.
         *lines, rest = text.split("\n")
         if lines:
             lines[0] = "".join([*stream.rest, lines[0]])

@@ -78,13 +78,13 @@ class TimerAction(Action):
         return self._actions
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        """Return the actions."""
+        """Return nothing, because the actions may never be executed: see `describe_conditional_sub_entities`."""
         return []
 
     def describe_conditional_sub_entities(
         self,
     ) -> list[tuple[str, Iterable[LaunchDescriptionEntity]]]:
-        """Return the actions."""
+        """Return the actions, which are executed after the period unless the timer is canceled."""
         return [*super().describe_conditional_sub_entities(), ("After the period", self._actions)]
 
     def cancel(self) -> None:
@@ -119,6 +119,7 @@ class TimerAction(Action):
             raise RuntimeError("a timer can't be started: no LaunchService runs")
         if self._canceled:
             return None
+        # The variables of this moment, because those of an enclosing group or include are gone after the wait.
         self._variables = context.get_locals_as_dict()
         self._canceled_future = loop.create_future()
         self._completed_future = loop.create_future()
@@ -162,6 +163,8 @@ class _OnTimer(BaseEventHandler):
 
     def handle(self, event: Event, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         super().handle(event, context)
+        # The launch looks for open futures after the visit of what is returned here. So it can't take itself for idle
+        # between the end of the timer and the begin of its actions.
         self._timer._complete(context)  # noqa: SLF001  # its handler
         return self._timer.handle(context)
 

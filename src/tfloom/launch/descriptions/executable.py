@@ -137,19 +137,19 @@ class Executable:
                 prefix = []
         self._final_cmd = prefix + cmd
         self._final_cwd = None if self._cwd is None else perform_substitutions(context, self._cwd)
-        variables = dict(context.environment) if self._env is None else _performed(context, self._env)
-        variables.update(_performed(context, self._additional_env or []))
+        variables = dict(context.environment) if self._env is None else _perform_variables(context, self._env)
+        variables.update(_perform_variables(context, self._additional_env or []))
         self._final_env = variables
 
 
-def _variables(given: Mapping[SomeSubstitutionsType, SomeSubstitutionsType]) -> Variables:
+def _variables(variables: Mapping[SomeSubstitutionsType, SomeSubstitutionsType]) -> Variables:
     return [
         (normalize_to_list_of_substitutions(name), normalize_to_list_of_substitutions(value))
-        for name, value in given.items()
+        for name, value in variables.items()
     ]
 
 
-def _performed(context: LaunchContext, variables: Variables) -> dict[str, str]:
+def _perform_variables(context: LaunchContext, variables: Variables) -> dict[str, str]:
     return {
         perform_substitutions(context, name): perform_substitutions(context, value)
         for name, value in variables

@@ -22,5 +22,5 @@ class ExecutionComplete(Event):
 
     @property
     def action(self) -> LaunchDescriptionEntity:
-        """The action."""
+        """Action that is complete."""
         return self._action

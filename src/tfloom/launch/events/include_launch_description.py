@@ -22,5 +22,5 @@ class IncludeLaunchDescription(Event):
 
     @property
     def launch_description(self) -> LaunchDescription:
-        """The description."""
+        """Description that is added to the launch."""
         return self._launch_description

@@ -1,4 +1,4 @@
-"""Matchers of actions."""
+"""Matchers, which tell whether an event is for an action."""
 
 from __future__ import annotations
 

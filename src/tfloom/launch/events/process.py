@@ -89,7 +89,7 @@ class RunningProcessEvent(Event):
 
     @property
     def pid(self) -> int:
-        """Process id."""
+        """Process id that the system has given."""
         return self._pid
 
 
@@ -177,7 +177,7 @@ class ProcessIO(RunningProcessEvent):
     """A process has read or written something.
 
     Args:
-        text: The octets.
+        text: What was written, as bytes; not necessarily whole lines.
         fd: The process's descriptor: 0 stdin, 1 stdout, 2 stderr.
         kwargs: As for RunningProcessEvent.
     """
@@ -191,7 +191,7 @@ class ProcessIO(RunningProcessEvent):
 
     @property
     def text(self) -> bytes:
-        """The octets."""
+        """What was written, as bytes; not necessarily whole lines."""
         return self._text
 
     @property
@@ -214,7 +214,7 @@ class ProcessStdout(ProcessIO):
     """A process has written to its stdout.
 
     Args:
-        text: The octets.
+        text: What was written, as bytes.
         kwargs: As for RunningProcessEvent.
     """
 
@@ -228,7 +228,7 @@ class ProcessStderr(ProcessIO):
     """A process has written to its stderr.
 
     Args:
-        text: The octets.
+        text: What was written, as bytes.
         kwargs: As for RunningProcessEvent.
     """
 
@@ -242,7 +242,7 @@ class ProcessStdin(ProcessTargetedEvent):
     """Writes to the stdin of processes.
 
     Args:
-        text: What is written, as octets or text.
+        text: What is written, as bytes or text.
         kwargs: As for ProcessTargetedEvent.
     """
 
@@ -254,7 +254,7 @@ class ProcessStdin(ProcessTargetedEvent):
 
     @property
     def text(self) -> bytes:
-        """The octets."""
+        """What is written, as bytes."""
         return self._text
 
 
@@ -292,7 +292,7 @@ class SignalProcess(ProcessTargetedEvent):
 
     @property
     def signal(self) -> signal.Signals:
-        """The signal."""
+        """Signal that is sent to the processes."""
         return self._signal
 
     @property

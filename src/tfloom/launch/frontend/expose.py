@@ -112,13 +112,13 @@ def _expose(
 ) -> Callable[[_Exposed], _Exposed]:
     def decorator(exposed: _Exposed) -> _Exposed:
         parse = _method_of(exposed, name, kind)
-        known = methods.get(name)
+        former_method = methods.get(name)
         owner = modules.get(name, exposed.__module__)
         if owner != exposed.__module__ or (
-            known is not None and getattr(known, "__wrapped__", known) != parse
+            former_method is not None and getattr(former_method, "__wrapped__", former_method) != parse
         ):
             raise RuntimeError(f"Two {kind} parsing methods exposed with the same name: [{name}].")
-        methods[name] = _checked(parse) if kind == "action" else parse
+        methods[name] = _with_completeness_check(parse) if kind == "action" else parse
         return exposed
 
     return decorator
@@ -137,7 +137,7 @@ def _method_of(exposed: Callable[..., Any], name: str, kind: str) -> Callable[..
     )
 
 
-def _checked(parse: Callable[..., Any]) -> Callable[..., Any]:
+def _with_completeness_check(parse: Callable[..., Any]) -> Callable[..., Any]:
     """Return an action's method that also checks that the action has read all of the element."""
 
     @functools.wraps(parse)

@@ -24,8 +24,8 @@ def parse_pairs(
         second: Name of the second attribute.
     """
     pairs = []
-    for each in entities:
-        name = tuple(parser.parse_substitution(each.get_attr(first)))
-        pairs.append((name, parser.parse_substitution(each.get_attr(second))))
-        each.assert_entity_completely_parsed()
+    for entity in entities:
+        name = tuple(parser.parse_substitution(entity.get_attr(first)))
+        pairs.append((name, parser.parse_substitution(entity.get_attr(second))))
+        entity.assert_entity_completely_parsed()
     return pairs

@@ -62,14 +62,14 @@ def parse_if_substitutions(value: Any) -> Any:
         ValueError: a list has values of several types, of which substitutions may be any.
     """
     if not isinstance(value, list):
-        return _parsed(value)
-    parsed = [_parsed(each) for each in value]
-    if len({type(each) for each in parsed if not isinstance(each, list)}) > 1:
+        return _parse_value(value)
+    parsed = [_parse_value(item) for item in value]
+    if len({type(item) for item in parsed if not isinstance(item, list)}) > 1:
         raise ValueError(f"The result is a non-uniform list: {value}")
     return parsed
 
 
-def _parsed(value: Any) -> Any:
+def _parse_value(value: Any) -> Any:
     if not isinstance(value, str):
         return value
     parts = parse_substitution(value)
@@ -131,8 +131,8 @@ class _Reader:
         while self._skip_spaces() and not self._text.startswith(")", self._at):
             args.append(self._argument(quote, level + 1))
         if not self._text.startswith(")", self._at):
-            found = f"'{self._text[self._at]}'" if self._at < len(self._text) else "the end"
-            problem = f"{found} is where an argument or ')' should be, in '$({name[0]} …'"
+            next_text = f"'{self._text[self._at]}'" if self._at < len(self._text) else "the end"
+            problem = f"{next_text} is where an argument or ')' should be, in '$({name[0]} …'"
             raise self._error(problem, self._at)
         self._at += 1
         try:
@@ -159,9 +159,10 @@ class _Reader:
             return parts
         parts = self._parts(" ()" + (quote or "'\""), quote, level)
         if not parts:
-            found = f"'{mark}'" if mark else "the end"
+            next_text = f"'{mark}'" if mark else "the end"
             raise self._error(
-                rf"{found} is where an argument or ')' should be (for the text, write '\{mark}')", self._at
+                rf"{next_text} is where an argument or ')' should be (for the text, write '\{mark}')",
+                self._at,
             )
         return parts
 

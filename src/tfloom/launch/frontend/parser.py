@@ -57,8 +57,9 @@ class Parser:
     def load_parser_implementations(cls) -> None:
         """Import all parsers, at the first call."""
         if Parser.frontend_parsers is None:
-            found = load_entry_points("launch.frontend.parser")
-            Parser.frontend_parsers = {**found, **{name: _own_parser(name) for name in _MODULES}}
+            installed = load_entry_points("launch.frontend.parser")
+            # tfloom's own ones last, so that they take precedence over those of an installed ROS 2.
+            Parser.frontend_parsers = {**installed, **{name: _own_parser(name) for name in _MODULES}}
 
     @classmethod
     def _parsers(cls) -> dict[str, type[Parser]]:
@@ -174,7 +175,7 @@ class Parser:
     @classmethod
     def get_file_extensions_from_parsers(cls) -> set[str]:
         """Return the extensions of all parsers' files, without the dot before them."""
-        return {each for parser in cls._parsers().values() for each in parser.get_file_extensions()}
+        return {extension for parser in cls._parsers().values() for extension in parser.get_file_extensions()}
 
     @classmethod
     def get_file_extensions(cls) -> set[str]:
@@ -192,6 +193,8 @@ class Parser:
             FileNotFoundError: there is no such file.
             InvalidFrontendLaunchFileError: no parser can read it.
         """
+        # The name may leave no parser, as that of a temporary file does. Then each is tried in turn, and an open file
+        # goes back to its beginning for the next one.
         name = os.fspath(file) if isinstance(file, (str, os.PathLike)) else str(getattr(file, "name", ""))
         parsers = _chosen_parsers(cls, name)
         failures = []
@@ -204,6 +207,8 @@ class Parser:
                 failures.append(error)
                 if not isinstance(file, (str, os.PathLike)):
                     file.seek(0)
+        # The error of the parser that the name stands for is the user's. After a mere trial of all, none of the errors
+        # says what is wrong with the file.
         if len(failures) == 1 or (parsers and failures):
             message = describe_error(failures[0], name)
             raise InvalidFrontendLaunchFileError.with_message(message, failures[0]) from failures[0]
@@ -227,6 +232,7 @@ def _place(entity: Entity) -> str:
 
 def _condition_text(entity: Entity, name: str) -> str | None:
     """Return a condition's text. YAML's `true` and `1` have no quotation marks."""
+    # Usually it is a text, with substitutions in it. What YAML has read as another type is asked for as it is.
     try:
         text: str | None = entity.get_attr(name, optional=True)
     except TypeError:

@@ -40,13 +40,13 @@ def get_launch_description_from_any_launch_file(
 
     extension = Path(launch_file_path).suffix
     if extension == ".py":
-        return _load(get_launch_description_from_python_launch_file, launch_file_path)
+        return _load_file(get_launch_description_from_python_launch_file, launch_file_path)
     if extension in {".xml", ".yaml", ".yml"} or Parser.is_filename_valid(launch_file_path):
-        return _load(load_frontend, launch_file_path)
+        return _load_file(load_frontend, launch_file_path)
     return _try_all(load_frontend, launch_file_path)
 
 
-def _load(loader: Callable[[str], LaunchDescription], path: str) -> LaunchDescription:
+def _load_file(loader: Callable[[str], LaunchDescription], path: str) -> LaunchDescription:
     try:
         return loader(path)
     except InvalidPythonLaunchFileError as error:
@@ -57,15 +57,17 @@ def _try_all(load_frontend: Callable[[str], LaunchDescription], path: str) -> La
     failures: list[Exception] = []
     for loader in (load_frontend, get_launch_description_from_python_launch_file):
         try:
-            return _load(loader, path)
+            return _load_file(loader, path)
         except InvalidLaunchFileError as error:  # noqa: PERF203  # of two ways
             failures.append(error)
-    known = ", ".join(f".{each}" for each in sorted(Parser.get_file_extensions_from_parsers() | {"py"}))
+    extensions = ", ".join(
+        f".{extension}" for extension in sorted(Parser.get_file_extensions_from_parsers() | {"py"})
+    )
     name = Path(path).suffix
     reason = f"its extension '{name}'" if name else "a file without an extension"
     likely = failures[0] if Path(path).read_bytes().lstrip().startswith(b"<") else failures[-1]
     raise InvalidLaunchFileError.with_message(
         f"{path}: The launch file may have a syntax error, or its format is unknown "
-        f"({reason} is none of {known}): {likely}",
+        f"({reason} is none of {extensions}): {likely}",
         likely,
     ) from likely

@@ -18,12 +18,12 @@ class _MissingFileError(FileNotFoundError):
     """No file has a path; the text names the nearest one that exists."""
 
     def __str__(self) -> str:
-        return f"{super().__str__()}{self._near()}"
+        return f"{super().__str__()}{self._hint()}"
 
-    def _near(self) -> str:
+    def _hint(self) -> str:
         path = Path(str(self.filename))
         try:
-            names = sorted(each.name for each in path.parent.iterdir())
+            names = sorted(sibling.name for sibling in path.parent.iterdir())
         except OSError:
             return f" (there is no folder '{path.parent}')"
         files = {_stem(name): name for name in reversed(names) if name.endswith(_EXTENSIONS)}

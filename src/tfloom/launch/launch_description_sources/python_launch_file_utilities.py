@@ -58,7 +58,7 @@ def get_launch_description_from_python_launch_file(python_launch_file_path: str)
     except InvalidPythonLaunchFileError:
         raise
     except Exception as error:
-        text = _described(error, python_launch_file_path)
+        text = _error_text(error, python_launch_file_path)
         raise InvalidPythonLaunchFileError(text) from error
     if not isinstance(description, LaunchDescription):
         code = getattr(generate, "__code__", None)
@@ -79,7 +79,7 @@ def _function_of(module: ModuleType, path: str) -> Callable[[], Any]:
     return function
 
 
-def _described(error: Exception, path: str) -> str:
+def _error_text(error: Exception, path: str) -> str:
     """Return an error's place in a launch file, its type and its text."""
     lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == path]
     text = f"{type(error).__name__}: {error}"

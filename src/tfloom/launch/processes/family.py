@@ -66,14 +66,15 @@ def members_of(group: int) -> set[Member]:
 
 def _members(groups: set[int]) -> dict[int, set[Member]]:
     """Return the members of groups that have any."""
-    found: dict[int, set[Member]] = {}
+    # One walk over all processes for all groups: the system has no list of a group's members.
+    members_by_group: dict[int, set[Member]] = {}
     if sys.platform != "win32":
         for pid in psutil.pids() if groups else []:
             with suppress(psutil.Error, OSError):  # it has ended
                 group = os.getpgid(pid)
                 if group in groups:
-                    found.setdefault(group, set()).add((pid, _start_of(pid)))
-    return found
+                    members_by_group.setdefault(group, set()).add((pid, _start_of(pid)))
+    return members_by_group
 
 
 def _start_of(pid: int) -> float:
@@ -94,24 +95,29 @@ def find(launch_id: str, groups: Groups | None = None, since_s: float = 0.0) -> 
         since_s: Time before which no member was started [s since epoch], in case that an id was used again.
     """
     groups = {} if groups is None else groups
-    seen = _members(set(groups))
-    for group, known in list(groups.items()):
-        members = seen.get(group, set())
-        if members and (known is None or known & members):
+    # First the groups: is each still the launch's? While its first process runs, the id can't be given to another
+    # group (None). Later one of the members that were noted must be there; the ones that it has started meanwhile are
+    # then noted with it, because it may end before the next look.
+    members_by_group = _members(set(groups))
+    for group, noted_members in list(groups.items()):
+        members = members_by_group.get(group, set())
+        if members and (noted_members is None or noted_members & members):
             groups[group] = members
         else:
             del groups[group]
     return [
         process
         for process in psutil.process_iter()
-        if process.pid != os.getpid() and _is_of(process, launch_id, groups, since_s)
+        if process.pid != os.getpid() and _belongs_to_launch(process, launch_id, groups, since_s)
     ]
 
 
-def _is_of(process: psutil.Process, launch_id: str, groups: Groups, since_s: float) -> bool:
+def _belongs_to_launch(process: psutil.Process, launch_id: str, groups: Groups, since_s: float) -> bool:
     try:
+        # A zombie has ended already. It stays until its parent waits for it, which no signal hastens.
         if process.status() == psutil.STATUS_ZOMBIE:
             return False
+        # The group first: a member may have emptied its environment. Outside the groups, only the environment tells.
         if groups and hasattr(os, "getpgid") and os.getpgid(process.pid) in groups:
             return float(process.create_time()) >= since_s - 1.0  # which has the resolution of a clock tick
         return launch_id in str(process.environ().get(TAG, "")).split(":")
@@ -128,8 +134,10 @@ def end(launch_id: str, groups: Groups, since_s: float, steps: Mapping[signal.Si
         since_s: When it began [s since epoch].
         steps: Signals in the order in which they are sent, each with the time until the next one [s]; SIGKILL follows.
     """
+    # A process that gets a signal may start others before it ends, and these inherit the launch's id. So each step
+    # looks again after each pause, and ends early when nobody is left.
     alive = find(launch_id, groups, since_s)
-    named = [_described(process) for process in alive]
+    named = [_process_text(process) for process in alive]
     for number, wait_s in [*steps.items(), (KILL, KILL_S)]:
         stop = time.monotonic() + wait_s
         signalled: set[int] = set()
@@ -138,7 +146,7 @@ def end(launch_id: str, groups: Groups, since_s: float, steps: Mapping[signal.Si
                 # One that appears meanwhile is signalled, too; SIGKILL is repeated.
                 if number == KILL or process.pid not in signalled:
                     signalled.add(process.pid)
-                    _send(process, number)
+                    _send_signal(process, number)
             if time.monotonic() > stop:
                 break
             time.sleep(POLL_S)
@@ -146,14 +154,14 @@ def end(launch_id: str, groups: Groups, since_s: float, steps: Mapping[signal.Si
     return named
 
 
-def _send(process: psutil.Process, number: signal.Signals) -> None:
+def _send_signal(process: psutil.Process, number: signal.Signals) -> None:
     try:
         process.send_signal(number)
     except (psutil.Error, OSError, ValueError):  # the last, because Windows has no SIGINT for others
         return
 
 
-def _described(process: psutil.Process) -> str:
+def _process_text(process: psutil.Process) -> str:
     try:
         return f"{process.name()} [pid {process.pid}]"
     except psutil.Error:

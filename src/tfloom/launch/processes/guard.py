@@ -32,6 +32,10 @@ class Guard:
 
     def environment(self, environment: Mapping[str, str]) -> dict[str, str]:
         """Return the environment variables for a process that is started next. Before the first, start the guardian."""
+        # The guardian must outlive the launch. Its stdin is a pipe whose other end no other process inherits, so it
+        # reads the end of the pipe when the launch has ended, also by SIGKILL. A session of its own keeps Ctrl-C of the
+        # terminal from it. Its environment names no launch, because an outer launch ends all processes with its name.
+        #
         # A frozen program has no Python that could run the guardian: its executable is the program itself.
         if self._guardian is None and not getattr(sys, "frozen", False):
             self._guardian = subprocess.Popen(
@@ -57,17 +61,18 @@ class Guard:
         """Add the process group of a process that has started."""
         self._has_started = True
         self._groups[pid] = None
-        self._send(str(pid))
+        self._send_line(str(pid))
 
     def ended(self, pid: int) -> None:
         """Note that a process that was added has ended: its group is kept only for those that it has left there."""
+        # Whoever is left in the group proves later that it is still the same one: see `Groups`.
         members = members_of(pid)
         if members:
             self._groups[pid] = members
         else:
             # The system may give its id to a group that isn't the launch's.
             self._groups.pop(pid, None)
-        self._send(" ".join(["ended", str(pid), *(f"{member}:{start!r}" for member, start in members)]))
+        self._send_line(" ".join(["ended", str(pid), *(f"{member}:{start!r}" for member, start in members)]))
 
     def add_folder(self, folder: str) -> None:
         """Add a folder of temporary files, which is removed if the launch is killed."""
@@ -75,9 +80,10 @@ class Guard:
         self._send_folder(folder)
 
     def _send_folder(self, folder: str) -> None:
-        self._send(f"remove {folder.encode().hex()}")
+        self._send_line(f"remove {folder.encode().hex()}")
 
-    def _send(self, line: str) -> None:
+    def _send_line(self, line: str) -> None:
+        # Each line is flushed, because the launch may be killed after any of them, and its buffers are lost then.
         if self._guardian is not None and self._guardian.stdin is not None:
             with suppress(BrokenPipeError):  # a guardian that was killed
                 self._guardian.stdin.write(f"{line}\n".encode())
@@ -87,6 +93,8 @@ class Guard:
         """End what is left of the launch's processes, and the guardian; return those that were alive, as texts."""
         if self._guardian is None and not self._has_started:
             return []
+        # The guardian goes last: if the launch is killed during `end`, it continues there. SIGKILL, because it ignores
+        # the other signals, and before its stdin is closed, which it would take for the end of the launch.
         named = end(self._launch_id, self._groups, self._since_s, LEFTOVERS)
         self._groups.clear()
         self._has_started = False

@@ -19,16 +19,19 @@ def main(arguments: list[str]) -> int:
     process has left there, each as id and start with a colon between; or `remove` and the path of a folder in
     hexadecimal digits.
     """
+    # Who ends the launch by a signal may send it to all processes of the user. The guardian is needed after that.
     for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT"):
         if hasattr(signal, name):
             signal.signal(getattr(signal, name), signal.SIG_IGN)
     launch_id, since_s = arguments[0], float(arguments[1])
-    lines = [line.split() for line in sys.stdin.buffer]
+    lines = [line.split() for line in sys.stdin.buffer]  # until the launch has ended: the guardian waits here
     folders = [bytes.fromhex(words[1].decode()) for words in lines if words[0] == b"remove"]
     import shutil  # not needed before, as the next
 
     from tfloom.launch.processes import family
 
+    # In the order of the lines: the system may have given the id of a group that has ended to a later process of the
+    # launch, and the last line about an id is the one that holds.
     groups: family.Groups = {}
     for words in lines:
         if words[0] == b"ended":

@@ -76,6 +76,7 @@ class LocalProcess:
         self = cls(output, is_behind)
         loop = asyncio.get_running_loop()
         options: dict[str, Any] = {"cwd": cwd, "env": dict(env), "stdin": subprocess.PIPE, **_own_group()}
+        # One terminal each for stdout and stderr, else they could not be told apart; without them, pipes of asyncio.
         ends = self._open_terminals() if emulate_tty and os.name == "posix" else []
         if ends:
             options.update(stdout=ends[0][1], stderr=ends[1][1])
@@ -90,6 +91,7 @@ class LocalProcess:
                 os.close(ours)
             raise
         finally:
+            # The process has its own copies. With these open, the launch would never read the end of a terminal.
             for _, theirs in ends:
                 os.close(theirs)
         self._transport = started[0]
@@ -133,6 +135,9 @@ class LocalProcess:
 
     async def wait(self) -> int:
         """Wait for the end and for the rest of the output, and return the exit code; minus the number of a signal."""
+        # The exit comes first; the pipes may still hold output, and a process that inherited them may write on. Usually
+        # all pipes close at once, and the first `asyncio.wait` returns. Else it gives up after OUTPUT_S, unless the
+        # reading was paused meanwhile because the launch is behind: then there is more to read when it goes on.
         await self._protocol.exited
         silences = [self._protocol.silent, *(terminal.closed for terminal in self._terminals)]
         for _ in range(MAX_PAUSES):
@@ -144,7 +149,8 @@ class LocalProcess:
             terminal.close()
         assert self._transport is not None  # noqa: S101  # after `start`
         code = self._transport.get_returncode()
-        # At once if it is silent; else when those have ended to which it has passed its output on.
+        # To close the pipes earlier would kill those to which it has passed its output on, by SIGPIPE. So this is at
+        # once if all is silent, else when they have ended.
         self._protocol.silent.add_done_callback(lambda _, close=self._transport.close: close())  # type: ignore[misc]
         return code if code is not None else 255
 
@@ -178,6 +184,8 @@ class _Flow:
 
     def receive(self, fd: int, data: bytes) -> None:
         self._output(fd, data)
+        # A pause of the reading fills the pipe, which holds the process up in its next `write`. The end of the
+        # pause is polled for, because most of what is behind is written by other threads, which don't know this loop.
         if self.flows.is_set() and self._is_behind():
             self.flows.clear()
             self._call_on_open_pipes("pause_reading")
@@ -210,7 +218,7 @@ class _Protocol(asyncio.SubprocessProtocol):
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         pipes = [cast("asyncio.SubprocessTransport", transport).get_pipe_transport(fd) for fd in (1, 2)]
         for pipe in pipes:
-            if pipe is not None:
+            if pipe is not None:  # there is none for a terminal
                 self._open += 1
                 self._flow.add(pipe)
         self._finish()

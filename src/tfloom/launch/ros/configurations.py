@@ -52,8 +52,8 @@ def add_remapping(context: LaunchContext, name: str, replacement: str) -> None:
 
 def namespace(context: LaunchContext) -> str | None:
     """Return the namespace of all nodes; None if there is none."""
-    found = _values(context).get(_NAMESPACE)
-    return None if found is None else str(found)
+    namespace = _values(context).get(_NAMESPACE)
+    return None if namespace is None else str(namespace)
 
 
 def set_namespace(context: LaunchContext, name: str) -> None:

@@ -13,7 +13,7 @@ from tfloom.whole_files import write_file
 __all__ = ["script_for"]
 
 _SHEBANG_LIMIT = 127
-"""The longest first line that all kernels read [octets]."""
+"""The longest first line that all kernels read [bytes]."""
 
 
 def script_for(context: LaunchContext, package: str, program: str, target: str) -> str:

@@ -91,6 +91,7 @@ class ROSAdapter:
         """
         if self._thread is None or self._context is None or self._executor is None or self._node is None:
             raise RuntimeError("Cannot shutdown a ROS adapter that is not running")
+        # The thread ends before the node is destroyed, so that no callback runs with a node that is gone.
         self._executor.shutdown()
         self._thread.join()
         self._destroy()

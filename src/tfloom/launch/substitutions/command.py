@@ -77,7 +77,7 @@ class Command(Substitution):
             )
         try:
             result = subprocess.run(
-                _words(context, line),
+                _command_words(context, line),
                 stdout=subprocess.PIPE,
                 stderr=subprocess.STDOUT if on_stderr == "capture" else subprocess.PIPE,
                 env=context.environment,
@@ -102,7 +102,7 @@ class Command(Substitution):
         return result.stdout
 
 
-def _words(context: LaunchContext, line: str) -> list[str]:
+def _command_words(context: LaunchContext, line: str) -> list[str]:
     """Return the words of a command's line, the first one replaced by what runs the program.
 
     Raises:

@@ -59,12 +59,12 @@ class TwoValues(Substitution):
 
     @property
     def left(self) -> list[Substitution]:
-        """First value."""
+        """First operand, as substitutions."""
         return self._left
 
     @property
     def right(self) -> list[Substitution]:
-        """Second value."""
+        """Second operand, as substitutions."""
         return self._right
 
     def describe(self) -> str:
@@ -75,7 +75,7 @@ class TwoValues(Substitution):
 _BOOLEANS = {"true": True, "1": True, "false": False, "0": False}
 
 
-def _normalized(value: Any) -> list[Substitution]:
+def _normalized_operand(value: Any) -> list[Substitution]:
     if is_substitution(value):
         return normalize_to_list_of_substitutions(value)
     if value is None or value in ([], ()):
@@ -83,7 +83,7 @@ def _normalized(value: Any) -> list[Substitution]:
     return normalize_to_list_of_substitutions(str(value).lower() if isinstance(value, bool) else str(value))
 
 
-def _number(text: str) -> float | None:
+def _as_number(text: str) -> float | None:
     try:
         return float(text)
     except ValueError:
@@ -94,7 +94,7 @@ def _are_equal(left: str, right: str) -> bool:
     """Return whether texts are equal, as booleans (also 0 and 1), as numbers that are close, or as texts."""
     if left.lower() in _BOOLEANS and right.lower() in _BOOLEANS:
         return _BOOLEANS[left.lower()] == _BOOLEANS[right.lower()]
-    numbers = _number(left), _number(right)
+    numbers = _as_number(left), _as_number(right)
     if numbers[0] is not None and numbers[1] is not None:
         return math.isclose(numbers[0], numbers[1])
     return left == right
@@ -112,7 +112,7 @@ class EqualsSubstitution(TwoValues):
     _word = "equals"
 
     def __init__(self, left: Any | Iterable[Any] | None, right: Any | Iterable[Any] | None) -> None:
-        super().__init__(_normalized(left), _normalized(right))
+        super().__init__(_normalized_operand(left), _normalized_operand(right))
 
     def perform(self, context: LaunchContext) -> str:
         """Return `true` or `false`."""
@@ -180,7 +180,7 @@ class NotSubstitution(Substitution):
 
     @property
     def value(self) -> list[Substitution]:
-        """What is negated."""
+        """Condition that is negated, as substitutions."""
         return self._value
 
     def describe(self) -> str:
@@ -211,7 +211,7 @@ class _OfTwo(TwoValues):
         Raises:
             SubstitutionFailure: a value is neither true nor false.
         """
-        return _text(self._join([perform_boolean(context, each) for each in (self._left, self._right)]))
+        return _text(self._join([perform_boolean(context, operand) for operand in (self._left, self._right)]))
 
 
 @expose_substitution("and")
@@ -248,7 +248,7 @@ class _OfMany(Substitution):
 
     def __init__(self, *args: SomeSubstitutionsType) -> None:
         super().__init__()
-        self._args = [normalize_to_list_of_substitutions(each) for each in args]
+        self._args = [normalize_to_list_of_substitutions(operand) for operand in args]
 
     @classmethod
     def parse(cls, data: Iterable[SomeSubstitutionsType]) -> tuple[type[_OfMany], dict[str, Any]]:
@@ -262,7 +262,7 @@ class _OfMany(Substitution):
 
     def describe(self) -> str:
         """Return a description for people."""
-        return f"{type(self).__name__}({' '.join(described(each) for each in self._args)})"
+        return f"{type(self).__name__}({' '.join(described(operand) for operand in self._args)})"
 
     def perform(self, context: LaunchContext) -> str:
         """Return `true` or `false`.
@@ -270,7 +270,7 @@ class _OfMany(Substitution):
         Raises:
             SubstitutionFailure: a value is neither true nor false.
         """
-        return _text(self._join([perform_boolean(context, each) for each in self._args]))
+        return _text(self._join([perform_boolean(context, operand) for operand in self._args]))
 
 
 @expose_substitution("any")
@@ -349,7 +349,7 @@ class IfElseSubstitution(Substitution):
 
     def describe(self) -> str:
         """Return a description for people."""
-        parts = ", ".join(described(each) for each in (self._condition, self._if_value, self._else_value))
+        parts = ", ".join(described(part) for part in (self._condition, self._if_value, self._else_value))
         return f"IfElseSubstitution({parts})"
 
     def perform(self, context: LaunchContext) -> str:

@@ -11,4 +11,4 @@ __all__ = ["described"]
 
 def described(substitutions: Iterable[Substitution]) -> str:
     """Return the descriptions of substitutions that are concatenated."""
-    return " + ".join(each.describe() for each in substitutions)
+    return " + ".join(substitution.describe() for substitution in substitutions)

@@ -57,7 +57,7 @@ class FindExecutable(Substitution):
             SubstitutionFailure: no folder of PATH has the executable, nor has the environment that launches.
         """
         name = perform_substitutions(context, self._name)
-        found = find_program(context, name)
-        if found is None:
+        path = find_program(context, name)
+        if path is None:
             raise SubstitutionFailure(f"executable '{name}' not found on the PATH")
-        return found
+        return path

@@ -93,7 +93,7 @@ class StringJoinSubstitution(Substitution):
         self, substitutions: Iterable[SomeSubstitutionsType], delimiter: SomeSubstitutionsType = ""
     ) -> None:
         super().__init__()
-        self._substitutions = [normalize_to_list_of_substitutions(each) for each in substitutions]
+        self._substitutions = [normalize_to_list_of_substitutions(part) for part in substitutions]
         self._delimiter = normalize_to_list_of_substitutions(delimiter)
 
     @classmethod
@@ -113,7 +113,7 @@ class StringJoinSubstitution(Substitution):
 
     @property
     def substitutions(self) -> list[list[Substitution]]:
-        """Texts."""
+        """Texts that are joined, each as substitutions."""
         return self._substitutions
 
     @property
@@ -123,10 +123,10 @@ class StringJoinSubstitution(Substitution):
 
     def describe(self) -> str:
         """Return a description for people."""
-        texts = ", ".join(described(each) for each in self._substitutions)
+        texts = ", ".join(described(part) for part in self._substitutions)
         return f"StringJoinSubstitution([{texts}], delimiter={described(self._delimiter)})"
 
     def perform(self, context: LaunchContext) -> str:
         """Return the joined text."""
-        texts = [perform_substitutions(context, each) for each in self._substitutions]
+        texts = [perform_substitutions(context, part) for part in self._substitutions]
         return perform_substitutions(context, self._delimiter).join(texts)

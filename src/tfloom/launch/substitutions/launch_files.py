@@ -40,10 +40,10 @@ class ThisLaunchFile(Substitution):
         Raises:
             SubstitutionFailure: no launch file is being launched.
         """
-        found = context.get_locals_as_dict().get("current_launch_file_path")
-        if found is None:
+        path = context.get_locals_as_dict().get("current_launch_file_path")
+        if path is None:
             raise SubstitutionFailure("ThisLaunchFile used outside of a launch file (in a script)")
-        return str(found)
+        return str(path)
 
 
 @expose_substitution("dirname")
@@ -71,10 +71,10 @@ class ThisLaunchFileDir(Substitution):
         Raises:
             SubstitutionFailure: no launch file is being launched.
         """
-        found = context.get_locals_as_dict().get("current_launch_file_directory")
-        if found is None:
+        folder = context.get_locals_as_dict().get("current_launch_file_directory")
+        if folder is None:
             raise SubstitutionFailure("ThisLaunchFileDir used outside of a launch file (in a script)")
-        return str(found)
+        return str(folder)
 
 
 @expose_substitution("launch_log_dir")

@@ -57,7 +57,7 @@ class PythonExpression(Substitution):
 
     @property
     def expression(self) -> list[Substitution]:
-        """Expression."""
+        """Python expression, as substitutions."""
         return self._expression
 
     @property
@@ -67,7 +67,7 @@ class PythonExpression(Substitution):
 
     def describe(self) -> str:
         """Return a description for people."""
-        modules = ", ".join(each.describe() for each in self._python_modules)
+        modules = ", ".join(name.describe() for name in self._python_modules)
         return f"PythonExpr({described(self._expression)}, [{modules}])"
 
     def perform(self, context: LaunchContext) -> str:
@@ -75,8 +75,8 @@ class PythonExpression(Substitution):
         import importlib
 
         names: dict[str, Any] = {}
-        for each in self._python_modules:
-            module = importlib.import_module(context.perform_substitution(each))
+        for name in self._python_modules:
+            module = importlib.import_module(context.perform_substitution(name))
             if module.__name__ == "math":
                 names.update(vars(module))
             names[module.__name__] = module

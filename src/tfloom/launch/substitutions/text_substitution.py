@@ -25,7 +25,7 @@ class TextSubstitution(Substitution):
 
     @property
     def text(self) -> str:
-        """The text."""
+        """Text that the substitution stands for, whatever the context."""
         return self._text
 
     def describe(self) -> str:

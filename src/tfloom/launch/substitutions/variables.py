@@ -45,7 +45,7 @@ class NamedValue(Substitution):
 
     @property
     def name(self) -> list[Substitution]:
-        """The name."""
+        """Name whose value is looked up, as substitutions."""
         return self._name
 
     @property

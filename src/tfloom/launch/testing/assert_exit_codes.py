@@ -62,12 +62,12 @@ def assertExitCodes(  # noqa: N802  # launch_testing's name
         AssertionError: a process has another code, or has not exited.
         NoMatchingProcessException: no process matches.
     """
-    for each in resolveProcesses(
+    for action in resolveProcesses(
         proc_info, process=process, cmd_args=cmd_args, strict_proc_matching=strict_proc_matching
     ):
-        event = proc_info[each]
+        event = proc_info[action]
         if not isinstance(event, ProcessExited):
-            raise AssertionError(f"Proc {process_name(each)} has not exited")  # noqa: TRY004  # of a test
+            raise AssertionError(f"Proc {process_name(action)} has not exited")  # noqa: TRY004  # of a test
         if event.returncode not in allowable_exit_codes:
             allowed = ", ".join(str(code) for code in allowable_exit_codes)
             raise AssertionError(

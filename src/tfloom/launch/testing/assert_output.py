@@ -98,14 +98,14 @@ def assertInStream(  # noqa: N802  # launch_testing's name
     """
     if stream not in {"stdout", "stderr"}:
         raise ValueError(f"stream must be 'stdout' or 'stderr', and is {stream!r}")
-    found = resolveProcesses(
+    actions = resolveProcesses(
         proc_output, process=process, cmd_args=cmd_args, strict_proc_matching=strict_proc_matching
     )
     match = build_text_match(expected_output)
 
     def is_in(name: str) -> bool:
-        for each in found:
-            text = text_of(proc_output[each], name)
+        for action in actions:
+            text = text_of(proc_output[action], name)
             text = remove_ansi_escape_sequences(text) if strip_ansi_escape_sequences else text
             if match(text if output_filter is None else output_filter(text)) is not None:
                 return True
@@ -117,7 +117,7 @@ def assertInStream(  # noqa: N802  # launch_testing's name
     hint = f"; it is in their {other}" if is_in(other) else ""
     raise AssertionError(
         f"Did not find '{expected_output}' in {stream} of any of the matching processes: "
-        f"{', '.join(process_name(each) for each in found)}{hint}"
+        f"{', '.join(process_name(action) for action in actions)}{hint}"
     )
 
 
@@ -129,7 +129,7 @@ def assertDefaultStream() -> str:  # noqa: N802  # launch_testing's name
 def text_of(output: Iterable[ProcessIO], stream: str) -> str:
     """Return what was printed to `stdout`, `stderr`, or with an empty `stream` to both, as one text."""
     return b"".join(
-        each.text
-        for each in output
-        if not stream or (each.from_stdout if stream == "stdout" else each.from_stderr)
+        event.text
+        for event in output
+        if not stream or (event.from_stdout if stream == "stdout" else event.from_stderr)
     ).decode("utf-8", "replace")

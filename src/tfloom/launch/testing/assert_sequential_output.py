@@ -65,7 +65,7 @@ def assertSequentialStdout(  # noqa: N802  # launch_testing's name
         NoMatchingProcessException: no process matches.
         Exception: several do.
     """
-    found = resolveProcesses(proc_output, process=process, cmd_args=cmd_args, strict_proc_matching=True)
-    if len(found) > 1:
+    actions = resolveProcesses(proc_output, process=process, cmd_args=cmd_args, strict_proc_matching=True)
+    if len(actions) > 1:
         raise Exception("Found multiple processes: the order of one process is checked; name it")  # noqa: TRY002  # launch_testing's type
-    yield SequentialTextChecker([text_of(proc_output[found[0]], "stdout")])
+    yield SequentialTextChecker([text_of(proc_output[actions[0]], "stdout")])

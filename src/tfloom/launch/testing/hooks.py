@@ -86,17 +86,17 @@ class LaunchTestItem(pytest.Item):
         Raises:
             LaunchTestFailure: one failed, or a test of it.
         """
-        given: list[str] = self.config.getoption("--launch-args", default=None) or []
-        runner = self.runner_class(self.test_runs, [word for each in given for word in each.split()])
+        options: list[str] = self.config.getoption("--launch-args", default=None) or []
+        runner = self.runner_class(self.test_runs, [word for option in options for word in option.split()])
         runner.validate()
         results = runner.run()
         failed = [run for run, result in results.items() if not result.wasSuccessful()]
         if failed:
-            names = ", ".join(str(each) for each in failed)
+            names = ", ".join(str(run) for run in failed)
             raise LaunchTestFailure(f"launch tests failed: {names}", results)
-        if results and all(isinstance(each, SkipResult) for each in results.values()):
+        if results and all(isinstance(result, SkipResult) for result in results.values()):
             pytest.skip(
-                "; ".join(dict.fromkeys(str(getattr(each, "message", "")) for each in results.values()))
+                "; ".join(dict.fromkeys(str(getattr(result, "message", "")) for result in results.values()))
             )
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> Any:
@@ -139,9 +139,9 @@ def find_launch_test_entrypoint(module: Any) -> Any:
 
     It is a function, or several of `launch_testing.parametrize`; the same name may be a fixture of launch_pytest.
     """
-    found = getattr(module, ENTRY_POINT, None)
-    is_function = inspect.isfunction(found) and not hasattr(found, "_pytestfixturefunction")
-    return found if is_function or getattr(found, "__parametrized__", False) else None
+    function = getattr(module, ENTRY_POINT, None)
+    is_function = inspect.isfunction(function) and not hasattr(function, "_pytestfixturefunction")
+    return function if is_function or getattr(function, "__parametrized__", False) else None
 
 
 def pytest_launch_collect_makemodule(

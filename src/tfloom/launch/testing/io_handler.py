@@ -157,6 +157,7 @@ class ActiveIoHandler(ActiveRecord[ProcessIO, list[ProcessIO]]):
                 return False
             return True
 
+        # Searched again after the wait, because the end of the launch may have ended it with the output there.
         with self._changed:
             self._changed.wait_for(lambda: is_there() or self._is_closed, timeout=timeout)
             if is_there():

@@ -49,8 +49,8 @@ def unittestResultToXml(name: str, test_result: unittest.TestResult) -> ET.Eleme
     if isinstance(test_result, (FailResult, SkipResult)):
         case = ET.SubElement(suite, "testcase", {"classname": name, "name": "launch", "time": "0.000"})
         kind, key = ("failure", "failures") if isinstance(test_result, FailResult) else ("skipped", "skipped")
-        element = ET.SubElement(case, kind, {"message": _clean(test_result.message)})
-        element.text = _clean(getattr(test_result, "details", ""))
+        element = ET.SubElement(case, kind, {"message": _xml_text(test_result.message)})
+        element.text = _xml_text(getattr(test_result, "details", ""))
         counts = {**counts, "tests": counts["tests"] + 1, key: counts[key] + 1}
     suite.attrib.update({key: str(value) for key, value in counts.items()})
     suite.extend(unittestCaseToXml(test_result, case) for case in getattr(test_result, "testCases", ()))
@@ -78,7 +78,7 @@ def unittestCaseToXml(test_result: unittest.TestResult, test_case: unittest.Test
         for case, text in texts:
             if case is test_case or getattr(case, "test_case", None) is test_case:
                 message = text.strip().splitlines()[-1] if text.strip() and kind != "skipped" else text
-                ET.SubElement(element, kind, {"message": _clean(message)}).text = _clean(text)
+                ET.SubElement(element, kind, {"message": _xml_text(message)}).text = _xml_text(text)
     return element
 
 
@@ -86,6 +86,6 @@ def _seconds(result: unittest.TestResult) -> float:
     return float(sum(getattr(result, "testTimes", {}).values()))
 
 
-def _clean(text: str) -> str:
+def _xml_text(text: str) -> str:
     """Return a text without the characters that XML cannot hold."""
-    return "".join(each for each in text if each >= " " or each in "\t\n\r")
+    return "".join(character for character in text if character >= " " or character in "\t\n\r")

@@ -81,14 +81,14 @@ def run(
         document = BytesIO()
         document_of = unittestResultsToXml(
             name=f"{args.package_name or name}.launch_tests",
-            test_results={str(each): result for each, result in results.items()},
+            test_results={str(run): result for run, result in results.items()},
         )
         document_of.write(document, encoding="utf-8", xml_declaration=True)
         write_file(Path(args.xmlpath), document.getvalue())
     for result in results.values():
         if isinstance(result, FailResult):
             print(f"launch_test: {result.message}", file=sys.stderr)
-    return 0 if all(each.wasSuccessful() for each in results.values()) else 1
+    return 0 if all(result.wasSuccessful() for result in results.values()) else 1
 
 
 def main(argv: Sequence[str] | None = None) -> int:

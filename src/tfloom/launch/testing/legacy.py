@@ -47,10 +47,10 @@ class LaunchTestService:
             allowed = (
                 exit_allowed if isinstance(exit_allowed, bool) else event.returncode in set(exit_allowed)
             )
-            if allowed or not self._armed():
+            if allowed or not self._armed_tests():
                 return None
             name = f"fixture_{event.process_name}"
-            return self._end(name, _FAILED, f"{event.process_name} exited with {event.returncode}")
+            return self._end_test(name, _FAILED, f"{event.process_name} exited with {event.returncode}")
 
         launch_description.add_action(action)
         handler = OnProcessExit(target_action=action, on_exit=on_exit)
@@ -63,18 +63,18 @@ class LaunchTestService:
         Returns:
             The action.
         """
-        name = self._arm("test", action)
+        name = self._arm_test("test", action)
         handler: Any
         if isinstance(action, ExecuteProcess):
 
             def on_exit(event: ProcessExited, _: LaunchContext) -> EmitEvent | None:
                 state = _FAILED if event.returncode else _SUCCEEDED
-                return self._end(name, state, f"{event.process_name} exited with {event.returncode}")
+                return self._end_test(name, state, f"{event.process_name} exited with {event.returncode}")
 
             handler = OnProcessExit(target_action=action, on_exit=on_exit)
         else:
             handler = OnExecutionComplete(
-                target_action=action, on_completion=lambda *_: self._end(name, _SUCCEEDED, "")
+                target_action=action, on_completion=lambda *_: self._end_test(name, _SUCCEEDED, "")
             )
         launch_description.add_action(action)
         launch_description.add_action(RegisterEventHandler(handler))
@@ -101,7 +101,7 @@ class LaunchTestService:
             side_effect: `shutdown` to end the launch when the output will do.
         """
         check = output_test[0] if isinstance(output_test, tuple) else output_test
-        name = self._arm(test_suffix, action)
+        name = self._arm_test(test_suffix, action)
         text: list[str] = []
 
         def on_output(event: ProcessIO) -> EmitEvent | None:
@@ -114,13 +114,13 @@ class LaunchTestService:
             except AssertionError as error:
                 self._tests[name]["details"] = str(error)
                 return None
-            ended = self._end(name, _SUCCEEDED, "")
+            ended = self._end_test(name, _SUCCEEDED, "")
             return ended or (self._shutdown(name) if side_effect == "shutdown" else None)
 
         def on_exit(event: ProcessExited, _: LaunchContext) -> EmitEvent | None:
             if self._tests[name]["state"] != _ARMED:
                 return None
-            return self._end(
+            return self._end_test(
                 name, _FAILED, f"{event.process_name} has exited: {self._tests[name]['details']}"
             )
 
@@ -145,18 +145,18 @@ class LaunchTestService:
             print(f"{name}: {test['state']}: {test['details']}")
         return code or int(bool(failed))
 
-    def _arm(self, kind: str, action: object) -> str:
+    def _arm_test(self, kind: str, action: object) -> str:
         name = f"{type(action).__name__}_{len(self._tests)}_{kind}"
         self._tests[name] = {"state": _ARMED, "details": "it did not end"}
         return name
 
-    def _armed(self) -> list[str]:
+    def _armed_tests(self) -> list[str]:
         return [name for name, test in self._tests.items() if test["state"] == _ARMED]
 
-    def _end(self, name: str, state: str, details: str) -> EmitEvent | None:
+    def _end_test(self, name: str, state: str, details: str) -> EmitEvent | None:
         """Set the state of a test, and return the end of the launch if it is the last one or has failed."""
         self._tests[name] = {"state": state, "details": details}
-        return self._shutdown(name) if state == _FAILED or not self._armed() else None
+        return self._shutdown(name) if state == _FAILED or not self._armed_tests() else None
 
     def _shutdown(self, name: str) -> EmitEvent:
         return EmitEvent(event=Shutdown(reason=f"{name} has ended: {self._tests[name]['state']}"))

@@ -58,11 +58,11 @@ def create_output_regex_test(
 
     The check takes the output, and raises AssertionError if a pattern matches none.
     """
-    patterns = [re.compile(each) for each in expected_patterns]
+    patterns = [re.compile(pattern) for pattern in expected_patterns]
 
     def check(output: str) -> None:
         there = output.splitlines()
-        missing = [each.pattern for each in patterns if not any(each.match(line) for line in there)]
+        missing = [pattern.pattern for pattern in patterns if not any(pattern.match(line) for line in there)]
         if missing:
             raise AssertionError(f"no line of the output matches: {missing}")
 
@@ -76,7 +76,7 @@ def create_output_test_from_file(output_file: str | Path) -> tuple[Check, list[s
         RuntimeError: there is neither file.
     """
     expected = expected_output_from_file(output_file)
-    patterns = [each for each in expected if isinstance(each, re.Pattern)]
+    patterns = [line for line in expected if isinstance(line, re.Pattern)]
     if patterns:
         return create_output_regex_test(patterns)
-    return create_output_lines_test([each for each in expected if isinstance(each, str)])
+    return create_output_lines_test([line for line in expected if isinstance(line, str)])

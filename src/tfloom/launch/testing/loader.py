@@ -86,16 +86,16 @@ class TestRun:
         """
         function = self.test_description_function
         parameters = inspect.signature(inspect.unwrap(function)).parameters
-        takes_any = any(each.kind is each.VAR_KEYWORD for each in parameters.values())
+        takes_any = any(parameter.kind is parameter.VAR_KEYWORD for parameter in parameters.values())
         for name in self.param_args:
             if name not in parameters and not takes_any:
                 raise DescriptionError(
                     f"Could not find an argument '{name}' in {ENTRY_POINT}, which parametrize sets"
                 )
-        for name, each in parameters.items():
-            needed = each.default is each.empty and each.kind in {
-                each.POSITIONAL_OR_KEYWORD,
-                each.KEYWORD_ONLY,
+        for name, parameter in parameters.items():
+            needed = parameter.default is parameter.empty and parameter.kind in {
+                parameter.POSITIONAL_OR_KEYWORD,
+                parameter.KEYWORD_ONLY,
             }
             if needed and name not in {READY_FN, *self.param_args}:
                 raise DescriptionError(
@@ -140,7 +140,7 @@ class TestRun:
         """
         loader = unittest.TestLoader()
         everything = {**arguments, **self.param_args}
-        suites = (loader.loadTestsFromTestCase(_bound(case, attributes, everything)) for case in cases)
+        suites = (loader.loadTestsFromTestCase(_bound_case(case, attributes, everything)) for case in cases)
         return unittest.TestSuite(suites)
 
     def __str__(self) -> str:
@@ -170,7 +170,7 @@ def LoadTestsFromPythonModule(module: Any, *, name: str = "launch_tests") -> lis
         function = older
     runs = function if getattr(function, "__parametrized__", False) else [(function, {})]
     before, after = PreShutdownTestLoader().cases_of(module), PostShutdownTestLoader().cases_of(module)
-    return [TestRun(name, each, arguments, before, after) for each, arguments in runs]
+    return [TestRun(name, generate, arguments, before, after) for generate, arguments in runs]
 
 
 class PreShutdownTestLoader(unittest.TestLoader):
@@ -181,18 +181,18 @@ class PreShutdownTestLoader(unittest.TestLoader):
     def cases_of(self, module: Any) -> list[_Case]:
         """Return the cases of a module."""
         return [
-            each
-            for each in vars(module).values()
-            if isinstance(each, type)
-            and issubclass(each, unittest.TestCase)
-            and each not in {unittest.TestCase, unittest.FunctionTestCase}
-            and bool(getattr(each, "__post_shutdown_test__", False)) is self.is_post_shutdown
+            member
+            for member in vars(module).values()
+            if isinstance(member, type)
+            and issubclass(member, unittest.TestCase)
+            and member not in {unittest.TestCase, unittest.FunctionTestCase}
+            and bool(getattr(member, "__post_shutdown_test__", False)) is self.is_post_shutdown
         ]
 
     def loadTestsFromModule(self, module: Any, *args: Any, **kwargs: Any) -> unittest.TestSuite:  # noqa: N802  # unittest's name
         """Return the suite of these tests."""
         del args, kwargs
-        return unittest.TestSuite(self.loadTestsFromTestCase(each) for each in self.cases_of(module))
+        return unittest.TestSuite(self.loadTestsFromTestCase(case) for case in self.cases_of(module))
 
 
 class PostShutdownTestLoader(PreShutdownTestLoader):
@@ -212,7 +212,7 @@ def iterate_ready_to_test_actions(entities: Iterable[Any], kind: type[Any]) -> I
             yield from iterate_ready_to_test_actions(conditional, kind)
 
 
-def _bound(case: _Case, attributes: Mapping[str, Any], arguments: Mapping[str, Any]) -> _Case:
+def _bound_case(case: _Case, attributes: Mapping[str, Any], arguments: Mapping[str, Any]) -> _Case:
     """Return a case with the same tests, whose methods get the arguments that they have by name."""
     methods: dict[str, Any] = {}
     for name in (*unittest.TestLoader().getTestCaseNames(case), "setUp", "tearDown"):
@@ -226,16 +226,16 @@ def _bound(case: _Case, attributes: Mapping[str, Any], arguments: Mapping[str, A
 
 def _with_arguments(method: Callable[..., Any], arguments: Mapping[str, Any]) -> Callable[..., Any]:
     names = list(inspect.signature(method).parameters)[1:]
-    given = {name: arguments[name] for name in names if name in arguments}
-    if not given:
+    values = {name: arguments[name] for name in names if name in arguments}
+    if not values:
         return method
 
     @functools.wraps(method)
     def call(self: Any) -> Any:
-        return method(self, **given)
+        return method(self, **values)
 
     @functools.wraps(method)
     async def await_call(self: Any) -> Any:
-        return await method(self, **given)
+        return await method(self, **values)
 
     return await_call if inspect.iscoroutinefunction(method) else call

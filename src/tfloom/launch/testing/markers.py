@@ -42,16 +42,16 @@ def retry_on_failure(*, times: int, delay: float | None = None) -> Callable[[_Ma
 
     def decorate(target: Any) -> Any:
         if not inspect.isclass(target):
-            return _retried(target, times, delay)
+            return _retrying_test(target, times, delay)
         case: Any = target
         for name in unittest.TestLoader().getTestCaseNames(case):
-            setattr(target, name, _retried(getattr(target, name), times, delay))
+            setattr(target, name, _retrying_test(getattr(target, name), times, delay))
         return target
 
     return decorate
 
 
-def _retried(test: _Marked, times: int, delay: float | None) -> _Marked:
+def _retrying_test(test: _Marked, times: int, delay: float | None) -> _Marked:
     @functools.wraps(test)
     def retry(*args: Any, **kwargs: Any) -> Any:
         for _ in range(times - 1):

@@ -45,11 +45,11 @@ def basic_output_filter(
             `get_default_filtered_patterns()`.
     """
     prefixes = tuple(get_default_filtered_prefixes() if filtered_prefixes is None else filtered_prefixes)
-    given = get_default_filtered_patterns() if filtered_patterns is None else filtered_patterns
-    patterns = [re.compile(each) for each in given]
+    expressions = get_default_filtered_patterns() if filtered_patterns is None else filtered_patterns
+    patterns = [re.compile(pattern) for pattern in expressions]
 
     def keeps(line: str) -> bool:
-        return not line.startswith(prefixes) and not any(each.match(line) for each in patterns)
+        return not line.startswith(prefixes) and not any(pattern.match(line) for pattern in patterns)
 
     def without_ignored(output: str) -> str:
         return "".join(line for line in output.splitlines(keepends=True) if keeps(line))

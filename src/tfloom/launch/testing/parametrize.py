@@ -16,10 +16,10 @@ class Parametrized:
 
     def __init__(self, function: Callable[..., Any], sets: Sequence[dict[str, Any]]) -> None:
         functools.update_wrapper(self, function)  # its name and its docstring
-        self._runs = [(self._bind(function, each), each) for each in sets]
+        self._runs = [(self._bind_arguments(function, arguments), arguments) for arguments in sets]
 
     @staticmethod
-    def _bind(function: Callable[..., Any], arguments: dict[str, Any]) -> Callable[..., Any]:
+    def _bind_arguments(function: Callable[..., Any], arguments: dict[str, Any]) -> Callable[..., Any]:
         bound = functools.partial(function, **arguments)
         functools.update_wrapper(bound, function)
         return bound
@@ -45,14 +45,14 @@ def parametrize(
     Raises:
         ValueError: there are more or fewer values than names.
     """
-    given = argnames.split(",") if isinstance(argnames, str) else argnames
-    names = [each.strip() for each in given if each.strip()]
+    words = argnames.split(",") if isinstance(argnames, str) else argnames
+    names = [name.strip() for name in words if name.strip()]
     sets = []
     for values in argvalues:
-        each = [values] if len(names) == 1 else list(values)
-        if len(each) != len(names):
+        row = [values] if len(names) == 1 else list(values)
+        if len(row) != len(names):
             raise ValueError(
-                f"parametrize: {len(names)} names ({', '.join(names)}), but {len(each)} values: {values!r}"
+                f"parametrize: {len(names)} names ({', '.join(names)}), but {len(row)} values: {values!r}"
             )
-        sets.append(dict(zip(names, each, strict=True)))
+        sets.append(dict(zip(names, row, strict=True)))
     return lambda function: Parametrized(function, sets)

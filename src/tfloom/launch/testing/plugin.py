@@ -36,7 +36,7 @@ def _has_real_one() -> bool:
     return is_elsewhere("launch_testing")
 
 
-def _is_off(pluginmanager: Any) -> bool:
+def _is_plugin_off(pluginmanager: Any) -> bool:
     """Return whether `-p no:launch_testing` was given, or this launch_testing is that of a real ROS."""
     return bool(pluginmanager.is_blocked("launch_testing")) or _has_real_one()
 
@@ -48,12 +48,12 @@ def _spare_tfloom() -> None:
     slower, and nothing else.
     """
     for finder in sys.meta_path:
-        marked, known = (
+        marked, cache = (
             getattr(finder, name, None) for name in ("_must_rewrite", "_marked_for_rewrite_cache")
         )
-        if isinstance(marked, set) and isinstance(known, dict):
+        if isinstance(marked, set) and isinstance(cache, dict):
             marked.discard("tfloom")
-            known.clear()
+            cache.clear()
 
 
 _spare_tfloom()
@@ -61,7 +61,7 @@ _spare_tfloom()
 
 def pytest_addoption(parser: Any, pluginmanager: Any) -> None:
     """Add the option for launch arguments."""
-    if _is_off(pluginmanager):
+    if _is_plugin_off(pluginmanager):
         return
     parser.addoption(
         "--launch-args",
@@ -74,7 +74,7 @@ def pytest_addoption(parser: Any, pluginmanager: Any) -> None:
 
 def pytest_addhooks(pluginmanager: Any) -> None:
     """Add the hook that makes the collector of a file with launch tests."""
-    if _is_off(pluginmanager):
+    if _is_plugin_off(pluginmanager):
         return
     from tfloom.launch.testing import hookspecs
 
@@ -83,7 +83,7 @@ def pytest_addhooks(pluginmanager: Any) -> None:
 
 def pytest_configure(config: Any) -> None:
     """Register the markers."""
-    if _is_off(config.pluginmanager):
+    if _is_plugin_off(config.pluginmanager):
         return
     for name, text in _MARKERS.items():
         config.addinivalue_line("markers", f"{name}: {text}")
@@ -93,7 +93,7 @@ def pytest_configure(config: Any) -> None:
 def pytest_pycollect_makemodule(module_path: Path, parent: Any) -> Any:
     """Return the collector of a file with launch tests, and None for any other."""
     plugins = parent.config.pluginmanager
-    if _is_off(plugins):
+    if _is_plugin_off(plugins):
         return None
     try:
         text = module_path.read_text("utf-8")

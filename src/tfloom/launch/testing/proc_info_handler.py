@@ -41,7 +41,7 @@ class ProcInfoHandler:
 
     def process_names(self) -> list[str]:
         """Return the names of all processes."""
-        return [each.process_name for each in self._by_action.values()]
+        return [event.process_name for event in self._by_action.values()]
 
     def __getitem__(self, key: ExecuteProcess | str) -> Info:
         """Return the last event of a process, by its action or its name.
@@ -51,9 +51,9 @@ class ProcInfoHandler:
         """
         if not isinstance(key, str):
             return self._by_action[key]
-        for each in self._by_action.values():
-            if each.process_name == key:
-                return each
+        for event in self._by_action.values():
+            if event.process_name == key:
+                return event
         raise KeyError(key)
 
 
@@ -107,12 +107,12 @@ class ActiveProcInfoHandler(ActiveRecord[Info, Info]):
         def has_happened() -> bool:
             nonlocal fault
             try:
-                found = resolveProcesses(self._handler, process=process, cmd_args=cmd_args)[0]
+                action = resolveProcesses(self._handler, process=process, cmd_args=cmd_args)[0]
             except NoMatchingProcessException as error:
                 fault = f": {error}"
                 return False
-            fault = f": {process_name(found)} runs" if is_end else ""
-            return not is_end or isinstance(self._handler[found], ProcessExited)
+            fault = f": {process_name(action)} runs" if is_end else ""
+            return not is_end or isinstance(self._handler[action], ProcessExited)
 
         with self._changed:
             self._changed.wait_for(lambda: has_happened() or self._is_closed, timeout=timeout)

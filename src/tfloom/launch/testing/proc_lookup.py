@@ -12,7 +12,7 @@ __all__ = ["NO_CMD_ARGS", "CmdArgs", "NoMatchingProcessException", "Process", "r
 
 
 class _NoCmdArgs:
-    """The type of NO_CMD_ARGS."""
+    """The type of NO_CMD_ARGS, which stands for a process without arguments."""
 
     def __repr__(self) -> str:
         return "NO_CMD_ARGS"
@@ -58,29 +58,34 @@ def resolveProcesses(  # noqa: N802  # launch_testing's name
         Exception: several processes match a name, and `strict_proc_matching` is set.
         TypeError: `process` is neither an action nor a text.
     """
-    known = list(info_obj.processes())
+    recorded_actions = list(info_obj.processes())
     if process is None or process == "":
-        if not known:
+        if not recorded_actions:
             raise NoMatchingProcessException("No processes were recorded")
-        return known
+        return recorded_actions
     if isinstance(process, ExecuteProcess):
-        if process not in known:
+        if process not in recorded_actions:
             raise NoMatchingProcessException(f"No data recorded for proc {_describe(process)}")
         return [process]
     if not isinstance(process, str):
         raise TypeError(f"process must be an ExecuteProcess action or a text, and is {process!r}")
-    found = [each for each in known if process in process_name(each) and _has_arguments(each, cmd_args)]
-    if not found:
+    matches = [
+        action
+        for action in recorded_actions
+        if process in process_name(action) and _has_arguments(action, cmd_args)
+    ]
+    if not matches:
         arguments = "" if cmd_args is None else f" and arguments {cmd_args!r}"
         raise NoMatchingProcessException(
-            f"Did not find any process with '{process}' in its name{arguments}; recorded are: {_names(known)}"
+            f"Did not find any process with '{process}' in its name{arguments}; "
+            f"recorded are: {_names(recorded_actions)}"
         )
-    if strict_proc_matching and len(found) > 1:
+    if strict_proc_matching and len(matches) > 1:
         raise Exception(  # noqa: TRY002  # launch_testing's type
-            f"Found multiple processes with '{process}' in their names: {_names(found)}; "
+            f"Found multiple processes with '{process}' in their names: {_names(matches)}; "
             "name one of them, give cmd_args, or set strict_proc_matching=False"
         )
-    return found
+    return matches
 
 
 def process_name(process: ExecuteProcess) -> str:
@@ -95,11 +100,11 @@ def _has_arguments(process: ExecuteProcess, cmd_args: CmdArgs) -> bool:
     if cmd_args is None:
         return True
     details = process.process_details
-    given: list[str] = [] if details is None else list(details["cmd"])[1:]
+    arguments: list[str] = [] if details is None else list(details["cmd"])[1:]
     if isinstance(cmd_args, _NoCmdArgs):
-        return not given
-    wanted = [cmd_args] if isinstance(cmd_args, str) else cmd_args
-    return all(each in given for each in wanted)
+        return not arguments
+    expected_arguments = [cmd_args] if isinstance(cmd_args, str) else cmd_args
+    return all(argument in arguments for argument in expected_arguments)
 
 
 def _describe(process: ExecuteProcess) -> str:
@@ -118,4 +123,4 @@ def _describe(process: ExecuteProcess) -> str:
 
 
 def _names(processes: Iterable[ExecuteProcess]) -> str:
-    return ", ".join(process_name(each) for each in processes) or "none"
+    return ", ".join(process_name(process) for process in processes) or "none"

@@ -51,17 +51,17 @@ class ProcessProxy:
     @property
     def running(self) -> bool:
         """Whether the process was started and has not exited."""
-        return isinstance(self._info(), ProcessStarted)
+        return isinstance(self._last_event(), ProcessStarted)
 
     @property
     def terminated(self) -> bool:
         """Whether the process has exited."""
-        return isinstance(self._info(), ProcessExited)
+        return isinstance(self._last_event(), ProcessExited)
 
     @property
     def exit_code(self) -> int:
         """Exit code of the process; RuntimeError if it has not exited."""
-        info = self._info()
+        info = self._last_event()
         if not isinstance(info, ProcessExited):
             raise RuntimeError("the process has no exit code, because it has not exited")  # noqa: TRY004  # of a state
         return info.returncode
@@ -106,7 +106,7 @@ class ProcessProxy:
         with changed:
             return changed.wait_for(lambda: bool((condition or bool)(self.output)), timeout=timeout)
 
-    def _info(self) -> object:
+    def _last_event(self) -> object:
         try:
             return self._proc_info[self._action]
         except KeyError:

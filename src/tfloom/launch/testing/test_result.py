@@ -25,7 +25,7 @@ class FailResult(unittest.TestResult):
         self.details = details
 
     def wasSuccessful(self) -> bool:  # noqa: N802  # unittest's name
-        """Return False."""
+        """Return False, because the launch has failed as a whole."""
         return False
 
 
@@ -44,7 +44,7 @@ class SkipResult(unittest.TestResult):
         self.message = skip_reason or msg
 
     def wasSuccessful(self) -> bool:  # noqa: N802  # unittest's name
-        """Return True."""
+        """Return True, because a skipped launch is no failure."""
         return True
 
 

@@ -107,12 +107,15 @@ class _Launch:
         """Bring up the description, run its tests, and return their results."""
         description, context = self._run.normalized_test_description(self._on_ready)
         self._context = context
-        self._service.include_launch_description(self._whole(description))
+        self._service.include_launch_description(self._with_watchers(description))
         self._service.context.launch_configurations.update(self._arguments)
         tests = threading.Thread(target=self._test, name="launch tests", daemon=True)
         tests.start()
+        # The launch runs here until its end, which the thread of the tests asks for when they are done. If it ends
+        # before, the tests may still wait for a process or for the begin: closing the records and setting the event
+        # ends these waits, so that `join` returns.
         code = self._service.run()
-        early = not self._tests_are_done
+        has_ended_early = not self._tests_are_done
         self._proc_info.close()
         self._proc_output.close()
         self._can_go_on.set()
@@ -121,8 +124,9 @@ class _Launch:
             raise KeyboardInterrupt
         if self._error is not None:
             raise self._error
-        if self._result is None or early or code:
+        if self._result is None or has_ended_early or code:
             return self._failure(code)
+        # All processes have exited, so the tests after the shutdown see complete records, which don't change any more.
         self._result.append(
             self._run_suite(
                 self._run.post_shutdown_tests, self._proc_info.recorded, self._proc_output.recorded, {}
@@ -130,7 +134,9 @@ class _Launch:
         )
         return self._result
 
-    def _whole(self, description: LaunchDescription) -> LaunchDescription:
+    def _with_watchers(self, description: LaunchDescription) -> LaunchDescription:
+        """Return a description with what it needs for its tests, and register the handlers that record events."""
+        # Before the launch runs, because the first process may start with its first event.
         handlers = [
             Watcher(TestsCanBegin, lambda _: self._on_ready()),
             Watcher(Shutdown, self._on_shutdown),
@@ -155,6 +161,8 @@ class _Launch:
         self._shutdown = self._shutdown or event
 
     def _test(self) -> None:
+        # `_can_go_on` is set for two reasons: the tests can begin, or the launch has ended before. `_is_ready` tells
+        # them apart. Whatever happens here ends the launch, which waits on the other thread.
         try:
             self._has_timed_out = not self._can_go_on.wait(self._run.ready_timeout_s)
             if self._is_ready:
@@ -201,15 +209,17 @@ class _Launch:
 
     def _exit_lines(self) -> list[str]:
         return [
-            f"{each.process_name} exited with {describe_exit_code(each.returncode)}"
-            for each in self._proc_info
-            if isinstance(each, ProcessExited)
+            f"{event.process_name} exited with {describe_exit_code(event.returncode)}"
+            for event in self._proc_info
+            if isinstance(event, ProcessExited)
         ]
 
     def _outputs(self) -> list[str]:
         """Return the outputs of the processes that failed."""
-        failed = [each for each in self._proc_info if isinstance(each, ProcessExited) and each.returncode]
+        failures = [
+            event for event in self._proc_info if isinstance(event, ProcessExited) and event.returncode
+        ]
         return [
-            f"##### output of {each.process_name} #####\n{text_of(self._proc_output[each.process_name], '')}"
-            for each in failed
+            f"##### output of {event.process_name} #####\n{text_of(self._proc_output[event.process_name], '')}"
+            for event in failures
         ]

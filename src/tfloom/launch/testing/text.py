@@ -82,8 +82,8 @@ def build_line_match(
     def match_strictly(actual_lines: Sequence[str]) -> Match | None:
         if len(actual_lines) != len(matches):
             return None
-        found = all(match(line) for match, line in zip(matches, actual_lines, strict=True))
-        return (0, len(matches)) if found else None
+        all_match = all(match(line) for match, line in zip(matches, actual_lines, strict=True))
+        return (0, len(matches)) if all_match else None
 
     def match(actual_lines: Sequence[str]) -> Match | None:
         first, at = -1, 0
@@ -111,8 +111,8 @@ def _match_text(expected: str, strict: bool) -> Callable[[str], Match | None]:
 
 def _match_pattern(expected: re.Pattern[str], strict: bool) -> Callable[[str], Match | None]:
     def match(actual_text: str) -> Match | None:
-        found = expected.fullmatch(actual_text) if strict else expected.search(actual_text)
-        return None if found is None else found.span()
+        regex_match = expected.fullmatch(actual_text) if strict else expected.search(actual_text)
+        return None if regex_match is None else regex_match.span()
 
     return match
 
@@ -121,11 +121,11 @@ def _match_in_order(matches: Sequence[Callable[[str], Match | None]]) -> Callabl
     def match(actual_text: str) -> Match | None:
         first, at = -1, 0
         for find in matches:
-            found = find(actual_text[at:])
-            if found is None:
+            span = find(actual_text[at:])
+            if span is None:
                 return None
-            first = at + found[0] if first < 0 else first
-            at += found[1]
+            first = at + span[0] if first < 0 else first
+            at += span[1]
         return max(first, 0), at
 
     return match

@@ -25,6 +25,6 @@ class Watcher(BaseEventHandler):
         self._function = function
 
     def handle(self, event: Event, context: LaunchContext) -> None:
-        """Call the function."""
+        """Call the function with the event."""
         super().handle(event, context)
         self._function(event)

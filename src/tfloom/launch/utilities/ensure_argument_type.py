@@ -23,13 +23,13 @@ def ensure_argument_type(
         TypeError: the argument is of another type.
     """
     allowed = tuple(types) if isinstance(types, Iterable) else (types,)
-    for each in allowed:
-        origin = getattr(each, "__origin__", each)
+    for kind in allowed:
+        origin = getattr(kind, "__origin__", kind)
         if not isinstance(origin, type):
-            raise TypeError(f"'{each!r}' in 'types' is not a type")
+            raise TypeError(f"'{kind!r}' in 'types' is not a type")
         if isinstance(argument, origin) or (isinstance(argument, type) and issubclass(argument, origin)):
             return
-    named = "', '".join(each.__name__ for each in allowed)
+    named = "', '".join(kind.__name__ for kind in allowed)
     of_caller = f" to {caller}" if caller else ""
     raise TypeError(
         f"Expected '{argument_name}' given{of_caller} to be one of ['{named}'], "

@@ -92,7 +92,7 @@ def describe_failure(error: BaseException) -> str:
     If a function of the user's raised it, this has its line and its type, too; else it is where the action was made.
     """
     text = str(error) or type(error).__name__
-    frames = [each for each in extract_tb(error.__traceback__) if _is_users(each.filename)]
+    frames = [frame for frame in extract_tb(error.__traceback__) if _is_users(frame.filename)]
     if frames and not isinstance(error, InvalidLaunchFileError):
         return f"{frames[-1].filename}:{frames[-1].lineno}: {type(error).__name__}: {error}"
     place = getattr(error, _PLACE, "")

@@ -18,8 +18,8 @@ def find_program(context: LaunchContext, name: str) -> str | None:
     """
     import shutil
 
-    found = shutil.which(name, path=context.environment.get("PATH"))
-    return found or shutil.which(name, path=str(_scripts()))
+    program = shutil.which(name, path=context.environment.get("PATH"))
+    return program or shutil.which(name, path=str(_scripts_folder()))
 
 
 def command_of(context: LaunchContext, name: str) -> list[str]:
@@ -29,13 +29,13 @@ def command_of(context: LaunchContext, name: str) -> list[str]:
     """
     here = [sys.executable, "-m", "tfloom.cli"]
     own = {"ros2": here, "xacro": [*here, "run", "xacro", "xacro"]}.get(name)
-    found = find_program(context, name)
-    if own is not None and (found is None or Path(found).parent == _scripts()):
+    path = find_program(context, name)
+    if own is not None and (path is None or Path(path).parent == _scripts_folder()):
         return own
-    return [found or name]
+    return [path or name]
 
 
-def _scripts() -> Path:
+def _scripts_folder() -> Path:
     import sysconfig
 
     return Path(sysconfig.get_path("scripts"))

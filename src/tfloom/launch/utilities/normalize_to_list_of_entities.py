@@ -15,9 +15,9 @@ def normalize_to_list_of_entities(
 ) -> list[LaunchDescriptionEntity]:
     """Return all entities of nested lists, in order."""
     flat: list[LaunchDescriptionEntity] = []
-    for each in entities:
-        if isinstance(each, Iterable):
-            flat += normalize_to_list_of_entities(each)
+    for item in entities:
+        if isinstance(item, Iterable):
+            flat += normalize_to_list_of_entities(item)
         else:
-            flat.append(each)
+            flat.append(item)
     return flat

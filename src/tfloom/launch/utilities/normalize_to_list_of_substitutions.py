@@ -20,15 +20,15 @@ def normalize_to_list_of_substitutions(subs: SomeSubstitutionsType) -> list[Subs
         TypeError: it is, or holds, something else.
     """
     if isinstance(subs, (str, Path, Substitution)):
-        return [_one(subs)]
+        return [_as_substitution(subs)]
     if isinstance(subs, Iterable):
-        return [_one(each) for each in subs]
+        return [_as_substitution(part) for part in subs]
     raise TypeError(
         f"'{subs}' of type '{type(subs).__name__}' is no text, no Substitution, and no list of them"
     )
 
 
-def _one(value: Any) -> Substitution:
+def _as_substitution(value: Any) -> Substitution:
     if isinstance(value, Substitution):
         return value
     if isinstance(value, (str, Path)):

@@ -24,8 +24,8 @@ def perform_substitutions(context: LaunchContext, subs: Iterable[Substitution]) 
         SubstitutionFailure: the text is longer than MAX_CHARACTERS, as by configurations that double one another.
     """
     texts, length = [], 0
-    for each in subs:
-        texts.append(context.perform_substitution(each))
+    for substitution in subs:
+        texts.append(context.perform_substitution(substitution))
         length += len(texts[-1])
         if length > MAX_CHARACTERS:
             raise SubstitutionFailure(

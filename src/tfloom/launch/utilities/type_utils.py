@@ -95,7 +95,7 @@ def extract_type(data_type: Any) -> tuple[Any, bool]:
 
 
 def _is_scalar(value: Any, scalar: type) -> bool:
-    if scalar in (int, float) and isinstance(value, bool):
+    if scalar in (int, float) and isinstance(value, bool):  # for Python, a bool is an int
         return False
     return isinstance(value, scalar)
 
@@ -122,7 +122,7 @@ def is_instance_of(value: Any, data_type: Any = None, *, can_be_str: bool = Fals
         ValueError: the type is none of AllowedTypesTuple.
     """
     if data_type is None:
-        return any(is_instance_of(value, each, can_be_str=can_be_str) for each in AllowedTypesTuple)
+        return any(is_instance_of(value, allowed, can_be_str=can_be_str) for allowed in AllowedTypesTuple)
     scalar, is_list = extract_type(data_type)
     if not is_list:
         return _is_scalar(value, scalar) or (can_be_str and isinstance(value, str))
@@ -132,6 +132,7 @@ def is_instance_of(value: Any, data_type: Any = None, *, can_be_str: bool = Fals
 
 
 def _from_yaml(text: str) -> Any:
+    # Most values are plain numbers and words, for which yaml needs not be loaded.
     value = plain_value(text)
     if value is not None:
         return value
@@ -163,20 +164,23 @@ def coerce_to_type(value: str, data_type: Any = None, *, can_be_str: bool = Fals
     """
     if data_type is str:
         return value
-    read = _from_yaml(value)
+    # Without a type, YAML decides; a mapping, a date or a mixed list is no value of a parameter, and stays a text.
+    yaml_value = _from_yaml(value)
     if data_type is None:
-        return read if is_instance_of_valid_type(read) else value
+        return yaml_value if is_instance_of_valid_type(yaml_value) else value
+    # With a type, YAML's answer must be of it, but for two liberties: an int is a float, too, and in a list of texts
+    # any item is one, as in `[1, on]`.
     scalar, is_list = extract_type(data_type)
     if is_list:
-        if isinstance(read, list):
-            items = [str(item) if scalar is str else _as_scalar(item, scalar) for item in read]
+        if isinstance(yaml_value, list):
+            items = [str(item) if scalar is str else _as_scalar(item, scalar) for item in yaml_value]
             if None not in items:
                 return items
-    elif (converted := _as_scalar(read, scalar)) is not None:
+    elif (converted := _as_scalar(yaml_value, scalar)) is not None:
         return converted
     if can_be_str:
         return value
-    raise ValueError(f"Expected an output of type '{data_type}', got '{type(read)}' ({value!r})")
+    raise ValueError(f"Expected an output of type '{data_type}', got '{type(yaml_value)}' ({value!r})")
 
 
 def coerce_list(value: list[str], data_type: Any = None, *, can_be_str: bool = False) -> Any:
@@ -190,7 +194,8 @@ def coerce_list(value: list[str], data_type: Any = None, *, can_be_str: bool = F
     Raises:
         ValueError: a text is no value of the type.
     """
-    items = [coerce_to_type(each, data_type, can_be_str=can_be_str) for each in value]
+    # Each text alone may stand for another type, as in "1", "a": then no type fits all of them but str.
+    items = [coerce_to_type(text, data_type, can_be_str=can_be_str) for text in value]
     if data_type is None and not is_instance_of_valid_type(items, can_be_str=can_be_str):
         return list(value)
     return items
@@ -246,16 +251,19 @@ def normalize_typed_substitution(value: Any, data_type: Any) -> Any:
     """
     if isinstance(value, tuple):
         value = list(value)
+    # A list of texts and substitutions is ambiguous: the parts of one text, or the items of a list. It is one text,
+    # unless the type says that a list is wanted.
     if is_substitution(value) and (
         not isinstance(value, list) or data_type is None or not is_typing_list(data_type)
     ):
         if data_type is not None:
-            extract_type(data_type)
+            extract_type(data_type)  # raises an error of a wrong type now, and not when the launch runs
         return normalize_to_list_of_substitutions(value)
     if is_instance_of(value, data_type):
         return value
     if not isinstance(value, list):
         raise TypeError(f"value='{value}' is not an instance of {data_type}, and no substitution")
+    # A list in which some items are substitutions: their type is checked when they are performed.
     scalar = extract_type(data_type)[0] if data_type is not None else None
     items = []
     for item in value:
@@ -291,6 +299,7 @@ def perform_typed_substitution(context: LaunchContext, value: Any, data_type: An
             else item
             for item in value
         ]
+        # Without a type each item got its own, so they may differ now.
         if not is_instance_of(items, data_type):
             raise ValueError(f"the items of {items} are not all of one type: {data_type or 'any'}")
         return items

@@ -22,8 +22,8 @@ def visit_all_entities(
     future = entity.get_asyncio_future()
     if future is not None:
         yield entity, future
-    for each in following or ():
-        yield from visit_all_entities(each, context)
+    for next_entity in following or ():
+        yield from visit_all_entities(next_entity, context)
 
 
 def visit_all_entities_and_collect_futures(

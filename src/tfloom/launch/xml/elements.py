@@ -49,12 +49,12 @@ class _Builder:
 
     def __init__(self, file: str) -> None:
         self._file = file
-        self.parser = make_parser(self._refuse)
+        self.parser = make_parser(self._refuse_entity_declaration)
         self._open: list[Element] = []
         self.root: Element | None = None
         self.parser.StartElementHandler = self._start
-        self.parser.EndElementHandler = self._end
-        self.parser.SkippedEntityHandler = self._skipped
+        self.parser.EndElementHandler = self._close_element
+        self.parser.SkippedEntityHandler = self._refuse_undefined_entity
 
     def _start(self, tag: str, attributes: dict[str, str]) -> None:
         line = self.parser.CurrentLineNumber
@@ -67,14 +67,14 @@ class _Builder:
             self.root = element
         self._open.append(element)
 
-    def _end(self, _tag: str) -> None:
+    def _close_element(self, _tag: str) -> None:
         self._open.pop()
 
-    def _refuse(self, name: str) -> None:
+    def _refuse_entity_declaration(self, name: str) -> None:
         line = self.parser.CurrentLineNumber
         raise XmlError(f"it declares the entity '{name}', which launch files cannot do", line)
 
-    def _skipped(self, name: str, _is_parameter: object) -> None:
+    def _refuse_undefined_entity(self, name: str, _is_parameter: object) -> None:
         raise XmlError(f"undefined entity '&{name};'", self.parser.CurrentLineNumber)
 
 

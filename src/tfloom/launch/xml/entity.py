@@ -18,11 +18,11 @@ class ReadsAsElement(Protocol):
 
     @property
     def tag(self) -> str:
-        """Its tag."""
+        """Name of the tag."""
 
     @property
     def attrib(self) -> dict[str, str]:
-        """Its attributes."""
+        """Values of the attributes by their names."""
 
     def __iter__(self) -> Iterator[ReadsAsElement]: ...
 
@@ -71,13 +71,17 @@ class Entity(BaseEntity):
         """
         tags = {child.tag for child in self._element} - self._read_tags
         attributes = set(self._element.attrib) - self._read_attributes
-        found = []
+        faults = []
         if tags:
-            found.append(f"Unexpected nested tag(s) found in `{self.type_name}`: {self._listed(tags)}")
+            faults.append(
+                f"Unexpected nested tag(s) found in `{self.type_name}`: {self._names_with_hints(tags)}"
+            )
         if attributes:
-            found.append(f"Unexpected attribute(s) found in `{self.type_name}`: {self._listed(attributes)}")
-        if found:
-            raise ValueError("; ".join(found))
+            faults.append(
+                f"Unexpected attribute(s) found in `{self.type_name}`: {self._names_with_hints(attributes)}"
+            )
+        if faults:
+            raise ValueError("; ".join(faults))
 
     def get_attr(
         self, name: str, *, data_type: Any = str, optional: bool = False, can_be_str: bool = True
@@ -105,7 +109,7 @@ class Entity(BaseEntity):
             return self._value(name, data_type, can_be_str=can_be_str)
         if optional:
             return None
-        near = did_you_mean(name, self._unread())
+        near = did_you_mean(name, self._unread_names())
         raise AttributeError(
             f"Attribute '{name}' of type '{data_type}' not found in Entity '{self.type_name}'{near}"
         )
@@ -127,16 +131,16 @@ class Entity(BaseEntity):
                 f"'{value}' can not be converted to one of those types"
             ) from error
 
-    def _unread(self) -> set[str]:
+    def _unread_names(self) -> set[str]:
         return {*self._element.attrib, *(child.tag for child in self._element)} - self._asked
 
-    def _listed(self, names: Iterable[str]) -> str:
+    def _names_with_hints(self, names: Iterable[str]) -> str:
         """Return unread names as a set, and for each the nearest one that the action has."""
         ordered = sorted(names)
-        known = self._asked - self._read_attributes - self._read_tags
+        accepted_names = self._asked - self._read_attributes - self._read_tags
         near = "".join(
             f"{hint} (for '{name}')" if len(ordered) > 1 else hint
             for name in ordered
-            if (hint := did_you_mean(name, known))
+            if (hint := did_you_mean(name, accepted_names))
         )
         return "{" + ", ".join(f"'{name}'" for name in ordered) + "}" + near

@@ -84,7 +84,7 @@ class Entity(BaseEntity):
             raise TypeError(
                 f"Expected a dict or list, got {type(listed)}: the elements of `{self._type_name}` are a list"
             )
-        return [self._child(each) for each in listed]
+        return [self._child(element) for element in listed]
 
     def _child(self, element: Any, type_name: str | None = None) -> Entity:
         try:
@@ -156,8 +156,8 @@ class Entity(BaseEntity):
         self._read.add(name)
         data = attributes[name]
         if check_is_list_entity(data_type):
-            if isinstance(data, list) and all(isinstance(each, dict) for each in data):
-                return [self._child(each, name) for each in data]
+            if isinstance(data, list) and all(isinstance(element, dict) for element in data):
+                return [self._child(element, name) for element in data]
             raise TypeError(
                 f"Attribute '{name}' of Entity '{self._type_name}' expected to be a list of dictionaries."
             )
@@ -172,9 +172,9 @@ class Entity(BaseEntity):
 
 def _only_item(element: Any) -> tuple[str, Any]:
     if not isinstance(element, dict) or len(element) != 1:
-        found = ", ".join(map(repr, element)) if isinstance(element, dict) else repr(element)
+        actual_element = ", ".join(map(repr, element)) if isinstance(element, dict) else repr(element)
         raise TypeError(
-            f"Subentities must be a dictionary of length one, of the tag to its attributes, and not {found}"
+            f"Subentities must be a dictionary of length one, of the tag to its attributes, and not {actual_element}"
         )
     name, value = next(iter(element.items()))
     return str(name), value

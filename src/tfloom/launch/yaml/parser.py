@@ -49,8 +49,8 @@ def _root(content: bytes, name: str) -> Entity:
             f"{name}: it is not UTF-8: {error}", error
         ) from error
     if not isinstance(tree, dict) or not tree:
-        found = "it is empty" if not tree else f"it is a {type(tree).__name__}"
-        message = f"{name}:1: {found}, and should be a dictionary with the key 'launch'"
+        actual_root = "it is empty" if not tree else f"it is a {type(tree).__name__}"
+        message = f"{name}:1: {actual_root}, and should be a dictionary with the key 'launch'"
         raise InvalidFrontendLaunchFileError.with_message(message)
     if len(tree) > 1:
         keys = ", ".join(f"'{key}'" for key in tree)

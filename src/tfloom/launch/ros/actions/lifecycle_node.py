@@ -102,6 +102,8 @@ class LifecycleNode(Node):
         loop = context.asyncio_loop
         if loop is None:
             raise RuntimeError("a ChangeState event can only be handled while the launch runs")
+        # On the launch's own thread, the wait for the service would hold up all events, the shutdown among them. The
+        # future keeps the launch from its idle end until the call has returned.
         context.add_completion_future(
             loop.run_in_executor(self._calls, self._call_change_state, event.transition_id, context)
         )
@@ -115,14 +117,16 @@ class LifecycleNode(Node):
             return
         request = ChangeStateService.Request()
         request.transition.id = transition_id
+        # Both waits are polls, because nothing wakes them at the shutdown. The launch's thread destroys the node of the
+        # client then, maybe in the middle of a call: hence InvalidHandle.
         try:
             while not client.wait_for_service(timeout_sec=_POLL_S):
                 if context.is_shutdown:
-                    self._abandon(f"'{client.srv_name}' service")
+                    self._warn_of_abandoned_wait(f"'{client.srv_name}' service")
                     return
             future = client.call_async(request)
             if not _wait(future, context):
-                self._abandon(f"'{client.srv_name}' service response")
+                self._warn_of_abandoned_wait(f"'{client.srv_name}' service response")
                 return
             response = future.result()
         except InvalidHandle:  # the launch was shut down in between
@@ -134,7 +138,7 @@ class LifecycleNode(Node):
                 self.node_name,
             )
 
-    def _abandon(self, what: str) -> None:
+    def _warn_of_abandoned_wait(self, what: str) -> None:
         self._transition_logger.warning("Abandoning wait for the %s, due to shutdown.", what)
 
 

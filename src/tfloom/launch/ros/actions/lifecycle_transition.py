@@ -74,8 +74,8 @@ class LifecycleTransition(Action):
         super().__init__(**kwargs)
         self._names = [normalize_to_list_of_substitutions(name) for name in lifecycle_node_names]
         self._transitions = [
-            normalize_to_list_of_substitutions(str(each) if isinstance(each, int) else each)
-            for each in transition_ids
+            normalize_to_list_of_substitutions(str(number) if isinstance(number, int) else number)
+            for number in transition_ids
         ]
         if not self._names:
             raise RuntimeError("No lifecycle_node_names provided.")
@@ -88,7 +88,9 @@ class LifecycleTransition(Action):
         Raises:
             ValueError: a transition's text is no number of one.
         """
-        transitions = [self._number(perform_substitutions(context, each)) for each in self._transitions]
+        transitions = [
+            self._transition_number(perform_substitutions(context, text)) for text in self._transitions
+        ]
         first: list[LaunchDescriptionEntity] = []
         for substitutions in self._names:
             name = perform_substitutions(context, substitutions)
@@ -96,11 +98,11 @@ class LifecycleTransition(Action):
             first.append(EmitEvent(event=_request(name, transitions[0])))
         return first
 
-    def _number(self, text: str) -> int:
+    def _transition_number(self, text: str) -> int:
         if not text.isdecimal() or int(text) not in self.transition_targets:
-            known = ", ".join(map(str, self.transition_targets))
+            numbers = ", ".join(map(str, self.transition_targets))
             raise ValueError(
-                f"'{text}' is no transition that LifecycleTransition can request; use one of {known}"
+                f"'{text}' is no transition that LifecycleTransition can request; use one of {numbers}"
             )
         return int(text)
 
@@ -113,11 +115,11 @@ class _Sequence:
         self._left = list(transitions)
         self._is_of_node = matches_node_name(name)
         self._handler = OnStateTransition(
-            matcher=self._ends_a_transition, entities=[OpaqueFunction(function=self._go_on)]
+            matcher=self._ends_a_transition, entities=[OpaqueFunction(function=self._request_next)]
         )
 
     def follow(self, context: LaunchContext) -> None:
-        """Begin."""
+        """Handle the state transitions of the node from now on."""
         context.register_event_handler(self._handler)
 
     def _ends_a_transition(self, event: Event) -> bool:
@@ -132,7 +134,9 @@ class _Sequence:
     def _target(self) -> dict[str, str]:
         return LifecycleTransition.transition_targets[self._left[0]]
 
-    def _go_on(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
+    def _request_next(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
+        # The transition that was requested has ended: in its goal state, in another one, or in error processing, which
+        # is a transition of its own and ends later. Only a success leads to the next request.
         event = context.locals.event
         succeeded = (event.start_state, event.goal_state) == tuple(self._target.values())
         if not succeeded and event.goal_state == "errorprocessing":
@@ -145,7 +149,7 @@ class _Sequence:
             get_logger("launch_ros.actions.lifecycle_transition").error(
                 f"'{self._name}' is {event.goal_state} after the transition "
                 f"'{ChangeState.valid_transitions[done]}', so that the transitions after it are not requested: "
-                + ", ".join(ChangeState.valid_transitions[each] for each in self._left)
+                + ", ".join(ChangeState.valid_transitions[number] for number in self._left)
             )
         return None
 

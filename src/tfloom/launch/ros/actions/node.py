@@ -74,6 +74,7 @@ class Node(ExecuteProcess):
     ) -> None:
         program = executable if package is None else ExecutableInPackage(executable, package)
         cmd: list[SomeSubstitutionsType] = [program, *(arguments or ()), "--ros-args", *(ros_arguments or ())]
+        # The name stands in a local variable, which `execute` sets: extensions may change it until then.
         if name is not None:
             cmd += ["-r", LocalSubstitution("ros_specific_arguments['name']", description="node name")]
         if parameters is not None:
@@ -127,7 +128,7 @@ class Node(ExecuteProcess):
 
     @property
     def node_executable(self) -> SomeSubstitutionsType:
-        """The program."""
+        """Name of the program, or its path if there is no package."""
         return self._executable
 
     @property
@@ -168,7 +169,7 @@ class Node(ExecuteProcess):
     def is_node_name_fully_specified(self) -> bool:
         """Return whether both the name and the namespace are given."""
         unspecified = (self.UNSPECIFIED_NODE_NAME, self.UNSPECIFIED_NODE_NAMESPACE)
-        return not any(each in self.node_name for each in unspecified)
+        return not any(placeholder in self.node_name for placeholder in unspecified)
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         """Start the process.
@@ -178,6 +179,8 @@ class Node(ExecuteProcess):
             PackageNotFoundError, SubstitutionFailure: there is no such package or program.
             TypeError: a parameter's value has a type that parameters don't have.
         """
+        # The command line gets its last words before `super().execute`, which performs its substitutions, those of
+        # `ros_specific_arguments` among them.
         self._perform_substitutions(context)
         arguments: dict[str, Any] = {}
         if self._given_name is not None:
@@ -194,6 +197,7 @@ class Node(ExecuteProcess):
 
     def _perform_substitutions(self, context: LaunchContext) -> None:
         """Perform the substitutions of names, parameters and remappings once, and put them on the command line."""
+        # Once, because it appends to the command line; a LifecycleNode has called it before `Node.execute` does.
         if self._final_node_name is not None:
             return
         try:
@@ -217,9 +221,10 @@ class Node(ExecuteProcess):
         namespace = None
         if self._given_namespace is not None:
             namespace = perform_some_substitutions(context, self._given_namespace)
-        joined = prefix_namespace(configurations.namespace(context), namespace)
-        if joined is not None:
-            self._expanded_namespace = make_namespace_absolute(joined)
+        # Without a namespace here or around the node, no `__ns` is passed on, so that the program's own choice holds.
+        joined_namespace = prefix_namespace(configurations.namespace(context), namespace)
+        if joined_namespace is not None:
+            self._expanded_namespace = make_namespace_absolute(joined_namespace)
             validate_namespace(self._expanded_namespace)
             self._add_words("-r", LocalSubstitution("ros_specific_arguments['ns']"))
         self._final_node_name = prefix_namespace(self._expanded_namespace, self._expanded_name)
@@ -228,12 +233,14 @@ class Node(ExecuteProcess):
         from tfloom.launch.ros.utilities.evaluate_parameters import evaluate_parameters
         from tfloom.launch.ros.utilities.parameter_text import parameter_rule
 
+        # The order is the precedence: the program takes the last value that the command line has for a parameter. So
+        # those of SetParameter and SetParametersFromFile come first, and the node's own override them.
         files: list[Path] = []
-        for each in configurations.global_parameters(context):
-            if isinstance(each, tuple):
-                self._add_words("-p", parameter_rule(*each))
+        for global_parameter in configurations.global_parameters(context):
+            if isinstance(global_parameter, tuple):
+                self._add_words("-p", parameter_rule(*global_parameter))
             else:
-                self._add_file(Path(each).absolute(), files)
+                self._add_file(Path(global_parameter).absolute(), files)
         for parameters in evaluate_parameters(context, self._parameters or ()):
             if isinstance(parameters, Path):
                 self._add_file(parameters, files)
@@ -258,6 +265,7 @@ class Node(ExecuteProcess):
         from tfloom.launch.ros.temporary_files import write_temporary_file
         from tfloom.launch.ros.utilities.parameter_text import parameter_file_text
 
+        # Without a full name, the file is for any node: only this program gets it.
         node = self.node_name if self.is_node_name_fully_specified() else "/**"
         text = parameter_file_text(node, parameters)
         return str(write_temporary_file(context, text, prefix="launch_params_"))

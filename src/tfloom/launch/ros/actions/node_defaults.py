@@ -62,7 +62,7 @@ class SetParameter(Action):
 
     @property
     def value(self) -> ParameterValue:
-        """The value."""
+        """Value of the parameter, normalized."""
         return next(iter(self._parameters.values()))
 
     def execute(self, context: LaunchContext) -> None:
@@ -155,12 +155,12 @@ class SetRemap(Action):
 
     @property
     def src(self) -> list[Substitution]:
-        """The name."""
+        """Name that is replaced."""
         return self._src
 
     @property
     def dst(self) -> list[Substitution]:
-        """Its replacement."""
+        """Name that replaces it."""
         return self._dst
 
     def execute(self, context: LaunchContext) -> None:
@@ -192,7 +192,7 @@ class SetROSLogDir(Action):
 
     @property
     def log_dir(self) -> list[Substitution]:
-        """The folder."""
+        """Folder of the logs of later processes."""
         return self._log_dir
 
     def execute(self, context: LaunchContext) -> None:
@@ -227,7 +227,7 @@ class PushROSNamespace(Action):
 
     @property
     def namespace(self) -> list[Substitution]:
-        """The namespace."""
+        """Namespace that is pushed; it is relative to the one around it unless it begins with a slash."""
         return self._namespace
 
     def execute(self, context: LaunchContext) -> None:
@@ -252,4 +252,4 @@ class PushROSNamespace(Action):
 
 
 PushRosNamespace = PushROSNamespace
-"""The former name."""
+"""Former name of PushROSNamespace, which launch files still use."""

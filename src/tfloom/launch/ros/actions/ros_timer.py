@@ -43,7 +43,7 @@ class ROSTimer(TimerAction):
 
 
 RosTimer = ROSTimer
-"""The former name."""
+"""Former name of ROSTimer, which launch files still use."""
 
 
 def _set(future: asyncio.Future[Any]) -> None:

@@ -118,7 +118,7 @@ class ComposableNode:
 def parse_composable_nodes(elements: Iterable[Entity], parser: ParsesActions) -> list[ComposableNode]:
     """Return the nodes of the tags `composable_node`."""
     nodes = []
-    for each in elements:
-        node_class, arguments = ComposableNode.parse(parser, each)
+    for element in elements:
+        node_class, arguments = ComposableNode.parse(parser, element)
         nodes.append(node_class(**arguments))
     return nodes

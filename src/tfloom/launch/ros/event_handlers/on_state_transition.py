@@ -66,5 +66,5 @@ class OnStateTransition(EventHandler):
     def matcher_description(self) -> str:
         """Which events it handles, for people."""
         named = {**self._labels, "target_lifecycle_node": self._target}
-        given = [f"{name}={value!r}" for name, value in named.items() if value is not None]
-        return " and ".join(["event == StateTransition", *given])
+        conditions = [f"{name}={value!r}" for name, value in named.items() if value is not None]
+        return " and ".join(["event == StateTransition", *conditions])

@@ -26,7 +26,7 @@ class StateTransition(Event):
 
     @property
     def action(self) -> Any:
-        """The LifecycleNode."""
+        """LifecycleNode whose state has changed."""
         return self._action
 
     @property
@@ -119,11 +119,11 @@ class ChangeState(Event):
 
     def __init__(self, *, lifecycle_node_matcher: Callable[[Any], bool], transition_id: int) -> None:
         if transition_id not in self.valid_transitions:
-            known = ", ".join(
+            transitions = ", ".join(
                 f"{number} ({name})" for number, name in self.valid_transitions.items() if number < 10
             )
             raise ValueError(
-                f"transition_id {transition_id} is no transition of a lifecycle node; use one of {known}"
+                f"transition_id {transition_id} is no transition of a lifecycle node; use one of {transitions}"
             )
         self._matcher = lifecycle_node_matcher
         self._transition_id = transition_id
@@ -135,5 +135,5 @@ class ChangeState(Event):
 
     @property
     def transition_id(self) -> int:
-        """The requested transition."""
+        """Number of the requested transition, as in lifecycle_msgs/msg/Transition."""
         return self._transition_id

@@ -74,7 +74,7 @@ class ExecutableInPackage(FindPackagePrefix):
 def _own_program(context: LaunchContext, package: str, program: str, folder: Path) -> str:
     own = index.PROGRAMS.get(package, {})
     if program not in own:
-        raise SubstitutionFailure(_not_found(program, folder, own))
+        raise SubstitutionFailure(_not_found_message(program, folder, own))
     from tfloom.launch.ros.own_programs import script_for
 
     return script_for(context, package, program, own[program])
@@ -87,24 +87,24 @@ def _installed_program(package: str, program: str, prefix: str) -> str:
             f"package '{package}' found at '{prefix}', but libexec directory '{folder}' does not exist"
         )
     programs = index.package_programs(package, prefix)
-    found = [path for path in programs if program in (index.program_name(path), path.name)]
-    if not found:
+    matches = [path for path in programs if program in (index.program_name(path), path.name)]
+    if not matches:
         hint = ""
         if blocked := index.find_unmarked_program(package, prefix, program):
             hint = f"\n{blocked} is not marked as executable: chmod +x {blocked}"
-        known = map(index.program_name, programs)
-        raise SubstitutionFailure(_not_found(program, folder, known) + hint)
+        program_names = map(index.program_name, programs)
+        raise SubstitutionFailure(_not_found_message(program, folder, program_names) + hint)
     # A program in the folder itself counts, before others of its name in folders below.
-    return str(min(found, key=lambda path: len(path.parts)))
+    return str(min(matches, key=lambda path: len(path.parts)))
 
 
-def _not_found(program: str, folder: Path, known: Iterable[str]) -> str:
-    hint = _nearest_program(program, sorted(set(known)))
+def _not_found_message(program: str, folder: Path, program_names: Iterable[str]) -> str:
+    hint = _nearest_program(program, sorted(set(program_names)))
     return f"executable '{program}' not found on the libexec directory '{folder}'{hint}"
 
 
-def _nearest_program(program: str, known: list[str]) -> str:
+def _nearest_program(program: str, program_names: list[str]) -> str:
     """Return the program of the nearest name as a text, else all of the package."""
-    if near := did_you_mean(program, known):
+    if near := did_you_mean(program, program_names):
         return near
-    return f"; its programs are {', '.join(known)}" if known else "; it has no programs"
+    return f"; its programs are {', '.join(program_names)}" if program_names else "; it has no programs"

@@ -60,9 +60,9 @@ class Parameter(Substitution):
         """
         name = perform_substitutions(context, self._name)
         # The parameter that was set last counts, as in the node that is given all of them.
-        for each in reversed(global_parameters(context)):
-            if isinstance(each, tuple) and each[0] == name:
-                return str(each[1])
+        for parameter in reversed(global_parameters(context)):
+            if isinstance(parameter, tuple) and parameter[0] == name:
+                return str(parameter[1])
         if self._default is None:
             raise SubstitutionFailure(
                 f"parameter '{name}' is not set: no SetParameter before it, and no default"
@@ -74,5 +74,5 @@ def _as_texts(default: Any) -> Any:
     if isinstance(default, (str, Substitution)):
         return default
     if isinstance(default, Iterable):
-        return [each if isinstance(each, Substitution) else str(each) for each in default]
+        return [part if isinstance(part, Substitution) else str(part) for part in default]
     return str(default)

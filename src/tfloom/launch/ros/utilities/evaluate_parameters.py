@@ -34,14 +34,14 @@ def evaluate_parameters(context: LaunchContext, parameters: Parameters) -> Evalu
         SubstitutionFailure: a substitution can't be performed.
     """
     evaluated: list[Any] = []
-    for each in parameters:
-        if isinstance(each, ParameterFile):
-            evaluated.append(each.evaluate(context))
-        elif isinstance(each, Parameter):
-            each.evaluate(context)
-            evaluated.append(each)
+    for parameter in parameters:
+        if isinstance(parameter, ParameterFile):
+            evaluated.append(parameter.evaluate(context))
+        elif isinstance(parameter, Parameter):
+            parameter.evaluate(context)
+            evaluated.append(parameter)
         else:
-            evaluated.append(evaluate_parameter_dict(context, each))
+            evaluated.append(evaluate_parameter_dict(context, parameter))
     return tuple(evaluated)
 
 

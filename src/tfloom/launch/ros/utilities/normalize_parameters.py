@@ -112,7 +112,7 @@ def _normalize_array(name: Any, array: Sequence[Any]) -> ParameterValue:
         ensure_argument_type(
             item, (float, int, str, bool, Substitution, Sequence), "subvalue", "normalize_parameters"
         )
-    kinds = {_kind(item) for item in array}
+    kinds = {_item_type(item) for item in array}
     if not kinds <= {str, Substitution, Sequence}:
         return _plain_array(name, array, kinds)
     if kinds == {str}:
@@ -123,7 +123,7 @@ def _normalize_array(name: Any, array: Sequence[Any]) -> ParameterValue:
     return tuple(tuple(normalize_to_list_of_substitutions(item)) for item in array)
 
 
-def _kind(item: Any) -> type:
+def _item_type(item: Any) -> type:
     for kind in (bool, int, float, str, Substitution):
         if isinstance(item, kind):
             return kind
@@ -134,9 +134,9 @@ def _plain_array(name: Any, array: Sequence[Any], kinds: set[type]) -> Parameter
     if kinds == {int, float}:
         return tuple(float(item) for item in array)
     if len(kinds) > 1:
-        found = ", ".join(sorted(kind.__name__ for kind in kinds))
+        type_names = ", ".join(sorted(kind.__name__ for kind in kinds))
         raise TypeError(
             f"Expected a non-empty sequence, with items of uniform type, as the value of parameter {name!r}, got "
-            f"{found} in {list(array)!r}. Allowed sequence item types are bool, int, float, str."
+            f"{type_names} in {list(array)!r}. Allowed sequence item types are bool, int, float, str."
         )
     return tuple(array)

@@ -12,7 +12,7 @@ def as_yaml(value: Any) -> str:
     """Return a value as YAML on one line, without the end of the document."""
     import yaml
 
-    text = yaml.safe_dump(_listed(value), default_flow_style=True, allow_unicode=True, width=10**9)
+    text = yaml.safe_dump(_as_list(value), default_flow_style=True, allow_unicode=True, width=10**9)
     return text.removesuffix("\n").removesuffix("\n...")
 
 
@@ -23,12 +23,12 @@ def parameter_rule(name: str, value: Any) -> str:
     """
     from tfloom.rosidl.user_yaml import YamlError, load
 
-    text = str(_listed(value))
+    text = str(_as_list(value))
     try:
         read = load(text)
     except YamlError:
         read = None
-    same = type(read) is type(_listed(value)) and read == _listed(value)
+    same = type(read) is type(_as_list(value)) and read == _as_list(value)
     return f"{name}:={text if same else as_yaml(value)}"
 
 
@@ -36,9 +36,9 @@ def parameter_file_text(node: str, parameters: Mapping[str, Any]) -> str:
     """Return the content of a file with the parameters of a node; the node `/**` is each one."""
     import yaml
 
-    values = {name: _listed(value) for name, value in parameters.items()}
+    values = {name: _as_list(value) for name, value in parameters.items()}
     return yaml.safe_dump({node: {"ros__parameters": values}}, default_flow_style=False, allow_unicode=True)
 
 
-def _listed(value: Any) -> Any:
+def _as_list(value: Any) -> Any:
     return list(value) if isinstance(value, tuple) else value

@@ -33,19 +33,19 @@ def parse_nested_parameters(params: list[Entity], parser: ParsesActions) -> list
         RuntimeError: a tag has attributes that exclude each other, or lacks a value.
         ValueError: a tag has neither a name nor a file.
     """
-    found: list[Any] = []
-    for each in params:
-        path = each.get_attr("from", optional=True)
-        name = each.get_attr("name", optional=True)
+    parameters: list[Any] = []
+    for param in params:
+        path = param.get_attr("from", optional=True)
+        name = param.get_attr("name", optional=True)
         if path is not None and name is not None:
             raise RuntimeError("name and from attributes are mutually exclusive")
         if path is not None:
-            found.append(_parse_file(path, each, parser))
+            parameters.append(_parse_file(path, param, parser))
         elif name is not None:
-            found.append(_parse_values([each], parser))
+            parameters.append(_parse_values([param], parser))
         else:
             raise ValueError("param Entity should have name or from attribute")
-    return found
+    return parameters
 
 
 def _parse_file(path: str, element: Entity, parser: ParsesActions) -> ParameterFile:
@@ -60,12 +60,12 @@ def _parse_file(path: str, element: Entity, parser: ParsesActions) -> ParameterF
 
 def _parse_values(elements: list[Entity], parser: ParsesActions) -> dict[Any, Any]:
     values: dict[Any, Any] = {}
-    for each in elements:
-        name = tuple(parser.parse_substitution(each.get_attr("name")))
-        identifier = each.get_attr("type", optional=True)
+    for element in elements:
+        name = tuple(parser.parse_substitution(element.get_attr("name")))
+        identifier = element.get_attr("type", optional=True)
         data_type = None if identifier is None else get_data_type_from_identifier(identifier)
-        value = each.get_attr("value", data_type=data_type, optional=True)
-        nested = each.get_attr("param", data_type=_Elements, optional=True)
+        value = element.get_attr("value", data_type=data_type, optional=True)
+        nested = element.get_attr("param", data_type=_Elements, optional=True)
         if value is not None and nested:
             raise RuntimeError("param and value attributes are mutually exclusive")
         if data_type is not None and nested:
@@ -76,5 +76,5 @@ def _parse_values(elements: list[Entity], parser: ParsesActions) -> dict[Any, An
             values[name] = _parse_values(nested, parser)
         else:
             raise RuntimeError("either a value attribute or nested params are needed")
-        each.assert_entity_completely_parsed()
+        element.assert_entity_completely_parsed()
     return values

@@ -31,14 +31,14 @@ def to_parameters_list(
     from tfloom.node.parameters.parameter import Parameter
 
     values: dict[str, Any] = {}
-    for each in evaluated_parameters:
-        if isinstance(each, Path):
-            values |= _values_in_file(each, node_name, namespace)
-        elif isinstance(each, ParameterDescription):
-            name, value = each.evaluate(context)
+    for parameters in evaluated_parameters:
+        if isinstance(parameters, Path):
+            values |= _values_in_file(parameters, node_name, namespace)
+        elif isinstance(parameters, ParameterDescription):
+            name, value = parameters.evaluate(context)
             values[name] = value
         else:
-            values |= each
+            values |= parameters
     return [
         Parameter(name=name, value=list(value) if isinstance(value, tuple) else value)
         for name, value in values.items()
@@ -50,7 +50,7 @@ def _values_in_file(path: Path, node_name: str, namespace: str) -> dict[str, Any
 
     rules = read_parameter_file(path)
     full_name = prefix_namespace(namespace or "/", node_name) or ""
-    found = {rule.name: rule.value for rule in rules if rule.is_for(full_name)}
-    if rules and not found:
+    values = {rule.name: rule.value for rule in rules if rule.is_for(full_name)}
+    if rules and not values:
         warnings.warn(f"No parameters for {full_name} in {path}", stacklevel=3)
-    return found
+    return values

@@ -106,9 +106,9 @@ class WaitForTopics:
         Raises:
             KeyError: the topic is none of those that are waited for.
         """
-        known = [topic for topic, _ in self.topic_tuples]
-        if topic_name not in known:
-            raise KeyError(f"No topic '{topic_name}' is waited for; those are: {', '.join(known)}")
+        topic_names = [topic for topic, _ in self.topic_tuples]
+        if topic_name not in topic_names:
+            raise KeyError(f"No topic '{topic_name}' is waited for; those are: {', '.join(topic_names)}")
         with self._changed:
             return list(self._received.get(topic_name, ()))
 
