@@ -120,7 +120,7 @@ def test_exception_in_a_program_is_printed_with_its_name(
     assert second == "Traceback (most recent call last):"
     assert last == "ValueError: no fuel"
     assert capsys.readouterr().err == ""
-    left = [each.name for each in threading.enumerate() if each.name.startswith(("tfloom", "a_broken"))]
+    left = [thread.name for thread in threading.enumerate() if thread.name.startswith(("tfloom", "a_broken"))]
     assert left == []
     assert get_default_context() is default, "a program took the process's default context"
 

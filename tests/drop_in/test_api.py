@@ -43,7 +43,7 @@ create = ctypes.pythonapi.PyErr_NewException  # as tf2_py's extension creates th
 create.restype, create.argtypes = ctypes.py_object, [ctypes.c_char_p, ctypes.py_object, ctypes.py_object]
 TransformException = create(b"tf2.TransformException", Exception, {})
 names = ["Connectivity", "Lookup", "Extrapolation", "InvalidArgument", "Timeout"]
-for name in [f"{each}Exception" for each in names]:
+for name in [f"{stem}Exception" for stem in names]:
     globals()[name] = create(f"tf2.{name}".encode(), TransformException, {})
 """,
     "tf2_ros.py": """
@@ -108,13 +108,15 @@ except tf2_ros.TypeException:
 def test_signatures_accept_the_arguments_of_tf2_ros(place: str) -> None:
     name, _, member = place.partition(".")
     theirs, mine = recorded(CALLS[place]), ours(getattr(CLASSES[name], member))
-    names = [each for each, _ in theirs]
-    assert [each for each, _ in mine if each in names] == names
+    names = [parameter for parameter, _ in theirs]
+    assert [parameter for parameter, _ in mine if parameter in names] == names
     defaults = dict(mine)
-    assert {each: defaults[each] for each, default in theirs if default is not None} == {
-        each: default for each, default in theirs if default is not None
+    assert {parameter: defaults[parameter] for parameter, default in theirs if default is not None} == {
+        parameter: default for parameter, default in theirs if default is not None
     }
-    assert all(default is not None or each == "*" for each, default in mine if each not in names)
+    assert all(
+        default is not None or parameter == "*" for parameter, default in mine if parameter not in names
+    )
 
 
 def test_methods_have_the_signatures_of_tfloom_s_own_classes() -> None:

@@ -20,9 +20,9 @@ LINE = "from tfloom.drop_in import Buffer, TransformListener"
 ORIGINS = """
 import json, pkgutil, sys
 from importlib.machinery import PathFinder
-names = {each.name for each in pkgutil.iter_modules()}
+names = {module.name for module in pkgutil.iter_modules()}
 origins = {name: getattr(PathFinder.find_spec(name), "origin", None) for name in names}
-print(json.dumps([origins, [each for each in sys.path if each.endswith("ros_names")] == sys.path[-1:]]))
+print(json.dumps([origins, [path for path in sys.path if path.endswith("ros_names")] == sys.path[-1:]]))
 """
 IMPORTS = """
 import rclpy, geometry_msgs.msg, std_msgs.msg, sensor_msgs.msg, tf2_msgs.msg, builtin_interfaces.msg
@@ -104,7 +104,7 @@ def test_missing_messages_are_named(peer: RosPeer, site_without_dds: Path, tmp_p
     (tmp_path / "rclpy").mkdir()
     (tmp_path / "rclpy" / "__init__.py").touch()
     first = [str(tmp_path), str(site_without_dds)]
-    code = f"import sys; sys.path[:] = {first!r} + [each for each in sys.path if 'site-packages' not in each]"
+    code = f"import sys; sys.path[:] = {first!r} + [path for path in sys.path if 'site-packages' not in path]"
     result = run(peer, f"{code}\n{LINE}\nBuffer()")
     last = result.stderr.strip().splitlines()[-1]
     assert last == "ImportError: 'geometry_msgs' is not installed for the ROS 2 that 'rclpy' comes from"

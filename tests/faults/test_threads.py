@@ -347,7 +347,7 @@ class Endpoint:
 def test_held_requests_without_a_thread() -> None:
     """The request that is held is sent when the first one is answered."""
     servers: Any = SimpleNamespace(
-        obstacle=str, synchronise=lambda: None, most_in_flight=lambda: 1, is_ready=lambda: True
+        incompatibility=str, synchronise=lambda: None, most_in_flight=lambda: 1, is_ready=lambda: True
     )
     requests: Any = Endpoint()
     responses: Any = Endpoint()

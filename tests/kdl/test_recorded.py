@@ -31,8 +31,8 @@ def differs(line: dict[str, object]) -> str:
 
 def test_answers_equal_the_recorded_ones() -> None:
     assert len(LINES) > 1500
-    amiss = [each for line in LINES if (each := differs(line))]
-    assert not amiss, "\n".join(amiss)
+    differences = [difference for line in LINES if (difference := differs(line))]
+    assert not differences, "\n".join(differences)
 
 
 @pytest.mark.parametrize(

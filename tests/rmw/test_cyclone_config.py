@@ -213,7 +213,7 @@ def test_off_is_without_a_network() -> None:
 @pytest.mark.parametrize("static_peers", [[], ["192.0.2.1"]])
 def test_system_default_configures_no_discovery(static_peers: list[str]) -> None:
     element = domain(configuration_for("SYSTEM_DEFAULT", static_peers))
-    assert [[each.tag for each in child] for child in element] == [[], [], ["GenerateKeyhash"]]
+    assert [[setting.tag for setting in child] for child in element] == [[], [], ["GenerateKeyhash"]]
 
 
 @pytest.mark.parametrize("discovery_range", RANGES)

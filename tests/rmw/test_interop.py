@@ -15,8 +15,8 @@ KEPT = QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL, depth=10)
 
 
 def encoded(text: str) -> bytes:
-    octets = text.encode() + b"\0"
-    return b"\0\1\0\0" + struct.pack("<I", len(octets)) + octets
+    text_bytes = text.encode() + b"\0"
+    return b"\0\1\0\0" + struct.pack("<I", len(text_bytes)) + text_bytes
 
 
 def test_typed_reader_receives_raw_samples(

@@ -36,15 +36,15 @@ def sockets_of(domain_id: int) -> dict[int, bytes]:
         with suppress(OSError):  # another thread has closed it
             if not entry.is_socket():
                 continue
-            with socket.socket(fileno=os.dup(int(entry.name))) as each:
-                port = each.getsockname()[1] if each.family == socket.AF_INET else 0
-                if each.type == socket.SOCK_DGRAM and first <= port < first + 240:
-                    found[port] = device_of(each)
+            with socket.socket(fileno=os.dup(int(entry.name))) as sock:
+                port = sock.getsockname()[1] if sock.family == socket.AF_INET else 0
+                if sock.type == socket.SOCK_DGRAM and first <= port < first + 240:
+                    found[port] = device_of(sock)
     return found
 
 
-def device_of(each: socket.socket) -> bytes:
-    return each.getsockopt(socket.SOL_SOCKET, SO_BINDTODEVICE, 16).rstrip(b"\0")
+def device_of(sock: socket.socket) -> bytes:
+    return sock.getsockopt(socket.SOL_SOCKET, SO_BINDTODEVICE, 16).rstrip(b"\0")
 
 
 @pytest.fixture

@@ -57,7 +57,7 @@ def test_request_receives_its_response(wires: Wires, take, wait_until) -> None:
     assert not client.is_ready()
     server = wires[1].create_responder(SERVER, KILL, QoS())
     wait_until(client.is_ready)
-    assert client.obstacle() == server.obstacle() == ""
+    assert client.incompatibility() == server.incompatibility() == ""
     assert client.send(HEADER + b"ask!") == 1
     request = take(server)
     assert request.data == HEADER + b"ask!"
@@ -423,8 +423,8 @@ def test_no_request_is_sent_to_another_vendor(vendor: str, reason: str) -> None:
     client = HeaderRequester(
         writer, FakeEnd(), CycloneServers(writer, FakeEnd(), "/kill", vendors), b"12345678"
     )
-    assert "/kill, /killer, runs on another DDS vendor" in client.obstacle()
-    assert f"services don't{reason}): " in client.obstacle()
+    assert "/kill, /killer, runs on another DDS vendor" in client.incompatibility()
+    assert f"services don't{reason}): " in client.incompatibility()
     with pytest.raises(ForeignPeerError, match="start it with RMW_IMPLEMENTATION=rmw_cyclonedds_cpp"):
         client.send(HEADER + b"ask!")
     assert writer.written == []
@@ -437,7 +437,7 @@ def test_server_on_fast_dds_is_ready_when_its_address_is_known(
     monkeypatch.setattr(cyclone_services, "dds_knows_address", lambda _: knows_address)
     servers = CycloneServers(FakeEnd((FAST, b"")), FakeEnd((FAST, b"")), "/kill", Vendors())
     assert servers.is_ready() is knows_address
-    assert not servers.obstacle()
+    assert not servers.incompatibility()
     assert servers.most_in_flight() == 10
 
 
@@ -690,7 +690,7 @@ def test_requests_of_another_vendor_are_dropped() -> None:
     request = server.take()
     assert request is not None
     assert samples == []
-    assert "a client of /kill runs on another DDS vendor" in server.obstacle()
+    assert "a client of /kill runs on another DDS vendor" in server.incompatibility()
 
 
 def test_ids_are_written_as_rmw_cyclonedds_writes_them() -> None:

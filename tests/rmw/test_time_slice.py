@@ -61,9 +61,9 @@ def test_a_thread_that_receives_has_a_short_slice(
     peer("write", end, DATA.hex())
     assert queue.wait(20_000_000_000) == [1]
     names = {
-        Path(f"/proc/self/task/{each}/comm").read_text().strip()
-        for each in threads()
-        if slice_ns(each) == SLICE_NS
+        Path(f"/proc/self/task/{thread}/comm").read_text().strip()
+        for thread in threads()
+        if slice_ns(thread) == SLICE_NS
     }
     assert names
     assert all(name.startswith(("recv", "dq.")) for name in names), names

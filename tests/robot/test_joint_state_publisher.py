@@ -27,7 +27,7 @@ class Stage:
     """A joint_state_publisher, a node beside it, and the states that it receives."""
 
     def __init__(self, file: Path | None, *parameters: str) -> None:
-        rclpy.init(args=["--ros-args", *(word for each in parameters for word in ("-p", each))])
+        rclpy.init(args=["--ros-args", *(word for parameter in parameters for word in ("-p", parameter))])
         self.executor = SingleThreadedExecutor()
         self.user = Node("user")
         self.states: list[JointState] = []

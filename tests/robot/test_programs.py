@@ -77,13 +77,14 @@ def test_the_endpoints_have_the_references_policies(
 
     def policies(topic: str) -> list[tuple[str, str]]:
         found = [*node.get_publishers_info_by_topic(topic), *node.get_subscriptions_info_by_topic(topic)]
-        return [(each.qos_profile.reliability.name, each.qos_profile.durability.name) for each in found]
+        return [
+            (endpoint.qos_profile.reliability.name, endpoint.qos_profile.durability.name)
+            for endpoint in found
+        ]
 
     try:
         wait_until(lambda: all(policies(topic) for topic in wanted))
-        assert {topic: policies(topic) for topic in wanted} == {
-            topic: [each] for topic, each in wanted.items()
-        }
+        assert {topic: policies(topic) for topic in wanted} == {topic: [qos] for topic, qos in wanted.items()}
     finally:
         context.destroy()
 

@@ -73,7 +73,7 @@ class Stage:
 
     def children(self) -> list[list[str]]:
         """Return the child frames of each message on /tf so far, and forget the messages."""
-        found = [[each.child_frame_id for each in message.transforms] for message in self.moving]
+        found = [[transform.child_frame_id for transform in message.transforms] for message in self.moving]
         self.moving.clear()
         return found
 
@@ -103,8 +103,10 @@ def test_states_become_transforms(start: Callable[..., Stage]) -> None:
     stage = start()
     stage.send(["shoulder", "rail", "roll"], [0.3, 0.1, 1.0], 7, 8)
     [message] = stage.moving
-    assert [each.child_frame_id for each in message.transforms] == MOVED
-    assert {(each.header.stamp.sec, each.header.stamp.nanosec) for each in message.transforms} == {(7, 8)}
+    assert [transform.child_frame_id for transform in message.transforms] == MOVED
+    assert {
+        (transform.header.stamp.sec, transform.header.stamp.nanosec) for transform in message.transforms
+    } == {(7, 8)}
     buffer = Buffer()
     buffer.insert_cdr(cdr.encode(message))
     buffer.insert_cdr(cdr.encode(stage.static[-1]), static=True)
@@ -162,10 +164,10 @@ def test_chains_of_mimic_joints(start: Callable[..., Stage], deviations: dict[st
         )
     )
     stage.send(["3"], [0.5])
-    angles = [2 * math.asin(each.transform.rotation.x) for each in stage.moving[0].transforms]
+    angles = [2 * math.asin(transform.transform.rotation.x) for transform in stage.moving[0].transforms]
     assert angles == pytest.approx([1.2, 0.6, 0.5])
     stage.send(["2"], [0.3], 2)
-    angles = [2 * math.asin(each.transform.rotation.x) for each in stage.moving[1].transforms]
+    angles = [2 * math.asin(transform.transform.rotation.x) for transform in stage.moving[1].transforms]
     assert angles == pytest.approx([0.6, 0.3])
 
 
@@ -174,7 +176,7 @@ def test_states_are_published_as_often_as_the_frequency_allows(start: Callable[.
     ms = 1_000_000
     for nanosec in (0, 50 * ms, 99 * ms, 100 * ms, 150 * ms, 199 * ms, 201 * ms):
         stage.send(["roll"], [1.0], 5, nanosec)
-    stamps = [each.transforms[0].header.stamp.nanosec // ms for each in stage.moving]
+    stamps = [message.transforms[0].header.stamp.nanosec // ms for message in stage.moving]
     assert stamps == [0, 100, 201]
     stage.children()
     stage.send(["roll", "rail"], [1.0, 0.1], 5, 202 * ms)
@@ -226,7 +228,7 @@ def test_simulated_time(start: Callable[..., Stage], capfd: pytest.CaptureFixtur
         stage.run()
         stage.send(["roll"], [1.0], sec)
         stage.send(["roll"], [1.0], sec)
-    assert [each.transforms[0].header.stamp.sec for each in stage.moving] == [100, 50]
+    assert [message.transforms[0].header.stamp.sec for message in stage.moving] == [100, 50]
     assert capfd.readouterr().err.count("Moved backwards in time") == 1
 
 
@@ -238,9 +240,12 @@ def test_the_prefix_changes_at_run_time(
     stage.send(["roll"], [1.0])
     assert stage.set("frame_prefix", "two/").successful
     stage.send(["roll"], [1.0], 2)
-    pairs = [(each.transforms[0].header.frame_id, each.transforms[0].child_frame_id) for each in stage.moving]
+    pairs = [
+        (message.transforms[0].header.frame_id, message.transforms[0].child_frame_id)
+        for message in stage.moving
+    ]
     assert pairs == [("one/slide", "one/spin"), ("two/slide", "two/spin")]
-    assert [[each.child_frame_id for each in message.transforms] for message in stage.static] == [
+    assert [[transform.child_frame_id for transform in message.transforms] for message in stage.static] == [
         ["one/tool"],
         ["two/tool"],
     ]
@@ -331,7 +336,7 @@ def test_planar_joints_are_fixed_and_floating_ones_left_out(
     start: Callable[..., Stage], capfd: pytest.CaptureFixture[str]
 ) -> None:
     stage = start(robot(joint("f", "a", "b", "floating"), joint("p", "b", "c", "planar"), links="abc"))
-    assert [each.child_frame_id for each in stage.static[0].transforms] == ["c"]
+    assert [transform.child_frame_id for transform in stage.static[0].transforms] == ["c"]
     stage.send(["f", "p"], [1.0, 2.0])
     assert stage.children() == []
     assert "Floating joint. Not adding segment from a to b." in capfd.readouterr().err

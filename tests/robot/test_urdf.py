@@ -32,7 +32,7 @@ def test_the_recorded_arm() -> None:
     arm = parse_urdf(ARM.read_text())
     assert (arm.name, arm.root) == ("arm", "base")
     assert arm.links == ("base", "upper", "lower", "slide", "spin", "tool")
-    kinds = [(each.name, each.type) for each in arm.joints.values()]
+    kinds = [(joint.name, joint.type) for joint in arm.joints.values()]
     assert kinds == [
         ("shoulder", "revolute"),
         ("elbow", "revolute"),
@@ -90,7 +90,7 @@ def test_the_encoding_of_a_file_is_that_of_its_first_line() -> None:
 def test_joints_are_ordered_from_the_root() -> None:
     parsed = parse_urdf(robot(joint("2", "b", "c"), joint("1", "a", "b"), joint("3", "a", "d"), links="dcba"))
     assert parsed.root == "a"
-    assert [each.name for each in from_root(parsed)] == ["1", "2", "3"]
+    assert [joint.name for joint in from_root(parsed)] == ["1", "2", "3"]
 
 
 def test_mimic_joints_follow_by_way_of_others() -> None:
@@ -107,7 +107,7 @@ def test_mimic_joints_follow_by_way_of_others() -> None:
     )
     found = followers(parsed.joints)
     assert list(found) == ["2", "1"], "what is followed comes first"
-    assert [(each.parent, each.factor, each.offset) for each in found.values()] == [
+    assert [(dependence.parent, dependence.factor, dependence.offset) for dependence in found.values()] == [
         ("3", -3.0, 0.5),
         ("3", -6.0, 2.0),
     ]

@@ -268,7 +268,7 @@ def test_failed_decoding_releases_all_objects() -> None:
             with pytest.raises(cdr.DecodeError):
                 cdr.decode(TFMessage, data[:end])
         gc.collect()
-        count = sum(isinstance(each, Message) for each in gc.get_objects())
+        count = sum(isinstance(instance, Message) for instance in gc.get_objects())
         assert turn == 0 or count == before
         before = count
 

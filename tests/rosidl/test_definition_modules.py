@@ -88,7 +88,7 @@ def test_a_script_imports_them_before_rclpy(workspace: Path, tmp_path: Path) -> 
 def test_a_python_that_no_workspace_was_sourced_for_has_no_finder(tmp_path: Path) -> None:
     code = """
         import sys
-        print([each for each in sys.meta_path if "ros_finder" in repr(each)],
+        print([finder for finder in sys.meta_path if "ros_finder" in repr(finder)],
               [name for name in sys.modules if name.startswith("tfloom.")])
     """
     assert python(code, tmp_path, AMENT_PREFIX_PATH="").stdout == "[] []\n"
@@ -222,7 +222,7 @@ def test_messages_nested_too_deep(sourced: Path) -> None:
 def test_use_ros_names_installs_one_finder() -> None:
     use_ros_names()
     use_ros_names()
-    assert [type(each) for each in sys.meta_path].count(ros_finder.InterfaceFinder) == 1
+    assert [type(finder) for finder in sys.meta_path].count(ros_finder.InterfaceFinder) == 1
 
 
 def test_a_definition_made_by_the_program_wins(sourced: Path) -> None:

@@ -52,7 +52,7 @@ def of_a_peer(description: dict[str, Any]) -> dict[str, Any]:
     renamed: dict[str, Any] = json.loads(
         re.sub(r'"(\w+/\w+/\w+)"', lambda match: f'"{peers_name(match[1])}"', json.dumps(description))
     )
-    renamed["referenced_type_descriptions"].sort(key=lambda each: each["type_name"])
+    renamed["referenced_type_descriptions"].sort(key=lambda description: description["type_name"])
     return renamed
 
 
@@ -79,7 +79,7 @@ def described(own: dict[str, Any], *referenced: dict[str, Any]) -> tuple[Any, di
     """Return a description as a message, and the hash of it by its name."""
     whole = {
         "type_description": own,
-        "referenced_type_descriptions": sorted(referenced, key=lambda each: each["type_name"]),
+        "referenced_type_descriptions": sorted(referenced, key=lambda description: description["type_name"]),
     }
     return sent(whole), {own["type_name"]: description_hash(whole)}
 

@@ -38,7 +38,9 @@ def extra() -> dict[str, spec.Interface]:
 @functools.cache
 def specs() -> dict[str, spec.Message]:
     return {
-        message.name: message for each in (own() | extra()).values() for message in spec.messages_of(each)
+        message.name: message
+        for interface in (own() | extra()).values()
+        for message in spec.messages_of(interface)
     }
 
 
@@ -71,7 +73,7 @@ def test_each_facade_keeps_the_rules_of_facades(rule: Rule) -> None:
     assert prefix is not None
     assert ROS_NAMES.is_dir()
     broken = [
-        each for each in rule(prefix / "ros_names") if ": from tfloom_interfaces.interfaces" not in each
+        line for line in rule(prefix / "ros_names") if ": from tfloom_interfaces.interfaces" not in line
     ]
     assert not broken, "\n".join(broken)
 
@@ -101,13 +103,13 @@ def written_parts() -> list[spec.Message]:
     The parts of services and actions get names of messages, because rosbags hashes those alone.
     """
     parts: list[spec.Message] = []
-    for each in extra().values():
-        if isinstance(each, spec.Service):
-            parts += [each.request, each.response]
-        elif isinstance(each, spec.Action):
-            parts += [each.goal, each.result, each.feedback]
+    for interface in extra().values():
+        if isinstance(interface, spec.Service):
+            parts += [interface.request, interface.response]
+        elif isinstance(interface, spec.Action):
+            parts += [interface.goal, interface.result, interface.feedback]
         else:
-            parts.append(each)
+            parts.append(interface)
     return [part._replace(name=message_name(part.name)) for part in parts]
 
 
@@ -124,7 +126,7 @@ def add_to(store: Typestore, message: spec.Message) -> None:
     store.register(get_types_from_msg(text, message.name))
 
 
-@for_each(written_parts(), name=lambda each: each.name)
+@for_each(written_parts(), name=lambda part: part.name)
 def test_hashes_are_those_of_rosbags(message: spec.Message) -> None:
     store = get_typestore(Stores.EMPTY)
     add_to(store, message)

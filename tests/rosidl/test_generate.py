@@ -30,7 +30,9 @@ def test_class_with_the_name_of_a_referenced_one() -> None:
     theirs = spec.Message("other_msgs/msg/Shape", ())
     ours = parse_interface("other_msgs/Shape shape\nShape[2] pair", "my_msgs/msg/Holder")
     own = spec.Message("my_msgs/msg/Shape", (spec.Field("x", spec.Type("float64")),))
-    specs = {each.name: each for each in (theirs, ours, own) if isinstance(each, spec.Message)}
+    specs = {
+        interface.name: interface for interface in (theirs, ours, own) if isinstance(interface, spec.Message)
+    }
     source = generate.generate([ours, own], specs.__getitem__)
     assert "from other_msgs.msg import Shape as other_msgs_Shape" in source
     assert "shape: other_msgs_Shape" in source
@@ -41,7 +43,7 @@ def test_class_with_the_name_of_a_referenced_one() -> None:
 def test_service_with_the_name_of_a_referenced_message() -> None:
     message = spec.Message("my_msgs/msg/Shape", ())
     service = parse_interface("Shape shape\n---\n", "my_msgs/srv/Shape")
-    known = {each.name: each for each in (message, *spec.messages_of(service))}
+    known = {part.name: part for part in (message, *spec.messages_of(service))}
     source = generate.generate([service], lambda name: known.get(name) or sources.find_message(name))
     assert "from my_msgs.msg import Shape as my_msgs_Shape" in source
     assert "shape: my_msgs_Shape" in source

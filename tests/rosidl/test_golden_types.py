@@ -15,7 +15,7 @@ from tfloom.rosidl.registry import get_message_class
 
 GOLDEN = Path(__file__).parents[1] / "golden" / "jazzy_types.jsonl"
 TYPES = [json.loads(line) for line in GOLDEN.read_text(encoding="utf-8").splitlines()]
-MESSAGES = [each for each in TYPES if each["samples"]]
+MESSAGES = [entry for entry in TYPES if entry["samples"]]
 
 
 def build(cls: type[Message], values: dict[str, Any]) -> Message:
@@ -25,7 +25,7 @@ def build(cls: type[Message], values: dict[str, Any]) -> Message:
 
 def _field(type_: Any, value: Any) -> Any:
     if type_.shape:
-        return [_field(type_.element, each) for each in value]
+        return [_field(type_.element, item) for item in value]
     if not type_.is_primitive:
         return build(get_message_class(type_.base), value)
     if type_.base == "byte":
@@ -33,7 +33,7 @@ def _field(type_: Any, value: Any) -> Any:
     return float(value) if type_.base.startswith("float") else value
 
 
-@for_each(MESSAGES, name=lambda each: each["type"])
+@for_each(MESSAGES, name=lambda entry: entry["type"])
 def test_golden_bytes_are_encoded_and_decoded(golden: dict[str, Any]) -> None:
     cls = get_message_class(golden["type"])
     for sample in golden["samples"]:
@@ -48,9 +48,9 @@ def test_golden_bytes_are_encoded_and_decoded(golden: dict[str, Any]) -> None:
 
 def test_golden_file_has_all_samples() -> None:
     assert len(TYPES) == 375
-    assert sum(len(each["samples"]) for each in TYPES) == 969
+    assert sum(len(entry["samples"]) for entry in TYPES) == 969
 
 
-@for_each(MESSAGES, name=lambda each: each["type"])
+@for_each(MESSAGES, name=lambda entry: entry["type"])
 def test_type_hash_matches_the_golden(golden: dict[str, Any]) -> None:
     assert golden["type_hash"] == get_message_class(golden["type"])._TYPE_HASH

@@ -115,7 +115,8 @@ def test_a_file_defines_what_a_definition_of_ros_does(name: str) -> None:
     for interface in (parse_interface(SAME_MESSAGE, "my_msgs/msg/All"),):
         find |= {message.name: message for message in spec.messages_of(interface)}
     hashes = {
-        type_hash(each, lambda name: find.get(name) or sources.find_message(name)) for each in (ours, theirs)
+        type_hash(message, lambda name: find.get(name) or sources.find_message(name))
+        for message in (ours, theirs)
     }
     assert len(hashes) == 1
 
@@ -131,7 +132,7 @@ def without_annotations(value: Any, *, inside: bool = False) -> Any:
     """Empty the annotations of the structs of services and actions, which the reference ignores."""
     if isinstance(value, list):
         is_whole = bool(value) and isinstance(value[0], list) and value[0][:1] == ["NamespacedType"]
-        return [without_annotations(each, inside=inside or is_whole) for each in value]
+        return [without_annotations(item, inside=inside or is_whole) for item in value]
     if inside and isinstance(value, dict) and "members" in value:
         return value | {"annotations": [], "comments": []}
     return value
@@ -149,8 +150,10 @@ def test_by_the_references_names() -> None:
 
     content = parse_idl_string(MESSAGE)
     (message,) = content.get_elements_of_type(TheirMessage)
-    assert [each.locator for each in content.get_elements_of_type(Include)] == ["geometry_msgs/msg/Point.idl"]
-    assert [each.name for each in message.constants] == ["BYTE", "LENGTH", "RATIO", "NAME"]
+    assert [include.locator for include in content.get_elements_of_type(Include)] == [
+        "geometry_msgs/msg/Point.idl"
+    ]
+    assert [constant.name for constant in message.constants] == ["BYTE", "LENGTH", "RATIO", "NAME"]
     assert isinstance(message.constants[0], Constant)
     assert TheirMessage is Message
     assert IdlFile is not None

@@ -61,7 +61,7 @@ def test_reused_memory_is_initialised() -> None:
 def test_cycles_are_collected() -> None:
     def count() -> int:
         gc.collect()
-        return sum(type(each) is TransformStamped for each in gc.get_objects())
+        return sum(type(instance) is TransformStamped for instance in gc.get_objects())
 
     before = count()
     for _ in range(100):
@@ -82,7 +82,7 @@ def test_objects_that_can_form_cycles_are_tracked() -> None:
 def test_a_decoded_message_that_refers_to_itself_is_collected() -> None:
     def count() -> int:
         gc.collect()
-        return sum(type(each) is Vector3 for each in gc.get_objects())
+        return sum(type(instance) is Vector3 for instance in gc.get_objects())
 
     before = count()
     data = cdr.encode(Vector3())
@@ -144,7 +144,7 @@ def test_finalizer_can_resurrect_the_message() -> None:
     cls(x=1.0)
     cls.__del__ = lambda self: kept.append(self)  # noqa: PLW0108 a method must be a function
     cls(x=2.0)
-    assert [each.x for each in kept] == [2.0]
+    assert [vector.x for vector in kept] == [2.0]
     assert gc.is_tracked(kept[0])
     del cls.__del__
     kept.clear()

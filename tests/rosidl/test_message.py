@@ -62,7 +62,7 @@ def test_public_attributes_match_the_golden(name: str) -> None:
     assert cls.get_fields_and_field_types() == golden["fields"]
     assert cls.__slots__ == golden["slots"]
     assert repr(message) == golden["repr_default"]
-    assert [type(each).__name__ for each in cls.SLOT_TYPES] == [
+    assert [type(slot_type).__name__ for slot_type in cls.SLOT_TYPES] == [
         face["slot_type"] for face in golden["python"].values()
     ]
     for field, face in golden["python"].items():
@@ -78,7 +78,7 @@ def test_repr_is_the_source_of_the_message(name: str) -> None:
         "array": np.array,
         **{f"{sign}int{n}": f"{sign}int{n}" for sign in ("", "u") for n in (8, 32)},
     }
-    for package, kind in {tuple(each.split(".")[:2]) for each in re.findall(r"\w+\.\w+\.\w+(?=\()", text)}:
+    for package, kind in {tuple(path.split(".")[:2]) for path in re.findall(r"\w+\.\w+\.\w+(?=\()", text)}:
         room = names.setdefault(package, SimpleNamespace())
         setattr(room, kind, importlib.import_module(f"tfloom.interfaces.{package}.{kind}"))
     assert repr(eval(text, names)) == text
@@ -124,15 +124,17 @@ DEFAULTS = {
 def test_defaults_are_on_class_and_instance(name: str) -> None:
     cls = get_message_class(name)
     for owner in (cls, cls()):
-        names = [each for each in dir(owner) if each.endswith("__DEFAULT")]
-        assert {each: getattr(owner, each) for each in names} == DEFAULTS[name]
+        names = [attribute for attribute in dir(owner) if attribute.endswith("__DEFAULT")]
+        assert {attribute: getattr(owner, attribute) for attribute in names} == DEFAULTS[name]
 
 
 @pytest.mark.parametrize(
     "name",
     ["geometry_msgs/msg/TransformStamped", "sensor_msgs/msg/CameraInfo", "turtlesim/srv/Spawn_Request"],
 )
-@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda each: pickle.loads(pickle.dumps(each))])
+@pytest.mark.parametrize(
+    "copied", [copy.copy, copy.deepcopy, lambda message: pickle.loads(pickle.dumps(message))]
+)
 def test_copies_are_equal_and_independent(name: str, copied: Callable[[Message], Message]) -> None:
     message = get_message_class(name)()
     twin = copied(message)

@@ -105,7 +105,7 @@ def test_parts_of_services_and_actions_are_parsed() -> None:
     assert [field.name for field in action.goal.fields + action.result.fields] == ["a", "b"]
     assert action.result.comment == "Says how."
     assert action.feedback.fields == ()
-    assert [each.name for each in action.messages][3:6] == [
+    assert [message.name for message in action.messages][3:6] == [
         f"my_msgs/action/A_SendGoal_{part}" for part in ("Request", "Response", "Event")
     ]
 

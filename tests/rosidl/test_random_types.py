@@ -77,7 +77,7 @@ def plain(value: Any) -> Any:
     if isinstance(value, bytes):
         return int.from_bytes(value, "little", signed=True)  # rosbags takes a byte for an int8
     if isinstance(value, list):
-        return [plain(each) for each in value]
+        return [plain(item) for item in value]
     fields = getattr(value, "_FIELDS", None) or getattr(value, "__dataclass_fields__", None)
     return [plain(getattr(value, name)) for name in fields if not name.startswith("__")] if fields else value
 

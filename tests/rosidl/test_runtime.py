@@ -38,7 +38,7 @@ def test_unknown_names_raise(name: str) -> None:
 
 
 def test_kinds_of_classes_are_recognised() -> None:
-    assert [runtime.is_message(each) for each in (Twist, Twist(), Spawn, RotateAbsolute, int)] == [
+    assert [runtime.is_message(candidate) for candidate in (Twist, Twist(), Spawn, RotateAbsolute, int)] == [
         *(True, True, False, False, False)
     ]
     assert runtime.is_service(Spawn)

@@ -22,7 +22,9 @@ from tfloom.rosidl.registry import find_class
 from tfloom.rosidl.service import Service
 
 GOLDEN = Path(__file__).parents[1] / "golden" / "jazzy_types.jsonl"
-HASHES = {each["type"]: each["type_hash"] for each in map(json.loads, GOLDEN.read_text("utf-8").splitlines())}
+HASHES = {
+    record["type"]: record["type_hash"] for record in map(json.loads, GOLDEN.read_text("utf-8").splitlines())
+}
 
 
 @for_each(HASHES)

@@ -138,7 +138,7 @@ def test_set_changes_nested_fields_only() -> None:
 def test_arrays_are_set() -> None:
     message = TFMessage()
     set_message_fields(message, {"transforms": [{"child_frame_id": "a"}, TransformStamped()]})
-    assert [each.child_frame_id for each in message.transforms] == ["a", ""]
+    assert [transform.child_frame_id for transform in message.transforms] == ["a", ""]
     cloud = PointCloud2()
     set_message_fields(cloud, {"data": [1, 2], "is_dense": "true", "fields": [{"name": "x", "count": "1"}]})
     assert (list(cloud.data), cloud.is_dense, cloud.fields[0].count) == ([1, 2], True, 1)

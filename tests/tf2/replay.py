@@ -59,7 +59,7 @@ def answer(buffer: Buffer, op: dict[str, Any], deviations: Container[str]) -> di
 
 def kind_of(error: TransformException, deviations: Container[str]) -> str:
     """Return the name of an error's class, or of its base if tfloom's class is more specific than the recorded."""
-    kind, above = (each.__name__ for each in type(error).__mro__[:2])
+    kind, above = (error_class.__name__ for error_class in type(error).__mro__[:2])
     return above if above == "ExtrapolationException" and "tf2-extrapolation-kinds" in deviations else kind
 
 

@@ -69,7 +69,7 @@ def test_mapped_equals_live_before_and_after_more_inserts(tmp_path: Path, seed: 
     live = random_buffer(random)
     path = tmp_path / "tree.tf"
     live.freeze(path)
-    octets = path.read_bytes()
+    content = path.read_bytes()
     mapped = Buffer.map(path)
     require_equal(live, mapped, random)
     for child in FRAMES[1:]:
@@ -79,7 +79,7 @@ def test_mapped_equals_live_before_and_after_more_inserts(tmp_path: Path, seed: 
                 "f0", child, stamp, *numbers, "x"
             )
     require_equal(live, mapped, random)
-    assert path.read_bytes() == octets
+    assert path.read_bytes() == content
 
 
 def test_samples_stay_in_the_file(tmp_path: Path) -> None:

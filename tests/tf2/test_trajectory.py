@@ -116,7 +116,7 @@ def test_what_notebooks_show(buffer: Buffer) -> None:
     assert "20 samples, 10.0 Hz, 1700000000.000 to 1700000001.900" in tree
     assert "<code>&lt;b&gt;&amp;</code>" in tree
     assert tree.count("<ul") == tree.count("</ul>") == 4
-    edge = next(each for each in buffer.edges() if each.child_frame_id == "odom")
+    edge = next(edge for edge in buffer.edges() if edge.child_frame_id == "odom")
     assert "<code>map</code>" in edge._repr_html_()
     way = buffer.trajectory("map", "lidar")._repr_html_()
     assert "186" in way

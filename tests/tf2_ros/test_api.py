@@ -37,12 +37,17 @@ def recorded(signature: str) -> list[tuple[str, str | None]]:
 def ours(function: object) -> list[tuple[str, str | None]]:
     found = []
     is_named_only = False
-    for each in inspect.signature(function).parameters.values():
-        if each.kind is each.KEYWORD_ONLY and not is_named_only:
+    for parameter in inspect.signature(function).parameters.values():
+        if parameter.kind is parameter.KEYWORD_ONLY and not is_named_only:
             is_named_only = True
             found.append(("*", None))
-        stars = {each.VAR_POSITIONAL: "*", each.VAR_KEYWORD: "**"}.get(each.kind, "")
-        found.append((stars + each.name, None if each.default is each.empty else repr(each.default)))
+        stars = {parameter.VAR_POSITIONAL: "*", parameter.VAR_KEYWORD: "**"}.get(parameter.kind, "")
+        found.append(
+            (
+                stars + parameter.name,
+                None if parameter.default is parameter.empty else repr(parameter.default),
+            )
+        )
     return found
 
 

@@ -135,7 +135,7 @@ def test_many_clients_at_once(start: Callable[..., Program]) -> None:
         "with ThreadPoolExecutor(10) as pool:",
         "    found = [pool.submit(client.lookup_transform, 'world', 'robot', Time(), Duration(seconds=25))",
         "             for _ in range(10)]",
-        "    print('sum', sum(each.result().transform.translation.x for each in found))",
+        "    print('sum', sum(future.result().transform.translation.x for future in found))",
     )
     askers = [client(start, *threads) for _ in range(4)]
     for asker in askers:

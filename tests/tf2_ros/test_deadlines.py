@@ -64,8 +64,8 @@ def test_delay_longer_than_the_longest_wait(
 
 def test_cancelled_calls_are_removed() -> None:
     for _ in range(5):
-        for each in [call_after(3600.0, lambda: None) for _ in range(deadlines.MAX_CANCELLED)]:
-            each.cancel()
+        for deadline in [call_after(3600.0, lambda: None) for _ in range(deadlines.MAX_CANCELLED)]:
+            deadline.cancel()
     assert len(deadlines._waiting) <= deadlines.MAX_CANCELLED + 2 * len(deadlines._functions)
 
 

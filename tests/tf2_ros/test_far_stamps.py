@@ -230,7 +230,7 @@ def test_listener_names_the_publisher_once(
     assert abs(buffer.lookup_transform("map", "base", NEWEST).header.stamp.sec - now_ns() // SECOND) < 60
     wait_until(lambda: warnings.texts)
     (text,) = warnings.texts
-    gid = ".".join(f"{octet:02x}" for octet in node.get_publishers_info_by_topic("/tf")[0].endpoint_gid)
+    gid = ".".join(f"{byte:02x}" for byte in node.get_publishers_info_by_topic("/tf")[0].endpoint_gid)
     assert text.startswith(f"The transform of 'base' from /fleet/robot, GID {gid}, on /tf is stamped ")
     assert "(at 2147483647.000)" in text
     listener.unregister()

@@ -59,7 +59,7 @@ def as_foreign(message: Any) -> Any:
         if hasattr(value, "get_fields_and_field_types"):
             value = as_foreign(value)
         elif isinstance(value, list):
-            value = [as_foreign(each) for each in value]
+            value = [as_foreign(item) for item in value]
         object.__setattr__(result, name, value)
     return result
 
@@ -109,9 +109,9 @@ STAMPED: list[tuple[Callable[..., Any], Any]] = [
     (geometry.do_transform_velocity_stamped, g.VelocityStamped(velocity=TWIST, body_frame_id="C")),
     (geometry.do_transform_wrench_stamped, g.WrenchStamped(wrench=g.Wrench(force=XYZ, torque=XYZ))),
 ]
-for _, each in STAMPED:
-    each.header.frame_id = "A"
-    each.header.stamp = Time(seconds=2).to_msg()
+for _, stamped in STAMPED:
+    stamped.header.frame_id = "A"
+    stamped.header.stamp = Time(seconds=2).to_msg()
 
 
 def name_of(value: object) -> str:

@@ -180,7 +180,7 @@ def unregistered_types(imported: str, *types: str) -> list[str]:
     """Return the notes of `transform` of each type in a program that has imported `imported` beside tf2_ros."""
     lines = [
         f"import tf2_ros, {imported}, geometry_msgs.msg, sensor_msgs.msg",
-        f"for message_class in ({''.join(f'{each}, ' for each in types)}):",
+        f"for message_class in ({''.join(f'{cls}, ' for cls in types)}):",
         "    try:",
         "        tf2_ros.Buffer().transform(message_class(), 'map')",
         "    except tf2_ros.TypeException as error:",
@@ -210,7 +210,7 @@ def test_the_imports_that_are_named_register_these_types() -> None:
     for module, types in CONVERSIONS.items():
         code = (
             f"import {module}; from tfloom.tf2_ros.buffer_interface import TransformRegistration as T, _ros_name;"
-            "print(*('/'.join(_ros_name(each)) for each in T._functions))"
+            "print(*('/'.join(_ros_name(cls)) for cls in T._functions))"
         )
         done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
         assert types <= set(done.stdout.split())

@@ -106,9 +106,9 @@ def test_chain_passes_messages_through_its_filters() -> None:
         chain.connectInput(source)
     source.signalMessage(point(1))
     first, second = Cache(None, 5), Cache(None, 5)
-    for number, each in enumerate((first, second)):
-        chain.addFilter(each)
-        assert chain.getFilter(number) is each
+    for number, input_filter in enumerate((first, second)):
+        chain.addFilter(input_filter)
+        assert chain.getFilter(number) is input_filter
         source.signalMessage(point(2 + number))
     assert got == [1, 2, 3]
     assert [len(cache.cache_msgs) for cache in (first, second)] == [2, 1]
@@ -127,9 +127,9 @@ def test_scrambled_sequences_are_synchronized(count: int) -> None:
         lambda a, b: pairs.append((seconds(a), seconds(b)))
     )
     source = random.Random(count)
-    for each in (left, right):
+    for source in (left, right):
         for at in source.sample(range(count), count):
-            each.signalMessage(point(at))
+            source.signalMessage(point(at))
     assert sorted(pairs) == [(at, at) for at in range(count)]
 
 

@@ -173,11 +173,11 @@ def test_layouts_of_clouds(layout: str, row_padding: int, size: tuple[int, int])
 def test_points_outside_the_octets_raise(
     shape: tuple[int, int], steps: tuple[int, int], offsets: tuple[int, int, int]
 ) -> None:
-    octets = np.zeros(36, np.uint8)
+    cloud_bytes = np.zeros(36, np.uint8)
     with pytest.raises(ValueError, match="the points must lie within the octets"):
-        _native.move_cloud_float32(np.array([0.0, 0, 0, 0, 0, 0, 1]), octets, shape, steps, offsets)
-    _native.move_cloud_float32(np.array([1.0, 2, 3, 0, 0, 0, 1]), octets, (1, 3), (0, 12), (0, 4, 8))
-    assert octets.view(np.float32).tolist() == [1, 2, 3] * 3
+        _native.move_cloud_float32(np.array([0.0, 0, 0, 0, 0, 0, 1]), cloud_bytes, shape, steps, offsets)
+    _native.move_cloud_float32(np.array([1.0, 2, 3, 0, 0, 0, 1]), cloud_bytes, (1, 3), (0, 12), (0, 4, 8))
+    assert cloud_bytes.view(np.float32).tolist() == [1, 2, 3] * 3
 
 
 def test_points_are_read_as_arrays() -> None:
@@ -227,8 +227,8 @@ def test_padding_of_a_structured_array_is_kept() -> None:
 
 def test_data_of_other_buffer_types() -> None:
     cloud = create_cloud_xyz32(HEADER, [(1, 2, 3), (4, np.nan, 6)])
-    octets = bytes(cloud.data)
-    for data in (bytearray(octets), list(octets), np.frombuffer(octets, np.uint8)):
+    cloud_bytes = bytes(cloud.data)
+    for data in (bytearray(cloud_bytes), list(cloud_bytes), np.frombuffer(cloud_bytes, np.uint8)):
         cloud.data = data
         assert read_points(cloud, skip_nans=True).tolist() == [(1, 2, 3)]
     assert read_points(create_cloud_xyz32(HEADER, [])).shape == (0,)

@@ -54,12 +54,12 @@ def test_perspective_projection_maps_along_the_line_of_sight(
     flat = projections.projection_matrix(plane, normal)
     deep = projections.projection_matrix(plane, normal, perspective=eye, pseudo=True)
     assert np.allclose(flat @ deep, matrix)
-    for each, pseudo in ((matrix, False), (deep, True)):
-        parts = projections.projection_from_matrix(2 * each, pseudo)
+    for projection, pseudo in ((matrix, False), (deep, True)):
+        parts = projections.projection_from_matrix(2 * projection, pseudo)
         assert np.allclose(parts[3], eye, atol=1e-5)
         again = projections.projection_matrix(*parts)
-        scale = (each * again).sum() / (again * again).sum()
-        assert np.allclose(scale * again, each, atol=1e-5)
+        scale = (projection * again).sum() / (again * again).sum()
+        assert np.allclose(scale * again, projection, atol=1e-5)
 
 
 def test_known_projections() -> None:

@@ -65,7 +65,7 @@ def test_every_function_has_the_name_and_the_arguments_that_programs_use() -> No
     ours = set()
     for name, function in inspect.getmembers(tf_transformations, inspect.isfunction):
         parameters = inspect.signature(function).parameters.values()
-        bare = [each.replace(annotation=inspect.Parameter.empty) for each in parameters]
+        bare = [parameter.replace(annotation=inspect.Parameter.empty) for parameter in parameters]
         ours.add(f"{name}({', '.join(map(str, bare))})")
     assert set(SIGNATURES.split("\n")[1:-1]) == ours
 

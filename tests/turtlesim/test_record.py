@@ -62,7 +62,7 @@ def test_invalid_recording_raises_at_once(tmp_path: Path, monkeypatch: pytest.Mo
 
 
 def test_films_are_written_by_ffmpeg(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    # A substitute for ffmpeg that only counts the octets of its input.
+    # A substitute for ffmpeg that only counts the bytes of its input.
     ffmpeg = tmp_path / "ffmpeg"
     ffmpeg.write_text('#!/bin/sh\nfor last; do :; done\n/usr/bin/wc -c > "$last"\n')
     ffmpeg.chmod(ffmpeg.stat().st_mode | stat.S_IXUSR)

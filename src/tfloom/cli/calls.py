@@ -59,8 +59,8 @@ class Client:
             if self._requester.is_ready():
                 return True
             # An incompatible server stays so: end the wait with the reason, instead of at the timeout without one.
-            if obstacle := self._requester.obstacle():
-                raise CommandError(obstacle)
+            if incompatibility := self._requester.incompatibility():
+                raise CommandError(incompatibility)
             if while_waiting is not None:
                 while_waiting()
                 while_waiting = None

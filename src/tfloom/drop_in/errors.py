@@ -51,7 +51,7 @@ def _derived() -> dict[str, type[errors.TransformException]]:
             continue
         bases = (classes.get(ours.__base__.__name__), getattr(tf2_py, name, None), ours)
         body = {"__module__": __name__, "__doc__": ours.__doc__, "__reduce__": Exception.__reduce__}
-        classes[name] = type(name, tuple(each for each in bases if each is not None), body)
+        classes[name] = type(name, tuple(base for base in bases if base is not None), body)
     return classes
 
 

@@ -261,7 +261,7 @@ class TransformListener(ListenerBase):
 
     def _check_discovery(self) -> None:
         with self._lock:
-            readers = [each for each in self._sources.values() if isinstance(each, OwnReader)]
+            readers = [source for source in self._sources.values() if isinstance(source, OwnReader)]
         unknown = set()
         for reader in readers:
             if self.node.count_publishers(reader.topic_name) <= reader.get_publisher_count():

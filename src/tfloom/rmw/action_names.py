@@ -22,12 +22,12 @@ def new_goal_id() -> UUID:
     """Return a random id, a UUID of version 4."""
     from tfloom.interfaces.unique_identifier_msgs.msg import UUID
 
-    octets = bytearray(os.urandom(16))
-    octets[6] = octets[6] & 0x0F | 0x40
-    octets[8] = octets[8] & 0x3F | 0x80
-    return UUID(uuid=list(octets))
+    uuid_bytes = bytearray(os.urandom(16))
+    uuid_bytes[6] = uuid_bytes[6] & 0x0F | 0x40
+    uuid_bytes[8] = uuid_bytes[8] & 0x3F | 0x80
+    return UUID(uuid=list(uuid_bytes))
 
 
 def key_of(goal_id: UUID) -> bytes:
-    """Return an id as 16 octets."""
+    """Return an id as 16 bytes."""
     return bytes(bytearray(goal_id.uuid))

@@ -18,13 +18,13 @@ class Sample(NamedTuple):
     """One message received from the wire."""
 
     data: bytes
-    """Encapsulation header (4 octets) and CDR; on DDS padded with zeros to a multiple of 4 octets."""
+    """Encapsulation header (4 bytes) and CDR; on DDS padded with zeros to a multiple of 4 bytes."""
     source_stamp_ns: int
     """Time of writing, by the writer's clock [ns since epoch]."""
     received_stamp_ns: int
     """Time of receipt, by this host's clock [ns since epoch]."""
     publisher_gid: bytes
-    """Gid of its writer: 16 octets."""
+    """Gid of its writer: 16 bytes."""
 
 
 class NodeName(NamedTuple):
@@ -61,7 +61,7 @@ class EndpointInfo(NamedTuple):
     """None until its participant's node list has arrived, or for a program that is not a ROS node."""
     is_writer: bool
     gid: bytes
-    """16 octets."""
+    """16 bytes."""
     qos: QoS
 
 
@@ -87,7 +87,7 @@ class ServiceEndInfo(NamedTuple):
     """None as in `EndpointInfo`."""
     is_server: bool
     gid: bytes
-    """16 octets: of a server's reader of requests, of a client's writer of requests."""
+    """16 bytes: of a server's reader of requests, of a client's writer of requests."""
     qos: QoS
 
 
@@ -95,7 +95,7 @@ class RequestId(NamedTuple):
     """The id of a request and of its response."""
 
     client_gid: bytes
-    """16 octets."""
+    """16 bytes."""
     sequence_number: int
     """From 1, counted by each client."""
 
@@ -104,7 +104,7 @@ class Request(NamedTuple):
     """One request received from the wire, without the wire's header."""
 
     data: bytes
-    """Encapsulation header (4 octets) and CDR."""
+    """Encapsulation header (4 bytes) and CDR."""
     id: RequestId
     source_stamp_ns: int
     received_stamp_ns: int
@@ -114,7 +114,7 @@ class Response(NamedTuple):
     """One response to a request of this client."""
 
     data: bytes
-    """Encapsulation header (4 octets) and CDR."""
+    """Encapsulation header (4 bytes) and CDR."""
     id: RequestId
     source_stamp_ns: int
     received_stamp_ns: int
@@ -234,7 +234,7 @@ class Requester(Protocol):
 
     gid: bytes
     client_gid: bytes
-    """The `client_gid` of its `RequestId`s: 16 octets."""
+    """The `client_gid` of its `RequestId`s: 16 bytes."""
 
     def send(self, data: bytes) -> int:
         """Send a request, encapsulation header and CDR, and return its sequence number.
@@ -281,7 +281,7 @@ class Requester(Protocol):
     def connected_servers(self) -> frozenset[str]:
         """Return ids of the servers that receive requests, or whose responses may still arrive."""
 
-    def obstacle(self) -> str:
+    def incompatibility(self) -> str:
         """Return a text for the user: why this client cannot become ready with the present servers; empty if it can."""
 
     def close(self) -> None:
@@ -308,10 +308,10 @@ class Responder(Protocol):
     def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
         """Post `token` to `queue` when there may be something to take; see `Reader.notify`."""
 
-    def obstacle(self) -> str:
+    def incompatibility(self) -> str:
         """Return a text for the user: why some of the present clients can't be served; empty if all can be."""
 
-    def refusal(self) -> str:
+    def last_drop_reason(self) -> str:
         """Return a text for the user: why the last dropped request was dropped; empty if none was."""
 
     def close(self) -> None:

@@ -72,7 +72,7 @@ class CycloneEndpoint:
             raise UnsupportedEventError(f"{event.name}: {error}") from None
         return None if fields is None else _status(event, fields)
 
-    def inherit(self) -> None:
+    def invalidate_after_fork(self) -> None:
         """Become the copy of the parent's endpoint in a forked child."""
         what = f"the {self.kind} of {self.topic_name}"
         self._endpoint = self._native = cast("Any", Inherited(what, self._endpoint))

@@ -20,7 +20,7 @@ from tfloom.rmw.topic_names import (
 )
 
 FAST_DDS = bytes([1, 0x0F])
-"""The vendor of Fast DDS: the first octets of the gids of its participants and endpoints."""
+"""The vendor of Fast DDS: the first bytes of the gids of its participants and endpoints."""
 
 NODE_LIST_USER_DATA = f"typehash={node_lists.TYPE_HASH};".encode()
 
@@ -111,7 +111,7 @@ class CycloneGraph:
         """
         return len(self._current().late)
 
-    def inherit(self) -> None:
+    def invalidate_after_fork(self) -> None:
         """Become the copy of the parent's graph in a forked child."""
         self._native = cast("DdsGraph", Inherited("the graph", self._native))
 

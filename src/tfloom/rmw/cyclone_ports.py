@@ -28,10 +28,10 @@ def bound_indices(domain_id: int) -> set[int]:
 
 
 def process_count(participants: Iterable[bytes]) -> int:
-    """Return the number of processes to which these participants belong, given by their gids of 16 octets.
+    """Return the number of processes to which these participants belong, given by their gids of 16 bytes.
 
-    Those of Cyclone in one process share their ports and the first 4 octets; other implementations open ports for each
-    participant. Two processes may share these octets by chance (1 in 65,536), and are then counted as one.
+    Those of Cyclone in one process share their ports and the first 4 bytes; other implementations open ports for each
+    participant. Two processes may share these bytes by chance (1 in 65,536), and are then counted as one.
     """
     return len({gid[:4] if gid.startswith(_CYCLONE) else gid for gid in participants})
 

@@ -21,7 +21,7 @@ from tfloom.rmw.cyclone_graph import FAST_DDS
 from tfloom.rmw.topic_names import key_values
 
 CYCLONE_VENDOR = b"\x01\x10"
-"""The first octets of Cyclone's GUIDs, its vendor id (RTPS 2.5, 8.3.3.1.3)."""
+"""The first bytes of Cyclone's GUIDs, its vendor id (RTPS 2.5, 8.3.3.1.3)."""
 
 
 TRANSLATION_VARIABLE = "TFLOOM_FASTDDS_SERVICES"
@@ -44,10 +44,10 @@ _ACKS_SLICE_NS = 5_000_000
 def end_id(participant_gid: bytes, number: int) -> str:
     """Return the id of the `number`th service end of a participant, as rmw_cyclonedds writes it.
 
-    Its 16 octets in hex: the first padded with a space, dots between, no zeros in front.
+    Its 16 bytes in hex: the first padded with a space, dots between, no zeros in front.
     """
-    octets = participant_gid[:_GUID_PREFIX_SIZE] + number.to_bytes(4, "big")
-    return f"{octets[0]:2x}." + ".".join(f"{octet:x}" for octet in octets[1:])
+    id_bytes = participant_gid[:_GUID_PREFIX_SIZE] + number.to_bytes(4, "big")
+    return f"{id_bytes[0]:2x}." + ".".join(f"{byte:x}" for byte in id_bytes[1:])
 
 
 def end_user_data(key: str, identifier: str, type_hash: str) -> bytes:
@@ -156,7 +156,7 @@ class _Peers:
             return not self._vendors.untranslated
         return publisher_gid.startswith(CYCLONE_VENDOR)
 
-    def obstacle(self) -> str:
+    def incompatibility(self) -> str:
         """Return the remedy for a peer of another vendor, or an empty text."""
         refused = [gid for gid, _ in self._requests_end.matched() if not self.accepts(gid)]
         if not refused:
@@ -203,7 +203,7 @@ class CycloneServers(_Peers):
 
     def _is_matched(self) -> bool:
         receiving, responding = self._requests.matched(), self._responses.matched()
-        if self.obstacle():
+        if self.incompatibility():
             return False
         if _ids(_on_cyclone(receiving), SERVER_KEY) & _ids(_on_cyclone(responding), SERVER_KEY):
             return True

@@ -73,13 +73,16 @@ def open_participant(domain_id: int, enclave: str = "/", announce_s: float | Non
 
 def is_joined(domain_id: int) -> bool:
     """Return whether this process has a participant on a domain."""
-    return any(each.domain_id == domain_id and not each._closed for each in _open_participants)  # noqa: SLF001
+    return any(
+        participant.domain_id == domain_id and not participant._closed  # noqa: SLF001
+        for participant in _open_participants
+    )
 
 
-def _inherit_all() -> None:
+def _invalidate_all_after_fork() -> None:
     """In a forked child, let the copies of the parent's participants raise errors."""
     global _library  # noqa: PLW0603  # guarded by there being one thread after a fork
-    in_use = [participant.inherit() for participant in _open_participants]
+    in_use = [participant.invalidate_after_fork() for participant in _open_participants]
     if any(in_use):
         _library = copy_library
         copy_library.cache_clear()
@@ -87,7 +90,7 @@ def _inherit_all() -> None:
 
 
 if hasattr(os, "register_at_fork"):
-    os.register_at_fork(after_in_child=_inherit_all)
+    os.register_at_fork(after_in_child=_invalidate_all_after_fork)
 
 
 @atexit.register
@@ -284,16 +287,16 @@ class CycloneParticipant:
             if self._ends.pop(end, None) is not None:
                 self._publish_nodes()
 
-    def inherit(self) -> bool:
+    def invalidate_after_fork(self) -> bool:
         """Become the copy of the parent's participant in a forked child; return False if it was closed before."""
         if self._closed:
             return False
         self._is_forked = True
         self._lock = threading.Lock()  # a thread of the parent may have held the former one
-        self.graph.inherit()
+        self.graph.invalidate_after_fork()
         self._node_list_writer = cast("DdsWriter", Inherited("the list of nodes", self._node_list_writer))
         for end in self._ends:
-            end.inherit()
+            end.invalidate_after_fork()
         return True
 
     def _publish_nodes(self) -> None:

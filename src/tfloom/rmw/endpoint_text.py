@@ -19,7 +19,7 @@ def endpoint_text(
         type_name: Name of the topic's type.
         type_hash: The type's hash as text.
         kind: PUBLISHER, SUBSCRIPTION or INVALID.
-        gid: 16 octets.
+        gid: 16 bytes.
         qos: The offered or requested quality of service.
     """
     return "\n".join(
@@ -29,7 +29,7 @@ def endpoint_text(
             f"Topic type: {type_name}",
             f"Topic type hash: {type_hash}",
             f"Endpoint type: {kind}",
-            f"GID: {'.'.join(f'{octet:02x}' for octet in gid)}",
+            f"GID: {'.'.join(f'{byte:02x}' for byte in gid)}",
             "QoS profile:",
             *(f"  {title}: {text}" for title, text in policy_texts(qos).items()),
         ]

@@ -37,7 +37,7 @@ class LocalServers:
         """Return the same as `receiving`, because a response arrives before its writer closes."""
         return self.receiving()
 
-    def obstacle(self) -> str:
+    def incompatibility(self) -> str:
         """Return an empty text, because all peers use the same format."""
         return ""
 
@@ -52,7 +52,7 @@ class LocalClients:
         """Return the gids of the writers that send requests."""
         return self._requests.matched_gids()
 
-    def obstacle(self) -> str:
+    def incompatibility(self) -> str:
         """Return an empty text, because all peers use the same format."""
         return ""
 

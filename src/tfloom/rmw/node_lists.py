@@ -70,8 +70,8 @@ def _align(data: bytearray) -> None:
 
 def _put_string(data: bytearray, text: str) -> None:
     _align(data)
-    octets = text.encode() + b"\0"
-    data += _LENGTH.pack(len(octets)) + octets
+    text_bytes = text.encode() + b"\0"
+    data += _LENGTH.pack(len(text_bytes)) + text_bytes
 
 
 class _Cursor:
@@ -97,9 +97,9 @@ class _Cursor:
         return int(count)
 
     def string(self) -> str:
-        octets = self.take(self.length(smallest_item=1))
+        text_bytes = self.take(self.length(smallest_item=1))
         try:
-            return octets.removesuffix(b"\0").decode()
+            return text_bytes.removesuffix(b"\0").decode()
         except UnicodeDecodeError:
             raise NodeListError(f"the text before octet {self._at} isn't UTF-8") from None
 

@@ -16,7 +16,7 @@ def mismatch_text(
     Args:
         status: The status of the event.
         topic_name: Fully qualified name of the topic.
-        gid: 16 octets of the endpoint that warns.
+        gid: 16 bytes of the endpoint that warns.
         graph: The graph to look up the other endpoints in.
         is_publisher: Whether the endpoint that warns is the publisher.
     """

@@ -1,6 +1,6 @@
 """Services over two topics in rmw_cyclonedds' format: a header within the CDR identifies client and request.
 
-The encapsulation header is followed by 8 octets that identify the client, a 64-bit sequence number, and the message.
+The encapsulation header is followed by 8 bytes that identify the client, a 64-bit sequence number, and the message.
 Every client receives every response, and drops those for other clients.
 """
 
@@ -65,7 +65,7 @@ class Servers(Protocol):
     def connected(self) -> frozenset[str]:
         """Return ids of the servers that are matched in one direction at least."""
 
-    def obstacle(self) -> str:
+    def incompatibility(self) -> str:
         """Return why a peer is incompatible, or an empty text."""
 
 
@@ -75,7 +75,7 @@ class Clients(Protocol):
     def connected(self) -> AbstractSet[bytes]:
         """Return the gids of the writers that send requests."""
 
-    def obstacle(self) -> str:
+    def incompatibility(self) -> str:
         """Return why a peer is incompatible, or an empty text."""
 
     def accepts(self, publisher_gid: bytes) -> bool:
@@ -237,7 +237,7 @@ class HeaderRequester:
             ForeignPeerError: a server of this service uses another vendor's format.
             ClosedError: the requester is closed.
         """
-        if text := self._servers.obstacle():
+        if text := self._servers.incompatibility():
             raise ForeignPeerError(text)
         self._servers.synchronise()
         with self._lock:
@@ -300,9 +300,9 @@ class HeaderRequester:
         """Return ids of the servers that receive requests, or whose responses may still arrive."""
         return self._servers.connected()
 
-    def obstacle(self) -> str:
+    def incompatibility(self) -> str:
         """Return why this client cannot become ready with the present servers, or an empty text."""
-        return self._servers.obstacle()
+        return self._servers.incompatibility()
 
     def close(self) -> None:
         """Leave the service. Closing again does nothing."""
@@ -324,14 +324,14 @@ class HeaderResponder:
         self._forget_at = _MIN_REMEMBERED
         """Number of them at which the clients that have left are forgotten."""
         self._closed = False
-        self._refusal = ""
+        self._last_drop_reason = ""
 
     def take(self) -> Request | None:
         """Remove and return the oldest waiting request, or None."""
         while sample := self._requests.take():
             parts = _split(sample)
             if not self._clients.accepts(sample.publisher_gid):
-                self._refusal = self._clients.obstacle()
+                self._last_drop_reason = self._clients.incompatibility()
             elif parts is not None:
                 key, sequence_number, data = parts
                 self._remember(key, sample.publisher_gid)
@@ -342,7 +342,7 @@ class HeaderResponder:
     def _remember(self, key: bytes, publisher_gid: bytes) -> None:
         if key not in self._gids and len(self._gids) >= self._forget_at:
             present = self._clients.connected()
-            self._gids = {each: gid for each, gid in self._gids.items() if gid in present}
+            self._gids = {client_key: gid for client_key, gid in self._gids.items() if gid in present}
             self._forget_at = max(_MIN_REMEMBERED, 2 * len(self._gids))
         self._gids[key] = publisher_gid
 
@@ -394,13 +394,13 @@ class HeaderResponder:
         """Post `token` to `queue` when there may be something to take; None ends it."""
         self._requests.notify(queue, token)
 
-    def obstacle(self) -> str:
+    def incompatibility(self) -> str:
         """Return why some of the present clients can't be served, or an empty text."""
-        return self._clients.obstacle()
+        return self._clients.incompatibility()
 
-    def refusal(self) -> str:
+    def last_drop_reason(self) -> str:
         """Return why the last dropped request was dropped, or an empty text."""
-        return self._refusal
+        return self._last_drop_reason
 
     def close(self) -> None:
         """Leave the service. Closing again does nothing."""

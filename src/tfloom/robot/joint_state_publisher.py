@@ -71,7 +71,7 @@ class JointStatePublisher(Node):
         self._resolved: dict[str, Dependence] = {}
         self.dependent_joints: dict[str, dict[str, Any]] = {}
         zeros = self.get_parameters_by_prefix("zeros")
-        self.zeros = {name: self._number(f"zeros.{name}", each.value) for name, each in zeros.items()}
+        self.zeros = {name: self._number(f"zeros.{name}", zero.value) for name, zero in zeros.items()}
         self.robot_description_update_cb: Callable[[], object] | None = None
         self.source_update_cb: Callable[[], object] | None = None
         self.delta = float(self.get_parameter("delta").value)
@@ -172,11 +172,11 @@ class JointStatePublisher(Node):
             parts.setdefault(name, {})[part] = (
                 value if part == "parent" else self._number(f"dependent_joints.{key}", value)
             )
-        for name, each in parts.items():
-            if not isinstance(each.get("parent"), str):
+        for name, part in parts.items():
+            if not isinstance(part.get("parent"), str):
                 reason = "All dependent_joints must at least have a parent"
-                raise InvalidParameterValueException(f"dependent_joints.{name}", each, reason)
-        return {name: Dependence(**each) for name, each in parts.items()}
+                raise InvalidParameterValueException(f"dependent_joints.{name}", part, reason)
+        return {name: Dependence(**part) for name, part in parts.items()}
 
     @staticmethod
     def _number(parameter: str, value: Any) -> float:
@@ -239,18 +239,16 @@ class JointStatePublisher(Node):
         """Use joints, once what each depends on is found."""
         used = {name: dependences[name] for name in names if name in dependences}
         try:
-            resolved = {name: each for name, each in resolve(dependences).items() if name in used}
+            resolved = {name: dependence for name, dependence in resolve(dependences).items() if name in used}
         except LoopError as error:
             self.get_logger().error(str(error))
             sys.exit(1)
-        for name, each in resolved.items():
-            if each.parent not in free:
-                reason = (
-                    f"The joint '{name}' stays at 0: it depends on '{each.parent}', which is no free joint"
-                )
+        for name, dependence in resolved.items():
+            if dependence.parent not in free:
+                reason = f"The joint '{name}' stays at 0: it depends on '{dependence.parent}', which is no free joint"
                 self.get_logger().warning(reason)
         self.joint_list, self.free_joints, self._resolved = names, free, resolved
-        self.dependent_joints = {name: each._asdict() for name, each in used.items()}
+        self.dependent_joints = {name: dependence._asdict() for name, dependence in used.items()}
 
 
 def main(args: list[str] | None = None) -> int:

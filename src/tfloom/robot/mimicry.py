@@ -47,13 +47,13 @@ def resolve(dependences: Mapping[str, Dependence]) -> dict[str, Dependence]:
     found: dict[str, Dependence] = {}
     for name in dependences:
         chain: dict[str, None] = {}  # ordered
-        each = name
-        while each in dependences and each not in found:
-            if each in chain:
+        joint_name = name
+        while joint_name in dependences and joint_name not in found:
+            if joint_name in chain:
                 names = list(chain)
-                raise LoopError([*names[names.index(each) :], each])
-            chain[each] = None
-            each = dependences[each].parent
+                raise LoopError([*names[names.index(joint_name) :], joint_name])
+            chain[joint_name] = None
+            joint_name = dependences[joint_name].parent
         for follower in reversed(chain):
             parent, factor, offset = dependences[follower]
             source, first_factor, first_offset = found.get(parent, Dependence(parent))
@@ -67,12 +67,16 @@ def followers(joints: Mapping[str, Joint]) -> dict[str, Dependence]:
     Raises:
         UrdfError: a joint follows one that does not exist or has no single position, or itself by way of others.
     """
-    mimics = {name: each for name, joint in joints.items() if (each := dependence_of(joint)) is not None}
-    for name, each in mimics.items():
-        source = joints.get(each.parent)
+    mimics = {
+        name: dependence for name, joint in joints.items() if (dependence := dependence_of(joint)) is not None
+    }
+    for name, dependence in mimics.items():
+        source = joints.get(dependence.parent)
         if source is None or source.type not in MOVING:
             why = "does not exist" if source is None else f"is of type '{source.type}'"
-            raise UrdfError(joints[name].line, f"the joint '{name}' mimics '{each.parent}', which {why}")
+            raise UrdfError(
+                joints[name].line, f"the joint '{name}' mimics '{dependence.parent}', which {why}"
+            )
     try:
         return resolve(mimics)
     except LoopError as error:

@@ -22,7 +22,7 @@ def parse_urdf(text: str | bytes) -> Description:
     """Return the robot that a URDF describes.
 
     Args:
-        text: A str, or the octets of a file, whose encoding its first line names.
+        text: A str, or the bytes of a file, whose encoding its first line names.
 
     Raises:
         UrdfError: the text is not a valid description; its message has the line.

@@ -12,7 +12,7 @@ from tfloom.xml_parsers import make_parser
 __all__ = ["Element", "read_xml"]
 
 LARGEST = 64 * 1024 * 1024
-"""Length of the longest text that is read [characters or octets]."""
+"""Length of the longest text that is read [characters or bytes]."""
 MAX_DEPTH = 200
 """Levels of elements in elements."""
 
@@ -81,7 +81,7 @@ def read_xml(text: str | bytes) -> Element:
     """Return the root element of a text.
 
     Args:
-        text: A str, or the octets of a file, whose encoding its first line names.
+        text: A str, or the bytes of a file, whose encoding its first line names.
 
     Raises:
         UrdfError: the text is not well-formed, too long or nested too deep, or declares entities.

@@ -9,7 +9,7 @@ from tfloom.rosidl.array_codes import ARRAY_CODES
 from tfloom.rosidl.parse import parse_type
 from tfloom.rosidl.spec import Type
 
-# An integer of 8 octets has two codes, depending on the platform: l and q.
+# An integer of 8 bytes has two codes, depending on the platform: l and q.
 _KINDS = {
     **dict.fromkeys("bhilq", "signed"),
     **dict.fromkeys("BHILQ", "unsigned"),

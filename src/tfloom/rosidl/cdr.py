@@ -1,4 +1,4 @@
-"""Encoding and decoding of messages: plain CDR version 1 after a 4-octet encapsulation header."""
+"""Encoding and decoding of messages: plain CDR version 1 after a 4-byte encapsulation header."""
 
 from __future__ import annotations
 

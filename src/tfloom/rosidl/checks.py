@@ -132,7 +132,7 @@ def _is_sequence_of(type_: spec.Type, value: Any) -> bool:
         return False
     if type_.shape == "bounded" and len(value) > type_.length:
         return False
-    return not any(_mismatch(type_.element, each) for each in value)
+    return not any(_mismatch(type_.element, element) for element in value)
 
 
 def _describe_sequence(type_: spec.Type) -> str:

@@ -52,7 +52,11 @@ def find_class_of_kind(name: str, kind: str, base: type[T]) -> type[T]:
     found: type[T] = find_class(full_name(name, kind))
     if issubclass(found, base):
         return found
-    other = next(each for each in (class_table.message_base(), Service, Action) if issubclass(found, each))
+    other = next(
+        base_class
+        for base_class in (class_table.message_base(), Service, Action)
+        if issubclass(found, base_class)
+    )
     raise LookupError(f"'{name}' is no {base.__name__.lower()} type but a {other.__name__.lower()} type")
 
 
@@ -94,12 +98,12 @@ def find_by_definition(name: str) -> Any:
 
 def _part(owner: type[Any], name: str) -> Any:
     """Return the class of this type name among the parts of a service or action, or None."""
-    for each in vars(owner).values():
-        if not isinstance(each, type) or each.__qualname__ == owner.__qualname__:
+    for part in vars(owner).values():
+        if not isinstance(part, type) or part.__qualname__ == owner.__qualname__:
             continue
-        if getattr(each, "_TYPE_NAME", None) == name:
-            return each
-        if (found := _part(each, name)) is not None:
+        if getattr(part, "_TYPE_NAME", None) == name:
+            return part
+        if (found := _part(part, name)) is not None:
             return found
     return None
 
@@ -114,7 +118,8 @@ def _nearest(name: str) -> str:
 
     from tfloom.rosidl.definition_files import KINDS, interface_names
 
-    known = [each for kind in KINDS for each in interface_names(kind)]
+    known_names = [known_name for kind in KINDS for known_name in interface_names(kind)]
     base = name.rpartition("/")[2]
-    close = [each for each in known if each.endswith(f"/{base}")] or difflib.get_close_matches(name, known, 1)
-    return f"; did you mean '{close[0]}'?" if close else ""
+    close_names = [known_name for known_name in known_names if known_name.endswith(f"/{base}")]
+    close_names = close_names or difflib.get_close_matches(name, known_names, 1)
+    return f"; did you mean '{close_names[0]}'?" if close_names else ""

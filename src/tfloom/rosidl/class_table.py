@@ -53,7 +53,9 @@ def registered(name: str) -> Any:
 
 def forget(name: str) -> None:
     """Remove the class of a name, and those of its parts."""
-    for known in [each for each in _classes if each == name or each.startswith(f"{name}_")]:
+    for known in [
+        class_name for class_name in _classes if class_name == name or class_name.startswith(f"{name}_")
+    ]:
         del _classes[known]
 
 

@@ -232,7 +232,7 @@ class Annotatable:
 
     def get_annotation_values(self, name: str) -> list[Any]:
         """Return the values of all annotations of that name."""
-        return [each.value for each in self.annotations if each.name == name]
+        return [annotation.value for annotation in self.annotations if annotation.name == name]
 
     def get_annotation_value(self, name: str) -> Any:
         """Return the value of the one annotation of that name.
@@ -247,8 +247,14 @@ class Annotatable:
 
     def get_comment_lines(self) -> list[str]:
         """Return the lines of all comments."""
-        values = [each for each in self.get_annotation_values("verbatim") if isinstance(each, dict)]
-        texts = [str(each["text"]) for each in values if each.get("language") == "comment" and "text" in each]
+        values = [
+            verbatim for verbatim in self.get_annotation_values("verbatim") if isinstance(verbatim, dict)
+        ]
+        texts = [
+            str(verbatim["text"])
+            for verbatim in values
+            if verbatim.get("language") == "comment" and "text" in verbatim
+        ]
         return [line for text in texts for line in text.splitlines()]
 
 
@@ -353,7 +359,7 @@ class IdlContent:
 
     def get_elements_of_type(self, type_: type) -> list[Any]:
         """Return the elements of one kind."""
-        return [each for each in self.elements if isinstance(each, type_)]
+        return [element for element in self.elements if isinstance(element, type_)]
 
 
 class IdlFile:
@@ -402,7 +408,9 @@ def to_definition(interface: spec.Interface) -> Any:
         return Action(namespaced_type, *map(to_definition, parts))
     members = [_to_member(field) for field in interface.wire_fields]
     message = Message(Structure(namespaced_type, members))
-    message.constants = [Constant(each.name, to_type(each.type), each.value) for each in interface.constants]
+    message.constants = [
+        Constant(constant.name, to_type(constant.type), constant.value) for constant in interface.constants
+    ]
     return message
 
 

@@ -135,15 +135,15 @@ def define_described(name: str, description: TypeDescription, hashes: Mapping[st
             raise DescriptionError(f"the description of {part} does not have the announced hash {announced}")
     texts = _missing_definitions(name, types, hashes)
     with LOCK:
-        for each, text in texts.items():
-            replace(each, Source(text, f"{each} (as described by a peer)"))
+        for type_name, text in texts.items():
+            replace(type_name, Source(text, f"{type_name} (as described by a peer)"))
         try:
             load(name)
             _check_hashes(hashes)
         except BaseException as error:
-            for each in texts:
-                replace(each, None)
-                forget(each)
+            for type_name in texts:
+                replace(type_name, None)
+                forget(type_name)
             if isinstance(error, (ParseError, LookupError)):
                 raise DescriptionError(str(error)) from None
             raise
@@ -171,14 +171,14 @@ def _table(description: TypeDescription) -> dict[str, dict[str, spec.Type]]:
         raise DescriptionError(f"a description of {len(individuals)} types, more than {MAX_TYPES}")
     types: dict[str, dict[str, spec.Type]] = {}
     count = 0
-    for each in individuals:
-        fields = {field.name: _type(each.type_name, field) for field in each.fields}
+    for individual in individuals:
+        fields = {field.name: _type(individual.type_name, field) for field in individual.fields}
         count += len(fields)
-        if each.type_name in types:
-            raise DescriptionError(f"{each.type_name} is described twice")
+        if individual.type_name in types:
+            raise DescriptionError(f"{individual.type_name} is described twice")
         if count > MAX_FIELDS:
             raise DescriptionError(f"a description of more than {MAX_FIELDS} fields")
-        types[each.type_name] = fields
+        types[individual.type_name] = fields
     return types
 
 
@@ -212,8 +212,8 @@ def check_size(name: str, types: Mapping[str, Mapping[str, spec.Type]]) -> None:
         if name not in values:
             total = 0
             for type_ in types[name].values():
-                each = 1 if type_.is_primitive else visit(type_.base, depth + 1)
-                total += {"": each, "array": each * type_.length}.get(type_.shape, 0)
+                value_count = 1 if type_.is_primitive else visit(type_.base, depth + 1)
+                total += {"": value_count, "array": value_count * type_.length}.get(type_.shape, 0)
             if total > MAX_VALUES:
                 raise DescriptionError(f"a new {name} would hold more than {MAX_VALUES} values")
             values[name] = total
@@ -228,7 +228,7 @@ def hash_of(name: str, types: Mapping[str, Mapping[str, spec.Type]]) -> str:
         {
             "type_description": _described(name, types),
             "referenced_type_descriptions": [
-                _described(each, types) for each in sorted(_reachable([name], types) - {name})
+                _described(reference, types) for reference in sorted(_reachable([name], types) - {name})
             ],
         }
     )
@@ -259,11 +259,13 @@ def _missing_definitions(
         DescriptionError: one is invalid, or differs from the definition here.
     """
     texts: dict[str, str] = {}
-    for each in {name, *map(definition_name, _reachable(hashes, types))}:
-        if find_source(each) is None:
-            texts[each] = definition_text(each, types)
-        elif each in types and type_hash(find_message(each), find_message) != hash_of(each, types):
-            raise DescriptionError(f"{each} differs from the definition here")
+    for type_name in {name, *map(definition_name, _reachable(hashes, types))}:
+        if find_source(type_name) is None:
+            texts[type_name] = definition_text(type_name, types)
+        elif type_name in types and type_hash(find_message(type_name), find_message) != hash_of(
+            type_name, types
+        ):
+            raise DescriptionError(f"{type_name} differs from the definition here")
     return texts
 
 

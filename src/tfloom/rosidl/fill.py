@@ -83,8 +83,8 @@ class Filler:
         if isinstance(values, (str, Mapping)) or not hasattr(values, "__iter__"):
             raise TypeError(f"Value '{values}' is expected to be a list but is a {type(values).__name__}")
         if isinstance(values, (bytes, bytearray)) or hasattr(values, "typecode") or hasattr(values, "dtype"):
-            return values if type_.base in ARRAY_CODES else [_convert(type_.element, each) for each in values]
-        return [self._element(type_.element, index, each) for index, each in enumerate(values)]
+            return values if type_.base in ARRAY_CODES else [_convert(type_.element, item) for item in values]
+        return [self._element(type_.element, index, item) for index, item in enumerate(values)]
 
     def _element(self, type_: Type, index: int, value: Any) -> Any:
         self.path.append(f"[{index}]")

@@ -42,10 +42,10 @@ def _value(value: Any, kind: str) -> str:
 def _sequence(values: Any, kind: str) -> str:
     count = len(values)
     if count and hasattr(values[0], "_FIELDS"):
-        shown = "".join(_table(each) for each in values[:MAX_MESSAGES])
+        shown = "".join(_table(item) for item in values[:MAX_MESSAGES])
         rest = f"{count - MAX_MESSAGES} more" if count > MAX_MESSAGES else ""
         return _folded(f"{kind}: {count}", shown + rest, is_open=count <= 1)
-    shown = ", ".join(_number(each) for each in list(values[:MAX_NUMBERS]))
+    shown = ", ".join(_number(number) for number in list(values[:MAX_NUMBERS]))
     return f"{count}: [{shown}{', …' if count > MAX_NUMBERS else ''}]"
 
 

@@ -106,8 +106,10 @@ class _Parser:
             struct.message.constants += self.constants.get(module, [])
         element = self._element()
         if isinstance(element, Action):
-            known = {each.locator for each in self.includes}
-            content.elements += [each for each in element.implicit_includes if each.locator not in known]
+            known = {include.locator for include in self.includes}
+            content.elements += [
+                include for include in element.implicit_includes if include.locator not in known
+            ]
         content.elements.append(element)
         return content
 
@@ -120,15 +122,15 @@ class _Parser:
                 f"this one has {len(self.structs)}",
                 last,
             )
-        types = [each.message.structure.namespaced_type for each in self.structs]
+        types = [struct.message.structure.namespaced_type for struct in self.structs]
         base = types[0].name.removesuffix(suffixes[0])
         for struct, type_, suffix in zip(self.structs, types, suffixes, strict=True):
             if (type_.namespaces, type_.name) != (types[0].namespaces, base + suffix) or not base:
                 module = "::".join(types[0].namespaces)
-                wanted = " and ".join(f"{module}::{base or 'Name'}{each}" for each in suffixes)
+                wanted = " and ".join(f"{module}::{base or 'Name'}{ending}" for ending in suffixes)
                 raise self.reader.fail(f"a file with {len(suffixes)} structs has {wanted}", struct.name)
         whole = NamespacedType(types[0].namespaces, base)
-        messages = [each.message for each in self.structs]
+        messages = [struct.message for struct in self.structs]
         if len(messages) == 1:
             return messages[0]
         return Service(whole, *messages) if len(messages) == 2 else Action(whole, *messages)
@@ -183,7 +185,7 @@ class _Parser:
         constant = Constant(name.text, type_, value)
         constant.annotations, constant.position = annotations, name.position
         known = self.constants.setdefault(self.modules[-1] if self.modules else "", [])
-        if any(each.name == name.text for each in known):
+        if any(other.name == name.text for other in known):
             raise self.reader.fail(f"'{name.text}' is defined twice", name)
         known.append(constant)
         self.reader.constants[name.text] = value
@@ -212,7 +214,7 @@ class _Parser:
         annotations = self.reader.annotations()
         base = self.types.read_type()
         for name, type_ in self.types.read_declarators(base):
-            if any(each.name == name.text for each in structure.members):
+            if any(other.name == name.text for other in structure.members):
                 raise self.reader.fail(f"'{name.text}' is defined twice", name)
             member = Member(type_, name.text)
             member.annotations += annotations

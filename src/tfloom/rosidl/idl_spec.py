@@ -82,10 +82,10 @@ class _Converter:
     def message(self, message: Message) -> spec.Message:
         structure = message.structure
         name = "/".join(structure.namespaced_type.namespaced_name())
-        fields = tuple(self.field(each) for each in structure.members)
-        if [(each.name, each.type) for each in fields] == [(spec.EMPTY_FIELD, spec.Type("uint8"))]:
+        fields = tuple(self.field(member) for member in structure.members)
+        if [(field.name, field.type) for field in fields] == [(spec.EMPTY_FIELD, spec.Type("uint8"))]:
             fields = ()
-        constants = tuple(self.constant(each) for each in message.constants)
+        constants = tuple(self.constant(constant) for constant in message.constants)
         return spec.Message(name, fields, constants, " ".join(structure.get_comment_lines()))
 
     def field(self, member: Member) -> spec.Field:
@@ -143,7 +143,7 @@ class _Converter:
             raise self.fail(member, f"{type_} takes {type_.length} values, got {len(values)}")
         if type_.shape == "bounded" and len(values) > type_.length:
             raise self.fail(member, f"{type_} takes at most {type_.length} values, got {len(values)}")
-        return [self.single(member, type_.element, each) for each in values]
+        return [self.single(member, type_.element, element) for element in values]
 
     def single(self, at: Annotatable, type_: spec.Type, value: Any) -> spec.Value:
         """Return a default's or a constant's value as the spec has it; fail if it is none of the type."""

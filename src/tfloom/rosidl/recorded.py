@@ -90,10 +90,12 @@ def _split(name: str, encoding: str, text: str) -> dict[str, Source]:
         raise DescriptionError(f"it is longer than {MAX_TEXT_SIZE} characters")
     pieces = LINE.split(text.replace("\r\n", "\n"))
     found = {} if not pieces[0].strip() else {definition_name(name): pieces[0]}
-    for kind, each, piece in zip(pieces[1::3], pieces[2::3], pieces[3::3], strict=True):
-        found.setdefault(full_name(each, KINDS[kind]), piece)
+    for kind, type_name, piece in zip(pieces[1::3], pieces[2::3], pieces[3::3], strict=True):
+        found.setdefault(full_name(type_name, KINDS[kind]), piece)
     suffix = SUFFIXES[encoding]
-    return {each: Source(piece, f"{each} (recorded).{suffix}") for each, piece in found.items()}
+    return {
+        type_name: Source(piece, f"{type_name} (recorded).{suffix}") for type_name, piece in found.items()
+    }
 
 
 def _types(name: str, texts: Mapping[str, Source]) -> _Types:
@@ -106,12 +108,12 @@ def _types(name: str, texts: Mapping[str, Source]) -> _Types:
     types: _Types = {}
     waiting = [name]
     while waiting:
-        each = waiting.pop()
-        if each in types:
+        type_name = waiting.pop()
+        if type_name in types:
             continue
-        source = texts.get(definition_name(each))
-        message = find_message(each) if source is None else _message(source, each)
-        types[each] = {field.name: field.type for field in message.wire_fields}
+        source = texts.get(definition_name(type_name))
+        message = find_message(type_name) if source is None else _message(source, type_name)
+        types[type_name] = {field.name: field.type for field in message.wire_fields}
         waiting += message.references
     return types
 
@@ -131,26 +133,28 @@ def _made(name: str, texts: Mapping[str, Source], types: _Types) -> Any:
     """
     renamed = _renamed(name, types)
     sources = {
-        definition_name(each): texts[definition_name(each)]
-        for each in types
-        if each not in renamed and find_source(definition_name(each)) is None
+        definition_name(type_name): texts[definition_name(type_name)]
+        for type_name in types
+        if type_name not in renamed and find_source(definition_name(type_name)) is None
     }
     table = {
-        renamed.get(each, each): {field: _with_name(type_, renamed) for field, type_ in fields.items()}
-        for each, fields in types.items()
+        renamed.get(type_name, type_name): {
+            field: _with_name(type_, renamed) for field, type_ in fields.items()
+        }
+        for type_name, fields in types.items()
     }
     for new in renamed.values():
         sources[new] = Source(definition_text(new, table), f"{new} (recorded).msg")
-    before = {each: replace(each, source) for each, source in sources.items()}
+    before = {type_name: replace(type_name, source) for type_name, source in sources.items()}
     try:
         wanted = renamed.get(name, name)
         if (made := _ours(wanted)) is None:
             load(definition_name(wanted))
             made = find_class(wanted)
     except (ValueError, LookupError) as error:
-        for each, source in before.items():
-            replace(each, source)
-            forget(each)
+        for type_name, source in before.items():
+            replace(type_name, source)
+            forget(type_name)
         raise DescriptionError(f"{name} can't be made from its definition: {error}") from None
     return made
 
@@ -165,14 +169,16 @@ def _renamed(name: str, types: _Types) -> dict[str, str]:
     Raises:
         DescriptionError: one is a part of a service or an action.
     """
-    others = {each for each in types if _differs(each, types)}
-    while more := {each for each in types.keys() - others if others & set(_bases(types[each]))}:
+    others = {type_name for type_name in types if _differs(type_name, types)}
+    while more := {
+        type_name for type_name in types.keys() - others if others & set(_bases(types[type_name]))
+    }:
         others |= more
     suffix = hash_of(name, types).rpartition("_")[2][:8]
-    for each in others:
-        if each.split("/")[1] != "msg":
-            raise DescriptionError(f"{each} has another definition here than in the file")
-    return {each: each.replace("/", f"_recorded_{suffix}/", 1) for each in others}
+    for type_name in others:
+        if type_name.split("/")[1] != "msg":
+            raise DescriptionError(f"{type_name} has another definition here than in the file")
+    return {type_name: type_name.replace("/", f"_recorded_{suffix}/", 1) for type_name in others}
 
 
 def _differs(name: str, types: _Types) -> bool:

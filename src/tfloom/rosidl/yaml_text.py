@@ -75,8 +75,8 @@ def _flatten(value: Any) -> Iterator[Any]:
     if isinstance(value, OrderedDict):
         value = list(value.values())
     if isinstance(value, list):
-        for each in value:
-            yield from _flatten(each)
+        for item in value:
+            yield from _flatten(item)
     else:
         yield value
 
@@ -112,7 +112,7 @@ class _Options:
     def array(self, value: Any, element: Type) -> list[Any]:
         cut = self.truncate_length
         kept = value if cut is None or len(value) <= cut else value[:cut]
-        plain = kept.tolist() if hasattr(kept, "tolist") else [self.value(each, element) for each in kept]
+        plain = kept.tolist() if hasattr(kept, "tolist") else [self.value(item, element) for item in kept]
         return [*plain, "..."] if len(kept) < len(value) else plain
 
 

@@ -46,13 +46,13 @@ def why_no_message(
     topic = subscription.topic_name
     publishers = observer.get_publishers_info_by_topic(topic)
     wanted = topic_of(msg_type, topic).type_name
-    wrong = [each for each in publishers if each.topic_type != wanted]
+    wrong = [publisher for publisher in publishers if publisher.topic_type != wanted]
     if wrong and len(wrong) == len(publishers):
         return f"{wrong[0].node_name} publishes {wrong[0].topic_type} there, not {wanted}"
     if not publishers:
         topics = [name for name, _ in observer.get_topic_names_and_types() if name != topic]
         return f"nobody publishes there; topics of the graph: {_listed(topics)}{why_not_spun(observer)}"
-    names = _listed(sorted({each.node_name for each in publishers}))
+    names = _listed(sorted({publisher.node_name for publisher in publishers}))
     return f"published by {names}, which sent nothing{why_not_spun(observer)}"
 
 

@@ -24,13 +24,13 @@ STYLE = "line-height:1.4;margin:0;padding-left:1.2em;list-style:disc"
 
 def tree_html(buffer: Buffer) -> str:
     """Return the frames as nested lists, each with its history."""
-    edges = {each.child_frame_id: each for each in buffer.edges()}
+    edges = {edge.child_frame_id: edge for edge in buffer.edges()}
     names = buffer.frame_names()
     children: dict[str, list[str]] = {name: [] for name in names}
     for edge in edges.values():
         children[edge.frame_id].append(edge.child_frame_id)
     roots = [name for name in names if name not in edges] or names[:1]
-    lines = [f"<b>{len(names)} frames</b>, {sum(each.sample_count for each in edges.values())} transforms"]
+    lines = [f"<b>{len(names)} frames</b>, {sum(edge.sample_count for edge in edges.values())} transforms"]
     shown: set[str] = set()
     # A frame, or a text to add as it is; a loop rather than recursion, because chains may be long.
     waiting: list[tuple[str, bool]] = [("</ul>", True), *((root, False) for root in reversed(roots))]

@@ -112,10 +112,10 @@ class Trajectory(NamedTuple):
 
 def shared_history(edges: list[Edge]) -> tuple[int, int] | None:
     """Return the first and last stamp at which a chain is known [ns since epoch]; None if all of it is static."""
-    moving = [each for each in edges if not each.is_static]
+    moving = [edge for edge in edges if not edge.is_static]
     if not moving:
         return None
-    return max(each.oldest_ns for each in moving), min(each.newest_ns for each in moving)
+    return max(edge.oldest_ns for edge in moving), min(edge.newest_ns for edge in moving)
 
 
 def stored_stamps(buffer: Buffer, edges: list[Edge]) -> NDArray[np.int64]:
@@ -126,9 +126,9 @@ def stored_stamps(buffer: Buffer, edges: list[Edge]) -> NDArray[np.int64]:
     if span is None:
         return np.empty(0, np.int64)
     stamps = [
-        np.frombuffer(buffer.samples(each.frame_id, each.child_frame_id)[0], np.int64)
-        for each in edges
-        if not each.is_static
+        np.frombuffer(buffer.samples(edge.frame_id, edge.child_frame_id)[0], np.int64)
+        for edge in edges
+        if not edge.is_static
     ]
     together = np.unique(np.concatenate(stamps))
     return together[(together >= span[0]) & (together <= span[1])]

@@ -251,11 +251,13 @@ def _how_to_transform(key: Any, registered: Collection[Any]) -> str:
         return ""
     package, base = name
     stamped = base if base.endswith("Stamped") or package == "sensor_msgs" else f"{base}Stamped"
-    module = next((each for each, types in CONVERSIONS.items() if f"{package}/{stamped}" in types), None)
+    module = next(
+        (module_name for module_name, types in CONVERSIONS.items() if f"{package}/{stamped}" in types), None
+    )
     if module is None:
         return ""
     advice = [] if stamped == base else [f"a {base} has no frame: transform a {stamped}"]
-    if all(_ros_name(each) != (package, stamped) for each in registered):
+    if all(_ros_name(message_class) != (package, stamped) for message_class in registered):
         advice.append(f"add `import {module}`, which registers the conversions of {package}")
     return ", and ".join(advice)
 
@@ -270,12 +272,15 @@ def _get(table: dict[Any, Callable[..., Any]], key: Any) -> Callable[..., Any]:
 def _twin(table: dict[Any, Callable[..., Any]], key: Any) -> Any:
     """Return the table's message class of the same ROS name, because a real ROS install has other classes."""
     name = _ros_name(key)
-    return next((each for each in table if name is not None and _ros_name(each) == name), None)
+    return next(
+        (message_class for message_class in table if name is not None and _ros_name(message_class) == name),
+        None,
+    )
 
 
 def _ros_name(kind: Any) -> Any:
     if isinstance(kind, tuple):
-        names = tuple(_ros_name(each) for each in kind)
+        names = tuple(_ros_name(message_class) for message_class in kind)
         return None if None in names else names
     package, dot_msg, _ = f"{getattr(kind, '__module__', '')}.".partition(".msg.")
     return (package.rpartition(".")[2], kind.__name__) if dot_msg else None

@@ -58,4 +58,4 @@ def _publisher(node: Any, topic: str, gid: bytes) -> str:
         for info in node.get_publishers_info_by_topic(topic)
         if bytes(info.endpoint_gid) == gid
     )
-    return f"{next(names, '')}GID {'.'.join(f'{octet:02x}' for octet in gid)},"
+    return f"{next(names, '')}GID {'.'.join(f'{byte:02x}' for byte in gid)},"

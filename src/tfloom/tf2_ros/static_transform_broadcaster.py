@@ -46,7 +46,9 @@ class StaticTransformBroadcaster:
 
     def send_transform(self, transform: TransformStamped | Iterable[TransformStamped]) -> None:
         """Publish one transform or several, together with all that were sent before."""
-        by_child = {each.child_frame_id: each for each in [*self.net_message.transforms, *as_list(transform)]}
+        by_child = {
+            stamped.child_frame_id: stamped for stamped in [*self.net_message.transforms, *as_list(transform)]
+        }
         self.net_message = TFMessage(transforms=list(by_child.values()))
         self.pub_tf.publish(self.net_message)
 

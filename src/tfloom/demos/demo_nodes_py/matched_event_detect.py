@@ -128,8 +128,8 @@ def run() -> None:
         for subscription in subscriptions:
             step(subscriber.destroy_one_sub, subscription)
         publishers = [step(publisher.create_one_pub) for _ in range(2)]
-        for each in publishers:
-            step(publisher.destroy_one_pub, each)
+        for open_publisher in publishers:
+            step(publisher.destroy_one_pub, open_publisher)
 
 
 def main(args: list[str] | None = None) -> int:

@@ -295,7 +295,7 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         self._context.check_not_from_parent_process(f"cannot find a server of {self.srv_name}")
         if self._endpoint.is_ready():
             return True
-        obstacle = self._endpoint.obstacle()
+        obstacle = self._endpoint.incompatibility()
         if obstacle and obstacle != self._reported_obstacle:
             self._reported_obstacle = obstacle
             self._logger.warning(obstacle)

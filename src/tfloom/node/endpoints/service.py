@@ -139,7 +139,11 @@ class Service(ServiceEndpoint["Responder", SrvTypeRequest, SrvTypeResponse]):
     def take(self) -> Any:
         """Return the oldest request and its header, or None; see `Receiver.take`."""
         taken = super().take()
-        if taken is None and not self._destroyed and self._refusal != (refusal := self._endpoint.refusal()):
+        if (
+            taken is None
+            and not self._destroyed
+            and self._refusal != (refusal := self._endpoint.last_drop_reason())
+        ):
             self._refusal = refusal
             text = f"dropped a request: {refusal}"
             self._logger.warning(text)

@@ -48,7 +48,7 @@ _TEXTS = {
 
 def get_filter_failure_reason_string(reason: int) -> str:
     """Return a reason's name."""
-    names = {each.value: each.name for each in FilterFailureReason}
+    names = {reason.value: reason.name for reason in FilterFailureReason}
     return names.get(int(reason), "Invalid Failure Reason")
 
 
@@ -184,9 +184,9 @@ class MessageFilter(SimpleFilter):
                     oldest = self._held.pop(next(iter(self._held)))
                     oldest.is_settled = True
                     crowded_out.append(oldest)
-        for each in crowded_out:
-            self._cancel(each)
-            self._drop(each.message, FilterFailureReason.QueueFull)
+        for evicted in crowded_out:
+            self._cancel(evicted)
+            self._drop(evicted.message, FilterFailureReason.QueueFull)
         if is_settled:
             self._cancel(held)  # the requests made after the failure
         elif is_ready:

@@ -258,7 +258,7 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
             _keep(my_queue, at, msg, self.queue_size)
             chosen = self._match(my_queue, at) if at in my_queue else None
             matched = (
-                [queue.pop(each) for queue, each in zip(self.queues, chosen, strict=True)] if chosen else []
+                [queue.pop(stamp) for queue, stamp in zip(self.queues, chosen, strict=True)] if chosen else []
             )
         if matched:
             self.signalMessage(*matched)

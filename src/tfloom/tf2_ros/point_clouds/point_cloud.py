@@ -106,13 +106,13 @@ def _with_attributes_of(message: Any, names: tuple[str, ...]) -> Any:
     return result
 
 
-def _move(points: NDArray[Any], octets: Any, row: NDArray[np.float64]) -> None:
-    """Transform the points of a cloud, a view of `octets`, in place."""
+def _move(points: NDArray[Any], cloud_bytes: Any, row: NDArray[np.float64]) -> None:
+    """Transform the points of a cloud, a view of `cloud_bytes`, in place."""
     fields: Any = points.dtype.fields
     types = {fields[axis][0] for axis in "xyz"}
     for dtype, move_cloud in _MOVE_CLOUD.items():
         if types == {dtype}:
-            move_cloud(row, octets, points.shape, points.strides, [fields[axis][1] for axis in "xyz"])
+            move_cloud(row, cloud_bytes, points.shape, points.strides, [fields[axis][1] for axis in "xyz"])
             return
     xyz = _gather(points)  # of another byte order, or of several types
     move = _native.move_points_float32 if xyz.dtype == np.float32 else _native.move_points_float64

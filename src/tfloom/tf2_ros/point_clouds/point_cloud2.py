@@ -50,7 +50,7 @@ def dtype_from_fields(
 
     Args:
         fields: Fields of a point. One without a name becomes `unnamed_field_<i>`; a count above 1 gives `<name>_<k>`.
-        point_step: Octets from point to point; None: the sum of the fields' sizes.
+        point_step: Bytes from point to point; None: the sum of the fields' sizes.
         is_bigendian: The byte order of the numbers.
 
     Raises:
@@ -93,13 +93,13 @@ def points_view(cloud: PointCloud2, data: Any = None) -> NDArray[Any]:
         ValueError: there are fewer bytes than the cloud's sizes require.
     """
     dtype = dtype_from_fields(cloud.fields, cloud.point_step, is_bigendian=bool(cloud.is_bigendian))
-    octets = memoryview(cloud.data if data is None else data).cast("B")
+    cloud_bytes = memoryview(cloud.data if data is None else data).cast("B")
     row_step = max(cloud.row_step, cloud.width * cloud.point_step) if cloud.height > 1 else 0
     needed = max(0, cloud.height - 1) * row_step + cloud.width * cloud.point_step
-    if cloud.height and cloud.width and len(octets) < needed:
-        raise ValueError(f"the cloud's data has {len(octets)} bytes, its sizes require {needed}")
+    if cloud.height and cloud.width and len(cloud_bytes) < needed:
+        raise ValueError(f"the cloud's data has {len(cloud_bytes)} bytes, its sizes require {needed}")
     shape, strides = (cloud.height, cloud.width), (row_step, cloud.point_step)
-    view: NDArray[Any] = np.ndarray(shape, dtype, buffer=octets, strides=strides)
+    view: NDArray[Any] = np.ndarray(shape, dtype, buffer=cloud_bytes, strides=strides)
     return view
 
 
@@ -186,7 +186,7 @@ def create_cloud(
         fields: Fields of a point.
         points: A structured array of the fields' dtype, a plain array (N, fields), or an iterable of points. A
             structured array (height, width), or a plain one (height, width, fields), makes an organised cloud.
-        point_step: Octets from point to point; None: those of a structured array, else the sum of the fields' sizes.
+        point_step: Bytes from point to point; None: those of a structured array, else the sum of the fields' sizes.
 
     Raises:
         AssertionError: the array doesn't fit the fields.
