@@ -35,9 +35,9 @@ def bare_environment(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def domain(text: str) -> ET.Element:
-    found = ET.fromstring(text).find("Domain")
-    assert found is not None
-    return found
+    domain_element = ET.fromstring(text).find("Domain")
+    assert domain_element is not None
+    return domain_element
 
 
 def peers(element: ET.Element) -> list[str | None]:

@@ -31,7 +31,7 @@ pytestmark = [
 def sockets_of(domain_id: int) -> dict[int, bytes]:
     """Return the interface that each socket of this process on a domain's unicast ports is bound to, by port."""
     first = 7410 + 250 * domain_id
-    found: dict[int, bytes] = {}
+    devices: dict[int, bytes] = {}
     for entry in Path("/proc/self/fd").iterdir():
         with suppress(OSError):  # another thread has closed it
             if not entry.is_socket():
@@ -39,8 +39,8 @@ def sockets_of(domain_id: int) -> dict[int, bytes]:
             with socket.socket(fileno=os.dup(int(entry.name))) as sock:
                 port = sock.getsockname()[1] if sock.family == socket.AF_INET else 0
                 if sock.type == socket.SOCK_DGRAM and first <= port < first + 240:
-                    found[port] = device_of(sock)
-    return found
+                    devices[port] = device_of(sock)
+    return devices
 
 
 def device_of(sock: socket.socket) -> bytes:

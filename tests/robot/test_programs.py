@@ -76,10 +76,10 @@ def test_the_endpoints_have_the_references_policies(
     node = Node("onlooker", context=context)
 
     def policies(topic: str) -> list[tuple[str, str]]:
-        found = [*node.get_publishers_info_by_topic(topic), *node.get_subscriptions_info_by_topic(topic)]
+        endpoints = [*node.get_publishers_info_by_topic(topic), *node.get_subscriptions_info_by_topic(topic)]
         return [
             (endpoint.qos_profile.reliability.name, endpoint.qos_profile.durability.name)
-            for endpoint in found
+            for endpoint in endpoints
         ]
 
     try:

@@ -105,9 +105,11 @@ def test_mimic_joints_follow_by_way_of_others() -> None:
             links="abcd",
         )
     )
-    found = followers(parsed.joints)
-    assert list(found) == ["2", "1"], "what is followed comes first"
-    assert [(dependence.parent, dependence.factor, dependence.offset) for dependence in found.values()] == [
+    dependences = followers(parsed.joints)
+    assert list(dependences) == ["2", "1"], "what is followed comes first"
+    assert [
+        (dependence.parent, dependence.factor, dependence.offset) for dependence in dependences.values()
+    ] == [
         ("3", -3.0, 0.5),
         ("3", -6.0, 2.0),
     ]

@@ -54,9 +54,9 @@ def context() -> LaunchContext:
 
 
 def check(text: str, first: str = "a") -> None:
-    found = parse_urdf(text)
-    assert found.links == (first, "leg")
-    assert found.joints["hip"].origin.translation == (0.0, 0.0, -0.5)
+    robot = parse_urdf(text)
+    assert robot.links == (first, "leg")
+    assert robot.joints["hip"].origin.translation == (0.0, 0.0, -0.5)
 
 
 def test_the_program(robot: Path, start_program: Callable[..., Any]) -> None:

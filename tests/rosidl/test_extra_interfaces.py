@@ -93,8 +93,8 @@ def test_each_is_found_by_name_and_by_import(name: str) -> None:
 
 @pytest.mark.parametrize("name", sorted(HASHES))
 def test_hashes_that_real_systems_have_printed(name: str) -> None:
-    found = get_message_class(name)
-    assert (name, HASHES[name]) == (found._TYPE_NAME, found._TYPE_HASH)
+    message_class = get_message_class(name)
+    assert (name, HASHES[name]) == (message_class._TYPE_NAME, message_class._TYPE_HASH)
 
 
 def written_parts() -> list[spec.Message]:

@@ -79,11 +79,11 @@ def test_mistakes_are_named_with_their_line() -> None:
         try:
             read_table(text)
         except TableError as error:
-            found = str(error)
+            error_text = str(error)
         else:
-            found = "no error"
-        if not found.startswith(wanted):
-            amiss.append(f"{text!r}: {found}")
+            error_text = "no error"
+        if not error_text.startswith(wanted):
+            amiss.append(f"{text!r}: {error_text}")
     assert not amiss, "\n".join(amiss)
     with pytest.raises(TableError, match="a table is a text with a line of column names, not list"):
         read_table([("map", "base")])

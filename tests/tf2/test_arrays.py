@@ -59,9 +59,9 @@ def test_lookup_many_equals_single_lookups(
     for index, stamp in enumerate(stamps):
         assert poses.known[index] == buffer.can(*pair, int(stamp))
         if poses.known[index]:
-            found = buffer.lookup(*pair, int(stamp))
-            assert poses.positions[index] == pytest.approx(found.translation, rel=1e-12, abs=1e-12)
-            assert poses.rotations_xyzw[index] == pytest.approx(found.rotation_xyzw, rel=1e-12, abs=1e-12)
+            transform = buffer.lookup(*pair, int(stamp))
+            assert poses.positions[index] == pytest.approx(transform.translation, rel=1e-12, abs=1e-12)
+            assert poses.rotations_xyzw[index] == pytest.approx(transform.rotation_xyzw, rel=1e-12, abs=1e-12)
         else:
             assert np.isnan(poses.positions[index]).all()
             assert np.isnan(poses.rotations_xyzw[index]).all()
@@ -155,8 +155,10 @@ def test_invalid_stamps_raise(buffer: Buffer, stamps: object, kind: type[Excepti
 def test_points_are_transformed_at_one_time(buffer: Buffer, random: np.random.Generator, dtype: type) -> None:
     points = (10 * random.normal(size=(1000, 3))).astype(dtype)
     stamp = START + 3 * SECOND + 7
-    found = buffer.lookup("map", "laser", stamp)
-    expected = points @ matrix(found.translation, found.rotation_xyzw)[:3, :3].T + found.translation
+    transform = buffer.lookup("map", "laser", stamp)
+    expected = (
+        points @ matrix(transform.translation, transform.rotation_xyzw)[:3, :3].T + transform.translation
+    )
     moved = buffer.transform_points(points, "map", "laser", stamp)
     assert moved.dtype == (np.float32 if dtype == np.float32 else np.float64)
     assert np.allclose(moved, expected, rtol=1e-5, atol=1e-4 if dtype == np.float32 else 1e-9)
@@ -332,9 +334,9 @@ def test_many_stamps_between_the_same_samples_equal_single_ones(
     for target, source in (("a", "c"), ("c", "a"), ("a", "b")):
         poses = buffer.lookup_many(target, source, asked)
         for index, stamp in enumerate(asked.tolist()):
-            found = buffer.lookup(target, source, stamp)
-            assert np.abs(poses.positions[index] - found.translation).max() < 1e-12
-            assert np.abs(poses.rotations_xyzw[index] - found.rotation_xyzw).max() < 1e-12
+            transform = buffer.lookup(target, source, stamp)
+            assert np.abs(poses.positions[index] - transform.translation).max() < 1e-12
+            assert np.abs(poses.rotations_xyzw[index] - transform.rotation_xyzw).max() < 1e-12
 
 
 @pytest.mark.parametrize("workers", [1, 2])

@@ -392,10 +392,12 @@ def test_many_threads_look_up_while_one_inserts(buffer: Buffer) -> None:
     def look_up() -> None:
         newest = 0
         while not is_over.is_set():
-            found = buffer.lookup("a", "c")
-            if found.stamp_ns < newest or found.translation[0] != pytest.approx(found.stamp_ns / 500):
-                wrong.append(found)
-            newest = found.stamp_ns
+            transform = buffer.lookup("a", "c")
+            if transform.stamp_ns < newest or transform.translation[0] != pytest.approx(
+                transform.stamp_ns / 500
+            ):
+                wrong.append(transform)
+            newest = transform.stamp_ns
 
     threads = [threading.Thread(target=look_up) for _ in range(4)]
     for thread in threads:

@@ -75,10 +75,10 @@ def test_results_equal_those_of_the_oracle(operations: list, target: str, source
 
 def outcome(buffer: Buffer, target: str, source: str, stamp: int) -> object:
     try:
-        found = buffer.lookup(target, source, stamp)
+        transform = buffer.lookup(target, source, stamp)
     except TransformException as error:
         return type(error), str(error)
-    return found.stamp_ns, found.transform
+    return transform.stamp_ns, transform.transform
 
 
 @settings(max_examples=50, deadline=None)

@@ -46,10 +46,10 @@ def random_buffer(random: np.random.Generator) -> Buffer:
 
 def answer(buffer: Buffer, target: str, source: str, stamp_ns: int) -> object:
     try:
-        found = buffer.lookup(target, source, stamp_ns)
+        transform = buffer.lookup(target, source, stamp_ns)
     except TransformException as error:
         return type(error), str(error)
-    return found.stamp_ns, found.transform
+    return transform.stamp_ns, transform.transform
 
 
 def require_equal(live: Buffer, mapped: Buffer, random: np.random.Generator) -> None:

@@ -85,9 +85,9 @@ def test_rotations_are_interpolated_on_the_arc() -> None:
             buffer.set("a", "b", stamp, HERE, turn.rotation_xyzw)
         axis, angle = (turns[0].inverse() @ turns[1]).axis_angle
         for step in range(0, 101, 10):
-            found = buffer.lookup("a", "b", 100 + step).transform
+            transform = buffer.lookup("a", "b", 100 + step).transform
             expected = turns[0] @ Transform.from_axis_angle(axis, angle * step / 100)
-            assert (found.inverse() @ expected).axis_angle[1] < 1e-7
+            assert (transform.inverse() @ expected).axis_angle[1] < 1e-7
 
 
 def test_half_turns_and_tiny_angles_are_interpolated() -> None:
@@ -116,8 +116,8 @@ def test_static_transform_is_the_last_inserted_at_any_time() -> None:
     for x in (1, 2, 3):
         buffer.set("a", "b", x * SECOND, (x, 0, 0), UPRIGHT, static=True)
     for stamp in (0, -5, 1, 77 * SECOND):
-        found = buffer.lookup("a", "b", stamp)
-        assert (found.translation[0], found.stamp_ns) == (3, stamp)
+        transform = buffer.lookup("a", "b", stamp)
+        assert (transform.translation[0], transform.stamp_ns) == (3, stamp)
     assert buffer.latest_common_time("a", "b") == 0
 
 

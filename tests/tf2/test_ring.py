@@ -41,13 +41,13 @@ def test_transforms_around_a_ring(stamp: int, width: int) -> None:
     for sign, chain in names.items():
         for i, target in enumerate(chain):
             for j, source in enumerate(chain):
-                found = buffer.lookup(target, source, stamp)
+                transform = buffer.lookup(target, source, stamp)
                 x, y = POSITIONS[abs(j - i)]
                 forward = sign if j > i else -sign
                 z, w = turn((j - i) * sign)
-                assert found.stamp_ns == stamp
-                assert found.translation == pytest.approx((x, forward * y, 0), abs=1e-9)
+                assert transform.stamp_ns == stamp
+                assert transform.translation == pytest.approx((x, forward * y, 0), abs=1e-9)
                 if abs(j - i) == 8:  # once around: of either sign, by rounding
-                    assert abs(found.rotation_xyzw[3]) == pytest.approx(1)
+                    assert abs(transform.rotation_xyzw[3]) == pytest.approx(1)
                 else:
-                    assert found.rotation_xyzw == pytest.approx((0, 0, z, w), abs=1e-9)
+                    assert transform.rotation_xyzw == pytest.approx((0, 0, z, w), abs=1e-9)

@@ -69,8 +69,8 @@ def test_lookups_while_others_insert() -> None:
     def look_up() -> None:
         for step in range(steps):
             if buffer.can("f0", "f3", stamp := SECOND + step % 7):
-                found = buffer.lookup_many("f0", "f3", [stamp] * 600, strict=False, workers=2)
-                assert found.positions[found.known, 0] == pytest.approx(6)
+                poses = buffer.lookup_many("f0", "f3", [stamp] * 600, strict=False, workers=2)
+                assert poses.positions[poses.known, 0] == pytest.approx(6)
             assert buffer.lookup("f0", "f1").translation[0] == 1.0
 
     run_together(lambda: insert(0), lambda: insert(1), look_up, look_up)

@@ -31,21 +31,21 @@ def buffer() -> Buffer:
 
 
 def test_stamps_are_those_of_the_chain_where_all_of_it_is_known(buffer: Buffer) -> None:
-    found = buffer.trajectory("map", "lidar")
-    assert found.stamps_ns[0] == START + SECOND // 20
-    assert found.stamps_ns[-1] == START + 19 * SECOND // 10
-    assert (np.diff(found.stamps_ns) > 0).all()
-    assert len(found.stamps_ns) == 186
-    expected = buffer.lookup_many("map", "lidar", found.stamps_ns)
-    assert (found.positions == expected.positions).all()
-    assert found.length_m == pytest.approx(1.85, abs=1e-3)
-    assert found.duration_s == 1.85
+    trajectory = buffer.trajectory("map", "lidar")
+    assert trajectory.stamps_ns[0] == START + SECOND // 20
+    assert trajectory.stamps_ns[-1] == START + 19 * SECOND // 10
+    assert (np.diff(trajectory.stamps_ns) > 0).all()
+    assert len(trajectory.stamps_ns) == 186
+    expected = buffer.lookup_many("map", "lidar", trajectory.stamps_ns)
+    assert (trajectory.positions == expected.positions).all()
+    assert trajectory.length_m == pytest.approx(1.85, abs=1e-3)
+    assert trajectory.duration_s == 1.85
 
 
 def test_resampled_at_a_rate(buffer: Buffer) -> None:
-    found = buffer.trajectory("map", "base", rate_hz=30)
-    assert len(found.stamps_ns) == 56
-    steps = (found.stamps_ns - found.stamps_ns[0]) * 30 / 1e9
+    trajectory = buffer.trajectory("map", "base", rate_hz=30)
+    assert len(trajectory.stamps_ns) == 56
+    steps = (trajectory.stamps_ns - trajectory.stamps_ns[0]) * 30 / 1e9
     assert np.abs(steps - np.arange(56)).max() < 1e-7
     part = buffer.trajectory(
         "map", "base", rate_hz=10, start_ns=START + SECOND, end_ns=START + 3 * SECOND // 2
@@ -59,8 +59,8 @@ def test_at_the_stamps_of_another_topic(buffer: Buffer) -> None:
     with pytest.raises(ExtrapolationException) as caught:
         buffer.trajectory("map", "base", stamps)
     assert caught.value.index == 0  # type: ignore[attr-defined]
-    found = buffer.trajectory("map", "base", stamps, strict=False)
-    assert found.stamps_ns.tolist() == stamps[1:].tolist()
+    trajectory = buffer.trajectory("map", "base", stamps, strict=False)
+    assert trajectory.stamps_ns.tolist() == stamps[1:].tolist()
 
 
 def test_static_chain_has_no_stamps(buffer: Buffer) -> None:
@@ -81,32 +81,32 @@ def test_wrong_arguments(buffer: Buffer) -> None:
 
 
 def test_texts_of_tum_and_kitti(buffer: Buffer, tmp_path: Path) -> None:
-    found = buffer.trajectory("map", "lidar", rate_hz=20)
-    tum = np.array([line.split() for line in found.tum_text().splitlines()], float)
+    trajectory = buffer.trajectory("map", "lidar", rate_hz=20)
+    tum = np.array([line.split() for line in trajectory.tum_text().splitlines()], float)
     assert tum.shape == (38, 8)
-    assert (tum[:, 1:4] == found.positions).all()
-    assert (tum[:, 4:] == found.rotations_xyzw).all()
-    assert found.tum_text().startswith("1700000000.050000000 1.0 0.0 1.0 0.0 0.0 0.0 1.0\n")
-    kitti = np.array([line.split() for line in found.kitti_text().splitlines()], float)
-    assert (kitti.reshape(-1, 3, 4) == found.matrices()[:, :3]).all()
-    found.write_tum(tmp_path / "a.tum")
-    found.write_kitti(tmp_path / "a.kitti")
-    assert (tmp_path / "a.tum").read_text() == found.tum_text()
-    assert (tmp_path / "a.kitti").read_text() == found.kitti_text()
+    assert (tum[:, 1:4] == trajectory.positions).all()
+    assert (tum[:, 4:] == trajectory.rotations_xyzw).all()
+    assert trajectory.tum_text().startswith("1700000000.050000000 1.0 0.0 1.0 0.0 0.0 0.0 1.0\n")
+    kitti = np.array([line.split() for line in trajectory.kitti_text().splitlines()], float)
+    assert (kitti.reshape(-1, 3, 4) == trajectory.matrices()[:, :3]).all()
+    trajectory.write_tum(tmp_path / "a.tum")
+    trajectory.write_kitti(tmp_path / "a.kitti")
+    assert (tmp_path / "a.tum").read_text() == trajectory.tum_text()
+    assert (tmp_path / "a.kitti").read_text() == trajectory.kitti_text()
 
 
 def test_table_of_pandas(buffer: Buffer, monkeypatch: pytest.MonkeyPatch) -> None:
-    found = buffer.trajectory("map", "lidar")
-    table = found.to_pandas()
+    trajectory = buffer.trajectory("map", "lidar")
+    table = trajectory.to_pandas()
     assert list(table.columns) == ["x", "y", "z", "qx", "qy", "qz", "qw"]
-    assert (table.index.as_unit("ns").asi8 == found.stamps_ns).all()
+    assert (table.index.as_unit("ns").asi8 == trajectory.stamps_ns).all()
     assert str(table.index.tz) == "UTC"
-    assert (table[["x", "y", "z"]].to_numpy() == found.positions).all()
+    assert (table[["x", "y", "z"]].to_numpy() == trajectory.positions).all()
     monkeypatch.setitem(sys.modules, "pandas", None)
     with pytest.raises(
         ImportError, match="pandas is needed for a DataFrame: install it by `pip install pandas`"
     ):
-        found.to_pandas()
+        trajectory.to_pandas()
 
 
 def test_what_notebooks_show(buffer: Buffer) -> None:

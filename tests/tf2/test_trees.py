@@ -52,10 +52,14 @@ def test_every_pair_of_frames(shape: str, width: int, stamp: int) -> None:
                     buffer.lookup(target, source, stamp)
                 continue
             assert buffer.can(target, source, stamp)
-            found = buffer.lookup(target, source, stamp)
-            assert (found.frame_id, found.child_frame_id, found.stamp_ns) == (target, source, stamp)
-            assert found.translation == (to_x - x, to_y - y, 0)
-            assert found.rotation_xyzw == UPRIGHT
+            transform = buffer.lookup(target, source, stamp)
+            assert (transform.frame_id, transform.child_frame_id, transform.stamp_ns) == (
+                target,
+                source,
+                stamp,
+            )
+            assert transform.translation == (to_x - x, to_y - y, 0)
+            assert transform.rotation_xyzw == UPRIGHT
 
 
 def test_known_distances() -> None:

@@ -82,10 +82,10 @@ def test_transforms_equal_those_of_the_oracle(*, are_wide: bool, half_angle_rad:
     buffer, oracle = filled(half_angle_rad)
     asked = stamps(count)
     for target, source in (("e", "d"), ("d", "e"), ("b", "d")):
-        found = buffer.lookup_many(target, source, asked)
+        poses = buffer.lookup_many(target, source, asked)
         for index in range(0, count, max(count // 50, 1)):
             _, expected = oracle.lookup(target, source, int(asked[index]))
-            ours = matrix(found.positions[index], found.rotations_xyzw[index])
+            ours = matrix(poses.positions[index], poses.rotations_xyzw[index])
             assert np.abs(ours - expected).max() < 1e-12
 
 
@@ -96,8 +96,8 @@ def test_wide_and_narrow_vectors_and_single_lookups_agree(half_angle_rad: float)
     results = []
     for are_wide in (True, False):
         differs = use_wide_vectors(are_wide)
-        found = buffer.lookup_many("e", "d", asked)
-        results.append(np.concatenate((found.positions, found.rotations_xyzw), axis=1))
+        poses = buffer.lookup_many("e", "d", asked)
+        results.append(np.concatenate((poses.positions, poses.rotations_xyzw), axis=1))
         single = [buffer.lookup("e", "d", int(stamp)) for stamp in asked]
         rows = np.array([[*one.translation, *one.rotation_xyzw] for one in single])
         assert np.abs(results[-1] - rows).max() < 1e-12
@@ -118,11 +118,11 @@ def test_any_number_of_stamps(*, are_wide: bool, count: int) -> None:
     use_wide_vectors(are_wide)
     buffer, _ = filled(HALF_ANGLES_RAD["near"])
     asked = stamps(count)
-    found = buffer.lookup_many("e", "d", asked)
+    poses = buffer.lookup_many("e", "d", asked)
     for index in {0, count // 2, count - 2, count - 1} & set(range(count)):
         single = buffer.lookup("e", "d", int(asked[index]))
-        assert found.positions[index] == pytest.approx(single.translation, abs=1e-12)
-        assert found.rotations_xyzw[index] == pytest.approx(single.rotation_xyzw, abs=1e-12)
+        assert poses.positions[index] == pytest.approx(single.translation, abs=1e-12)
+        assert poses.rotations_xyzw[index] == pytest.approx(single.rotation_xyzw, abs=1e-12)
 
 
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])

@@ -63,9 +63,9 @@ def test_transforms_of_a_message_are_stored(count: int) -> None:
     buffer = Buffer()
     assert buffer.insert_cdr(message(count), "me") == count
     if count:
-        found = buffer.lookup("f0", f"f{count}")
-        assert found.stamp_ns == 5 * SECOND
-        assert found.translation == pytest.approx((count, 2 * count, count * (count - 1) / 2))
+        transform = buffer.lookup("f0", f"f{count}")
+        assert transform.stamp_ns == 5 * SECOND
+        assert transform.translation == pytest.approx((count, 2 * count, count * (count - 1) / 2))
         assert "broadcaster: 'me'" in buffer.all_frames_as_yaml()
 
 

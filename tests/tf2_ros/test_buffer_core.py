@@ -191,11 +191,11 @@ def test_every_velocity_matches_the_recording(
         try:
             if "reference_frame" in query:
                 rest = [query[f"reference_{key}"] for key in ("frame", "point", "point_frame")]
-                found = buffer.lookupVelocityFullCore(*frames.values(), *rest, time, interval)
+                velocity = buffer.lookupVelocityFullCore(*frames.values(), *rest, time, interval)
             else:
-                found = buffer.lookupVelocityCore(**frames, time=time, averaging_interval=interval)
+                velocity = buffer.lookupVelocityCore(**frames, time=time, averaging_interval=interval)
         except TransformException as error:
             ours: dict[str, Any] = {"raises": kind_of(error, deviations), "text": str(error)}
         else:
-            ours = {"ok": [list(map(float, part)) for part in found]}
+            ours = {"ok": [list(map(float, part)) for part in velocity]}
         assert is_close(ours, expected(query)), query

@@ -114,17 +114,17 @@ def where(transform: Any) -> tuple[float, float, float]:
 
 
 def test_available_transform_is_returned_at_once(client: BufferClient) -> None:
-    found = client.lookup_transform("world", "laser", at(2.5))
-    assert where(found) == (2.5, 0.0, 0.5)
-    assert (found.header.frame_id, found.child_frame_id) == ("world", "laser")
-    assert found.header.stamp == TimeMessage(sec=2, nanosec=500_000_000)
+    transform = client.lookup_transform("world", "laser", at(2.5))
+    assert where(transform) == (2.5, 0.0, 0.5)
+    assert (transform.header.frame_id, transform.child_frame_id) == ("world", "laser")
+    assert transform.header.stamp == TimeMessage(sec=2, nanosec=500_000_000)
     assert client.lookup_transform("world", "robot", LATEST).header.stamp.sec == 3
     assert client.can_transform("world", "laser", at(2.5)) is True
 
 
 def test_time_and_duration_messages_are_accepted(client: BufferClient) -> None:
-    found = client.lookup_transform("world", "robot", TimeMessage(sec=2), DurationMessage(sec=1))
-    assert where(found) == (2.0, 0.0, 0.0)
+    transform = client.lookup_transform("world", "robot", TimeMessage(sec=2), DurationMessage(sec=1))
+    assert where(transform) == (2.0, 0.0, 0.0)
     with pytest.raises(TypeError, match=r"^Must pass a rclpy\.time\.Time object\.$"):
         client.lookup_transform("world", "robot", 2.0)
 

@@ -39,9 +39,13 @@ def test_broadcast_transform_can_be_looked_up_without_executor(node: Node) -> No
     listener = TransformListener(buffer, node)
     TransformBroadcaster(node).sendTransform(transform_stamped("map", "base", 5 * SECOND))
     StaticTransformBroadcaster(node).sendTransform([transform_stamped("base", "laser", 0)])
-    found = buffer.lookup_transform("map", "laser", NOW)
-    assert (found.header.frame_id, found.child_frame_id, found.header.stamp.sec) == ("map", "laser", 5)
-    assert found.transform.translation.x == 2.0
+    transform = buffer.lookup_transform("map", "laser", NOW)
+    assert (transform.header.frame_id, transform.child_frame_id, transform.header.stamp.sec) == (
+        "map",
+        "laser",
+        5,
+    )
+    assert transform.transform.translation.x == 2.0
     assert "broadcaster: 'default_authority'" in buffer.all_frames_as_yaml()
     listener.unregister()
 

@@ -118,8 +118,8 @@ def test_awaiting_callback_continues_with_the_transform(node: Node, kind: type[E
         if told:
             return
         told.append("asked")
-        found = await buffer.lookup_transform_async("map", "late", NOW, LONG)
-        told.append(found.child_frame_id)
+        transform = await buffer.lookup_transform_async("map", "late", NOW, LONG)
+        told.append(transform.child_frame_id)
         with pytest.raises(errors.LookupException, match="timed out"):
             await buffer.lookup_transform_async("map", "never", NOW, Duration(seconds=0.02))
         told.append("timed out")

@@ -152,6 +152,8 @@ class OwnReaders:
                 return
             self._is_open = False
             self._use.users -= 1
+            # The last one takes the participant out of the table under the lock, so that a new listener opens another
+            # one, and never gets one that is about to close. In a forked child the table may hold another already.
             is_last = not self._use.users
             if is_last and _shared.get(self._domain_id) is self._use:
                 del _shared[self._domain_id]

@@ -112,6 +112,8 @@ class TransformListener(ListenerBase):
         self._undiscovered_checks = 0
         self._has_warned = False
         self._subscribe()
+        # By the setter, which feeds the sources that `_subscribe` has opened. The node then holds the listener, so that
+        # one that nobody stores lives as long as its node.
         self.buffer = buffer
         vars(node).setdefault("_tfloom_listeners", set()).add(self)
         node.context.on_shutdown(self._on_shutdown)
@@ -130,6 +132,10 @@ class TransformListener(ListenerBase):
         self._spin(executor, run)
 
     def _subscribe(self) -> None:
+        # Three ways, from the slowest to the fastest. Where a user's Python must see each transform, an ordinary
+        # subscription decodes the messages. Else the bytes go to the native buffer: by a raw subscription, on the
+        # executor's thread, or by a reader of tfloom's own, on the wire's thread. A failure to open the reader ends in
+        # the raw subscription, unless the reader was asked for by name.
         is_direct = isinstance(self._buffer, NativeBuffer) and all(
             self._is_direct(is_static=is_static) for is_static in (False, True)
         )
@@ -164,6 +170,8 @@ class TransformListener(ListenerBase):
             self._set(is_static, subscription)
 
     def _open_readers(self) -> None:
+        # If one topic fails, no reader stays open, because the caller then subscribes to all topics through the node,
+        # or raises.
         readers = OwnReaders(self.node)
         try:
             for is_static, topic, qos in self._topics:
@@ -209,6 +217,8 @@ class TransformListener(ListenerBase):
 
     def _feed(self) -> None:
         for is_static, source in self._sources.items():
+            # Transforms stamped far ahead are held only where the own readers deliver them, with the gid of the
+            # publisher that the warning names; a raw subscription has no gid. Static ones are valid at any time.
             if is_static or self._readers is None:
                 source.feed(self._buffer.tf_sink(AUTHORITY, static=is_static))
                 continue
@@ -260,17 +270,22 @@ class TransformListener(ListenerBase):
         return True
 
     def _check_discovery(self) -> None:
+        # The graph is queried without the lock, because a shutdown on another thread needs it to close the sources.
         with self._lock:
             readers = [source for source in self._sources.values() if isinstance(source, OwnReader)]
         unknown = set()
         for reader in readers:
+            # The counts are cheap, and agree nearly always. Only else compare the publishers by their gids, because a
+            # publisher that does not match the reader is known to both, and is no reason to change.
             if self.node.count_publishers(reader.topic_name) <= reader.get_publisher_count():
                 continue
-            known = {
+            node_names = {
                 bytes(info.endpoint_gid)[:16]: f"{info.node_namespace.rstrip('/')}/{info.node_name}"
                 for info in self.node.get_publishers_info_by_topic(reader.topic_name)
             }
-            unknown |= {f"{known[gid]} on {reader.topic_name}" for gid in reader.undiscovered(set(known))}
+            unknown |= {
+                f"{node_names[gid]} on {reader.topic_name}" for gid in reader.undiscovered(set(node_names))
+            }
         self._undiscovered_checks = self._undiscovered_checks + 1 if unknown else 0
         if self._undiscovered_checks < CHECKS_BEFORE_RAW:
             return
@@ -289,6 +304,7 @@ class TransformListener(ListenerBase):
         self._change_to_raw(f"the own reader has not discovered {names}")
 
     def _change_to_raw(self, reason: str) -> None:
+        # Close the readers before the subscription exists, so that no transform comes by both.
         with self._lock:
             if self._has_ended or self._readers is None:
                 return
@@ -303,6 +319,8 @@ class TransformListener(ListenerBase):
 
     def _end(self) -> None:
         """Close the own readers. Subscriptions end with the node."""
+        # Take what is to be closed under the lock, and close it after. A shutdown, the periodic check and the user may
+        # all come here at once; one of them gets each thing, and the others None.
         with self._lock:
             self._has_ended = True
             readers, self._readers = self._readers, None

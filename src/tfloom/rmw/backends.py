@@ -62,8 +62,8 @@ def implementation_identifier() -> str:
     asked = os.environ.get("RMW_IMPLEMENTATION") or DEFAULT
     name = STAND_INS.get(asked, asked)
     if name not in BACKENDS:
-        known = ", ".join([*BACKENDS, *STAND_INS])
-        raise NoBackendError(f"RMW_IMPLEMENTATION is {asked!r}, which is none of: {known}")
+        known_names = ", ".join([*BACKENDS, *STAND_INS])
+        raise NoBackendError(f"RMW_IMPLEMENTATION is {asked!r}, which is none of: {known_names}")
     if name != asked and asked not in _reported_replacements:
         _reported_replacements.add(asked)
         passing = (
@@ -124,5 +124,5 @@ def _checked(domain_id: int, where: str) -> int:
     return domain_id
 
 
-def _domain_text(where: str, found: object) -> str:
-    return f"{where} must be an integer from 0 to {MAX_DOMAIN_ID}, not {found!r}"
+def _domain_text(where: str, domain_value: object) -> str:
+    return f"{where} must be an integer from 0 to {MAX_DOMAIN_ID}, not {domain_value!r}"

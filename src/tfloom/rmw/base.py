@@ -61,7 +61,7 @@ class EndpointInfo(NamedTuple):
     """None until its participant's node list has arrived, or for a program that is not a ROS node."""
     is_writer: bool
     gid: bytes
-    """16 bytes."""
+    """Identifies the endpoint on its domain: 16 bytes."""
     qos: QoS
 
 
@@ -95,7 +95,7 @@ class RequestId(NamedTuple):
     """The id of a request and of its response."""
 
     client_gid: bytes
-    """16 bytes."""
+    """The client that has sent the request: 16 bytes."""
     sequence_number: int
     """From 1, counted by each client."""
 

@@ -108,7 +108,7 @@ class CycloneWriter(CycloneEndpoint):
 
     @property
     def native(self) -> DdsWriter:
-        """The native writer."""
+        """The native writer, for native code that sends to it without Python."""
         return self._native
 
     def write(self, data: bytes) -> None:
@@ -191,7 +191,7 @@ class CycloneReader(CycloneEndpoint):
 
     @property
     def native(self) -> DdsReader:
-        """The native reader."""
+        """The native reader, for `CycloneWriter.join_service`."""
         return self._native
 
     def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
@@ -200,8 +200,8 @@ class CycloneReader(CycloneEndpoint):
 
     def take(self) -> Sample | None:
         """Remove and return the oldest waiting sample, or None. Its time of receipt is the time of this call."""
-        taken = self._native.take()
-        return None if taken is None else Sample(*taken)
+        sample_fields = self._native.take()
+        return None if sample_fields is None else Sample(*sample_fields)
 
     def feed(self, sink: Sink) -> None:
         """Push every sample into `sink` from now on, those already waiting first."""

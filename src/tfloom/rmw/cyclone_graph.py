@@ -127,6 +127,8 @@ class CycloneGraph:
             return self._view
 
     def _read(self, changes: int) -> _View:
+        # First the node lists: they say which node each endpoint belongs to, by its gid. A ROS participant announces an
+        # enclave; one that has, and has sent no list yet, makes the view incomplete.
         participants, endpoints = self._native.snapshot()
         enclaves: list[tuple[NodeName, str]] = []
         node_of: dict[bytes, NodeName] = {}
@@ -144,6 +146,8 @@ class CycloneGraph:
                 gids = (*ends.reader_gids, *ends.writer_gids)
                 node_of.update(dict.fromkeys(gids, ends.name))
                 listed_by.update(dict.fromkeys(gids, participant))
+        # Then the endpoints, once by DDS's names, and by the names of topics and services as far as these are ROS's. A
+        # service counts once, by its topic of requests: who reads it is a server, who writes it a client.
         raw: list[EndpointInfo] = []
         infos: list[EndpointInfo] = []
         service_ends: list[ServiceEndInfo] = []
@@ -160,6 +164,7 @@ class CycloneGraph:
                 service_ends.append(
                     ServiceEndInfo(*service, info.node, is_server=not is_writer, gid=gid, qos=info.qos)
                 )
+        # What is on a list and was not discovered is still to come.
         to_come = node_of.keys() - {info.gid for info in raw}
         is_whole = is_whole and not to_come
         late = frozenset(

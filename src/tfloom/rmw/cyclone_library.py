@@ -30,8 +30,8 @@ def find_library() -> str:
     package = _find_package()
     for place, name in _PLACES:
         folder = f"{package}/{place}"
-        if found := sorted(filter(name.match, _names_in(folder))):
-            return os.path.realpath(f"{folder}/{found[0]}")
+        if names := sorted(filter(name.match, _names_in(folder))):
+            return os.path.realpath(f"{folder}/{names[0]}")
     raise NoBackendError(
         f"cyclonedds in {package} came without libddsc: it wasn't installed from a wheel; {_INSTALL}"
     )

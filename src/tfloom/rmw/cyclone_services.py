@@ -93,13 +93,16 @@ class Handshake:
 
         After `HANDSHAKE_S` this is assumed, because the reader of a process that was killed never acknowledges.
         """
+        # The usual case, and the cost of every request: the same readers as before, and all have acknowledged.
         if readers == self._probed and self._end_s is None:
             return True
         with self._lock:
+            # Only a new reader makes a probe necessary. If some have merely left, the others have been probed.
             if not set(readers) <= set(self._probed):
                 self._writer.probe()
                 self._end_s = time.monotonic() + HANDSHAKE_S
             self._probed = readers
+            # If all that was written is acknowledged, so is the probe.
             if self._end_s is not None and (self._writer.wait_for_acks(0) or time.monotonic() >= self._end_s):
                 self._end_s = None
             return self._end_s is None
@@ -205,8 +208,12 @@ class CycloneServers(_Peers):
         receiving, responding = self._requests.matched(), self._responses.matched()
         if self.incompatibility():
             return False
+        # A server on Cyclone writes one id into the USER_DATA of both of its endpoints. An id on both sides is a server
+        # that is matched in both directions; two halves of different servers don't count.
         if _ids(_on_cyclone(receiving), SERVER_KEY) & _ids(_on_cyclone(responding), SERVER_KEY):
             return True
+        # Fast DDS writes no ids, so its participant stands for the server. Samples for it are translated on their way
+        # to its addresses: as long as none is known, a request would leave in a form that it can't read.
         receivers = {
             _participant(gid) for gid, _ in receiving if _is_on_fast_dds(gid) and dds_knows_address(gid)
         }
@@ -256,6 +263,8 @@ class CycloneClients(_Peers):
         clients = dict(self._requests.matched())
         if publisher_gid not in clients:
             return None
+        # A client on Fast DDS: what awaits its responses was noted when its request was translated. Where that is the
+        # writer of its requests, there is no reader to look for.
         if (awaiting := dds_inline_client(key)) is not None:
             readers = {gid for gid, _ in self._responses.matched()}
             return awaiting in readers or awaiting == publisher_gid

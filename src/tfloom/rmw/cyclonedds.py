@@ -82,6 +82,8 @@ def is_joined(domain_id: int) -> bool:
 def _invalidate_all_after_fork() -> None:
     """In a forked child, let the copies of the parent's participants raise errors."""
     global _library  # noqa: PLW0603  # guarded by there being one thread after a fork
+    # The fork has copied the library's state, but none of its threads. Loading the same path again would return that
+    # dead copy, so a participant that this child opens loads another file with the same content.
     in_use = [participant.invalidate_after_fork() for participant in _open_participants]
     if any(in_use):
         _library = copy_library
@@ -234,6 +236,7 @@ class CycloneParticipant:
         identifier = end_id(self._native.gid, next(self._service_end_numbers))
         topic = response_topic(service)
         user_data = end_user_data(key, identifier, service.response_hash)
+        # The end for responses comes first: a client's reader should be known to its peers when its first request is.
         responses = self._open(
             answering, topic.name, topic, waiting if answering is CycloneReader else qos, user_data
         )
@@ -244,9 +247,9 @@ class CycloneParticipant:
                 asking, topic.name, topic, waiting if asking is CycloneReader else qos, user_data
             )
         except WireError:
-            responses.close()
+            responses.close()  # or peers would see half of a client or a server
             raise
-        self._remember(node, requests, responses)
+        self._remember(node, requests, responses)  # together, so that the list of nodes is published once
         return requests, responses
 
     def _find_node(self, gid: bytes) -> str:
@@ -281,6 +284,7 @@ class CycloneParticipant:
 
     def _forget(self, end: CycloneEndpoint) -> None:
         """Remove a closing endpoint from its node's list."""
+        # In a forked child there is nothing to publish: the endpoint is the parent's, and still open there.
         if self._is_forked:
             return
         with self._lock:
@@ -301,7 +305,9 @@ class CycloneParticipant:
 
     def _publish_nodes(self) -> None:
         """Publish the node list: this participant's nodes, and the endpoints of each."""
+        # The caller holds the lock, so that lists leave in the order of the changes: a reader keeps the last one only.
         nodes = {node: node_lists.NodeEnds(node, [], []) for node in self._nodes}
+        # An endpoint whose node has been removed is on no list.
         for end, node in self._ends.items():
             if entry := nodes.get(node):
                 gids = entry.writer_gids if isinstance(end, CycloneWriter) else entry.reader_gids
@@ -315,6 +321,8 @@ class CycloneParticipant:
         if self._closed or self._is_forked:
             return
         self._closed = True
+        # Take the endpoints out of the table first. Each calls `_forget` as it closes, which needs the lock, and would
+        # otherwise publish a list of nodes for every endpoint of a participant that leaves anyway.
         with self._lock:
             ends, self._ends = list(self._ends), {}
         for end in ends:

@@ -27,7 +27,7 @@ class _Stored(NamedTuple):
     expires_ns: int
 
 
-def _keep(qos: QoS) -> deque[_Stored]:
+def _new_queue(qos: QoS) -> deque[_Stored]:
     """Return an empty queue for as many samples as `qos` keeps."""
     return deque(maxlen=None if qos.history == HistoryPolicy.KEEP_ALL else qos.depth)
 
@@ -66,7 +66,7 @@ class LocalWriter(LocalEndpoint):
         super().__init__(info)
         self._leave = leave
         self._readers: list[LocalReader] = []
-        self._late = _keep(info.qos)
+        self._late = _new_queue(info.qos)
 
     def write(self, data: bytes) -> None:
         """Put a sample into every matched reader.
@@ -81,6 +81,8 @@ class LocalWriter(LocalEndpoint):
             stored = _Stored(Sample(bytes(data), now_ns, now_ns, self.gid), self._expiry_ns(now_ns))
             if self.info.qos.durability == DurabilityPolicy.TRANSIENT_LOCAL:
                 self._late.append(stored)
+            # Queue the sample under this lock, so that all readers get the samples of this writer in the same order.
+            # The sinks get it afterwards, because they may run users' code, which may write to this topic itself.
             readers = tuple(self._readers)
             for reader in readers:
                 reader.accept(stored)
@@ -102,9 +104,9 @@ class LocalWriter(LocalEndpoint):
             return
         if mine.topic.is_native != theirs.topic.is_native:
             return
-        if apart := incompatible_policies(mine.qos, theirs.qos):
-            self.events.add_incompatible(apart[0])
-            reader.events.add_incompatible(apart[0])
+        if policies := incompatible_policies(mine.qos, theirs.qos):
+            self.events.add_incompatible(policies[0])
+            reader.events.add_incompatible(policies[0])
             return
         with self._lock:
             if self._closed:
@@ -112,6 +114,7 @@ class LocalWriter(LocalEndpoint):
             self._readers.append(reader)
             self.events.add_match(1)
             reader.add_writer(self.gid)
+            # Still under the lock: a sample that is written meanwhile waits, and comes after those that were kept.
             if theirs.qos.durability == DurabilityPolicy.TRANSIENT_LOCAL:
                 for stored in self._late:
                     reader.accept(stored)
@@ -146,6 +149,7 @@ class LocalWriter(LocalEndpoint):
             if self._closed:
                 return
             self._closed = True
+            # Readers are told without the lock, because `remove_writer` flushes into their sinks.
             readers, self._readers = self._readers, []
         for reader in readers:
             reader.remove_writer(self.gid)
@@ -158,7 +162,7 @@ class LocalReader(LocalEndpoint):
     def __init__(self, info: EndpointInfo, leave: Callable[[LocalReader], None]) -> None:
         super().__init__(info)
         self._leave = leave
-        self._waiting = _keep(info.qos)
+        self._waiting = _new_queue(info.qos)
         self._listener: tuple[ReadyQueue, int] | None = None
         self._sink: Sink | None = None
         self._for_sink: deque[_Stored | bytes] = deque()
@@ -191,12 +195,15 @@ class LocalReader(LocalEndpoint):
             return
         me = threading.get_ident()
         with self._lock:
+            # Another thread is in here: it takes this sample too, because it looks for more before it leaves. This very
+            # thread is in here if a user's function, called by the sink below, has written: then this is a flush inside
+            # a flush, and `outer` is the thread again, so that the end of the inner one does not end the outer one.
             if self._flusher not in (None, me):
                 return
             outer, self._flusher = self._flusher, me
         try:
             while (task := self._next_task(outer)) is not None:
-                _give(*task)
+                _push_or_forget(*task)
         except BaseException:
             with self._lock:
                 self._flusher = outer
@@ -205,6 +212,8 @@ class LocalReader(LocalEndpoint):
 
     def _next_task(self, outer: int | None) -> tuple[Sink, _Stored | bytes] | None:
         """Remove and return what to give to the sink, or None, which ends this flush under the same lock."""
+        # Whether something is left is decided under the lock under which `accept` queues. So a sample is either found
+        # here, or queued after this flush has ended, and then its own thread flushes it.
         with self._lock:
             if self._sink is not None and self._for_sink:
                 return self._sink, self._for_sink.popleft()
@@ -276,7 +285,7 @@ class LocalReader(LocalEndpoint):
         self._leave(self)
 
 
-def _give(sink: Sink, task: _Stored | bytes) -> None:
+def _push_or_forget(sink: Sink, task: _Stored | bytes) -> None:
     """Push a sample whose lifespan hasn't ended, or let the sink forget a writer."""
     if isinstance(task, bytes):
         sink.forget(task)

@@ -78,5 +78,5 @@ class LocalEvents:
 
 def _check(event: Event) -> None:
     if event not in KNOWN:
-        names = " and ".join(known.name for known in KNOWN)
+        names = " and ".join(event_kind.name for event_kind in KNOWN)
         raise UnsupportedEventError(f"{event.name}: the in-process wire has {names} alone")

@@ -37,8 +37,8 @@ def encode(participant_gid: bytes, nodes: list[NodeEnds]) -> bytes:
     data = bytearray(participant_gid)
     data += _LENGTH.pack(len(nodes))
     for node in nodes:
-        _put_string(data, node.name.namespace)
-        _put_string(data, node.name.name)
+        _append_string(data, node.name.namespace)
+        _append_string(data, node.name.name)
         for gids in (node.reader_gids, node.writer_gids):
             _align(data)
             data += _LENGTH.pack(len(gids)) + b"".join(gids)
@@ -68,7 +68,7 @@ def _align(data: bytearray) -> None:
     data += bytes(-len(data) % 4)
 
 
-def _put_string(data: bytearray, text: str) -> None:
+def _append_string(data: bytearray, text: str) -> None:
     _align(data)
     text_bytes = text.encode() + b"\0"
     data += _LENGTH.pack(len(text_bytes)) + text_bytes
@@ -82,11 +82,11 @@ class _Cursor:
         self._at = 0
 
     def take(self, count: int) -> bytes:
-        taken = self._data[self._at : self._at + count]
-        if len(taken) < count:
+        item = self._data[self._at : self._at + count]
+        if len(item) < count:
             raise NodeListError(f"{count} octets are announced at octet {self._at} of {len(self._data)}")
         self._at += count
-        return taken
+        return item
 
     def length(self, smallest_item: int) -> int:
         """Read how many items follow; raise if the remaining bytes can't hold so many."""

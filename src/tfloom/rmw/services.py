@@ -134,6 +134,9 @@ class RequestsInFlight:
 
     def send(self, client: HeaderRequester, data: bytes, number: int) -> None:
         """Let a client write a request, at once if fewer than its limit are in flight, or it has none."""
+        # Without a limit there is nothing to count. But a request that is already held goes first, so that the requests
+        # of a client arrive in order. `_held` is read without the lock: what another thread holds at this moment is
+        # sent at the same time as this request, and neither has to be first.
         if not self._held and client.most_in_flight() is None:
             client.write(data, number)
             return
@@ -143,6 +146,7 @@ class RequestsInFlight:
 
     def answered(self, client: HeaderRequester, number: int) -> None:
         """Note that a client has taken a response."""
+        # Servers without a limit leave `_sent_s` empty: their responses cost no lock.
         if not self._sent_s:
             return
         with self._lock:
@@ -167,7 +171,9 @@ class RequestsInFlight:
         self._send_held()
 
     def _send_held(self) -> None:
+        """Send as many of the held requests as the servers have room for now, the oldest first."""
         with self._lock:
+            # This call decides anew when to look again, so the timer of the call before it is of no use.
             if self._timer is not None:
                 self._timer.cancel()
                 self._timer = None
@@ -177,17 +183,22 @@ class RequestsInFlight:
             limit = next(iter(self._held.values()))[0].most_in_flight()
             if limit is None:  # the last server with a limit has left, and with it what it kept
                 self._sent_s.clear()
+            # A server may have dropped a request, or may never answer it. After a time such a request makes room for
+            # another one; the first that is younger ends the search, because the oldest come first.
             now_s = time.monotonic()
             for key, sent_s in list(self._sent_s.items()):
                 if sent_s > now_s - UNANSWERED_S:
                     break
                 del self._sent_s[key]
+            # Written under the lock: otherwise another thread could send a younger request between the removal of this
+            # one and its write.
             while self._held and (limit is None or len(self._sent_s) < limit):
                 key = next(iter(self._held))
                 client, data = self._held.pop(key)
                 if limit is not None:
                     self._sent_s[key] = now_s
                 client.write(data, key[1])
+            # If no response arrives from now on, nothing calls this function again but the timer.
             if self._held:
                 timer = threading.Timer(UNANSWERED_S, self._send_held)
                 timer.daemon = True
@@ -239,6 +250,8 @@ class HeaderRequester:
         """
         if text := self._servers.incompatibility():
             raise ForeignPeerError(text)
+        # A reader on DDS drops what precedes its writer's first heartbeat, so a request that is sent at once after the
+        # match could be lost without notice.
         self._servers.synchronise()
         with self._lock:
             self._sequence_number += 1
@@ -256,9 +269,12 @@ class HeaderRequester:
 
     def take(self) -> Response | None:
         """Remove and return the oldest waiting response to this client, or None."""
+        # Every client of the service receives every response. Go past those with another client's key, and past what is
+        # too short for a header, until one is ours or nothing is left.
         while sample := self._responses.take():
             parts = _split(sample)
             if parts is not None and parts[0] == self._key:
+                # Before the response is handled: its server has room again for a request that is held.
                 self._in_flight.answered(self, parts[1])
                 request_id = RequestId(self.client_gid, parts[1])
                 return Response(parts[2], request_id, sample.source_stamp_ns, sample.received_stamp_ns)
@@ -274,6 +290,8 @@ class HeaderRequester:
 
     def notify_ready(self, queue: ReadyQueue | None, token: int = 0) -> None:
         """Post `token` to `queue` when `is_ready` may have changed, and once at the start; None ends it."""
+        # An endpoint posts an event to one queue. A wait for readiness takes the place of `watch_servers`; when it
+        # ends, the watch gets its place back, with the token that tells it to look at the servers again.
         if queue is None and self._watch is not None:
             queue, token = self._watch
         self._requests.notify_event(Event.MATCHED, queue, token)
@@ -331,6 +349,8 @@ class HeaderResponder:
         while sample := self._requests.take():
             parts = _split(sample)
             if not self._clients.accepts(sample.publisher_gid):
+                # Another vendor's request has no header of this format, so its bytes can't be read. Keep the reason for
+                # a log: the client itself would only see that no response comes.
                 self._last_drop_reason = self._clients.incompatibility()
             elif parts is not None:
                 key, sequence_number, data = parts
@@ -340,6 +360,9 @@ class HeaderResponder:
         return None
 
     def _remember(self, key: bytes, publisher_gid: bytes) -> None:
+        # To look for clients that have left costs a pass over all of them. It is made each time that the table has
+        # doubled, so that a server that meets many short-lived clients neither grows without end nor looks at each
+        # request.
         if key not in self._gids and len(self._gids) >= self._forget_at:
             present = self._clients.connected()
             self._gids = {client_key: gid for client_key, gid in self._gids.items() if gid in present}
@@ -359,9 +382,11 @@ class HeaderResponder:
         key = request_id.client_gid[:_KEY_SIZE]
         publisher_gid = self._gids.get(key)
         response = _with_header(data, key, request_id.sequence_number)
+        # A client's reader may be discovered after its first request has arrived, and a response that is written before
+        # is lost. So wait for the match, for a short time, because this thread is the one that serves requests.
         if publisher_gid is not None:
             is_matched = self._wait_for_client(key, publisher_gid, CLIENT_WAIT_S)
-            if is_matched is None:
+            if is_matched is None:  # the client has left
                 return
             if not is_matched and self._clients.may_be_late(publisher_gid):
                 late = partial(self._send_late, key, publisher_gid, response)

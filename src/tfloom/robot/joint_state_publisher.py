@@ -172,11 +172,11 @@ class JointStatePublisher(Node):
             parts.setdefault(name, {})[part] = (
                 value if part == "parent" else self._number(f"dependent_joints.{key}", value)
             )
-        for name, part in parts.items():
-            if not isinstance(part.get("parent"), str):
+        for name, dependence in parts.items():
+            if not isinstance(dependence.get("parent"), str):
                 reason = "All dependent_joints must at least have a parent"
-                raise InvalidParameterValueException(f"dependent_joints.{name}", part, reason)
-        return {name: Dependence(**part) for name, part in parts.items()}
+                raise InvalidParameterValueException(f"dependent_joints.{name}", dependence, reason)
+        return {name: Dependence(**dependence) for name, dependence in parts.items()}
 
     @staticmethod
     def _number(parameter: str, value: Any) -> float:
@@ -185,11 +185,11 @@ class JointStatePublisher(Node):
         return float(value)
 
     def _find_description(self, urdf_file: str | None) -> None:
-        given = (
+        robot_description = (
             self.get_parameter("robot_description").value if self.has_parameter("robot_description") else ""
         )
-        if urdf_file is not None or given:
-            self._use(parse_urdf(given if urdf_file is None else Path(urdf_file).read_bytes()))
+        if urdf_file is not None or robot_description:
+            self._use(parse_urdf(robot_description if urdf_file is None else Path(urdf_file).read_bytes()))
             return
         self.get_logger().info(
             "Waiting for robot_description to be published on the robot_description topic..."

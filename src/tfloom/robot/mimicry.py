@@ -44,11 +44,13 @@ def resolve(dependences: Mapping[str, Dependence]) -> dict[str, Dependence]:
     Raises:
         LoopError: a joint follows itself.
     """
-    found: dict[str, Dependence] = {}
+    resolved: dict[str, Dependence] = {}
     for name in dependences:
-        chain: dict[str, None] = {}  # ordered
+        # Go along the chain to a joint that follows none, or that is resolved. Then come back: the last follower's
+        # source is known, and each before it multiplies its own factor and offset into that of the next.
+        chain: dict[str, None] = {}  # in the order of the way
         joint_name = name
-        while joint_name in dependences and joint_name not in found:
+        while joint_name in dependences and joint_name not in resolved:
             if joint_name in chain:
                 names = list(chain)
                 raise LoopError([*names[names.index(joint_name) :], joint_name])
@@ -56,9 +58,9 @@ def resolve(dependences: Mapping[str, Dependence]) -> dict[str, Dependence]:
             joint_name = dependences[joint_name].parent
         for follower in reversed(chain):
             parent, factor, offset = dependences[follower]
-            source, first_factor, first_offset = found.get(parent, Dependence(parent))
-            found[follower] = Dependence(source, factor * first_factor, factor * first_offset + offset)
-    return found
+            source, first_factor, first_offset = resolved.get(parent, Dependence(parent))
+            resolved[follower] = Dependence(source, factor * first_factor, factor * first_offset + offset)
+    return resolved
 
 
 def followers(joints: Mapping[str, Joint]) -> dict[str, Dependence]:

@@ -150,7 +150,7 @@ class RobotStatePublisher(Node):
         return ""
 
     def _apply(self, parameters: list[Parameter]) -> None:
-        """Use new values."""
+        """Use the new values of parameters: publish what depends on them anew."""
         names = {parameter.name for parameter in parameters}
         if names & {"robot_description", "frame_prefix", "publish_frequency", "ignore_timestamp"}:
             self._follow_parameters()
@@ -173,6 +173,8 @@ class RobotStatePublisher(Node):
             _weakly(self._report),
             getattr(self._tf.wire_endpoint, "native", None),  # on DDS, transforms are sent without Python
         )
+        # The sink must know the time before it gets messages. Feeding it replaces the former sink, which then gets no
+        # more.
         self._follow_clock()
         self._states.feed(self._sink)
 

@@ -93,12 +93,12 @@ def _joint(element: Element, links: dict[str, int]) -> Joint:
 
 
 def _link(element: Element, end: str, what: str, links: dict[str, int]) -> str:
-    found = element.first(end)
-    if found is None:
+    end_element = element.first(end)
+    if end_element is None:
         raise UrdfError(element.line, f"{what} has no <{end}> link")
-    name = _required(found, "link", f"<{end}> of {what}")
+    name = _required(end_element, "link", f"<{end}> of {what}")
     if name not in links:
-        raise UrdfError(found.line, f"{what} has the {end} link '{name}', which does not exist")
+        raise UrdfError(end_element.line, f"{what} has the {end} link '{name}', which does not exist")
     return name
 
 
@@ -112,44 +112,44 @@ def _origin(element: Element, what: str) -> Transform:
 
 
 def _axis(element: Element, kind: str, what: str) -> tuple[float, float, float]:
-    found = element.first("axis")
-    if found is None or kind in {"fixed", "floating"}:
+    axis = element.first("axis")
+    if axis is None or kind in {"fixed", "floating"}:
         return 1.0, 0.0, 0.0
-    x, y, z = _vector(found, "xyz", "1 0 0", what)
+    x, y, z = _vector(axis, "xyz", "1 0 0", what)
     largest = max(abs(x), abs(y), abs(z))
     if not largest:
-        raise UrdfError(found.line, f"the axis of {what} has no direction: it is zero")
+        raise UrdfError(axis.line, f"the axis of {what} has no direction: it is zero")
     x, y, z = x / largest, y / largest, z / largest  # their squares can't overflow
     length = math.sqrt(x * x + y * y + z * z)
     return x / length, y / length, z / length
 
 
 def _limit(element: Element, kind: str, what: str) -> Limit | None:
-    found = element.first("limit")
-    if found is None:
+    limit = element.first("limit")
+    if limit is None:
         if kind in LIMITED:
             other = "; one without limits is 'continuous'" if kind == "revolute" else ""
             raise UrdfError(element.line, f"{what} is of type '{kind}' and has no <limit>{other}")
         return None
     for required in ("effort", "velocity"):
-        _number(found, required, None, f"<limit> of {what}")
-    return Limit(_number(found, "lower", 0.0, what), _number(found, "upper", 0.0, what))
+        _number(limit, required, None, f"<limit> of {what}")
+    return Limit(_number(limit, "lower", 0.0, what), _number(limit, "upper", 0.0, what))
 
 
 def _soft_limit(element: Element, what: str) -> Limit | None:
-    found = element.first("safety_controller")
-    if found is None:
+    controller = element.first("safety_controller")
+    if controller is None:
         return None
-    lower = _number(found, "soft_lower_limit", -math.inf, what)
-    return Limit(lower, _number(found, "soft_upper_limit", math.inf, what))
+    lower = _number(controller, "soft_lower_limit", -math.inf, what)
+    return Limit(lower, _number(controller, "soft_upper_limit", math.inf, what))
 
 
 def _mimic(element: Element, kind: str, what: str) -> Mimic | None:
-    found = element.first("mimic")
-    if found is None or kind not in MOVING:
+    mimic = element.first("mimic")
+    if mimic is None or kind not in MOVING:
         return None
-    joint = _required(found, "joint", f"<mimic> of {what}")
-    return Mimic(joint, _number(found, "multiplier", 1.0, what), _number(found, "offset", 0.0, what))
+    joint = _required(mimic, "joint", f"<mimic> of {what}")
+    return Mimic(joint, _number(mimic, "multiplier", 1.0, what), _number(mimic, "offset", 0.0, what))
 
 
 def _required(element: Element, attribute: str, what: str) -> str:

@@ -23,13 +23,13 @@ def find_class(name: str) -> Any:
         LookupError: there is none; the text has the nearest name that exists.
         ParseError: its definition can't be parsed.
     """
-    found = class_table.find(name)
-    if found is None:
-        found = find_by_definition(name)
-        if found is None:
-            raise UnknownTypeError(f"there is no {_word(name)} type '{name}'{_nearest(name)}")
-        class_table.register(name, found)
-    return found
+    interface_class = class_table.find(name)
+    if interface_class is None:
+        interface_class = find_by_definition(name)
+        if interface_class is None:
+            raise UnknownTypeError(f"there is no {_kind_word(name)} type '{name}'{_nearest_name_hint(name)}")
+        class_table.register(name, interface_class)
+    return interface_class
 
 
 def full_name(name: str, kind: str) -> str:
@@ -49,13 +49,13 @@ def find_class_of_kind(name: str, kind: str, base: type[T]) -> type[T]:
         LookupError: there is none, or it is of another kind.
         ParseError: its definition can't be parsed.
     """
-    found: type[T] = find_class(full_name(name, kind))
-    if issubclass(found, base):
-        return found
+    interface_class: type[T] = find_class(full_name(name, kind))
+    if issubclass(interface_class, base):
+        return interface_class
     other = next(
         base_class
         for base_class in (class_table.message_base(), Service, Action)
-        if issubclass(found, base_class)
+        if issubclass(interface_class, base_class)
     )
     raise LookupError(f"'{name}' is no {base.__name__.lower()} type but a {other.__name__.lower()} type")
 
@@ -75,8 +75,8 @@ def find_by_definition(name: str) -> Any:
     Raises:
         ParseError: the definition can't be parsed, or refers to an unknown message.
     """
-    if (found := class_table.registered(name)) is not None:
-        return found
+    if (registered_class := class_table.registered(name)) is not None:
+        return registered_class
     parts = name.split("/")
     if len(parts) != 3 or not all(part.isidentifier() for part in parts):
         return None
@@ -89,31 +89,31 @@ def find_by_definition(name: str) -> Any:
     if (
         definition != name
     ):  # it may be a part of an existing class, of which loading the definition would make a second one
-        return _part(find_class(definition), name)
+        return _find_part(find_class(definition), name)
     with class_factory.LOCK:  # one class for all threads
         if class_table.registered(name) is None:
             class_factory.load(definition)
         return class_table.registered(name)
 
 
-def _part(owner: type[Any], name: str) -> Any:
+def _find_part(owner: type[Any], name: str) -> Any:
     """Return the class of this type name among the parts of a service or action, or None."""
     for part in vars(owner).values():
         if not isinstance(part, type) or part.__qualname__ == owner.__qualname__:
             continue
         if getattr(part, "_TYPE_NAME", None) == name:
             return part
-        if (found := _part(part, name)) is not None:
-            return found
+        if (nested_part := _find_part(part, name)) is not None:
+            return nested_part
     return None
 
 
-def _word(name: str) -> str:
+def _kind_word(name: str) -> str:
     parts = name.split("/")
     return {"srv": "service", "action": "action"}.get(parts[1] if len(parts) == 3 else "", "message")
 
 
-def _nearest(name: str) -> str:
+def _nearest_name_hint(name: str) -> str:
     import difflib
 
     from tfloom.rosidl.definition_files import KINDS, interface_names

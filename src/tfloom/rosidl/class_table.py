@@ -65,12 +65,12 @@ def find(name: str) -> Any:
     Modules are `tfloom.interfaces.package.kind`, that of the distribution `tfloom-interfaces`, and `package.kind`, in
     this order.
     """
-    found = _classes.get(name)
-    if found is None:
-        found = _find_in_modules(name)
-        if found is not None:
-            _classes[name] = found
-    return found
+    interface_class = _classes.get(name)
+    if interface_class is None:
+        interface_class = _find_in_modules(name)
+        if interface_class is not None:
+            _classes[name] = interface_class
+    return interface_class
 
 
 def _find_in_modules(name: str) -> Any:
@@ -80,9 +80,9 @@ def _find_in_modules(name: str) -> Any:
     package, kind, base = parts
     for home in ("tfloom.interfaces.", "tfloom_interfaces.interfaces.", ""):
         module_name = f"{home}{package}.{kind}"
-        found = getattr(_import(module_name), base, None)
-        if isinstance(found, type) and issubclass(found, (MessageBase, Service, Action)):
-            return found
+        attribute = getattr(_import(module_name), base, None)
+        if isinstance(attribute, type) and issubclass(attribute, (MessageBase, Service, Action)):
+            return attribute
     return None
 
 

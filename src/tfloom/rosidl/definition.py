@@ -49,7 +49,7 @@ ACTION_FEEDBACK_MESSAGE_SUFFIX = "_FeedbackMessage"
 
 
 class AbstractType:
-    """Any type."""
+    """A type of IDL: the base class of all of them."""
 
     __slots__: tuple[str, ...] = ()
     __hash__ = None  # type: ignore[assignment]
@@ -109,7 +109,7 @@ class NamespacedType(AbstractNestableType):
 
 
 class AbstractGenericString(AbstractNestableType):
-    """Any string."""
+    """A string, bounded or not, of `char` or of `wchar`."""
 
     __slots__ = ()
 
@@ -259,7 +259,7 @@ class Annotatable:
 
 
 class Member(Annotatable):
-    """A field."""
+    """A field of a structure: a name, a type and annotations."""
 
     def __init__(self, type_: AbstractType, name: str) -> None:
         super().__init__()
@@ -268,7 +268,7 @@ class Member(Annotatable):
 
 
 class Constant(Annotatable):
-    """A constant."""
+    """A constant of a message: a name, a type, a value and annotations."""
 
     def __init__(self, name: str, type_: AbstractType, value: Any) -> None:
         super().__init__()
@@ -291,7 +291,7 @@ class Structure(Annotatable):
 
 
 class Message:
-    """Fields and constants."""
+    """The structure of a message, which has its fields, and its constants."""
 
     def __init__(self, structure: Structure) -> None:
         self.structure = structure

@@ -66,12 +66,12 @@ def add_folder(share: Path) -> None:
 
 def workspace_folders() -> Iterator[Path]:
     """Yield the folders that may hold `package/kind/Name.kind`: on AMENT_PREFIX_PATH, then of imported packages."""
-    found = [
+    ros_folders = [
         Path(prefix) / "share"
         for prefix in os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep)
         if prefix
     ]
-    yield from dict.fromkeys((*found, *_added))
+    yield from dict.fromkeys((*ros_folders, *_added))
 
 
 def share_folders() -> Iterator[Path]:

@@ -87,14 +87,14 @@ def _fill_kind(module: ModuleType, package: str, kind: str, folder: str) -> None
     def find_attribute(name: str) -> Any:
         if name == "__all__":
             return names()
-        found = None if name.startswith("_") else find_by_definition(f"{package}/{kind}/{name}")
-        if found is None:
+        interface_class = None if name.startswith("_") else find_by_definition(f"{package}/{kind}/{name}")
+        if interface_class is None:
             raise AttributeError(
                 f"module '{module.__name__}' has no attribute '{name}': {folder} has no {kind}/{name}.{kind}",
                 name=name,
                 obj=module,
             )
-        return found
+        return interface_class
 
     vars(module)["__getattr__"] = find_attribute
     vars(module)["__dir__"] = lambda: sorted({*vars(module), *names()})

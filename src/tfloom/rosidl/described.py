@@ -82,11 +82,11 @@ class Field(Protocol):
 
     @property
     def name(self) -> str:
-        """Its name."""
+        """The field's name, as in the definition."""
 
     @property
     def type(self) -> FieldType:
-        """Its type."""
+        """The field's type, by the numbers of `type_description_interfaces`."""
 
 
 class IndividualTypeDescription(Protocol):
@@ -98,7 +98,7 @@ class IndividualTypeDescription(Protocol):
 
     @property
     def fields(self) -> Iterable[Field]:
-        """In order."""
+        """The fields, in the order of the definition."""
 
 
 class TypeDescription(Protocol):
@@ -106,7 +106,7 @@ class TypeDescription(Protocol):
 
     @property
     def type_description(self) -> IndividualTypeDescription:
-        """The type itself."""
+        """The described type, without those of its fields."""
 
     @property
     def referenced_type_descriptions(self) -> Iterable[IndividualTypeDescription]:
@@ -236,14 +236,14 @@ def hash_of(name: str, types: Mapping[str, Mapping[str, spec.Type]]) -> str:
 
 def _reachable(names: Iterable[str], types: Mapping[str, Mapping[str, spec.Type]]) -> set[str]:
     """Return the names and those of all messages in them."""
-    found: set[str] = set()
+    reachable_names: set[str] = set()
     waiting = list(names)
     while waiting:
         name = waiting.pop()
-        if name not in found:
-            found.add(name)
+        if name not in reachable_names:
+            reachable_names.add(name)
             waiting += [type_.base for type_ in types[name].values() if not type_.is_primitive]
-    return found
+    return reachable_names
 
 
 def _described(name: str, types: Mapping[str, Mapping[str, spec.Type]]) -> dict[str, Any]:

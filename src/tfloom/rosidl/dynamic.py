@@ -32,6 +32,7 @@ def define(name: str, text: str, path: str | None = None) -> Any:
         ParseError: the text is not a definition, refers to an unknown message, or contains itself.
         ValueError: `name` is not an interface name.
     """
+    # Parse before the lock is acquired and anything is registered: a text with a mistake changes nothing.
     sources.parse_source(_source(name, text, path), name)
     with LOCK:
         return _define(name, text, path)
@@ -42,6 +43,8 @@ def _source(name: str, text: str, path: str | None) -> sources.Source:
 
 
 def _define(name: str, text: str, path: str | None) -> Any:
+    # The source is registered first, because loading looks definitions up by name, this one included. If the class
+    # can't be made, the former definition of this name is valid again.
     before = sources.replace(name, _source(name, text, path))
     try:
         return load(name)
@@ -95,6 +98,7 @@ def _define_all(home: Path, names: list[str]) -> tuple[dict[str, Any], dict[str,
             classes[name] = load(name)
         except ValueError as error:  # noqa: PERF203  # each has its own reason
             failures[name] = error
+    # A definition without a class must not stay: others would find it by name, and fail later and elsewhere.
     for name in failures.keys() & before.keys():
         sources.replace(name, before[name])
     return classes, failures

@@ -74,14 +74,14 @@ class _Module:
 
     def _name_references(self) -> dict[str, str]:
         """Choose the names by which other packages' messages are imported: the class's, or one with the package."""
-        taken = self._public()
+        used_names = self._public()
         names: dict[str, str] = {}
         for name in sorted(
             {reference for message in self.messages for reference in message.references} - self.own
         ):
             package, _, base = name.split("/")
-            names[name] = f"{package}_{base}" if base in taken else base
-            taken.add(base)
+            names[name] = f"{package}_{base}" if base in used_names else base
+            used_names.add(base)
         return names
 
     def lines(self) -> Iterator[str]:
@@ -333,7 +333,7 @@ def generate_extra(home: Path) -> dict[str, str]:
 
 
 def main() -> None:
-    """Write all files."""
+    """Write the modules of tfloom's interfaces and, where its package is checked out, of tfloom-interfaces."""
     home = Path(__file__).parents[1]
     _write(home, generate_all())
     extra = home.parents[1] / "packages" / INTERFACES.name / "src" / INTERFACES.import_package

@@ -99,6 +99,8 @@ class _Parser:
     def content(self) -> IdlContent:
         while self.reader.next.kind != "end":
             self._definition()
+        # The definitions of a file may come in any order, so constants are added to their structs at the end. A module
+        # such as Point_Constants belongs to the struct Point.
         content = IdlContent()
         content.elements += self.includes
         for struct in self.structs:
@@ -106,9 +108,10 @@ class _Parser:
             struct.message.constants += self.constants.get(module, [])
         element = self._element()
         if isinstance(element, Action):
-            known = {include.locator for include in self.includes}
+            # An action needs types of ROS's own, which the file may include by itself, too.
+            written = {include.locator for include in self.includes}
             content.elements += [
-                include for include in element.implicit_includes if include.locator not in known
+                include for include in element.implicit_includes if include.locator not in written
             ]
         content.elements.append(element)
         return content
@@ -122,6 +125,8 @@ class _Parser:
                 f"this one has {len(self.structs)}",
                 last,
             )
+        # All structs must be of one module, and have one name with the suffixes of their kind, in this order. A file
+        # with Foo_Request and Bar_Response would otherwise become a service that nobody meant.
         types = [struct.message.structure.namespaced_type for struct in self.structs]
         base = types[0].name.removesuffix(suffixes[0])
         for struct, type_, suffix in zip(self.structs, types, suffixes, strict=True):
@@ -180,14 +185,15 @@ class _Parser:
             raise self.reader.fail("a constant is a number, a boolean or a string", start)
         if isinstance(value, str) != isinstance(type_, AbstractGenericString):
             raise self.reader.fail(f"{value!r} is no value of the constant's type", at)
+        # The type of a string constant is bounded by the length of its value.
         if isinstance(value, str):
             type_ = (BoundedWString if isinstance(type_, AbstractWString) else BoundedString)(len(value))
         constant = Constant(name.text, type_, value)
         constant.annotations, constant.position = annotations, name.position
-        known = self.constants.setdefault(self.modules[-1] if self.modules else "", [])
-        if any(other.name == name.text for other in known):
+        constants = self.constants.setdefault(self.modules[-1] if self.modules else "", [])
+        if any(other.name == name.text for other in constants):
             raise self.reader.fail(f"'{name.text}' is defined twice", name)
-        known.append(constant)
+        constants.append(constant)
         self.reader.constants[name.text] = value
 
     def _struct(self, annotations: list[Annotation]) -> None:

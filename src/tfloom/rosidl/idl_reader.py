@@ -50,8 +50,8 @@ class Reader:
 
     def expected(self, what: str) -> ParseError:
         """Return the error that something else was expected at the next token."""
-        found = "the end of the file" if self.next.kind == "end" else f"'{self.next.text}'"
-        return self.fail(f"expected {what}, got {found}")
+        got = "the end of the file" if self.next.kind == "end" else f"'{self.next.text}'"
+        return self.fail(f"expected {what}, got {got}")
 
     def is_next(self, *texts: str) -> bool:
         """Return whether the next token is a word or a mark of these."""
@@ -59,10 +59,10 @@ class Reader:
 
     def skip(self, *texts: str) -> bool:
         """Go past the next token if it is one of these; return whether it was."""
-        found = self.is_next(*texts)
-        if found:
+        is_match = self.is_next(*texts)
+        if is_match:
             self._at += 1
-        return found
+        return is_match
 
     def demand(self, text: str, where: str) -> Token:
         """Return the next token, which must be a certain mark."""
@@ -104,6 +104,8 @@ class Reader:
         if level == len(LEVELS):
             return self._unary(depth, take_name)
         value = self._binary(level + 1, depth, take_name)
+        # Operands of this level are expressions of the next, which binds more. The loop makes operators of one level
+        # combine from the left: a - b - c is (a - b) - c.
         while (operator := self._operator(LEVELS[level])) is not None:
             right = self._binary(level + 1, depth, take_name)
             value = self._calculate(operator, partial(combine, operator.text, value, right))
@@ -113,6 +115,7 @@ class Reader:
         """Take the next token if it is one of these operators; `>>` is two tokens, because it may end two types."""
         token = self.next
         if ">>" in operators and self.is_next(">"):
+            # A shift only if nothing is between the two marks.
             after = self._tokens[self._at + 1]
             line, column = token.position
             if after.text == ">" and after.position == (line, column + 1):
@@ -163,14 +166,16 @@ class Reader:
 
     def annotations(self) -> list[Annotation]:
         """Return the annotations that come next: `@key`, `@unit("m")`, `@default (value=3)`."""
-        found: list[Annotation] = []
+        annotations: list[Annotation] = []
         while self.skip("@"):
             name = "::".join(self.scoped_name("an annotation's name after '@'"))
-            found.append(Annotation(name, self._parameters() if self.skip("(") else None))
-        return found
+            annotations.append(Annotation(name, self._parameters() if self.skip("(") else None))
+        return annotations
 
     def _parameters(self) -> IdlValue | dict[str, IdlValue]:
         named: dict[str, IdlValue] = {}
+        # `(3)` is a value alone, `(value=3, unit="m")` has names. A word decides nothing, because it may be a constant:
+        # so look at the token after it, which is `=` for a name.
         while not self.skip(")"):
             after = self._tokens[min(self._at + 1, len(self._tokens) - 1)]
             if self.next.kind != "word" or after.text != "=" or after.kind != "mark":

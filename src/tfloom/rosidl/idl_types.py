@@ -98,6 +98,8 @@ class TypeReader:
         return type_
 
     def _named(self, token: Token) -> AbstractType:
+        # A typedef may be named with all of its modules, or without any. Every other name with modules is a message,
+        # which may be defined in another file and is looked up later.
         name = self.reader.scoped_name("a type")
         base = name[-1]
         if base in self._typedefs and name[:-1] in ([], self._scopes[base]):

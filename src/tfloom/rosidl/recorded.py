@@ -43,24 +43,24 @@ def recorded_class(name: str, encoding: str, text: str, type_hash: str = "") -> 
         DescriptionError: there is no definition, here or in the file, or that of the file is invalid or too large.
     """
     name = full_name(name, "msg")
-    ours = _ours(name)
+    ours = _find_local_class(name)
     if ours is not None and type_hash == ours._TYPE_HASH:
         return ours
     if encoding not in SUFFIXES or not text.strip():
         return _without_definition(name, ours, type_hash)
     try:
-        texts = _split(name, encoding, text)
-        types = _types(name, texts)
+        texts = _split_definitions(name, encoding, text)
+        types = _field_types(name, texts)
         check_size(name, types)
     except (ValueError, LookupError, RecursionError) as error:
         raise DescriptionError(f"the definition of {name} is invalid: {error}") from None
     if ours is not None and hash_of(name, types) == ours._TYPE_HASH:
         return ours
     with LOCK:
-        return _made(name, texts, types)
+        return _make_class(name, texts, types)
 
 
-def _ours(name: str) -> Any:
+def _find_local_class(name: str) -> Any:
     """Return the class of a message that exists here, or None."""
     try:
         return find_class(name)
@@ -80,7 +80,7 @@ def _without_definition(name: str, ours: Any, type_hash: str) -> Any:
     return ours
 
 
-def _split(name: str, encoding: str, text: str) -> dict[str, Source]:
+def _split_definitions(name: str, encoding: str, text: str) -> dict[str, Source]:
     """Return the definitions by their names, that of the type itself first.
 
     Raises:
@@ -89,16 +89,17 @@ def _split(name: str, encoding: str, text: str) -> dict[str, Source]:
     if len(text) > MAX_TEXT_SIZE:
         raise DescriptionError(f"it is longer than {MAX_TEXT_SIZE} characters")
     pieces = LINE.split(text.replace("\r\n", "\n"))
-    found = {} if not pieces[0].strip() else {definition_name(name): pieces[0]}
+    definitions = {} if not pieces[0].strip() else {definition_name(name): pieces[0]}
     for kind, type_name, piece in zip(pieces[1::3], pieces[2::3], pieces[3::3], strict=True):
-        found.setdefault(full_name(type_name, KINDS[kind]), piece)
+        definitions.setdefault(full_name(type_name, KINDS[kind]), piece)
     suffix = SUFFIXES[encoding]
     return {
-        type_name: Source(piece, f"{type_name} (recorded).{suffix}") for type_name, piece in found.items()
+        type_name: Source(piece, f"{type_name} (recorded).{suffix}")
+        for type_name, piece in definitions.items()
     }
 
 
-def _types(name: str, texts: Mapping[str, Source]) -> _Types:
+def _field_types(name: str, texts: Mapping[str, Source]) -> _Types:
     """Return the types of the fields of a message, and of all messages in it.
 
     Raises:
@@ -125,13 +126,13 @@ def _message(source: Source, name: str) -> spec.Message:
     raise LookupError(f"there is no definition of '{name}'")
 
 
-def _made(name: str, texts: Mapping[str, Source], types: _Types) -> Any:
+def _make_class(name: str, texts: Mapping[str, Source], types: _Types) -> Any:
     """Return the class of a message that doesn't exist here as the file defines it.
 
     Raises:
         DescriptionError: it can't be made.
     """
-    renamed = _renamed(name, types)
+    renamed = _new_names(name, types)
     sources = {
         definition_name(type_name): texts[definition_name(type_name)]
         for type_name in types
@@ -148,7 +149,7 @@ def _made(name: str, texts: Mapping[str, Source], types: _Types) -> Any:
     before = {type_name: replace(type_name, source) for type_name, source in sources.items()}
     try:
         wanted = renamed.get(name, name)
-        if (made := _ours(wanted)) is None:
+        if (made := _find_local_class(wanted)) is None:
             load(definition_name(wanted))
             made = find_class(wanted)
     except (ValueError, LookupError) as error:
@@ -163,28 +164,30 @@ def _with_name(type_: spec.Type, renamed: Mapping[str, str]) -> spec.Type:
     return type_._replace(base=renamed.get(type_.base, type_.base))
 
 
-def _renamed(name: str, types: _Types) -> dict[str, str]:
+def _new_names(name: str, types: _Types) -> dict[str, str]:
     """Return new names for the messages that are otherwise here, and for those that have such a message in them.
 
     Raises:
         DescriptionError: one is a part of a service or an action.
     """
-    others = {type_name for type_name in types if _differs(type_name, types)}
+    other_names = {type_name for type_name in types if _differs_from_local(type_name, types)}
     while more := {
-        type_name for type_name in types.keys() - others if others & set(_bases(types[type_name]))
+        type_name
+        for type_name in types.keys() - other_names
+        if other_names & set(_nested_type_names(types[type_name]))
     }:
-        others |= more
+        other_names |= more
     suffix = hash_of(name, types).rpartition("_")[2][:8]
-    for type_name in others:
+    for type_name in other_names:
         if type_name.split("/")[1] != "msg":
             raise DescriptionError(f"{type_name} has another definition here than in the file")
-    return {type_name: type_name.replace("/", f"_recorded_{suffix}/", 1) for type_name in others}
+    return {type_name: type_name.replace("/", f"_recorded_{suffix}/", 1) for type_name in other_names}
 
 
-def _differs(name: str, types: _Types) -> bool:
-    ours = _ours(name)
+def _differs_from_local(name: str, types: _Types) -> bool:
+    ours = _find_local_class(name)
     return ours is not None and hash_of(name, types) != ours._TYPE_HASH
 
 
-def _bases(fields: Mapping[str, spec.Type]) -> Iterable[str]:
+def _nested_type_names(fields: Mapping[str, spec.Type]) -> Iterable[str]:
     return [type_.base for type_ in fields.values() if not type_.is_primitive]

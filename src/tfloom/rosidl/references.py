@@ -40,7 +40,7 @@ def check_references(interface: spec.Interface, definitions: Definitions = sourc
         UnknownMessageError: one is unknown; the text names the file and line of the field, as of the next.
         ParseError: one contains itself, is nested more than `MAX_NESTING` deep, or can't be parsed.
     """
-    known = {message.name: message for message in spec.messages_of(interface)}
+    messages = {message.name: message for message in spec.messages_of(interface)}
     sound: set[str] = set()
 
     def visit(message: spec.Message, above: tuple[str, ...]) -> None:
@@ -55,14 +55,14 @@ def check_references(interface: spec.Interface, definitions: Definitions = sourc
             if len(chain) > MAX_NESTING:
                 raise _at(definitions, message, field, f"messages are nested more than {MAX_NESTING} deep")
             try:
-                nested = known.get(name) or definitions.find_message(name)
+                nested = messages.get(name) or definitions.find_message(name)
             except LookupError as error:
                 reason = f"{error}{_missing_package(definitions, name)}"
                 raise UnknownMessageError(_at(definitions, message, field, reason), name) from None
             visit(nested, chain)
         sound.add(message.name)
 
-    for message in known.values():
+    for message in messages.values():
         visit(message, ())
 
 

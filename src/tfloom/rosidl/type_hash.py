@@ -56,16 +56,19 @@ def description_hash(description: dict[str, Any]) -> str:
 
 def type_description(interface: spec.Interface, find: FindSpec) -> dict[str, Any]:
     """Return the type's description and those of all messages in it, sorted by name, as the hash requires."""
-    known = dict(_descriptions(interface))
-    waiting = list(known.values())
+    descriptions = dict(_descriptions(interface))
+    waiting = list(descriptions.values())
     while waiting:
         for field in waiting.pop()["fields"]:
             name = field["type"]["nested_type_name"]
-            if name and name not in known:
-                known[name] = describe(name, find(name).wire_fields)
-                waiting.append(known[name])
-    own = known.pop(interface.name)
-    return {"type_description": own, "referenced_type_descriptions": [known[name] for name in sorted(known)]}
+            if name and name not in descriptions:
+                descriptions[name] = describe(name, find(name).wire_fields)
+                waiting.append(descriptions[name])
+    own = descriptions.pop(interface.name)
+    return {
+        "type_description": own,
+        "referenced_type_descriptions": [descriptions[name] for name in sorted(descriptions)],
+    }
 
 
 def _descriptions(interface: spec.Interface) -> Iterable[tuple[str, dict[str, Any]]]:

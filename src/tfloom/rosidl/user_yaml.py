@@ -160,12 +160,12 @@ def compose(text: str) -> Any:
 
 
 def _refuse_repeated_keys(root: Any) -> None:
-    nodes, seen = [root], set()
+    nodes, seen_ids = [root], set()
     while nodes:
         node = nodes.pop()
-        if id(node) in seen or not isinstance(node, yaml.CollectionNode):
+        if id(node) in seen_ids or not isinstance(node, yaml.CollectionNode):
             continue
-        seen.add(id(node))
+        seen_ids.add(id(node))
         if isinstance(node, yaml.MappingNode):
             keys = set()
             for key, value in node.value:

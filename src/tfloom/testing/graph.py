@@ -184,17 +184,17 @@ class RosGraph:
             Exception: raised by a callback.
         """
         messages: list[Any] = []
-        found: list[Any] = []
+        matches: list[Any] = []
 
         def on_message(message: Any) -> None:
             messages.append(message)
             if where is None or where(message):
-                found.append(message)
+                matches.append(message)
 
         subscription = self._subscribe(msg_type, topic, on_message, qos_profile)
         try:
-            if self._spins_until(lambda: found, timeout_s):
-                return found[0]
+            if self._spins_until(lambda: matches, timeout_s):
+                return matches[0]
             reason = why_no_message(self.observer, subscription, msg_type, messages)
         finally:
             self.observer.destroy_subscription(subscription)

@@ -67,6 +67,7 @@ def isolated(wire: str, log_folder: Path) -> Iterator[int]:
 def _own_contexts() -> Iterator[None]:
     defaults = current_defaults()
     former, defaults.context = defaults.context, None
+    # What exists before the block, such as a fixture's context of a wider scope, stays.
     others = set(live_contexts())
     try:
         yield

@@ -48,7 +48,7 @@ def pytest_addoption(parser: Any) -> None:
 
 
 def pytest_configure(config: Any) -> None:
-    """Register the marker."""
+    """Register the marker by which a test chooses its wire."""
     config.addinivalue_line("markers", f'{_MARKER}(name): wire of the ros_… fixtures, "local" or "dds"')
 
 

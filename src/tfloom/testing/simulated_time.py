@@ -41,7 +41,7 @@ class SimulatedTime:
 
     @property
     def now(self) -> Time:
-        """The time."""
+        """The simulated time, as a Time of ROS time."""
         return Time(nanoseconds=self._now_ns, clock_type=ClockType.ROS_TIME)
 
     def step(self, seconds: float, every_s: float = 0.01) -> None:

@@ -104,17 +104,17 @@ def _row(number: int, columns: list[str], cells: list[str]) -> Row:
         raise TableError(
             f"line {number} of the table has {len(cells)} cells for {len(columns)} columns: {' '.join(cells)}"
         )
-    given = dict(zip(columns, cells, strict=True))
-    frame_id, child_frame_id = (given[name] for name in FRAMES)
+    cell_of = dict(zip(columns, cells, strict=True))
+    frame_id, child_frame_id = (cell_of[name] for name in FRAMES)
     if frame_id == child_frame_id:
         raise TableError(f"line {number} of the table: {frame_id} can't be its own parent")
 
     def number_in(name: str) -> float:
-        return _finite(number, name, given.get(name, "0"))
+        return _finite(number, name, cell_of.get(name, "0"))
 
     position = (number_in("x"), number_in("y"), number_in("z"))
     try:
-        if "qw" in given:
+        if "qw" in cell_of:
             qx, qy, qz, qw = (number_in(name) for name in QUATERNION)
             transform = Transform(position, (qx, qy, qz, qw))
         else:
@@ -122,7 +122,7 @@ def _row(number: int, columns: list[str], cells: list[str]) -> Row:
             transform = Transform.from_rpy(roll, pitch, yaw, position)
     except ValueError as error:
         raise TableError(f"line {number} of the table: {error}") from None
-    return Row(frame_id, child_frame_id, _stamp(number, given.get("stamp", STATIC)), transform)
+    return Row(frame_id, child_frame_id, _stamp(number, cell_of.get("stamp", STATIC)), transform)
 
 
 def _finite(number: int, column: str, cell: str) -> float:

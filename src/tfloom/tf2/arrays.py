@@ -81,9 +81,9 @@ class Arrays(Frames):
 
         stamps = _stamps(stamps_ns)
         rows = np.empty((len(stamps), 7))
-        known = np.zeros(len(stamps), np.uint8)
-        self.fill_many(target_frame, source_frame, stamps, rows, known, strict, max(1, workers))
-        is_known = known.view(np.bool_)
+        known_flags = np.zeros(len(stamps), np.uint8)
+        self.fill_many(target_frame, source_frame, stamps, rows, known_flags, strict, max(1, workers))
+        is_known = known_flags.view(np.bool_)
         if not strict:
             rows[~is_known] = np.nan
         return Poses(rows[:, :3], rows[:, 3:], is_known)
@@ -122,12 +122,12 @@ class Arrays(Frames):
         chain = self.explain(target_frame, source_frame)
         if chain.error is not None:
             raise chain.error
-        given = None if stamps_ns is None else _stamps(stamps_ns)
-        stamps = chosen_stamps(self, chain.edges, given, rate_hz, (start_ns, end_ns))
+        given_stamps = None if stamps_ns is None else _stamps(stamps_ns)
+        stamps = chosen_stamps(self, chain.edges, given_stamps, rate_hz, (start_ns, end_ns))
         poses = self.lookup_many(target_frame, source_frame, stamps, strict=strict)
-        known = poses.known
-        positions, rotations = poses.positions[known], poses.rotations_xyzw[known]
-        return Trajectory(target_frame, source_frame, stamps[known], positions, rotations)
+        is_known = poses.known
+        positions, rotations = poses.positions[is_known], poses.rotations_xyzw[is_known]
+        return Trajectory(target_frame, source_frame, stamps[is_known], positions, rotations)
 
     def transform_points(
         self,
@@ -156,9 +156,9 @@ class Arrays(Frames):
         """
         checked = _points(points)
         result = _out(checked, out)
-        found = self.lookup(target_frame, source_frame, stamp_ns)
+        transform = self.lookup(target_frame, source_frame, stamp_ns)
         move = _native.move_points_float32 if checked.dtype == "float32" else _native.move_points_float64
-        move(_row(found), checked, result)
+        move(_row(transform), checked, result)
         return result
 
     def deskew(
@@ -322,7 +322,7 @@ def _table(values: ArrayLike, columns: int, name: str, rows: int) -> NDArray[np.
     return np.ascontiguousarray(table, np.float64)
 
 
-def _row(found: _native.StampedTransform) -> NDArray[np.float64]:
+def _row(transform: _native.StampedTransform) -> NDArray[np.float64]:
     import numpy as np
 
-    return np.array(found.translation + found.rotation_xyzw)
+    return np.array(transform.translation + transform.rotation_xyzw)

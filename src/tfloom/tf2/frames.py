@@ -69,8 +69,8 @@ class Frames(_native.Buffer):
 
     def parents(self) -> dict[str, str | None]:
         """Return each frame's parent, by its newest sample; None for a root."""
-        known = {edge.child_frame_id: edge.frame_id for edge in self.edges()}
-        return {name: known.get(name) for name in self.frame_names()}
+        parents = {edge.child_frame_id: edge.frame_id for edge in self.edges()}
+        return {name: parents.get(name) for name in self.frame_names()}
 
     def children(self) -> dict[str, list[str]]:
         """Return each frame's children, in the order in which they were first inserted."""

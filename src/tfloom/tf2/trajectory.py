@@ -176,9 +176,9 @@ def chosen_stamps(
     if stamps_ns is not None and rate_hz is not None:
         raise ValueError("give stamps_ns or rate_hz, not both")
     if rate_hz is not None:
-        known = shared_history(edges) or (0, -1)
-        start = known[0] if span[0] is None else max(known[0], span[0])
-        end = known[1] if span[1] is None else min(known[1], span[1])
+        history = shared_history(edges) or (0, -1)
+        start = history[0] if span[0] is None else max(history[0], span[0])
+        end = history[1] if span[1] is None else min(history[1], span[1])
         return regular_stamps(rate_hz, start, end) if start <= end else np.empty(0, np.int64)
     stamps = stored_stamps(buffer, edges) if stamps_ns is None else stamps_ns
     if span[0] is not None:

@@ -147,11 +147,14 @@ class Buffer(BufferCore, BufferInterface):
         return verdict if return_debug_tuple else verdict[0]
 
     def _wait(self, timeout: Any, wait: Callable[..., bool], *query: Any) -> None:
+        # The native wait ends by a transform or by time, but not by a shutdown of the context. So it is made in slices,
+        # with a look at the context after each. A slice that ends early, without the transform, is the native verdict
+        # that it can never come; the lookup that follows raises the reason.
         end_s = monotonic() + duration_ns(timeout) / 1e9
         while (left_s := end_s - (start_s := monotonic())) > 0:
             slice_s = min(left_s, SLICE_S)
             if wait(*query, timeout_s=slice_s) or monotonic() - start_s < slice_s / 2:
-                return  # it is available; or it cannot become available, and the wait ends early
+                return
             if self._context is not None and not self._context.ok():
                 return
 
@@ -214,9 +217,12 @@ class Buffer(BufferCore, BufferInterface):
         self,
         look_up: Callable[[], TransformStamped],
         request: Callable[[Callable[[int, bool], None]], int | None],
-        obstacle: Callable[[], str],
+        explain: Callable[[], str],
         timeout: Any,
     ) -> Future[TransformStamped]:
+        # Three things can end the wait: the transform arrives, on the thread that stores it; the time is over, on the
+        # thread of deadlines; the user cancels. `cancel_request` decides which was first: it returns True to one caller
+        # alone, and only while `complete` has not been called and never will be.
         future = self._new_future()
 
         def complete(*_: object) -> None:
@@ -227,6 +233,8 @@ class Buffer(BufferCore, BufferInterface):
             except Exception as error:  # noqa: BLE001, the future raises it
                 future.set_exception(error)
 
+        # 0: it is available now; None: it never can be. Either way `complete` has not been called, and knows the
+        # answer.
         handle = request(complete)
         if not handle:
             complete()
@@ -234,7 +242,7 @@ class Buffer(BufferCore, BufferInterface):
 
         def expire() -> None:
             if self.cancel_request(handle):  # otherwise it is being completed
-                future.set_exception(self._timed_out(f"timed out: {obstacle()}"))
+                future.set_exception(self._timed_out(f"timed out: {explain()}"))
 
         future.add_done_callback(lambda ended: ended.cancelled() and self.cancel_request(handle))
         if timeout is not None:

@@ -146,6 +146,8 @@ class BufferClient(BufferInterface):
             )
         if not self.action_client.server_is_ready():
             raise TimeoutException("The BufferServer is not ready.")
+        # One end for the whole exchange: the server waits for the transform up to the goal's timeout, and the padding
+        # is for the messages there and back.
         padding = self.timeout_padding
         padding_s = float(padding) if isinstance(padding, (int, float)) else duration_ns(padding) / 1e9
         end_s = steady.monotonic() + max(0.0, duration_ns(goal.timeout) / 1e9) + padding_s
@@ -157,6 +159,8 @@ class BufferClient(BufferInterface):
         try:
             response = self._wait(handle.get_result_async(), end_s)
         except BaseException:
+            # Nobody awaits the result any more, after a timeout or Ctrl-C: let the server end its wait, too. After a
+            # shutdown there is no way to tell it.
             if self.node.context.ok():
                 handle.cancel_goal_async()
             raise
@@ -168,6 +172,9 @@ class BufferClient(BufferInterface):
         Raises:
             TimeoutException: it isn't complete at `end_s`, by the steady clock, or at shutdown.
         """
+        # A node in an executor is spun by another thread, and this one sleeps until the future or the shutdown wakes
+        # it. It also looks again at short intervals, because the node may leave its executor during the wait: from then
+        # on nobody would receive the result, and this thread must spin.
         ended = threading.Event()
         future.when_complete(ended.set)
         context = self.node.context
@@ -186,6 +193,8 @@ class BufferClient(BufferInterface):
 
     def _spin_alone(self, future: Future[Any], timeout_s: float) -> bool:
         """Spin the node, which is in no executor, until a future is complete; False if another query spins it."""
+        # Several threads may query at once through a node in no executor. One of them spins, for all; the others wait
+        # for their futures, and look again in case that the spinning one has its own result and leaves.
         with _lock:
             alone = _spinning.setdefault(self.node, threading.Lock())
         if not alone.acquire(blocking=False):

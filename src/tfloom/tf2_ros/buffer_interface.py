@@ -173,7 +173,7 @@ class TransformRegistration:
     _functions: dict[Any, Callable[..., Any]] = {}  # noqa: RUF012, shared by all instances
 
     def print_me(self) -> None:
-        """Print the table."""
+        """Print the registered functions, by the types that they transform."""
         print(self._functions)
 
     def add(self, key: Any, callback: Callable[..., Any]) -> None:
@@ -187,7 +187,7 @@ class TransformRegistration:
             TypeException: no function is registered for it; a note names the package that registers one.
         """
         try:
-            return _get(self._functions, key)
+            return _find_function(self._functions, key)
         except TypeException as error:
             if hint := _how_to_transform(key, self._functions):
                 add_note(error, hint)
@@ -215,15 +215,15 @@ class ConvertRegistration:
 
     def get_from_msg(self, key: Any) -> Callable[[Any], Any]:
         """Return the function that makes `key` of a message; raise TypeException without one."""
-        return _get(self._from_msg, key)
+        return _find_function(self._from_msg, key)
 
     def get_to_msg(self, key: Any) -> Callable[[Any], Any]:
         """Return the function that makes a message of `key`; raise TypeException without one."""
-        return _get(self._to_msg, key)
+        return _find_function(self._to_msg, key)
 
     def get_convert(self, key: tuple[Any, Any]) -> Callable[[Any], Any]:
         """Return the function that converts `key[0]` to `key[1]`; raise TypeException without one."""
-        return _get(self._convert, key)
+        return _find_function(self._convert, key)
 
 
 def convert(a: Any, b_type: Any) -> Any:
@@ -262,14 +262,14 @@ def _how_to_transform(key: Any, registered: Collection[Any]) -> str:
     return ", and ".join(advice)
 
 
-def _get(table: dict[Any, Callable[..., Any]], key: Any) -> Callable[..., Any]:
-    found = table.get(key) or table.get(_twin(table, key))
-    if found is None:
+def _find_function(table: dict[Any, Callable[..., Any]], key: Any) -> Callable[..., Any]:
+    function = table.get(key) or table.get(_find_twin_key(table, key))
+    if function is None:
         raise TypeException(f"Type {key if isinstance(key, str) else str(key)} is not loaded or supported")
-    return found
+    return function
 
 
-def _twin(table: dict[Any, Callable[..., Any]], key: Any) -> Any:
+def _find_twin_key(table: dict[Any, Callable[..., Any]], key: Any) -> Any:
     """Return the table's message class of the same ROS name, because a real ROS install has other classes."""
     name = _ros_name(key)
     return next(

@@ -73,6 +73,8 @@ class BufferServer:
         )
 
     async def _execute(self, handle: ServerGoalHandle) -> LookupTransform_Result:
+        # Most goals are answered from what the buffer has. The others wait without a thread: the buffer completes the
+        # future when the transform arrives, and a timeout or a cancellation completes it before.
         query = _Query(self._buffer, handle.request)
         if not handle.is_cancel_requested and query.is_settled():
             result = query.answer()
@@ -132,6 +134,7 @@ class _Query:
 
     def wait(self) -> Future[bool]:
         """Return a future: True once the transform is available or can't become so, False after the timeout."""
+        # `cancel_request` returns True to one caller alone, which decides between the transform and the timeout.
         waiting: Future[bool] = Future()
         request = self._add_request(lambda _handle, _is_available: waiting.set_result(True))
         if not request:
@@ -148,6 +151,7 @@ class _Query:
             self._buffer.cancel_request(request)
             raise
 
+        # However the wait has ended, neither the timeout nor the request must stay.
         def forget() -> None:
             deadline.cancel()
             self._buffer.cancel_request(request)

@@ -30,6 +30,9 @@ class Deadline:
     def cancel(self) -> None:
         """Cancel the call, unless it has begun."""
         with _changed:
+            # The entry stays in the heap, because finding it there would take a pass over all; without a function it is
+            # skipped when its time comes. Only when cancelled entries prevail is the heap rebuilt without them:
+            # otherwise calls with long delays that are always cancelled would fill the memory.
             _functions.pop(self._number, None)
             if len(_waiting) > 2 * len(_functions) + MAX_CANCELLED:
                 _waiting[:] = [entry for entry in _waiting if entry[1] in _functions]
@@ -44,11 +47,13 @@ def call_after(delay_s: float, function: Callable[[], None]) -> Deadline:
     """
     global _thread  # noqa: PLW0603, one for the process
     with _changed:
+        # It is not alive in a forked child, which has copies of the heap and of this variable, but not the thread.
         if _thread is None or not _thread.is_alive():
             _thread = threading.Thread(target=_run, name="tf2_deadlines", daemon=True)
             _thread.start()
         number = next(_numbers)
         _functions[number] = function
+        # Numbers grow, so calls at equal times are made in the order in which they were asked for.
         heapq.heappush(_waiting, (time.monotonic() + delay_s, number))
         _changed.notify()
     return Deadline(number)
@@ -57,10 +62,12 @@ def call_after(delay_s: float, function: Callable[[], None]) -> Deadline:
 def _run() -> None:
     while True:
         with _changed:
+            # Wait for the earliest entry. A new one notifies, because it may be earlier; then its time is looked at.
             while not _waiting or _waiting[0][0] > time.monotonic():
                 left_s = _waiting[0][0] - time.monotonic() if _waiting else threading.TIMEOUT_MAX
                 _changed.wait(min(left_s, threading.TIMEOUT_MAX))  # the longest possible wait
             function = _functions.pop(heapq.heappop(_waiting)[1], None)
+        # Called without the lock, because the function may start or cancel another delayed call.
         if function is not None:
             _call(function)
         function = None  # while the thread waits, it keeps nothing of a user's alive

@@ -76,7 +76,7 @@ def do_transform_point(point: Any, transform: Any) -> Any:
     """Transform a PointStamped, whose new header is the TransformStamped's; or a Point or Point32."""
     if hasattr(point, "point"):
         return _stamped(point, transform, "point", do_transform_point)
-    return _with(point, value_of(transform).apply(_xyz(point)))
+    return _with_xyz(point, value_of(transform).apply(_xyz(point)))
 
 
 def do_transform_vector3(vector3: Any, transform: Any) -> Any:
@@ -86,14 +86,14 @@ def do_transform_vector3(vector3: Any, transform: Any) -> Any:
     """
     if hasattr(vector3, "vector"):
         return _stamped(vector3, transform, "vector", do_transform_vector3)
-    return _with(vector3, _turned(value_of(transform), _xyz(vector3)))
+    return _with_xyz(vector3, _turned(value_of(transform), _xyz(vector3)))
 
 
 def do_transform_pose(pose: Any, transform: Any) -> Any:
     """Transform a Pose by a TransformStamped; its orientation has w ≥ 0."""
     result = type(pose)()
     moved = value_of(transform) @ Transform(_xyz(pose.position), _rotation(pose.orientation))
-    _put(result.position, moved.translation)
+    _set_xyz(result.position, moved.translation)
     x, y, z, w = moved.rotation_xyzw
     _put_quaternion(result.orientation, (-x, -y, -z, -w) if w < 0 else (x, y, z, w))
     return result
@@ -121,7 +121,7 @@ def do_transform_polygon(polygon: Any, transform: Any) -> Any:
     """Transform a Polygon by a TransformStamped."""
     result = type(polygon)()
     value = value_of(transform)
-    result.points = [_with(point, value.apply(_xyz(point))) for point in polygon.points]
+    result.points = [_with_xyz(point, value.apply(_xyz(point))) for point in polygon.points]
     return result
 
 
@@ -147,7 +147,7 @@ def do_transform_transform(moved: Any, transform: Any) -> Any:
     """Return target_from_child from the Transform source_from_child and the TransformStamped target_from_source."""
     result = type(moved)()
     value = value_of(transform) @ value_of(moved)
-    _put(result.translation, value.translation)
+    _set_xyz(result.translation, value.translation)
     _put_quaternion(result.rotation, value.rotation_xyzw)
     return result
 
@@ -161,8 +161,8 @@ def do_transform_wrench(wrench: Any, transform: Any) -> Any:
     """Transform a Wrench to the target frame: F' = R F, τ' = R τ + cross(t, F')."""
     result = type(wrench)()
     force, torque = _shifted(value_of(transform), _xyz(wrench.force), _xyz(wrench.torque))
-    _put(result.force, force)
-    _put(result.torque, torque)
+    _set_xyz(result.force, force)
+    _set_xyz(result.torque, torque)
     return result
 
 
@@ -175,8 +175,8 @@ def do_transform_twist(twist: Any, transform: Any) -> Any:
     """Transform a Twist of the same body to the target frame: ω' = R ω, v' = R v + cross(t, ω')."""
     result = type(twist)()
     angular, linear = _shifted(value_of(transform), _xyz(twist.angular), _xyz(twist.linear))
-    _put(result.angular, angular)
-    _put(result.linear, linear)
+    _set_xyz(result.angular, angular)
+    _set_xyz(result.linear, linear)
     return result
 
 
@@ -210,19 +210,19 @@ def _stamped(
     The header is copied number by number, because the two messages may be of different packages' classes.
     """
     result = type(message)()
-    header, given = result.header, transform.header
-    header.frame_id = given.frame_id
-    header.stamp.sec, header.stamp.nanosec = given.stamp.sec, given.stamp.nanosec
+    header, other = result.header, transform.header
+    header.frame_id = other.frame_id
+    header.stamp.sec, header.stamp.nanosec = other.stamp.sec, other.stamp.nanosec
     for name in kept:
         setattr(result, name, getattr(message, name))
     setattr(result, part, do_transform(getattr(message, part), transform))
     return result
 
 
-def _with(part: Any, xyz: Triple) -> Any:
+def _with_xyz(part: Any, xyz: Triple) -> Any:
     """Return a new point or vector of the same class."""
     result = type(part)()
-    _put(result, xyz)
+    _set_xyz(result, xyz)
     return result
 
 
@@ -230,7 +230,7 @@ def _xyz(part: Any) -> Triple:
     return part.x, part.y, part.z
 
 
-def _put(part: Any, xyz: Triple) -> None:
+def _set_xyz(part: Any, xyz: Triple) -> None:
     part.x, part.y, part.z = xyz
 
 

@@ -82,6 +82,8 @@ class ListenerBase:
             RuntimeError: the thread can't be started. The listener is unregistered, and the node is in the executor in
                 which it was before.
         """
+        # `add_node` takes the node from the executor in which it is. If no thread can be started, nobody would spin
+        # this executor, so the node goes back to the former one.
         before = self.node.executor
         executor.add_node(self.node)
         thread = threading.Thread(target=run, name="tf_listener", daemon=True)

@@ -31,7 +31,7 @@ class Canvas:
         self._changed: Box | None = None
 
     def clear(self) -> None:
-        """Remove all strokes."""
+        """Remove all strokes, so that the background alone is left."""
         self._ink.clear()
         self._ground = None
 

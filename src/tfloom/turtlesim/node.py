@@ -91,6 +91,8 @@ class TurtlesimNode(Node):
         self.get_logger().info(
             f"Spawning turtle [{turtle.name}] at x=[{turtle.x:f}], y=[{turtle.y:f}], theta=[{turtle.theta:f}]"
         )
+        # The action server of a killed turtle of this name stays for a while, until its goals' results are fetched. A
+        # second server of that name would receive the same requests, so the new turtle uses the one that is there.
         rotations = self._rotations.get(turtle.name)
         if rotations is None or rotations.is_destroyed:
             rotations = self._rotations[turtle.name] = RotationServer(self, turtle.name)
@@ -113,6 +115,8 @@ class TurtlesimNode(Node):
             where = f"x=[{request.x}], y=[{request.y}], theta=[{request.theta}]"
             self.get_logger().error(f"A turtle can't be spawned at {where}: these are not all numbers")
             return response
+        # The world chooses a name where the request has none, so the turtle exists before its name can be checked, and
+        # leaves again if no topics can have that name.
         turtle = self.sim.world.spawn(request.x, request.y, request.theta, request.name)
         if turtle is None:
             self.get_logger().error(f"A turtle named [{request.name}] already exists")

@@ -73,7 +73,7 @@ class Ink:
             self._draw.ellipse((x - radius, y - radius, x + radius, y + radius), fill)
 
     def polygon(self, points: list[Point], color: Color) -> None:
-        """Fill a polygon."""
+        """Fill a polygon with an opaque colour."""
         self._draw.polygon(points, fill=(*color, OPAQUE))
 
     def color_at(self, x: int, y: int) -> Color | None:

@@ -65,6 +65,8 @@ class RotationServer:
         if self._running is not None:
             self._running.rotation.state = "aborted"
             self._settle()
+        # Clients of aborted goals still ask for the results. With none unfinished, the server can go at once; otherwise
+        # it stays for a limited time, in real time, because simulated time may stand still.
         if self._unfinished:
             real_time = Clock(clock_type=ClockType.STEADY_TIME)
             self._farewell = self._node.create_timer(FAREWELL_S, self._destroy, clock=real_time)
@@ -83,6 +85,7 @@ class RotationServer:
 
     def report(self, rotation: Rotation) -> None:
         """Report the state of the turtle's turn after a step."""
+        # A turn that a newer goal has aborted is reported no more.
         running = self._running
         if running is None or running.rotation is not rotation:
             return
@@ -121,6 +124,8 @@ class RotationServer:
             self._unfinished -= 1
 
     async def _turn(self, handle: ServerGoalHandle) -> Any:
+        # Between acceptance and this call the turtle may have been killed, and another one spawned under its name: the
+        # goal was not meant for that one.
         turtle = self._meant_for.popleft()
         if turtle is not self._turtle:
             handle.abort()
@@ -131,6 +136,7 @@ class RotationServer:
                 "Rotation goal received before a previous goal finished. Aborting previous goal"
             )
             self._settle()
+        # A request to cancel may have come before this goal was the running one, when `_on_cancel` could not note it.
         rotation.cancel_requested = handle.is_cancel_requested
         self._running = _Running(rotation, handle, Future())
         await self._running.ended

@@ -37,7 +37,7 @@ class TurtleSim:
                 self.canvas.paint(event)
 
     def clear(self) -> None:
-        """Remove all strokes."""
+        """Remove all strokes from the picture; the turtles stay."""
         self.canvas.clear()
 
     def reset(self) -> Turtle:

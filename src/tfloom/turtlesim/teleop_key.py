@@ -107,7 +107,7 @@ class TeleopTurtle(Node):
 
 
 def spin_quietly(node: Node) -> None:
-    """Spin until shutdown."""
+    """Spin a node until its context is shut down, which is no error here."""
     with suppress(ExternalShutdownException):
         spin(node)
 

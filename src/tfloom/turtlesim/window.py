@@ -55,7 +55,7 @@ class Window:
         return True
 
     def close(self) -> None:
-        """Close the window."""
+        """Close the window, and leave the display."""
         self._window.destroy()
         pygame.display.quit()
 

@@ -67,23 +67,23 @@ def expect(kind: type[Exception], function: Callable[[], object]) -> Exception:
 
 
 def case_answers_are_the_real_messages() -> None:
-    found = filled().lookup_transform("world", "camera", Time(nanoseconds=2 * SECOND + 5))
-    assert type(found) is g.TransformStamped
-    assert type(found).__module__.startswith("geometry_msgs.msg"), type(found)
-    assert (found.header.frame_id, found.child_frame_id) == ("world", "camera")
-    assert (found.header.stamp.sec, found.header.stamp.nanosec) == (2, 5)
-    assert found.transform.translation.x == 12.0
-    assert found.transform.rotation.w == 1.0
+    transform = filled().lookup_transform("world", "camera", Time(nanoseconds=2 * SECOND + 5))
+    assert type(transform) is g.TransformStamped
+    assert type(transform).__module__.startswith("geometry_msgs.msg"), type(transform)
+    assert (transform.header.frame_id, transform.child_frame_id) == ("world", "camera")
+    assert (transform.header.stamp.sec, transform.header.stamp.nanosec) == (2, 5)
+    assert transform.transform.translation.x == 12.0
+    assert transform.transform.rotation.w == 1.0
     core = filled().lookup_transform_core("world", "camera", TimeMessage(sec=2, nanosec=5))
-    assert core == found
+    assert core == transform
 
 
 def case_full_queries() -> None:
     buffer = filled()
     query = ("world", Time(nanoseconds=3 * SECOND), "camera", Time(nanoseconds=2 * SECOND), "world")
-    found = buffer.lookup_transform_full(*query)
-    assert type(found) is g.TransformStamped
-    assert abs(found.transform.translation.x - 12.0) < 1e-6
+    transform = buffer.lookup_transform_full(*query)
+    assert type(transform) is g.TransformStamped
+    assert abs(transform.transform.translation.x - 12.0) < 1e-6
     assert buffer.can_transform_full(*query) is True
     assert buffer.can_transform_full(*query, return_debug_tuple=True) == (True, "")
     assert buffer.can_transform("world", "turtle", Time()) is True
@@ -175,8 +175,8 @@ def case_a_timeout_waits_for_a_later_transform() -> None:
     buffer = filled()
     timer = threading.Timer(0.2, buffer.set_transform, [stamped("world", "turtle", 6 * SECOND), "test"])
     timer.start()
-    found = buffer.lookup_transform("world", "turtle", Time(seconds=5), Duration(seconds=30.0))
-    assert found.header.stamp.sec == 5
+    transform = buffer.lookup_transform("world", "turtle", Time(seconds=5), Duration(seconds=30.0))
+    assert transform.header.stamp.sec == 5
     begin = time.monotonic()
     query = ("world", "turtle", Time(seconds=99), Duration(seconds=0.1))
     expect(drop_in.ExtrapolationException, lambda: buffer.lookup_transform(*query))

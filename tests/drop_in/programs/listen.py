@@ -39,12 +39,12 @@ def main() -> None:
     for line in sys.stdin:
         target, source, timeout_s = json.loads(line)
         try:
-            found = buffer.lookup_transform(target, source, Time(), Duration(seconds=timeout_s))
+            transform = buffer.lookup_transform(target, source, Time(), Duration(seconds=timeout_s))
         except TransformException as error:
             answer = {"error": f"{type(error).__name__}: {error}"}
         else:
-            stamp_ns = Time.from_msg(found.header.stamp).nanoseconds
-            answer = {"x": found.transform.translation.x, "stamp_ns": stamp_ns}
+            stamp_ns = Time.from_msg(transform.header.stamp).nanoseconds
+            answer = {"x": transform.transform.translation.x, "stamp_ns": stamp_ns}
         print(json.dumps(answer | {"why_raw": listener.why_raw}), flush=True)
     rclpy.shutdown()
     thread.join()

@@ -25,20 +25,20 @@ def main() -> None:
     wanted = int(sys.argv[2])
     topics = (BuiltinTopicDcpsParticipant, BuiltinTopicDcpsPublication, BuiltinTopicDcpsSubscription)
     readers = [BuiltinDataReader(participant, topic) for topic in topics]
-    found: dict[str, dict[str, object]] = {}
+    entries: dict[str, dict[str, object]] = {}
     changed = start = time.monotonic()
     while time.monotonic() < start + 20:
         for reader, kind in zip(readers, ("participant", "publication", "subscription"), strict=True):
             for sample in reader.take(N=100):
-                found[str(sample.key)] = describe(sample, kind)
+                entries[str(sample.key)] = describe(sample, kind)
                 changed = time.monotonic()
-        is_there = sum(str(entry.get("topic_name")).startswith("rt/") for entry in found.values()) >= wanted
+        is_there = sum(str(entry.get("topic_name")).startswith("rt/") for entry in entries.values()) >= wanted
         if (
             is_there and time.monotonic() > changed + QUIET_S
         ):  # publications and subscriptions arrive independently
             break
         time.sleep(0.01)
-    for entry in found.values():
+    for entry in entries.values():
         print(json.dumps(entry), flush=True)
 
 

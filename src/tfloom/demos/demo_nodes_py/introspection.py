@@ -81,7 +81,7 @@ class IntrospectionClientNode(_IntrospectedNode):
 
 
 class IntrospectionServiceNode(_IntrospectedNode):
-    """Serves add_two_ints."""
+    """Serves add_two_ints, with introspection as its parameter says."""
 
     def __init__(self) -> None:
         super().__init__("introspection_service")
@@ -96,7 +96,7 @@ class IntrospectionServiceNode(_IntrospectedNode):
 
 
 def run() -> None:
-    """Spin both nodes."""
+    """Spin the server and the client in one executor."""
     with SingleThreadedExecutor() as executor:
         nodes = IntrospectionServiceNode(), IntrospectionClientNode()
         for node in nodes:

@@ -27,7 +27,7 @@ class ListenerQos(Node):
         self.sub = self.create_subscription(String, "chatter", self.chatter_callback, qos_profile)
 
     def chatter_callback(self, msg: String) -> None:
-        """Log a message."""
+        """Count a message, and log its text."""
         self.heard += 1
         self.get_logger().info(f"I heard: [{msg.data}]")
 

@@ -33,7 +33,7 @@ class LoggerServiceNode(Node):
         self.sub = self.create_subscription(String, "output", self.callback, 10)
 
     def callback(self, msg: String) -> None:
-        """Log a message."""
+        """Log a message once at each level, so that the output shows which levels are on."""
         self.get_logger().debug(f"{msg.data} with DEBUG logger level.")
         self.get_logger().info(f"{msg.data} with INFO logger level.")
         self.get_logger().warning(f"{msg.data} with WARN logger level.")

@@ -156,9 +156,9 @@ class MessageFilter(SimpleFilter):
         stamp = time_ns(header.stamp)
         stamps = (stamp, stamp + self._tolerance_ns) if self._tolerance_ns else (stamp,)
         queries = [(target, frame, at) for target in self._targets for at in stamps]
-        held = _Held(
-            msg, len(queries) + 1
-        )  # one more than the requests, so that it can't complete before all are made
+        # A request may be answered at once, on another thread, while the others are still being made. So the count of
+        # what is missing starts at one more than the requests; `_hold` takes that one away when all are made.
+        held = _Held(msg, len(queries) + 1)
         for query in queries:
             handle = self._buffer.add_request(*query, partial(self._answer, held))
             if handle is None:
@@ -171,6 +171,9 @@ class MessageFilter(SimpleFilter):
         self._hold(held)
 
     def _hold(self, held: _Held) -> None:
+        # A message is settled once, by whoever is first under the lock: its last transform, a failure, the timeout, the
+        # queue's limit or `clear`. All the others find `is_settled` and do nothing. Callbacks run after the lock is
+        # released, because they may add messages.
         crowded_out = []
         with self._lock:
             held.missing -= 1

@@ -254,7 +254,10 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
         if stamp is None:
             return
         at = time_ns(stamp)
+        # Choose and remove under the lock, because other filters add messages on other threads, and a message must be
+        # in one set only. Call the callbacks after it, because they may add messages.
         with self.lock:
+            # A message older than all of a full queue is not kept, so it may be gone already.
             _keep(my_queue, at, msg, self.queue_size)
             chosen = self._match(my_queue, at) if at in my_queue else None
             matched = (

@@ -105,8 +105,8 @@ def arcball_map_to_sphere(point: Sequence[float], center: Sequence[float], radiu
 
 def arcball_constrain_to_axis(point: ArrayLike, axis: ArrayLike) -> Vector:
     """Return the point (3,) of the sphere's front that is nearest to `point` on the great circle about an axis."""
-    normal, given = np.asarray(axis, np.float64), np.asarray(point, np.float64)
-    within = given - normal * (normal @ given)
+    normal, position = np.asarray(axis, np.float64), np.asarray(point, np.float64)
+    within = position - normal * (normal @ position)
     length = np.linalg.norm(within)
     if length > NOTHING:
         constrained: Vector = (-within if within[2] < 0 else within) / length
@@ -119,6 +119,6 @@ def arcball_constrain_to_axis(point: ArrayLike, axis: ArrayLike) -> Vector:
 
 def arcball_nearest_axis(point: ArrayLike, axes: Iterable[ArrayLike]) -> Vector:
     """Return the axis whose great circle passes nearest to a point of the sphere."""
-    given = np.asarray(point, np.float64)
-    nearest = max(axes, key=lambda axis: float(arcball_constrain_to_axis(given, axis) @ given))
+    position = np.asarray(point, np.float64)
+    nearest = max(axes, key=lambda axis: float(arcball_constrain_to_axis(position, axis) @ position))
     return np.asarray(nearest, np.float64)

@@ -49,10 +49,10 @@ def projection_matrix(
     if perspective is not None:
         # A point x is mapped to (h + n·(p - x)) x + (n·x - n·p) e, up to scale, with the eye e and h = n·(e - p).
         eye = _three(perspective)
-        seen = eye + unit if pseudo else eye
+        image = eye + unit if pseudo else eye
         matrix[:3, :3] *= float((eye - place) @ unit)
-        matrix[:3, :3] -= np.outer(seen, unit)
-        matrix[:3, 3] = offset * seen
+        matrix[:3, :3] -= np.outer(image, unit)
+        matrix[:3, 3] = offset * image
         matrix[3] = *-unit, float(eye @ unit)
         return matrix
     along = unit if direction is None else _three(direction)
@@ -80,12 +80,12 @@ def projection_from_matrix(
     Raises:
         ValueError: the matrix is not a projection.
     """
-    given = np.asarray(matrix, np.float64)
-    given = given / np.abs(given).max()
-    if pseudo and np.linalg.norm(given[3, :3]) > NOTHING:
-        return _pseudo_parts(given)
+    scaled_matrix = np.asarray(matrix, np.float64)
+    scaled_matrix = scaled_matrix / np.abs(scaled_matrix).max()
+    if pseudo and np.linalg.norm(scaled_matrix[3, :3]) > NOTHING:
+        return _pseudo_parts(scaled_matrix)
     # The plane is the matrix's range, and the direction or the eye is its null space.
-    outputs, sizes, inputs = np.linalg.svd(given)
+    outputs, sizes, inputs = np.linalg.svd(scaled_matrix)
     plane, lost = outputs[:, 3], inputs[3]
     if sizes[3] > NOTHING or sizes[2] <= NOTHING or np.linalg.norm(plane[:3]) <= NOTHING:
         raise ValueError("the matrix is no projection: it doesn't take all of space to one plane")
@@ -98,24 +98,24 @@ def projection_from_matrix(
     else:
         unit = lost[:3] / np.linalg.norm(lost[:3])
         direction = None if np.linalg.norm(np.cross(unit, normal)) <= NOTHING else unit
-    _require_same(given, projection_matrix(point, normal, direction, perspective))
+    _require_same(scaled_matrix, projection_matrix(point, normal, direction, perspective))
     return point, normal, direction, perspective, False
 
 
-def _pseudo_parts(given: Matrix) -> tuple[Matrix, Matrix, None, Matrix, bool]:
+def _pseudo_parts(matrix: Matrix) -> tuple[Matrix, Matrix, None, Matrix, bool]:
     # The last row is (-n, e·n); the trace of the rest is 3 h - e·n - 1, with the eye's height h = n·(e - p).
-    given = given / np.linalg.norm(given[3, :3])
-    normal = -given[3, :3]
-    height = (float(np.trace(given[:3, :3])) + given[3, 3] + 1) / 3
-    perspective: Matrix = (height * np.identity(3) - np.outer(normal, normal) - given[:3, :3]) @ normal
-    point = np.append((given[3, 3] - height) * normal, 1.0)
-    _require_same(given, projection_matrix(point, normal, None, perspective, pseudo=True))
+    matrix = matrix / np.linalg.norm(matrix[3, :3])
+    normal = -matrix[3, :3]
+    height = (float(np.trace(matrix[:3, :3])) + matrix[3, 3] + 1) / 3
+    perspective: Matrix = (height * np.identity(3) - np.outer(normal, normal) - matrix[:3, :3]) @ normal
+    point = np.append((matrix[3, 3] - height) * normal, 1.0)
+    _require_same(matrix, projection_matrix(point, normal, None, perspective, pseudo=True))
     return point, normal, None, perspective, True
 
 
-def _require_same(given: Matrix, made: Matrix) -> None:
-    scale = float((given * made).sum() / (made * made).sum())
-    if not np.allclose(given, scale * made, rtol=0, atol=1e-6):
+def _require_same(matrix: Matrix, rebuilt_matrix: Matrix) -> None:
+    scale = float((matrix * rebuilt_matrix).sum() / (rebuilt_matrix * rebuilt_matrix).sum())
+    if not np.allclose(matrix, scale * rebuilt_matrix, rtol=0, atol=1e-6):
         raise ValueError("the matrix is no projection: it moves points within the plane")
 
 

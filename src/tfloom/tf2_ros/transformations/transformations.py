@@ -122,11 +122,11 @@ def rotation_from_matrix(matrix: ArrayLike) -> tuple[float, Matrix, Matrix]:
     Raises:
         ValueError: the matrix is not a rotation.
     """
-    given = np.asarray(matrix, np.float64)
-    axis, angle = Transform.from_matrix(given).axis_angle
+    values = np.asarray(matrix, np.float64)
+    axis, angle = Transform.from_matrix(values).axis_angle
     # The point is a fixed point of the matrix: (I - R) p = t, whose least-norm solution is nearest to the origin.
-    point, *_ = np.linalg.lstsq(np.identity(3) - given[:3, :3], given[:3, 3], rcond=1e-9)
-    if not np.allclose(given[:3, :3] @ point + given[:3, 3], point, atol=1e-6):
+    point, *_ = np.linalg.lstsq(np.identity(3) - values[:3, :3], values[:3, 3], rcond=1e-9)
+    if not np.allclose(values[:3, :3] @ point + values[:3, 3], point, atol=1e-6):
         raise ValueError("the matrix moves along its axis, so it is no rotation about a point")
     return angle, np.array(axis), np.append(point, 1.0)
 
@@ -308,12 +308,12 @@ def decompose_matrix(matrix: ArrayLike) -> tuple[Matrix, Matrix, tuple[float, fl
     Raises:
         ValueError: the matrix is degenerate.
     """
-    given = np.asarray(matrix, np.float64)
-    affine = given.copy()
+    values = np.asarray(matrix, np.float64)
+    affine = values.copy()
     affine[3, :] = 0.0, 0.0, 0.0, 1.0
     if np.linalg.matrix_rank(affine) < 4:
         raise ValueError("the matrix is degenerate: it takes space to a plane, a line or a point")
-    perspective: Matrix = given[3] @ np.linalg.inv(affine)
+    perspective: Matrix = values[3] @ np.linalg.inv(affine)
     translate, turn, scale, shear = _transforms3d("affines").decompose(affine)
     return scale, shear, _angles(_transforms3d("euler").mat2euler(turn)), translate, perspective
 
