@@ -133,4 +133,4 @@ def write_sqlite(path: Path, messages: Iterable[Recorded], version: int = 4) -> 
 
 def found_in(bag: Any) -> list[Recorded]:
     """Return the messages of a recording."""
-    return [(each.topic, each.log_time_ns, each.data) for each in bag.messages()]
+    return [(message.topic, message.log_time_ns, message.data) for message in bag.messages()]

@@ -50,16 +50,16 @@ def test_rosbags_and_we_read_each_byte(name: str, tmp_path: Path) -> None:
     if name != "no summary":  # rosbags needs it
         assert read_by_rosbags(tmp_path / "bag") == rows
     with open_bag(tmp_path / "bag") as bag:
-        found = [(each.topic, each.log_time_ns, each.data) for each in bag.messages()]
+        found = [(message.topic, message.log_time_ns, message.data) for message in bag.messages()]
         assert found == rows
         assert bag.message_count == len(rows)
-        assert {each.name: each.message_count for each in bag.topics.values()} == {
+        assert {topic.name: topic.message_count for topic in bag.topics.values()} == {
             "/chatter": 50,
             "/silent": 0,
             "/tf": 50,
         }
-        assert {each.offered_qos for each in bag.topics.values()} == {QOS}
-    assert {each.child_frame_id for each in frames(tmp_path / "bag").edges()} == {"base"}
+        assert {topic.offered_qos for topic in bag.topics.values()} == {QOS}
+    assert {edge.child_frame_id for edge in frames(tmp_path / "bag").edges()} == {"base"}
 
 
 def test_mcaps_own_readers_find_all(tmp_path: Path) -> None:
@@ -89,24 +89,24 @@ def test_records_are_those_of_rosbag2(tmp_path: Path) -> None:
     golden = kinds_of_records(GOLDEN / "mcap" / "b1_0.mcap")
     write_bag(tmp_path / "bag")
     assert kinds_of_records(tmp_path / "bag" / "bag_0.mcap") == [
-        each for at, each in enumerate(golden) if each != "MessageIndex" or golden[at - 1] != "Chunk"
+        kind for at, kind in enumerate(golden) if kind != "MessageIndex" or golden[at - 1] != "Chunk"
     ]
 
 
 def test_schema_has_the_definitions_that_rosbag2_has(tmp_path: Path) -> None:
     def sections(path: Path) -> dict[str, list[list[str]]]:
         with path.open("rb") as file:
-            schemas = [each for each in StreamReader(file).records if isinstance(each, Schema)]
+            schemas = [schema for schema in StreamReader(file).records if isinstance(schema, Schema)]
         return {
-            each.name: [
+            schema.name: [
                 [
                     line.partition("#")[0].strip()
                     for line in part.splitlines()
                     if line.partition("#")[0].strip()
                 ]
-                for part in each.data.decode().split("=" * 80)
+                for part in schema.data.decode().split("=" * 80)
             ]
-            for each in schemas
+            for schema in schemas
         }
 
     write_bag(tmp_path / "bag")
@@ -149,7 +149,7 @@ def test_files_are_split_where_they_must_be(is_written_at_once: bool, tmp_path: 
     writer.close()
     found = read_metadata(tmp_path / "bag")
     assert (found.start_ns, found.duration_ns) == (START_NS, 24 * STEP_NS)
-    assert [(each.start_ns - START_NS, each.message_count) for each in found.files] == [
+    assert [(file.start_ns - START_NS, file.message_count) for file in found.files] == [
         (0, 11),
         (11 * STEP_NS, 11),
         (22 * STEP_NS, 3),
@@ -300,7 +300,7 @@ def test_large_chunk_of_small_messages(tmp_path: Path) -> None:
     rows = write_bag(tmp_path / "bag", WriterSettings(storage=StorageSettings(chunk_size=64 << 20)), 30_000)
     with open_bag(tmp_path / "bag") as bag:
         assert len(bag.files[0].storage.layout.spans) == 1
-        assert [(each.topic, each.log_time_ns, each.data) for each in bag.messages()] == rows
+        assert [(message.topic, message.log_time_ns, message.data) for message in bag.messages()] == rows
 
 
 @pytest.mark.parametrize("storage_id", ["mcap", "sqlite3"])
@@ -323,9 +323,9 @@ def test_messages_that_are_compressed_one_by_one_are_read_without_metadata(
                 reindex(copy)
             with open_bag(path) as bag:
                 messages = list(bag.messages())
-                assert [(each.topic, each.log_time_ns, each.data) for each in messages] == rows
+                assert [(message.topic, message.log_time_ns, message.data) for message in messages] == rows
                 before_ns = 1 if storage_id == "mcap" else 0  # sqlite3 has no time of publishing
-                assert {each.log_time_ns - each.publish_time_ns for each in messages} == {before_ns}
+                assert {message.log_time_ns - message.publish_time_ns for message in messages} == {before_ns}
     found = read_metadata(copy)
     assert (found.compression_format, found.compression_mode) == ("zstd", "MESSAGE")
 

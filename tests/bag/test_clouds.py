@@ -81,7 +81,7 @@ def buffer() -> Buffer:
 @pytest.mark.parametrize("field", KINDS)
 def test_deskewed_wall_is_flat(field: str, buffer: Buffer, tmp_path: Path) -> None:
     path = write(tmp_path / "a.mcap", field)
-    skewed = [read_points(each) for each in clouds(path, "/points", buffer, "odom")]
+    skewed = [read_points(cloud) for cloud in clouds(path, "/points", buffer, "odom")]
     flat = list(clouds(path, "/points", buffer, "odom", fixed_frame="odom"))
     assert len(skewed) == len(flat) == 4
     tolerance = 2e-5 if field != "timestamp" else 1e-4
@@ -98,8 +98,8 @@ def test_stamps_of_the_clouds_are_kept(buffer: Buffer, tmp_path: Path) -> None:
     with open_bag(path) as bag:
         stamps = bag.stamps("/points").tolist()
         found = clouds(bag, "/points", buffer, "odom", fixed_frame="odom", start_ns=START + SECOND // 5)
-        assert [each.header.stamp.sec * SECOND + each.header.stamp.nanosec for each in found] == stamps[1:]
-        assert bag.stamps("/points", "log").tolist() == [each + 7 for each in stamps]
+        assert [cloud.header.stamp.sec * SECOND + cloud.header.stamp.nanosec for cloud in found] == stamps[1:]
+        assert bag.stamps("/points", "log").tolist() == [stamp + 7 for stamp in stamps]
         assert bag.stamps("/points", "publish").tolist() == stamps
         with pytest.raises(BagError, match="messages of /text, of type std_msgs/msg/String, have no header"):
             bag.stamps("/text", "header")

@@ -57,7 +57,7 @@ def test_trajectory_of_evo_equals_ours(programs: Path, tmp_path: Path) -> None:
     bag = tmp_path / "drive"
     run(tmp_path, programs / "python", EXAMPLE, bag)
     where = run(tmp_path, programs / "python", "-c", WHERE).splitlines()[-2:]
-    assert all("ros_names" in each for each in where)
+    assert all("ros_names" in line for line in where)
     run(tmp_path, programs / "evo_traj", "bag2", bag, "/tf:map.base_link", "--save_as_tum")
     (saved,) = tmp_path.glob("*.tum")
     theirs = np.loadtxt(saved)

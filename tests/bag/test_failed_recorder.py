@@ -60,7 +60,7 @@ def push(recorder: Recorder, channel: int, numbers: range) -> None:
 
 def log_times(folder: Path) -> list[int]:
     with open_bag(folder) as bag:
-        return [(each.log_time_ns - START_NS) // STEP_NS for each in bag.messages()]
+        return [(message.log_time_ns - START_NS) // STEP_NS for message in bag.messages()]
 
 
 def raise_odd(*_: object) -> None:
@@ -130,7 +130,7 @@ def test_split_that_cannot_be_announced_is_a_split(
     recorder.stop()
     assert recorder.failure is None
     assert "The split was not announced: odd" in capfd.readouterr().err
-    assert [each.message_count for each in read_metadata(tmp_path / "bag").files] == [1, 1]
+    assert [file.message_count for file in read_metadata(tmp_path / "bag").files] == [1, 1]
 
 
 def test_duration_of_a_file_is_counted_from_the_split(started: Start, tmp_path: Path) -> None:
@@ -141,7 +141,7 @@ def test_duration_of_a_file_is_counted_from_the_split(started: Start, tmp_path: 
     push(recorder, channel, range(6, 20))
     recorder.stop()
     files = read_metadata(tmp_path / "bag").files
-    spans = [(each.start_ns - START_NS, each.duration_ns, each.message_count) for each in files]
+    spans = [(file.start_ns - START_NS, file.duration_ns, file.message_count) for file in files]
     assert spans == [
         (0, 5 * STEP_NS, 6),
         (6 * STEP_NS, 10 * STEP_NS, 11),

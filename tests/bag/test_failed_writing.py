@@ -32,7 +32,7 @@ CHATTER = topic("/chatter", "std_msgs/msg/String")
 
 def rows_of(folder: Path) -> list[Row]:
     with open_bag(folder) as bag:
-        return [(each.topic, each.log_time_ns, each.data) for each in bag.messages()]
+        return [(message.topic, message.log_time_ns, message.data) for message in bag.messages()]
 
 
 def row(number: int) -> Row:
@@ -108,7 +108,7 @@ def test_numbers_of_removed_topics_are_not_given_again(storage_id: str, tmp_path
         (name, START_NS + number, text(number)) for number, name in enumerate(names)
     ]
     found = read_metadata(tmp_path / "bag").topics
-    assert {each.name: each.message_count for each in found} == {
+    assert {topic.name: topic.message_count for topic in found} == {
         "/b": 1,
         "/c": 1,
         "/d": 1,
@@ -126,7 +126,7 @@ def test_removed_topic_with_messages_stays(storage_id: str, tmp_path: Path) -> N
     writer.remove_topic("/chatter")
     writer.close()
     assert rows_of(tmp_path / "bag") == [row(0)]
-    assert [(each.name, each.message_count) for each in read_metadata(tmp_path / "bag").topics] == [
+    assert [(topic.name, topic.message_count) for topic in read_metadata(tmp_path / "bag").topics] == [
         ("/chatter", 1)
     ]
 
@@ -212,7 +212,7 @@ def test_duration_of_a_file_is_counted_from_its_beginning_by_size(tmp_path: Path
     channel = writer.add_topic(CHATTER)
     push_all(writer, channel, range(12))
     writer.close()
-    counts = [each.message_count for each in read_metadata(tmp_path / "bag").files]
+    counts = [file.message_count for file in read_metadata(tmp_path / "bag").files]
     assert counts == [5, 5, 2, 0]  # without a new beginning, the second file would end after 2
 
 
@@ -224,7 +224,7 @@ def test_split_leaves_no_empty_file_before_one_that_is_due(tmp_path: Path) -> No
     assert writer.message_count == 1
     writer.split()
     writer.close()
-    assert [each.message_count for each in read_metadata(tmp_path / "bag").files] == [1, 1]
+    assert [file.message_count for file in read_metadata(tmp_path / "bag").files] == [1, 1]
 
 
 def test_snapshot_is_not_written_before_it_is_asked_for(tmp_path: Path) -> None:
@@ -270,7 +270,7 @@ def test_file_of_just_the_size_limit_is_complete(tmp_path: Path) -> None:
         size = (tmp_path / name / f"{name}_0.mcap").stat().st_size
         push(writer, channel, 1)
         writer.close()
-        return size, [each.message_count for each in read_metadata(tmp_path / name).files]
+        return size, [file.message_count for file in read_metadata(tmp_path / name).files]
 
     size, counts = record("bag1", 1 << 20)
     assert counts == [2]
@@ -366,7 +366,7 @@ def test_file_that_cannot_be_compressed_is_left_alone(
     path.write_bytes(b"whole")
     with pytest.raises(OSError, match="No space left"):
         compression.compress_file(path)
-    assert {each.name: each.read_bytes() for each in tmp_path.iterdir()} == {"file.mcap": b"whole"}
+    assert {file.name: file.read_bytes() for file in tmp_path.iterdir()} == {"file.mcap": b"whole"}
 
 
 def test_topic_that_is_replaced_after_its_removal_is_there(tmp_path: Path) -> None:
@@ -375,7 +375,7 @@ def test_topic_that_is_replaced_after_its_removal_is_there(tmp_path: Path) -> No
     writer.remove_topic("/chatter")
     writer.set_topic(channel, CHATTER)
     writer.close()
-    assert [each.name for each in read_metadata(tmp_path / "bag").topics] == ["/chatter"]
+    assert [topic.name for topic in read_metadata(tmp_path / "bag").topics] == ["/chatter"]
 
 
 @pytest.mark.parametrize("storage_id", STORAGES)

@@ -119,7 +119,7 @@ def test_metadata_of_each_version(version: int, tmp_path: Path) -> None:
     )
     assert found.topics[0].offered_qos == (qos if version > 3 else "")
     assert found.topics[0].type_hash == ("RIHS01_ab" if version > 6 else "")
-    assert [each.message_count for each in found.files] == ([101] if version > 4 else [])
+    assert [file.message_count for file in found.files] == ([101] if version > 4 else [])
     assert found.custom_data == ({"robot": "a"} if version > 5 else {})
     assert found.ros_distro == ("jazzy" if version > 7 else "")
 
@@ -184,8 +184,8 @@ def test_decompressed_file_is_removed(tmp_path: Path, monkeypatch: pytest.Monkey
 def test_read_only_folder_is_read(tmp_path: Path) -> None:
     for name in ("mcap", "sqlite3", "zstd_file"):
         folder = Path(shutil.copytree(GOLDEN / name, tmp_path / name))
-        for each in folder.iterdir():
-            each.chmod(0o444)
+        for file in folder.iterdir():
+            file.chmod(0o444)
         folder.chmod(0o555)
         try:
             before = sorted(folder.iterdir())

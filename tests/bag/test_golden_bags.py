@@ -21,14 +21,14 @@ COUNTS = {
 @pytest.mark.parametrize("name", COUNTS)
 def test_messages_are_those_that_rosbags_reads(name: str) -> None:
     with AnyReader([GOLDEN / name]) as reader:
-        theirs = [(each.topic, stamp, bytes(data)) for each, stamp, data in reader.messages()]
+        theirs = [(connection.topic, stamp, bytes(data)) for connection, stamp, data in reader.messages()]
     with open_bag(GOLDEN / name) as bag:
-        ours = [(each.topic, each.log_time_ns, each.data) for each in bag.messages()]
-        assert {each.name: each.message_count for each in bag.topics.values()} == COUNTS[name]
+        ours = [(message.topic, message.log_time_ns, message.data) for message in bag.messages()]
+        assert {topic.name: topic.message_count for topic in bag.topics.values()} == COUNTS[name]
         assert bag.message_count == len(ours) == sum(COUNTS[name].values())
         assert (bag.start_ns, bag.end_ns) == (ours[0][1], ours[-1][1])
     assert sorted(ours) == sorted(theirs)
-    assert [each[1] for each in ours] == sorted(each[1] for each in ours)
+    assert [row[1] for row in ours] == sorted(row[1] for row in ours)
 
 
 @pytest.mark.parametrize("name", ["mcap", "sqlite3"])

@@ -38,10 +38,10 @@ def write_moving_frames(folder: Path) -> None:
     for number in range(LENGTH_S * 10**9 // PERIOD_NS):
         stamp_ns = START_NS + number * PERIOD_NS
         moving = [TransformStamped(child_frame_id=child) for child in ("base", "laser")]
-        for each, parent in zip(moving, ("map", "base"), strict=True):
-            each.header.frame_id = parent
-            each.header.stamp = Time(nanoseconds=stamp_ns).to_msg()
-            each.transform.rotation.w = 1.0
+        for stamped, parent in zip(moving, ("map", "base"), strict=True):
+            stamped.header.frame_id = parent
+            stamped.header.stamp = Time(nanoseconds=stamp_ns).to_msg()
+            stamped.transform.rotation.w = 1.0
         writer.push(channel, cdr.encode(TFMessage(transforms=moving)), stamp_ns, stamp_ns)
     writer.close()
 

@@ -34,7 +34,7 @@ def test_messages_of_mcaps_own_writer(compression: str, tmp_path: Path) -> None:
 
 def assert_drive(path: Path, count: int = 50) -> None:
     buffer = frames(path)
-    edges = {each.child_frame_id: each for each in buffer.edges()}
+    edges = {edge.child_frame_id: edge for edge in buffer.edges()}
     assert edges["lidar"].is_static
     assert [edges[name].sample_count for name in ("odom", "base_link")] == [count, count]
     found = buffer.lookup("map", "base_link", START + 250_000_000)
@@ -66,7 +66,7 @@ def test_messages_out_of_order_are_sorted_by_log_time(tmp_path: Path) -> None:
     path = write_mcap(tmp_path / "a.mcap", shuffled)
     with open_bag(path) as bag:
         found = found_in(bag)
-    assert [each[1] for each in found] == sorted(each[1] for each in DRIVE)
+    assert [message[1] for message in found] == sorted(message[1] for message in DRIVE)
     assert sorted(found) == sorted(DRIVE)
     assert_drive(path)
 
@@ -81,7 +81,7 @@ def test_file_cut_off_anywhere_is_read_to_its_last_whole_record(compression: str
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             found = found_in(open_bag(cut))
-        texts = [str(each.message) for each in caught]
+        texts = [str(warning.message) for warning in caught]
         assert len(found) == len(DRIVE) or any(
             "still being written or its recorder" in text for text in texts
         )
@@ -174,7 +174,7 @@ def test_chunk_that_declares_a_huge_size_is_not_decompressed(tmp_path: Path) -> 
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         assert found_in(open_bag(path)) == []
-    assert any("more than the 1073741824 that are accepted" in str(each.message) for each in caught)
+    assert any("more than the 1073741824 that are accepted" in str(warning.message) for warning in caught)
 
 
 def _with_chunk_sizes(data: bytes, size: int) -> bytes:
@@ -212,17 +212,17 @@ def test_chunks_that_overlap_in_time_are_merged(tmp_path: Path) -> None:
     """Each chunk has messages of the whole time; equal times are in the order of the file."""
     messages = [("/chatter", START + 10 * (i % 50) + i // 500, f"{i:04}".encode() * 9) for i in range(2000)]
     path = write_mcap(tmp_path / "a.mcap", messages, "zstd", chunk_size=2000)
-    expected = sorted(messages, key=lambda each: each[1])
+    expected = sorted(messages, key=lambda message: message[1])
     with open_bag(path) as bag:
         assert found_in(bag) == expected
-        assert [each.log_time_ns for each in bag.messages(start_ns=START + 7, end_ns=START + 33)] == [
-            each[1] for each in expected if START + 7 <= each[1] <= START + 33
+        assert [message.log_time_ns for message in bag.messages(start_ns=START + 7, end_ns=START + 33)] == [
+            message[1] for message in expected if START + 7 <= message[1] <= START + 33
         ]
 
 
 def test_summary_with_chunks_that_overlap_in_the_file_is_not_used(tmp_path: Path) -> None:
     whole = write_mcap(tmp_path / "a.mcap", DRIVE, "zstd", chunk_size=3000).read_bytes()
-    chunks = [each for each in summary_records(whole) if each[0] == Opcode.CHUNK_INDEX]
+    chunks = [record for record in summary_records(whole) if record[0] == Opcode.CHUNK_INDEX]
     assert len(chunks) > 2
     data = bytearray(whole)
     (first, second) = (at + RECORD_HEADER.size + 16 for _, at in chunks[:2])
@@ -324,7 +324,7 @@ def test_bounds_may_be_any_numbers(bound: int, tmp_path: Path) -> None:
 def test_only_chunks_with_transforms_are_decompressed(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    texts = [each for each in DRIVE if each[0] == "/chatter"] * 40
+    texts = [message for message in DRIVE if message[0] == "/chatter"] * 40
     others = [(topic, START + 5_000_000_000 + i, data) for i, (topic, _, data) in enumerate(texts)]
     path = write_mcap(tmp_path / "a.mcap", DRIVE + others, "zstd", chunk_size=4000)
     read = 0
@@ -342,20 +342,22 @@ def test_only_chunks_with_transforms_are_decompressed(
     with path.open("rb") as file:
         summary = make_reader(file).get_summary()
     assert summary is not None
-    channel = next(each.id for each in summary.channels.values() if each.topic == "/tf")
-    needed = sum(each.chunk_length for each in summary.chunk_indexes if channel in each.message_index_offsets)
-    everything = sum(each.chunk_length for each in summary.chunk_indexes)
+    channel = next(candidate.id for candidate in summary.channels.values() if candidate.topic == "/tf")
+    needed = sum(
+        index.chunk_length for index in summary.chunk_indexes if channel in index.message_index_offsets
+    )
+    everything = sum(index.chunk_length for index in summary.chunk_indexes)
     assert needed * 0.9 <= read < needed + everything // 4
 
 
 def test_transforms_between_large_messages_are_read_by_the_index(tmp_path: Path) -> None:
     """The chunks are not compressed, so only the transforms' own bytes are read."""
     messages = []
-    for each in DRIVE:
-        messages.append(each)
-        if each[0] == "/tf":
+    for message in DRIVE:
+        messages.append(message)
+        if message[0] == "/tf":
             messages.append(
-                ("/chatter", each[1], b"\0\1\0\0" + struct.pack("<I", 200_000) + b"x" * 199_999 + b"\0")
+                ("/chatter", message[1], b"\0\1\0\0" + struct.pack("<I", 200_000) + b"x" * 199_999 + b"\0")
             )
     for compression in ("", "lz4", "zstd"):
         path = write_mcap(tmp_path / f"a{compression}.mcap", messages, compression, chunk_size=600_000)
@@ -365,7 +367,7 @@ def test_transforms_between_large_messages_are_read_by_the_index(tmp_path: Path)
 
 def assert_drive_in(path: Path) -> None:
     start, end = START + 100_000_000, START + 199_999_999
-    edges = {each.child_frame_id: each for each in frames(path, start_ns=start, end_ns=end).edges()}
+    edges = {edge.child_frame_id: edge for edge in frames(path, start_ns=start, end_ns=end).edges()}
     assert edges["odom"].sample_count == 10
     assert edges["lidar"].is_static
 

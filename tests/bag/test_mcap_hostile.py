@@ -86,12 +86,12 @@ def read(
     try:
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
-            found = [each.data for each in open_bag(path).messages(None, start_ns, end_ns)]
+            found = [message.data for message in open_bag(path).messages(None, start_ns, end_ns)]
         _, most = tracemalloc.get_traced_memory()
     finally:
         tracemalloc.stop()
-    assert all(issubclass(each.category, BagWarning) for each in caught)
-    return found, [str(each.message) for each in caught], most
+    assert all(issubclass(warning.category, BagWarning) for warning in caught)
+    return found, [str(warning.message) for warning in caught], most
 
 
 @pytest.mark.parametrize("has_summary", [True, False])
@@ -132,7 +132,7 @@ def test_large_message_that_compresses_well_is_read(compression: str, tmp_path: 
     assert len(data) * MIN_RATIO < 100 * MEGABYTE
     for indexes in ([of_chunk], []):
         found, said, _ = read(write(tmp_path / "a.mcap", data, indexes))
-        assert ([len(each) for each in found], said) == ([100 * MEGABYTE], [])
+        assert ([len(payload) for payload in found], said) == ([100 * MEGABYTE], [])
 
 
 @pytest.mark.parametrize(
@@ -180,7 +180,7 @@ def test_many_empty_chunks_are_legal_and_take_no_memory(tmp_path: Path) -> None:
 
 def test_messages_outside_their_chunks_times_are_counted(tmp_path: Path) -> None:
     stamps = [1, 5, 6, 9, (1 << 63) + 1]
-    content = CHANNEL + b"".join(message(each, str(each).encode()) for each in stamps)
+    content = CHANNEL + b"".join(message(stamp, str(stamp).encode()) for stamp in stamps)
     data, of_chunk = chunk(content, times=(5, 6))
     found, said, _ = read(write(tmp_path / "a.mcap", data, [of_chunk], (5, 6)))
     assert found == [b"1", b"5", b"6", b"9"]
@@ -199,7 +199,7 @@ def test_chunk_of_other_times_than_declared_is_not_left_out(
     has_index: bool, compression: str, tmp_path: Path
 ) -> None:
     stamps = [1, 5, 6, 900]
-    content = CHANNEL + b"".join(message(each, str(each).encode()) for each in stamps)
+    content = CHANNEL + b"".join(message(stamp, str(stamp).encode()) for stamp in stamps)
     data, of_chunk = chunk(content, compression, times=(5, 6))
     if has_index:
         of_messages = message_index(stamps)
@@ -247,4 +247,4 @@ def _stored_size(data: bytes, compression: str = "") -> int:
 def test_chunk_of_500_megabytes_is_read(compression: str, tmp_path: Path) -> None:
     data, of_chunk = chunk(CHANNEL + message(5, bytes(250 * MEGABYTE)) * 2, compression)
     found, said, _ = read(write(tmp_path / "a.mcap", data, [of_chunk]))
-    assert ([len(each) for each in found], said) == ([250 * MEGABYTE] * 2, [])
+    assert ([len(payload) for payload in found], said) == ([250 * MEGABYTE] * 2, [])

@@ -106,7 +106,7 @@ def player(bag: Bag, context: Context, **options: Any) -> Iterator[Player]:
 
 
 def numbers(texts: list[str]) -> list[int]:
-    return [int(each.split()[1]) for each in texts]
+    return [int(text.split()[1]) for text in texts]
 
 
 def test_all_is_published_at_the_rate(bag: Bag, listener: Listener, local_context: Context) -> None:
@@ -150,7 +150,7 @@ def test_topics_are_chosen_and_renamed(bag: Bag, listener: Listener, local_conte
     with player(bag, local_context, rate=20.0, choice=TopicChoice(["/tf"]), remaps=remaps) as node:
         listener.wait_until(node.ended.is_set)
     listener.wait_until(lambda: len(received) == 50)
-    assert [each.transforms[0].header.stamp.sec for each in received] == list(range(1, 100, 2))
+    assert [message.transforms[0].header.stamp.sec for message in received] == list(range(1, 100, 2))
     assert listener.texts == []
     with pytest.raises(ValueError, match="'a' is no remap: old_topic:=new_topic"):
         parse_remaps(["a"])
@@ -260,7 +260,7 @@ def test_static_transforms_reach_late_subscriptions(
                     TFMessage, "/tf_static", received.append, late
                 )
                 listener.wait_until(lambda: len(received) == 2)  # noqa: B023
-                assert sorted(each.transforms[0].header.stamp.sec for each in received) == [0, 1]
+                assert sorted(message.transforms[0].header.stamp.sec for message in received) == [0, 1]
                 listener.node.destroy_subscription(subscription)
             listener.texts.clear()
 

@@ -13,7 +13,7 @@ from tfloom.bag.qos_profiles import parse_profiles, read_overrides
 
 @pytest.mark.parametrize("depth", ["-1", "2147483648", "1e400", ".inf", ".nan", "deep"])
 def test_profile_with_a_depth_that_is_none_is_left_out(depth: str, tmp_path: Path) -> None:
-    assert [each.depth for each in parse_profiles(f"- depth: {depth}\n- depth: 3")] == [3]
+    assert [profile.depth for profile in parse_profiles(f"- depth: {depth}\n- depth: 3")] == [3]
     path = tmp_path / "overrides.yaml"
     path.write_text(f"/tf: {{depth: {depth}}}", "utf-8")
     with pytest.raises(BagError, match="the profile of /tf has an unknown value"):

@@ -135,7 +135,7 @@ def test_services_pause_split_and_resume(
         assert not call(Snapshot, "snapshot").success
     assert sorted(path.name for path in (tmp_path / "bag").glob("*.mcap")) == ["bag_0.mcap", "bag_1.mcap"]
     with open_bag(tmp_path / "bag") as bag:
-        assert [each.message_count for each in bag.files] == [1, 2]
+        assert [file.message_count for file in bag.files] == [1, 2]
     assert texts(tmp_path / "bag") == ["a", "b", "c"]
 
 
@@ -159,7 +159,7 @@ def test_split_of_a_snapshot_writes_no_message(node: Node, record: Any, tmp_path
         assert recorder.writer.message_count == 0
         assert recorder.take_snapshot()
     with open_bag(tmp_path / "bag") as bag:
-        assert [each.message_count for each in bag.files] == [0, 1]
+        assert [file.message_count for file in bag.files] == [0, 1]
 
 
 def test_one_thread_at_a_time_writes(record: Any, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -344,7 +344,7 @@ def test_simulated_time_stamps_messages(
                 executor.spin_once(1.0)
         publisher.publish(String(data="a"))
     with open_bag(tmp_path / "bag") as bag:
-        assert [each.log_time_ns for each in bag.messages()] == [5 * 10**9]
+        assert [message.log_time_ns for message in bag.messages()] == [5 * 10**9]
 
 
 def test_error_while_writing_ends_the_recording(
@@ -409,8 +409,8 @@ def test_profiles_in_yaml(tmp_path: Path) -> None:
         QoS(ReliabilityPolicy.BEST_EFFORT, depth=3, deadline_ns=1_500_000_000),
         PROFILES["sensor_data"],
     ]
-    assert [each.resolved() for each in parse_profiles(profiles_text(profiles))] == [
-        each.resolved() for each in profiles
+    assert [profile.resolved() for profile in parse_profiles(profiles_text(profiles))] == [
+        profile.resolved() for profile in profiles
     ]
     old = "- history: 3\n  depth: 0\n  reliability: 1\n  durability: 2\n  liveliness: 1\n"
     old += "  deadline:\n    sec: 2147483647\n    nsec: 4294967295"
@@ -439,10 +439,10 @@ def test_no_message_is_lost_from_many_threads(node: Node, record: Any, tmp_path:
                 publisher.publish(String(data=f"{number}"))
 
         wait_until(lambda: len(recorder._topics._recorded) == 4)
-        threads = [threading.Thread(target=publish, args=(each,)) for each in publishers]
+        threads = [threading.Thread(target=publish, args=(publisher,)) for publisher in publishers]
         for thread in threads:
             thread.start()
         for thread in threads:
             thread.join()
     for number in range(4):
-        assert texts(tmp_path / "bag", f"/t{number}") == [str(each) for each in range(500)]
+        assert texts(tmp_path / "bag", f"/t{number}") == [str(count) for count in range(500)]

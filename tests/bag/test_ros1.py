@@ -70,11 +70,11 @@ def test_frames_of_a_bag_of_ros_1(compression: Any, tmp_path: Path) -> None:
     buffer = frames(path)
     found = buffer.lookup("map", "lidar", START + 250_000_000)
     assert found.translation == pytest.approx((4.0, 0, 0))
-    edges = {each.child_frame_id: each for each in buffer.edges()}
+    edges = {edge.child_frame_id: edge for edge in buffer.edges()}
     assert edges["lidar"].is_static
     assert edges["odom"].sample_count == 50
     part = frames(path, start_ns=START + SECOND // 10, end_ns=START + SECOND // 5 - 1)
-    assert {each.child_frame_id: each.sample_count for each in part.edges()} == {
+    assert {edge.child_frame_id: edge.sample_count for edge in part.edges()} == {
         "odom": 10,
         "base_link": 10,
         "lidar": 1,
@@ -92,13 +92,13 @@ def test_a_message_that_is_unreadable_is_dropped_with_its_field(
     path = tmp_path / "a.bag"
     kind = "tf2_msgs/msg/TFMessage"
     spoilt = STORE.serialize_ros1(
-        T[kind]([transform("map", each, START, 0.0) for each in ("odom", "frame")]), kind
+        T[kind]([transform("map", child, START, 0.0) for child in ("odom", "frame")]), kind
     )
     with Writer(path) as writer:
         tf = writer.add_connection("/tf", kind, typestore=STORE)
         writer.write(tf, START, bytes(spoilt).replace(b"frame", b"\xff\xff\xff\xff\xff"))
         writer.write(tf, START, STORE.serialize_ros1(T[kind]([transform("map", "base", START, 0.0)]), kind))
-    assert [each.child_frame_id for each in frames(path).edges()] == ["base"]
+    assert [edge.child_frame_id for edge in frames(path).edges()] == ["base"]
     reason = "transforms[1].child_frame_id: the text is not UTF-8 (at byte "
     assert f"on /tf that is no TFMessage: {reason}" in caplog.text
 
@@ -118,11 +118,11 @@ def test_raw_messages_and_topics(tmp_path: Path) -> None:
 def test_messages_are_those_that_rosbags_reads(compression: Any, tmp_path: Path) -> None:
     path = write(tmp_path / "a.bag", compression, chunk_size=2000)
     with Reader(path) as reader:
-        expected = [(each.topic, stamp, bytes(data)) for each, stamp, data in reader.messages()]
+        expected = [(connection.topic, stamp, bytes(data)) for connection, stamp, data in reader.messages()]
     assert sorted(found_in(path)) == sorted(expected)
     with open_bag(path) as bag, Reader(path) as reader:
-        assert {name: each.message_count for name, each in bag.topics.items()} == {
-            name: each.msgcount for name, each in reader.topics.items()
+        assert {name: topic.message_count for name, topic in bag.topics.items()} == {
+            name: topic.msgcount for name, topic in reader.topics.items()
         }
         assert (bag.start_ns, bag.end_ns) == (reader.start_time, reader.end_time - 1)
 
@@ -175,7 +175,7 @@ def without_index(whole: bytes) -> bytes:
 def within_a_chunk(whole: bytes) -> bytes:
     """Return a bag that its recorder left within a chunk, whose size is not written yet."""
     unfinished = without_index(whole)
-    _, at, data = [each for each in records(unfinished) if each[0] == CHUNK][-1]
+    _, at, data = [record for record in records(unfinished) if record[0] == CHUNK][-1]
     end = data + struct.unpack_from("<I", unfinished, data - 4)[0]
     header = bytearray(unfinished[at : data - 4])
     place = header.index(b"size=") + len(b"size=")
@@ -185,7 +185,7 @@ def within_a_chunk(whole: bytes) -> bytes:
 
 def found_in(path: Path) -> list[tuple[str, int, bytes]]:
     with open_bag(path) as bag:
-        return [(each.topic, each.log_time_ns, each.data) for each in bag.messages()]
+        return [(message.topic, message.log_time_ns, message.data) for message in bag.messages()]
 
 
 @pytest.mark.parametrize("compression", FORMATS, ids=["none", "bz2", "lz4"])

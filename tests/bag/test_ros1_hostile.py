@@ -104,13 +104,13 @@ def read(path: Path, *times: int) -> tuple[list[bytes], list[str], int]:
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             start_ns, end_ns = [stamp * 1_000_000_000 for stamp in times or (0, 1 << 31)]
-            found = [each.data for each in open_bag(path).messages(None, start_ns, end_ns)]
+            found = [message.data for message in open_bag(path).messages(None, start_ns, end_ns)]
         _, most = tracemalloc.get_traced_memory()
     finally:
         tracemalloc.stop()
-    assert all(issubclass(each.category, BagWarning) for each in caught)
-    assert all(str(each.message).startswith(f"{path}: ") for each in caught)
-    return found, [str(each.message) for each in caught], most
+    assert all(issubclass(warning.category, BagWarning) for warning in caught)
+    assert all(str(warning.message).startswith(f"{path}: ") for warning in caught)
+    return found, [str(warning.message) for warning in caught], most
 
 
 LARGE = bytes(4 * MEGABYTE)
@@ -144,7 +144,7 @@ def test_chunk_of_a_large_size_without_messages_for_it_is_left_out(
     found, said, most = read(path)
     assert found == []
     text = f"a chunk of messages is damaged: \\d+ bytes stand for {len(content)}, and .*{reason}"
-    assert len([each for each in said if re.search(text, each)]) == 1
+    assert len([warning for warning in said if re.search(text, warning)]) == 1
     assert most < 4 * MEGABYTE
 
 
@@ -155,14 +155,14 @@ def test_large_message_that_compresses_well_is_read(compression: str, tmp_path: 
     assert len(chunk.content) > max(MIN_SIZE, MIN_RATIO * stored)
     for is_indexed in (True, False):
         found, said, _ = read(write(tmp_path / "a.bag", [chunk], is_indexed=is_indexed))
-        assert ([len(each) for each in found], len(said)) == ([8 * MEGABYTE], not is_indexed)
+        assert ([len(payload) for payload in found], len(said)) == ([8 * MEGABYTE], not is_indexed)
 
 
 @pytest.mark.slow
 def test_chunk_of_500_megabytes_is_read(tmp_path: Path) -> None:
     chunk = Chunk(connection() + message(5, bytes(28 * MEGABYTE)) * 2, [5, 5], "lz4")
     found, said, _ = read(write(tmp_path / "a.bag", [chunk]))
-    assert ([len(each) for each in found], said) == ([28 * MEGABYTE] * 2, [])
+    assert ([len(payload) for payload in found], said) == ([28 * MEGABYTE] * 2, [])
 
 
 def test_chunk_with_other_times_than_declared_is_read(tmp_path: Path) -> None:
@@ -180,7 +180,7 @@ def test_messages_beside_the_index_are_read(stamps: list[int], tmp_path: Path) -
     found, said, _ = read(path)
     assert found == [b"a", b"b"]
     assert f"its index has {len(stamps)} messages, and 2 are there; these are read" in said[0]
-    assert all("outside those of its index" in each for each in said[1:])
+    assert all("outside those of its index" in warning for warning in said[1:])
 
 
 def test_chunk_with_fewer_messages_than_indexed_is_told_of(tmp_path: Path) -> None:

@@ -95,7 +95,7 @@ def test_bag_of_the_tutorial(storage_id: str, tmp_path: Path) -> None:
     assert read_by_rosbags(tmp_path / "bag") == rows
     reader = rosbag2_py.SequentialReader()
     reader.open(rosbag2_py.StorageOptions(uri=str(tmp_path / "bag"), storage_id=storage_id), CDR)
-    types = {each.name: each.type for each in reader.get_all_topics_and_types()}
+    types = {topic.name: topic.type for topic in reader.get_all_topics_and_types()}
     found = []
     while reader.has_next():
         topic, data, stamp = reader.read_next()
@@ -145,16 +145,16 @@ def test_metadata_and_definitions_of_a_recorded_bag() -> None:
     assert metadata.duration == Duration(nanoseconds=13737005344)
     assert metadata.starting_time.nanoseconds == 1795304246236723712
     assert isinstance(metadata.starting_time, Time)
-    assert [each.message_count for each in metadata.topics_with_message_count] == [16, 1, 859]
-    assert [each.path for each in metadata.files] == ["b1_0.mcap"]
+    assert [topic.message_count for topic in metadata.topics_with_message_count] == [16, 1, 859]
+    assert [file.path for file in metadata.files] == ["b1_0.mcap"]
     chatter = metadata.topics_with_message_count[0].topic_metadata
-    qos = [rosbag2_py.convert_rclcpp_qos_to_rclpy_qos(each) for each in chatter.offered_qos_profiles]
-    assert [each.depth for each in qos] == [10, 7]
+    qos = [rosbag2_py.convert_rclcpp_qos_to_rclpy_qos(profile) for profile in chatter.offered_qos_profiles]
+    assert [profile.depth for profile in qos] == [10, 7]
     reader = rosbag2_py.SequentialReader()
     reader.open_uri(str(BAGS / "mcap"))
-    assert {each.topic_type: each.encoding for each in reader.get_all_message_definitions()} == dict.fromkeys(
-        ["std_msgs/msg/String", "tf2_msgs/msg/TFMessage", "turtlesim/msg/Pose"], "ros2msg"
-    )
+    assert {
+        definition.topic_type: definition.encoding for definition in reader.get_all_message_definitions()
+    } == dict.fromkeys(["std_msgs/msg/String", "tf2_msgs/msg/TFMessage", "turtlesim/msg/Pose"], "ros2msg")
     assert reader.get_metadata() == metadata
     source = rosbag2_py.LocalMessageDefinitionSource()
     assert "MSG: std_msgs/Header" in source.get_full_text("tf2_msgs/msg/TFMessage").encoded_message_definition
@@ -179,7 +179,7 @@ def test_compressed_bag_and_its_rewriting(tmp_path: Path) -> None:
     writer.split_bagfile()
     writer.write("/chatter", rows[1][2], 1020)
     del writer
-    assert sorted(each.name for each in (tmp_path / "bag").glob("*.zstd")) == [
+    assert sorted(file.name for file in (tmp_path / "bag").glob("*.zstd")) == [
         "bag_0.mcap.zstd",
         "bag_1.mcap.zstd",
     ]

@@ -31,7 +31,7 @@ def test_each_schema_version_is_read(version: int, tmp_path: Path) -> None:
     buffer = frames(path)
     assert buffer.lookup("map", "lidar", START + 250_000_000).stamp_ns == START + 250_000_000
     part = frames(path, start_ns=START + SECOND // 10, end_ns=START + SECOND // 5 - 1)
-    assert {each.child_frame_id: each.sample_count for each in part.edges()} == {
+    assert {edge.child_frame_id: edge.sample_count for edge in part.edges()} == {
         "odom": 10,
         "base_link": 10,
         "lidar": 1,
@@ -51,9 +51,9 @@ def test_messages_in_the_write_ahead_log_are_read(tmp_path: Path) -> None:
         )
     killed = tmp_path / "killed"
     killed.mkdir()
-    for each in tmp_path.glob("a.db3*"):
-        if not each.name.endswith("-shm"):
-            shutil.copy(each, killed)
+    for file in tmp_path.glob("a.db3*"):
+        if not file.name.endswith("-shm"):
+            shutil.copy(file, killed)
     assert found_in(open_bag(path)) == DRIVE
     writer.close()
     assert found_in(open_bag(killed / "a.db3")) == DRIVE
@@ -71,7 +71,7 @@ def test_read_only_folder_with_a_write_ahead_log(tmp_path: Path, monkeypatch: py
     for name in ("a.db3", "a.db3-wal"):
         shutil.copy(tmp_path / name, folder)
     database.close()
-    before = sorted(each.name for each in folder.iterdir())
+    before = sorted(file.name for file in folder.iterdir())
     real = sqlite_reader._opened
     modes = []
 
@@ -91,7 +91,7 @@ def test_read_only_folder_with_a_write_ahead_log(tmp_path: Path, monkeypatch: py
     monkeypatch.setattr(sqlite_reader, "_opened", refusing)
     assert found_in(open_bag(folder / "a.db3")) == DRIVE
     assert modes[:2] == ["mode=ro", "mode=rw"]
-    assert sorted(each.name for each in folder.iterdir()) == before
+    assert sorted(file.name for file in folder.iterdir()) == before
 
 
 def test_errors_name_the_file_and_the_reason(tmp_path: Path) -> None:
@@ -246,13 +246,13 @@ def without_index(path: Path, change: Callable[[sqlite3.Connection], object]) ->
 def test_messages_that_the_index_of_times_lacks_are_read(tmp_path: Path) -> None:
     path = write_sqlite(tmp_path / "a.db3", DRIVE)
     with open_bag(path) as bag:
-        expected = [(each.log_time_ns, each.data) for each in bag.messages()]
+        expected = [(message.log_time_ns, message.data) for message in bag.messages()]
     copy = "INSERT INTO messages (topic_id, timestamp, data) SELECT topic_id, timestamp, data FROM messages"
     without_index(path, lambda database: database.execute(copy))
     with pytest.warns(
         BagWarning, match=r"a\.db3: the database is damaged: its index of times has \d+ messages"
     ):
-        found = [(each.log_time_ns, each.data) for each in open_bag(path).messages()]
+        found = [(message.log_time_ns, message.data) for message in open_bag(path).messages()]
     assert sorted(found) == sorted(expected * 2)
     assert [stamp for stamp, _ in found] == sorted(stamp for stamp, _ in found)
 

@@ -200,7 +200,7 @@ def read(folder: Path) -> list[Row]:
         if not (folder / "metadata.yaml").exists():
             reindex(folder)
         with open_bag(folder) as bag:
-            return [(each.topic, each.log_time_ns, each.data) for each in bag.messages()]
+            return [(message.topic, message.log_time_ns, message.data) for message in bag.messages()]
 
 
 @pytest.mark.parametrize("fault", FAULTS)
@@ -234,7 +234,7 @@ def test_full_disk_is_used_up_and_keeps_what_was_committed(storage_id: str, tmp_
         acknowledged, told = record(
             folder, WriterSettings(storage_id, StorageSettings(chunk_size=1000)), 10_000
         )
-    assert [("can't be written" in str(each), "bag reindex" in str(each)) for each in told] == [
+    assert [("can't be written" in str(error), "bag reindex" in str(error)) for error in told] == [
         (True, True)
     ] * 2
     found = read(folder)

@@ -74,4 +74,4 @@ def read_by_rosbags(folder: Path) -> list[Row]:
     with AnyReader([folder]) as reader:
         for connection, _, data in reader.messages():
             reader.deserialize(data, connection.msgtype)
-        return [(each.topic, stamp, bytes(data)) for each, stamp, data in reader.messages()]
+        return [(connection.topic, stamp, bytes(data)) for connection, stamp, data in reader.messages()]

@@ -60,7 +60,7 @@ def write_files(folder: Path, files: dict[str, str]) -> None:
 
 def write_manifest(folder: Path, build_type: str, *depends: str, name: str = "") -> None:
     """Write the package.xml of a package, which is named as its folder if not otherwise."""
-    tags = "".join(f"  <depend>{each}</depend>\n" for each in depends)
+    tags = "".join(f"  <depend>{dependency}</depend>\n" for dependency in depends)
     text = MANIFEST.format(name=name or folder.name, depends=tags, build_type=build_type)
     write_files(folder, {"package.xml": text})
 

@@ -82,10 +82,14 @@ def test_library_is_written(tmp_path: Path) -> None:
     assert tmp_path / "my_pkg" / "my_lib" / "__init__.py" in written
 
 
-@pytest.mark.parametrize("each", LICENSES)
-def test_license_has_its_text(each: License) -> None:
-    text = find_license_text(each.spdx)
+@pytest.mark.parametrize("licence", LICENSES)
+def test_license_has_its_text(licence: License) -> None:
+    text = find_license_text(licence.spdx)
     assert text
     assert find_license_text("Unheard-Of") is None
     granting = {"apache2": "APPENDIX", "gplv3": "GNU GENERAL", "lgplv3": "GNU LESSER"}
-    assert granting[each.name] in text if each.name in granting else find_license(text) in {each.name, None}
+    assert (
+        granting[licence.name] in text
+        if licence.name in granting
+        else find_license(text) in {licence.name, None}
+    )

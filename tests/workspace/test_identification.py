@@ -27,4 +27,6 @@ def test_conditions_on_ros_are_those_of_ros_2(tmp_path: Path, monkeypatch: pytes
     Identification().identify(found)
     assert (found.type, found.name) == (READ_TYPE, "both")
     package, _ = get_package_with_build_type(str(found.path))
-    assert [str(each) for each in package.build_depends if each.evaluated_condition] == ["here"]
+    assert [str(dependency) for dependency in package.build_depends if dependency.evaluated_condition] == [
+        "here"
+    ]

@@ -45,8 +45,8 @@ def install(folder: Path, *installs: Install, **rest: list[object]) -> list[str]
 def test_folder_is_installed_by_its_patterns(
     source: str, patterns: tuple[Pattern, ...], only: bool, expected: list[str], tmp_path: Path
 ) -> None:
-    each = Install("DIRECTORY", (source,), "share/pkg", 1, None, False, patterns, only)
-    assert install(tmp_path, each) == sorted([*expected, "package.xml"])
+    command = Install("DIRECTORY", (source,), "share/pkg", 1, None, False, patterns, only)
+    assert install(tmp_path, command) == sorted([*expected, "package.xml"])
 
 
 def test_marker_resource_and_python_are_installed(tmp_path: Path) -> None:
@@ -64,7 +64,7 @@ def test_marker_resource_and_python_are_installed(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("each", "reason"),
+    ("command", "reason"),
     [
         (Install("FILES", ("none",), "share", 7), "install(FILES …): there is no file none"),
         (Install("DIRECTORY", ("none",), "share", 7), "install(DIRECTORY …): there is no folder none"),
@@ -72,9 +72,9 @@ def test_marker_resource_and_python_are_installed(tmp_path: Path) -> None:
         (Install("FILES", ("a/x.dae",), "/etc", 7), "DESTINATION /etc is outside the prefix {prefix}"),
     ],
 )
-def test_impossible_install_is_refused_with_its_line(each: Install, reason: str, tmp_path: Path) -> None:
+def test_impossible_install_is_refused_with_its_line(command: Install, reason: str, tmp_path: Path) -> None:
     with pytest.raises(InstallError) as error:
-        install(tmp_path, each)
+        install(tmp_path, command)
     prefix = tmp_path / "install"
     assert str(error.value) == f"{tmp_path}/CMakeLists.txt:7: {reason.format(prefix=prefix)}"
 
@@ -85,15 +85,15 @@ def test_optional_sources_may_be_missing(tmp_path: Path) -> None:
 
 
 def test_copy_replaces_a_link_without_changing_its_target(tmp_path: Path) -> None:
-    each = Install("FILES", ("a/x.dae",), "share/pkg", 1)
-    install(tmp_path, each)
+    command = Install("FILES", ("a/x.dae",), "share/pkg", 1)
+    install(tmp_path, command)
     target = tmp_path / "install" / "share" / "pkg" / "x.dae"
     target.unlink()
     victim = tmp_path / "victim"
     victim.write_text("safe")
     target.symlink_to(victim)
     (tmp_path / "a" / "x.dae").write_text("new")
-    Installer(tmp_path, "pkg", tmp_path / "install").install(Plan("pkg", installs=[each]))
+    Installer(tmp_path, "pkg", tmp_path / "install").install(Plan("pkg", installs=[command]))
     assert (target.read_text(), target.is_symlink(), victim.read_text()) == ("new", False, "safe")
 
 

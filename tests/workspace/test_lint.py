@@ -35,7 +35,8 @@ APACHE = """\
 LONG = "x = '" + 94 * "a" + "'\n"
 
 needs_linters = pytest.mark.skipif(
-    not all(util.find_spec(each) for each in ("flake8", "pydocstyle")), reason="needs flake8 and pydocstyle"
+    not all(util.find_spec(module) for module in ("flake8", "pydocstyle")),
+    reason="needs flake8 and pydocstyle",
 )
 
 
@@ -101,8 +102,8 @@ def test_copyright_wants_a_notice_and_a_known_license(here: Path, capsys: pytest
 
 
 def test_every_license_is_recognised() -> None:
-    for each in LICENSES:
-        assert find_license("\n   ".join(each.phrases)) == each.name
+    for licence in LICENSES:
+        assert find_license("\n   ".join(licence.phrases)) == licence.name
     assert find_license("All rights reserved.") is None
 
 

@@ -47,8 +47,8 @@ class Bag:
 
     def close(self) -> None:
         """Remove the temporary files that were made to read compressed ones."""
-        for each in self.files:
-            each.close()
+        for file in self.files:
+            file.close()
 
     @cached_property
     def topics(self) -> dict[str, Topic]:
@@ -57,47 +57,47 @@ class Bag:
         Raises:
             BagError: a file can't be read.
         """
-        listed = {each.name: each for each in self.metadata.topics} if self.metadata else {}
-        found = listed.copy() if self._knows_all else {}
+        listed = {topic.name: topic for topic in self.metadata.topics} if self.metadata else {}
+        topics = listed.copy() if self._knows_all else {}
         for file in self.files[:1] if self._knows_all else self.files:
             for topic in file.topics:
-                found[topic.name] = _joined(found.get(topic.name), topic, self._knows_all)
-        return {**listed, **found}
+                topics[topic.name] = _joined_topic(topics.get(topic.name), topic, self._knows_all)
+        return {**listed, **topics}
 
     @property
     def _knows_all(self) -> bool:
         """Whether files are compressed, so that metadata.yaml is read rather than all files."""
-        return self.metadata is not None and any(each.is_compressed for each in self.files)
+        return self.metadata is not None and any(file.is_compressed for file in self.files)
 
     @cached_property
     def start_ns(self) -> int:
         """The least log time [ns since epoch]; 0 without messages."""
         if self._knows_all and self.metadata:
             return self.metadata.start_ns
-        return min((each.start_ns for each in self._filled), default=0)
+        return min((file.start_ns for file in self._filled), default=0)
 
     @cached_property
     def end_ns(self) -> int:
         """The greatest log time [ns since epoch]; 0 without messages."""
         if self._knows_all and self.metadata:
             return self.metadata.start_ns + self.metadata.duration_ns
-        return max((each.end_ns for each in self._filled), default=0)
+        return max((file.end_ns for file in self._filled), default=0)
 
     @cached_property
     def message_count(self) -> int:
         """Number of messages."""
         if self._knows_all and self.metadata:
             return self.metadata.message_count
-        return sum(each.message_count for each in self.files)
+        return sum(file.message_count for file in self.files)
 
     @property
     def size(self) -> int:
         """The sizes of the files together [bytes]."""
-        return sum(each.path.stat().st_size for each in self.files if each.path.exists())
+        return sum(file.path.stat().st_size for file in self.files if file.path.exists())
 
     @property
     def _filled(self) -> list[BagFile]:
-        return [each for each in self.files if each.message_count]
+        return [file for file in self.files if file.message_count]
 
     def topic(self, name: str) -> Topic:
         """Return a topic.
@@ -127,17 +127,17 @@ class Bag:
             BagError: there is no such topic; while they are read: a file can't be read.
         """
         names = [topics] if isinstance(topics, str) else topics
-        wanted = None if names is None else {self.topic(each).name for each in names}
-        return self._messages(wanted, *bounded(start_ns, end_ns))
+        full_names = None if names is None else {self.topic(name).name for name in names}
+        return self._messages(full_names, *bounded(start_ns, end_ns))
 
     def _messages(self, topics: Collection[str] | None, start_ns: int, end_ns: int) -> Iterator[RawMessage]:
         files = self.files
         for group in _overlapping(files):
-            is_outside = group[0].start_ns > end_ns or max(each.end_ns for each in group) < start_ns
+            is_outside = group[0].start_ns > end_ns or max(file.end_ns for file in group) < start_ns
             if is_outside and len(files) > 1:  # a single one looks at the times of its messages
                 continue
-            parts = [each.messages(topics, start_ns, end_ns) for each in group]
-            yield from parts[0] if len(parts) == 1 else heapq.merge(*parts, key=lambda found: found[1])
+            parts = [file.messages(topics, start_ns, end_ns) for file in group]
+            yield from parts[0] if len(parts) == 1 else heapq.merge(*parts, key=lambda message: message[1])
 
     def read(
         self, topic: str, start_ns: int | None = None, end_ns: int | None = None
@@ -185,7 +185,7 @@ class Bag:
         return stamps_of(self.path, self.topic(topic), self.messages(topic, start_ns, end_ns), of)
 
 
-def _joined(before: Topic | None, topic: Topic, is_counted: bool) -> Topic:
+def _joined_topic(before: Topic | None, topic: Topic, is_counted: bool) -> Topic:
     """Return what is known of a topic from files, or from metadata.yaml, and from one more file."""
     if before is None:
         return topic
@@ -203,7 +203,7 @@ def _overlapping(files: list[BagFile]) -> Iterator[list[BagFile]]:
     """Yield groups of files, in the order of time; files of different groups don't overlap in time."""
     group: list[BagFile] = []
     end_ns = 0
-    for file in sorted(files, key=lambda each: each.start_ns):
+    for file in sorted(files, key=lambda file: file.start_ns):
         if group and file.start_ns > end_ns:
             yield group
             group = []

@@ -37,7 +37,7 @@ _UNUSED = {
 
 
 class Output(NamedTuple):
-    """A bag that is written."""
+    """A bag that a conversion writes, and what of the input it gets."""
 
     folder: Path
     settings: WriterSettings
@@ -161,7 +161,7 @@ def _choice(values: Mapping[str, Any]) -> TopicChoice:
     Raises:
         re.error: an expression is invalid.
     """
-    names: Callable[[str], list[str]] = lambda key: [str(each) for each in values.get(key) or []]  # noqa: E731
+    names: Callable[[str], list[str]] = lambda key: [str(item) for item in values.get(key) or []]  # noqa: E731
     topics, types, services = names("topics"), names("topic_types"), names("services")
     regex = str(values.get("regex") or "")
     excluded = str(values.get("exclude_regex") or values.get("exclude") or "")

@@ -44,9 +44,9 @@ def info_text(bag: Bag, *, verbose: bool = False, sort: str = "") -> str:
     all_topics: list[Topic] = list(metadata.topics)
     if sort:
         all_topics.sort(key=ORDERS[sort])  # type: ignore[arg-type]  # each key has one type
-    topics = [each for each in all_topics if not is_service_event(each.name, each.type)]
-    services = [each for each in all_topics if is_service_event(each.name, each.type)]
-    describe = _counted(bag, services) if verbose else _service
+    topics = [topic for topic in all_topics if not is_service_event(topic.name, topic.type)]
+    services = [topic for topic in all_topics if is_service_event(topic.name, topic.type)]
+    describe = _service_describer(bag, services) if verbose else _service
     has_messages = metadata.start_ns != NO_TIME_NS
     start_ns = metadata.start_ns if has_messages else 0
     lines = [
@@ -112,9 +112,9 @@ def _service_line(topic: Topic, counts: str) -> str:
     )
 
 
-def _counted(bag: Bag, services: list[Topic]) -> Callable[[Topic], str]:
+def _service_describer(bag: Bag, services: list[Topic]) -> Callable[[Topic], str]:
     """Return what describes a service with the numbers of its requests and responses."""
-    kinds: dict[str, Counter[int]] = {each.name: Counter() for each in services}
+    kinds: dict[str, Counter[int]] = {service.name: Counter() for service in services}
     if services:
         for message in bag.messages(list(kinds)):
             if len(message.data) > _EVENT_TYPE_AT:

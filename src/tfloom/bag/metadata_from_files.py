@@ -30,25 +30,25 @@ def metadata_from_files(bag: Bag, files: Sequence[BagFile]) -> Metadata:
     Raises:
         BagError: a file can't be read.
     """
-    filled = [each for each in files if each.message_count]
-    start_ns = min((each.start_ns for each in filled), default=NO_TIME_NS)
-    end_ns = max((each.end_ns for each in filled), default=start_ns)
+    filled = [file for file in files if file.message_count]
+    start_ns = min((file.start_ns for file in filled), default=NO_TIME_NS)
+    end_ns = max((file.end_ns for file in filled), default=start_ns)
     mode = ""
-    if any(each.is_compressed for each in files):
+    if any(file.is_compressed for file in files):
         mode = "FILE"
-    elif any(each.storage.is_message_compressed for each in files):
+    elif any(file.storage.is_message_compressed for file in files):
         mode = "MESSAGE"
     return Metadata(
         version=METADATA_VERSION,
         storage_identifier=storage_id_of(files[0].path) if files else "",
         duration_ns=end_ns - start_ns,
         start_ns=start_ns,
-        message_count=sum(each.message_count for each in files),
+        message_count=sum(file.message_count for file in files),
         topics=sorted(bag.topics.values()),
         compression_format="zstd" if mode else "",
         compression_mode=mode,
-        relative_file_paths=[each.path.name for each in files],
-        files=[_information(each) for each in files],
+        relative_file_paths=[file.path.name for file in files],
+        files=[_information(file) for file in files],
         custom_data={},
         ros_distro=ROS_DISTRO,
     )
@@ -64,7 +64,7 @@ def size_of(path: Path) -> int:
     """Return the size of a file, or of all files in a folder [bytes]."""
     if path.is_file():
         return path.stat().st_size
-    return sum(each.stat().st_size for each in path.iterdir() if each.is_file())
+    return sum(child.stat().st_size for child in path.iterdir() if child.is_file())
 
 
 def _information(file: BagFile) -> FileInformation:

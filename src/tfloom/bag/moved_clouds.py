@@ -99,29 +99,31 @@ def _moved_if_known(
 
     try:
         if fixed_frame is None or stamps is None:
-            return _moved(buffer, cloud, target_frame)
-        return _deskewed(buffer, cloud, stamps, target_frame, fixed_frame)
+            return _moved_cloud(buffer, cloud, target_frame)
+        return _deskewed_cloud(buffer, cloud, stamps, target_frame, fixed_frame)
     except TransformException:
         if not skip_unknown:
             raise
         return None
 
 
-def _moved(buffer: Buffer, cloud: Any, target_frame: str) -> Any:
+def _moved_cloud(buffer: Buffer, cloud: Any, target_frame: str) -> Any:
     from tfloom.interfaces.geometry_msgs.msg import Transform
     from tfloom.tf2_ros.point_clouds.point_cloud import do_transform_cloud
 
-    found = buffer.lookup(target_frame, cloud.header.frame_id, _stamp(cloud))
+    target_from_cloud = buffer.lookup(target_frame, cloud.header.frame_id, _stamp(cloud))
     transform = Transform()
-    (transform.translation.x, transform.translation.y, transform.translation.z) = found.translation
+    (transform.translation.x, transform.translation.y, transform.translation.z) = (
+        target_from_cloud.translation
+    )
     rotation = transform.rotation
-    (rotation.x, rotation.y, rotation.z, rotation.w) = found.rotation_xyzw
+    (rotation.x, rotation.y, rotation.z, rotation.w) = target_from_cloud.rotation_xyzw
     moved = do_transform_cloud(cloud, transform)
     moved.header.frame_id = target_frame
     return moved
 
 
-def _deskewed(
+def _deskewed_cloud(
     buffer: Buffer, cloud: Any, stamps: NDArray[np.int64], target_frame: str, fixed_frame: str
 ) -> Any:
     from tfloom.tf2_ros.point_clouds.point_cloud import deskew_cloud
@@ -161,7 +163,7 @@ def point_stamps(
 
     points = points_view(cloud)
     names = points.dtype.names or ()
-    field = time_field or next((each for each in TIME_FIELDS if each in names), None)
+    field = time_field or next((name for name in TIME_FIELDS if name in names), None)
     if field is None or field not in names:
         missing = f"{field!r}" if field else f"one of {', '.join(TIME_FIELDS)}"
         raise ValueError(f"the points have no field {missing}; they have: {', '.join(names)}")

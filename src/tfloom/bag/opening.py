@@ -52,11 +52,11 @@ def _open_folder(folder: Path) -> Bag:
         BagFile(_path(folder, name), is_message_compressed, _information(metadata, name))
         for name in metadata.relative_file_paths
     ]
-    for each in files:
-        if not each.is_compressed:
-            _ = each.storage
-        elif not each.path.exists():
-            raise BagError(each.path, "there is no such file, which metadata.yaml names")
+    for file in files:
+        if not file.is_compressed:
+            _ = file.storage
+        elif not file.path.exists():
+            raise BagError(file.path, "there is no such file, which metadata.yaml names")
     return Bag(folder, files, metadata)
 
 
@@ -69,4 +69,4 @@ def _path(folder: Path, name: str) -> Path:
 
 def _information(metadata: Metadata, name: str) -> FileInformation | None:
     bare = name.removesuffix(".zstd")
-    return next((each for each in metadata.files if each.path in {name, bare}), None)
+    return next((file for file in metadata.files if file.path in {name, bare}), None)

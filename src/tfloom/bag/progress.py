@@ -65,7 +65,7 @@ class _Line:
         sys.stderr.flush()
 
     def end(self) -> None:
-        """Remove the line."""
+        """Erase the line, if one was drawn, so that what is printed next begins at the left."""
         if self._width:
             sys.stderr.write(f"\r{' ' * self._width}\r")
             sys.stderr.flush()

@@ -38,7 +38,7 @@ _DEFAULTS: dict[str, QoSPolicyEnum] = {
 
 def profiles_text(profiles: Iterable[QoS]) -> str:
     """Return profiles as YAML, as rosbag2 writes them; there is no line break at the end."""
-    return "\n".join(_text(each) for each in profiles) or "[]"
+    return "\n".join(_text(profile) for profile in profiles) or "[]"
 
 
 def _text(qos: QoS) -> str:
@@ -73,11 +73,11 @@ def parse_profiles(text: str) -> list[QoS]:
         values = user_yaml.load(text) if text else []
     except user_yaml.YamlError:
         return []
-    found = [_readable(value) for value in (values if isinstance(values, list) else [])]
-    return [each for each in found if each is not None]
+    profiles = [_profile_if_readable(value) for value in (values if isinstance(values, list) else [])]
+    return [profile for profile in profiles if profile is not None]
 
 
-def _readable(values: Any) -> QoS | None:
+def _profile_if_readable(values: Any) -> QoS | None:
     try:
         return _profile(values)
     except _UNREADABLE:
@@ -104,7 +104,7 @@ def read_overrides(path: str | Path) -> dict[str, QoS]:
         )
     topic: Any = None
     try:
-        return {str(topic := each): _profile(values[each]) for each in values}
+        return {str(topic := name): _profile(values[name]) for name in values}
     except _UNREADABLE as error:
         raise BagError(path, f"the profile of {topic} has an unknown value: {error}") from None
 

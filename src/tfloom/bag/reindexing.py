@@ -51,15 +51,15 @@ def _files(folder: Path, storage_id: str) -> list[Path]:
     """Return the files of one storage in a folder, in the order of recording."""
     if not folder.is_dir():
         raise BagError(folder, "only the folder of a bag can be reindexed")
-    found = [path for path in folder.iterdir() if path.is_file() and storage_id_of(path)]
+    files = [path for path in folder.iterdir() if path.is_file() and storage_id_of(path)]
     # Where compressing a file was cut short, the original is whole.
-    found = [path for path in found if path.suffix != COMPRESSED_SUFFIX or path.with_suffix("") not in found]
-    found.sort(key=_number)
-    wanted = storage_id or (storage_id_of(found[0]) if found else "")
-    found = [path for path in found if storage_id_of(path) == wanted]
-    if not found:
+    files = [path for path in files if path.suffix != COMPRESSED_SUFFIX or path.with_suffix("") not in files]
+    files.sort(key=_number)
+    chosen_storage = storage_id or (storage_id_of(files[0]) if files else "")
+    files = [path for path in files if storage_id_of(path) == chosen_storage]
+    if not files:
         raise BagError(folder, "there are no files of a bag in it: none ends in .mcap or .db3")
-    return found
+    return files
 
 
 def _number(path: Path) -> tuple[int, str]:

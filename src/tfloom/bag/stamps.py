@@ -20,7 +20,7 @@ __all__ = ["has_header", "header_stamp", "stamps_of"]
 FIRST = {"std_msgs/msg/Header", "builtin_interfaces/msg/Time"}
 """Types of a first field that begin with a stamp."""
 _LAYOUTS = {0: struct.Struct(">iI"), 1: struct.Struct("<iI")}
-"""Of seconds and nanoseconds, by the second octet of the encapsulation header."""
+"""Of seconds and nanoseconds, by the second byte of the encapsulation header."""
 
 
 def has_header(path: Path, topic: Topic) -> bool:
@@ -62,7 +62,7 @@ def stamps_of(path: Path, topic: Topic, messages: Iterable[RawMessage], of: str 
     if of == "header" and not (is_cdr and has_header(path, topic)):
         raise BagError(path, f"messages of {topic.name}, of type {topic.type}, have no header")
     if of == "header" or (of is None and is_cdr and has_header(path, topic)):
-        found = [header_stamp(path, raw) for raw in messages]
+        stamps = [header_stamp(path, raw) for raw in messages]
     else:
-        found = [raw.publish_time_ns if of == "publish" else raw.log_time_ns for raw in messages]
-    return np.array(found, np.int64)
+        stamps = [raw.publish_time_ns if of == "publish" else raw.log_time_ns for raw in messages]
+    return np.array(stamps, np.int64)

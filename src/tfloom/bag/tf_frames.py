@@ -82,7 +82,7 @@ def insert_frames(
     moving = _topics(bag, tf_topics, f"{prefix}/tf")
     static = _topics(bag, static_topics, f"{prefix}/tf_static")
     if not moving and not static:
-        raise BagError(bag.path, _nothing(bag, prefix))
+        raise BagError(bag.path, _no_topics_text(bag, prefix))
     records = TfRecords(buffer)
     numbers = {
         topic.name: TfTopic(
@@ -100,17 +100,17 @@ def insert_frames(
 
 def _topics(bag: Bag, names: Collection[str] | None, default: str) -> list[Topic]:
     if names is None:
-        found = [topic for topic in bag.topics.values() if topic.name.lstrip("/") == default[1:]]
+        topics = [topic for topic in bag.topics.values() if topic.name.lstrip("/") == default[1:]]
     else:
-        found = [bag.topic(name) for name in names]
-    for topic in found:
+        topics = [bag.topic(name) for name in names]
+    for topic in topics:
         if topic.type not in TF_TYPES:
             raise BagError(bag.path, f"the topic {topic.name} has the type {topic.type}, not TFMessage")
-    return found
+    return topics
 
 
-def _nothing(bag: Bag, prefix: str) -> str:
-    others = [each.name for each in bag.topics.values() if each.type in TF_TYPES]
+def _no_topics_text(bag: Bag, prefix: str) -> str:
+    others = [topic.name for topic in bag.topics.values() if topic.type in TF_TYPES]
     text = f"there are no topics {prefix}/tf and {prefix}/tf_static"
     if not others:
         return f"{text}, and no others with transforms"

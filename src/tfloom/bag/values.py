@@ -40,7 +40,7 @@ class Definition(NamedTuple):
 
 
 class Topic(NamedTuple):
-    """A topic of a recording."""
+    """A topic of a recording, with what the recording tells of its type and its publishers."""
 
     name: str
     """Its name, with the slash that it begins with."""
@@ -59,7 +59,7 @@ class Topic(NamedTuple):
 
 
 class RawMessage(NamedTuple):
-    """A recorded message."""
+    """A recorded message, with its bytes as they are serialized."""
 
     topic: str
     """Its topic's name."""
@@ -85,7 +85,7 @@ Progress = Callable[[int], object]
 
 
 class Storage(Protocol):
-    """A file of a recording."""
+    """What a reader of any file format offers."""
 
     @property
     def topics(self) -> list[Topic]:

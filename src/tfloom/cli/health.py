@@ -405,15 +405,20 @@ def check_commands() -> Finding:
 
 def check_workspace() -> Finding:
     """Check whether what the packages of the workspace here ask for is there."""
-    from tfloom.workspace.wanted import find_source, how_to_provide, missing, read_wants
+    from tfloom.workspace.missing_dependencies import (
+        find_missing,
+        find_source,
+        how_to_provide,
+        read_requirements,
+    )
 
     source = find_source()
     if source is None:
         return Finding(Verdict.OK, "no workspace here: no folder src with packages, here or above")
-    wants = read_wants(source)
-    details = {package.name: ", ".join(package.depends) or "nothing" for package in wants}
-    packages = f"{len(wants)} package{'s' * (len(wants) != 1)} in {source}"
-    lacking = missing(wants)
+    requirements = read_requirements(source)
+    details = {package.name: ", ".join(package.depends) or "nothing" for package in requirements}
+    packages = f"{len(requirements)} package{'s' * (len(requirements) != 1)} in {source}"
+    lacking = find_missing(requirements)
     if not lacking:
         return Finding(Verdict.OK, f"{packages}; what they ask for is there", details=details)
     named = ", ".join(f"{name} (for {', '.join(users)})" for name, users in lacking.items())

@@ -59,7 +59,7 @@ def read_plan(folder: Path, prefix: Path, *, testing: bool = False) -> Plan:
 
 
 class _Stop(Exception):  # noqa: N818  # no error: the end of the file by return()
-    """The file ends here."""
+    """Ends the reading of the file, from any depth of blocks, at a `return()`."""
 
 
 class _Reader:
@@ -96,7 +96,7 @@ class _Reader:
         )
 
     def run(self, commands: Sequence[Command]) -> None:
-        """Read a whole file."""
+        """Run the commands of a file, up to its end or a `return()`."""
         try:
             self._run(commands)
         except _Stop:
@@ -167,6 +167,8 @@ class _Reader:
 
     def _chosen_branch(self, block: Sequence[Command]) -> Sequence[Command]:
         """Return the commands of the first branch of an `if` whose condition is true."""
+        # Only the branches of this `if` count, not those of one inside it, which has a depth of its own. The block has
+        # the `if` itself, but not its `endif`.
         self._look_at(block, len(block))
         heads = [0]
         depth = 0
@@ -175,11 +177,11 @@ class _Reader:
             if depth == 1 and command.name in {"elseif", "else"}:
                 heads.append(at)
         for head, end in zip(heads, [*heads[1:], len(block)], strict=True):
-            if block[head].name == "else" or self._holds(block[head]):
+            if block[head].name == "else" or self._condition_holds(block[head]):
                 return block[head + 1 : end]
         return []
 
-    def _holds(self, command: Command) -> bool:
+    def _condition_holds(self, command: Command) -> bool:
         try:
             return is_true(command.arguments, self._variables, self._folder)
         except UnknownConditionError as error:
@@ -196,6 +198,8 @@ class _Reader:
             return
         if items[:1] == ["IN"]:
             items = self._items(items[1:])
+        # As in CMake, the loop's variable has its former value again behind the loop. The items are a list by now, so
+        # that what the body does to the variables changes no later round.
         before = self._variables.get(name)
         for item in items:
             self._variables[name] = item
@@ -204,14 +208,14 @@ class _Reader:
 
     def _items(self, words: Sequence[str]) -> list[str]:
         """Return the items of `IN LISTS a b ITEMS c d`."""
-        found: list[str] = []
+        items: list[str] = []
         lists = False
         for word in words:
             if word in {"LISTS", "ITEMS"}:
                 lists = word == "LISTS"
             else:
-                found += split_list(self._variables.read(word)) if lists else [word]
-        return found
+                items += split_list(self._variables.read(word)) if lists else [word]
+        return items
 
     def _restore(self, name: str, value: str | None) -> None:
         if value is None:
@@ -237,11 +241,13 @@ class _Reader:
     def set_variable(self, command: Command) -> None:
         if not command.arguments:
             raise self._error(command, "set() without a variable")
-        first, *rest = (expand(each, self._variables) for each in command.arguments)
+        first, *rest = (expand(argument, self._variables) for argument in command.arguments)
         if len(first) != 1 or first[0].startswith("ENV{"):
             self._remark(command, "set() of this isn't understood")
             return
-        values = [value for each in rest for value in each]
+        # There is one scope only: functions aren't run, so PARENT_SCOPE means nothing. CACHE, with type and description
+        # behind it, sets a default: a value that is there stays.
+        values = [value for part in rest for value in part]
         if values[-1:] == ["PARENT_SCOPE"]:
             del values[-1]
         if "CACHE" in values:
@@ -258,7 +264,7 @@ class _Reader:
             self._variables.pop(name, None)
 
     def set_option(self, command: Command) -> None:
-        words = [expand(each, self._variables) for each in command.arguments]
+        words = [expand(argument, self._variables) for argument in command.arguments]
         if words and words[0]:
             value = words[2][0] if len(words) > 2 and words[2] else "OFF"
             self._variables.setdefault(words[0][0], value)
@@ -306,8 +312,8 @@ class _Reader:
         base: Path | None = None
         if rest[:1] == ["RELATIVE"]:
             base, rest = self._folder / "".join(rest[1:2]), rest[2:]
-        found = {path for pattern in rest for path in self._glob(pattern, deep=verb == "GLOB_RECURSE")}
-        names = [path.relative_to(base) if base and path.is_relative_to(base) else path for path in found]
+        paths = {path for pattern in rest for path in self._glob(pattern, deep=verb == "GLOB_RECURSE")}
+        names = [path.relative_to(base) if base and path.is_relative_to(base) else path for path in paths]
         self._variables[name] = ";".join(sorted(path.as_posix() for path in names))
 
     def _glob(self, pattern: str, *, deep: bool) -> list[Path]:
@@ -319,6 +325,8 @@ class _Reader:
             path = path.relative_to(self._folder)
         if not path.parts:
             return []
+        # Folder by folder, from the top: a part without `*`, `?` and `[` needs no listing, and each listing counts for
+        # the limit, because a pattern as `*/*/*/*` may go through many.
         parents = [self._folder]
         for part in path.parts[:-1]:
             parents = [
@@ -365,7 +373,7 @@ class _Reader:
         self._variables[words[0]] = part(PurePosixPath(words[1]))
 
     def show_message(self, command: Command) -> None:
-        words = [" ".join(expand(each, self._variables)) for each in command.arguments]
+        words = [" ".join(expand(argument, self._variables)) for argument in command.arguments]
         if words[:1] == ["FATAL_ERROR"]:
             raise self._error(command, "".join(words[1:]) or "message(FATAL_ERROR)")
 

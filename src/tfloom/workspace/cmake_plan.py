@@ -109,7 +109,9 @@ class Plan:
     def is_all_compiled(self) -> bool:
         """Whether the package is of compiled code, and has neither interfaces nor Python nor programs as files."""
         has_more = (
-            self.interfaces or self.python_packages or any(each.kind == "PROGRAMS" for each in self.installs)
+            self.interfaces
+            or self.python_packages
+            or any(install.kind == "PROGRAMS" for install in self.installs)
         )
         return bool(self.compiled) and not has_more
 
@@ -119,15 +121,16 @@ Action = Callable[[Plan, Sequence[str], int], None]
 
 def _words(values: Sequence[str], keywords: Iterable[str]) -> dict[str, list[str]]:
     """Return the values after each keyword, and under "" those before the first one."""
-    known = set(keywords)
-    found: dict[str, list[str]] = {"": []}
-    current = found[""]
+    # A keyword may come twice; its values are then one list.
+    keyword_set = set(keywords)
+    words: dict[str, list[str]] = {"": []}
+    current = words[""]
     for value in values:
-        if value in known:
-            current = found.setdefault(value, [])
+        if value in keyword_set:
+            current = words.setdefault(value, [])
         else:
             current.append(value)
-    return found
+    return words
 
 
 def _project(plan: Plan, values: Sequence[str], _line: int) -> None:
@@ -210,7 +213,7 @@ def _install_files(plan: Plan, kind: str, values: Sequence[str], line: int) -> N
         rename = next(iter(words.get("RENAME", ())), None)
         optional = "OPTIONAL" in words
         # Files with permissions of their own are programs if these include one to execute.
-        executable = any("EXECUTE" in each for each in words.get("PERMISSIONS", ()))
+        executable = any("EXECUTE" in permission for permission in words.get("PERMISSIONS", ()))
         plan.installs.append(
             Install(
                 "PROGRAMS" if executable else kind,
@@ -224,6 +227,8 @@ def _install_files(plan: Plan, kind: str, values: Sequence[str], line: int) -> N
 
 
 def _install_directory(plan: Plan, values: Sequence[str], line: int) -> None:
+    # What follows PATTERN or REGEX belongs to that pattern, also words as PERMISSIONS that mean the whole command
+    # before.
     first = next((at for at, value in enumerate(values) if value in {"PATTERN", "REGEX"}), len(values))
     words = _words(
         values[:first],
@@ -270,9 +275,9 @@ def _patterns(values: Sequence[str]) -> Iterable[Pattern]:
 
 def _destination(plan: Plan, kind: str, words: dict[str, list[str]], line: int) -> str | None:
     """Return the destination of an `install`; without a usable one, remark that and return None."""
-    given = words.get("DESTINATION", [])
-    if len(given) == 1:
-        return given[0]
+    destinations = words.get("DESTINATION", [])
+    if len(destinations) == 1:
+        return destinations[0]
     what = "TYPE isn't understood here" if "TYPE" in words else "one DESTINATION is expected"
     plan.unknown.append(Remark(line, f"install({kind} …): {what}: write DESTINATION and a folder"))
     return None
@@ -296,8 +301,8 @@ def _add_pytest_test(plan: Plan, values: Sequence[str], line: int) -> None:
         return
     name, path = words[""]
     folder = next(iter(words.get("WORKING_DIRECTORY", ())), "")
-    given, appended = (tuple(words.get(key, ())) for key in ("ENV", "APPEND_ENV"))
-    plan.tests.append(PytestTest(name, path, folder, given, appended, line))
+    variables, appended = (tuple(words.get(key, ())) for key in ("ENV", "APPEND_ENV"))
+    plan.tests.append(PytestTest(name, path, folder, variables, appended, line))
 
 
 def _add_launch_test(plan: Plan, values: Sequence[str], line: int) -> None:
@@ -313,8 +318,8 @@ def _add_launch_test(plan: Plan, values: Sequence[str], line: int) -> None:
     (path,) = words[""]
     name = next(iter(words.get("TARGET", ())), path.replace("/", "_"))
     folder = next(iter(words.get("WORKING_DIRECTORY", ())), "")
-    given, appended, arguments = (tuple(words.get(key, ())) for key in ("ENV", "APPEND_ENV", "ARGS"))
-    plan.tests.append(PytestTest(name, path, folder, given, appended, line, arguments))
+    variables, appended, arguments = (tuple(words.get(key, ())) for key in ("ENV", "APPEND_ENV", "ARGS"))
+    plan.tests.append(PytestTest(name, path, folder, variables, appended, line, arguments))
 
 
 def _compiles(name: str) -> Action:
@@ -324,7 +329,7 @@ def _compiles(name: str) -> Action:
     return action
 
 
-def _nothing(_plan: Plan, _values: Sequence[str], _line: int) -> None:
+def _add_nothing(_plan: Plan, _values: Sequence[str], _line: int) -> None:
     """Add nothing to the plan."""
 
 
@@ -396,14 +401,14 @@ _ACTIONS: dict[str, Action] = {
     "ament_auto_package": _auto_package,
     "install": _install,
     **{name: _compiles(name) for name in _COMPILED},
-    **dict.fromkeys(_IGNORED, _nothing),
+    **dict.fromkeys(_IGNORED, _add_nothing),
 }
 
 
 def find_action(command: str) -> Action | None:
     """Return what a command adds to a plan, or None for one that isn't understood."""
     action = _ACTIONS.get(command)
-    return _nothing if action is None and command.startswith(_IGNORED_PREFIXES) else action
+    return _add_nothing if action is None and command.startswith(_IGNORED_PREFIXES) else action
 
 
 def is_in(folder: Path, path: Path) -> bool:

@@ -93,12 +93,15 @@ class Expression:
         count(len(data))
         self._count = count
         self._states = [_State(_Kind.SEQUENCE, 0, [])]
-        self._begin = self._add(_Parser(data).whole(), _MATCH)
+        self._begin = self._add(_Parser(data).whole_expression(), _MATCH)
         # Places are kept with their moves, because most texts lead through the same few.
         self._places: dict[frozenset[int], _Place] = {}
 
     def is_found_in(self, text: str) -> bool:
         """Return whether a part of a text matches."""
+        # All states that the text may have led to are followed at once, so each byte is read once, and no expression
+        # takes exponential time. A set of states is a place; the move from it by a byte is computed the first time
+        # only.
         place = self._place(self._closed([self._begin], at_begin=True))
         for byte in text.encode("utf-8", "surrogatepass"):
             if place.is_match:
@@ -122,6 +125,8 @@ class Expression:
         (part,) = node.parts
         if node.sign == "?":
             return self._add_state(node, [self._add(part, following), following])
+        # The part leads back to the loop, which must exist first, so the way into the part is added afterwards.
+        # `*` begins at the loop, from where the part may be left out; `+` begins in the part.
         loop = self._add_state(node, [following])
         first = self._add(part, loop)
         self._states[loop].following.append(first)
@@ -136,6 +141,7 @@ class Expression:
 
     def _move(self, current: frozenset[int], byte: int) -> _Place:
         """Return the place after a byte; a match may also begin behind it."""
+        # An expression is searched for, so it may begin at any byte: the first state is always among the reached ones.
         reached = [self._begin]
         for number in current:
             state = self._states[number]
@@ -148,13 +154,14 @@ class Expression:
         self, states: Iterable[int], *, at_begin: bool = False, at_end: bool = False
     ) -> frozenset[int]:
         """Return states with those that they lead to without a byte."""
-        found: set[int] = set()
+        # A state of bytes waits for one. `^` and `$` are passed at an end of the text only; all others lead on at once.
+        closed: set[int] = set()
         waiting = list(states)
         while waiting:
             number = waiting.pop()
-            if number in found:
+            if number in closed:
                 continue
-            found.add(number)
+            closed.add(number)
             state = self._states[number]
             if (
                 state.kind is _Kind.BYTES
@@ -163,8 +170,8 @@ class Expression:
             ):
                 continue
             waiting += state.following
-        self._count(len(found))
-        return frozenset(found)
+        self._count(len(closed))
+        return frozenset(closed)
 
 
 class _Parser:
@@ -175,7 +182,7 @@ class _Parser:
         self._at = 0
         self._depth = 0
 
-    def whole(self) -> _Node:
+    def whole_expression(self) -> _Node:
         """Return the whole expression."""
         node = self._either()
         if self._at < len(self._data):

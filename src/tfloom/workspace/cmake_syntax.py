@@ -120,9 +120,9 @@ class _Reader:
     def _argument(self, command: str, line: int) -> Argument:
         if (bracket := self._match(_BRACKET)) is not None:
             return Argument(bracket[2], Form.BRACKET, line)
-        if _BRACKET_BEGIN.match(
-            self._text, self._at
-        ):  # as CMake; else each one is looked for to the file's end
+        # An opening bracket without its end is an error, as in CMake. Read as a word instead, many of them would each
+        # be looked for up to the end of the file.
+        if _BRACKET_BEGIN.match(self._text, self._at):
             raise self._error(f"the bracket of an argument of '{command}' isn't closed")
         if (quoted := self._match(_QUOTED)) is not None:
             return Argument(quoted[1].replace("\\\n", ""), Form.QUOTED, line)
@@ -138,17 +138,18 @@ class _Reader:
         return self._at < len(self._text)
 
     def _take(self, letter: str) -> bool:
-        found = self._text.startswith(letter, self._at)
-        self._at += found
-        return found
+        is_next = self._text.startswith(letter, self._at)
+        self._at += is_next
+        return is_next
 
     def _match(self, pattern: re.Pattern[str]) -> re.Match[str] | None:
-        found = pattern.match(self._text, self._at)
-        if found is not None:
-            self._at = found.end()
-        return found
+        match = pattern.match(self._text, self._at)
+        if match is not None:
+            self._at = match.end()
+        return match
 
     def _line(self) -> int:
+        # Only what was read since the last call is counted, so that all lines together are counted once.
         self._lines += self._text.count("\n", self._counted, self._at)
         self._counted = self._at
         return self._lines

@@ -106,6 +106,8 @@ def expand_text(text: str, variables: Variables) -> str:
             return os.environ.get(match[2], "")
         return variables.read(match[2])
 
+    # `${A_${B}}` is read from the inside out, one level of all references in a round, until nothing changes. The last
+    # level and the escapes come at the end, in one pass, whose results aren't read again.
     variables.count(len(text))
     for _ in range(_MAX_NESTING):
         inner = re.sub(
@@ -138,9 +140,11 @@ def is_true(arguments: Iterable[Argument], variables: Variables, folder: Path) -
     Raises:
         UnknownConditionError: it has a test that isn't known, or is incomplete.
     """
-    words = [(value, each.form) for each in arguments for value in expand(each, variables) or [""]]
+    words = [
+        (value, argument.form) for argument in arguments for value in expand(argument, variables) or [""]
+    ]
     condition = _Condition(words, variables, folder)
-    result = condition.either()
+    result = condition.disjunction()
     condition.check_end()
     return result
 
@@ -169,19 +173,19 @@ class _Condition:
         self._variables = variables
         self._folder = folder
 
-    def either(self) -> bool:
-        result = self._both()
+    def disjunction(self) -> bool:
+        result = self._conjunction()
         while self._take("OR"):
-            result = self._both() or result
+            result = self._conjunction() or result
         return result
 
-    def _both(self) -> bool:
-        result = self._negated()
+    def _conjunction(self) -> bool:
+        result = self._negation()
         while self._take("AND"):
-            result = self._negated() and result
+            result = self._negation() and result
         return result
 
-    def _negated(self) -> bool:
+    def _negation(self) -> bool:
         is_negated = False
         while self._take("NOT"):
             is_negated = not is_negated
@@ -192,11 +196,14 @@ class _Condition:
             self._depth += 1
             if self._depth > MAX_NESTED:  # by the value of a variable; the syntax has this limit, too
                 raise TooMuchError(f"more than {MAX_NESTED} parentheses are nested")
-            result = self.either()
+            result = self.disjunction()
             self._depth -= 1
             if not self._take(")"):
                 raise UnknownConditionError("a parenthesis of the condition isn't closed")
             return result
+        # A word is an operator only if it isn't quoted: `if("TARGET" STREQUAL name)` compares texts. Unary operators
+        # come before their operand, binary ones after the first, so both are looked for before the word is taken as a
+        # value.
         left, form = self._next_word()
         test = _UNARY.get(left) if form is Form.UNQUOTED else None
         if test is not None:
@@ -249,9 +256,9 @@ class _Condition:
         return False
 
     def _take(self, word: str) -> bool:
-        found = self._at < len(self._words) and self._words[self._at] == (word, Form.UNQUOTED)
-        self._at += found
-        return found
+        is_next = self._at < len(self._words) and self._words[self._at] == (word, Form.UNQUOTED)
+        self._at += is_next
+        return is_next
 
     def _next_word(self) -> tuple[str, Form]:
         if self._at >= len(self._words):

@@ -26,7 +26,7 @@ _SIGNS = re.compile(r"^\s*(?:#|///|//|/\*+|\*(?!/))? ?", re.MULTILINE)
 
 
 class Finding(NamedTuple):
-    """The result for one file."""
+    """What was found out about the copyright notice of one file."""
 
     path: str
     text: str
@@ -46,18 +46,18 @@ def main(argv: Sequence[str] | None = None) -> int:
     parser.add_argument("--verbose", action="store_true", help="print the files that have both, too")
     args = parser.parse_args(argv)
     if args.list_licenses:
-        for known in sorted(LICENSES):
-            print(f"{known.name}: {known.spdx}")
+        for licence in sorted(LICENSES):
+            print(f"{licence.name}: {licence.spdx}")
         return 0
-    paths = [each for each in _files(args.paths) if not {each, Path(each).name} & {*args.excludes}]
+    paths = [path for path in _files(args.paths) if not {path, Path(path).name} & {*args.excludes}]
     if not paths:
         print("No repository roots and files found", file=sys.stderr)
         return 0
     findings = [_check(path) for path in sorted(paths)]
-    for each in findings:
-        if each.is_error or args.verbose:
-            print(f"{each.path}: {each.text}", file=sys.stderr if each.is_error else sys.stdout)
-    errors = sum(each.is_error for each in findings)
+    for finding in findings:
+        if finding.is_error or args.verbose:
+            print(f"{finding.path}: {finding.text}", file=sys.stderr if finding.is_error else sys.stdout)
+    errors = sum(finding.is_error for finding in findings)
     if errors:
         print(f"{errors} errors, checked {len(findings)} files", file=sys.stderr)
     else:
@@ -66,13 +66,13 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _files(paths: Sequence[str]) -> list[str]:
-    found: dict[str, None] = {}
+    files: dict[str, None] = {}
     for path in paths:
         if Path(path).is_dir():
-            found |= dict.fromkeys(_files_in(path))
+            files |= dict.fromkeys(_files_in(path))
         elif Path(path).suffix in EXTENSIONS or Path(path).name in REPOSITORY_FILES:
-            found[path] = None
-    return list(found)
+            files[path] = None
+    return list(files)
 
 
 def _files_in(top: str) -> Iterator[str]:
@@ -81,12 +81,12 @@ def _files_in(top: str) -> Iterator[str]:
     The setup.py beside a package.xml needs no notice.
     """
     for folder, folders, names in os.walk(top):
-        if any(Path(folder, each).exists() for each in (".git", ".hg")):
+        if any(Path(folder, name).exists() for name in (".git", ".hg")):
             yield from (str(Path(folder, name)) for name in REPOSITORY_FILES)
         if "AMENT_IGNORE" in names:
             folders.clear()
             continue
-        folders[:] = sorted(each for each in folders if each[0] not in "._")
+        folders[:] = sorted(name for name in folders if name[0] not in "._")
         for name in sorted(names):
             if Path(name).suffix in EXTENSIONS and not (name == "setup.py" and "package.xml" in names):
                 yield str(Path(folder, name))
@@ -104,8 +104,8 @@ def _check(path: str) -> Finding:
         return Finding(path, "file empty", not is_source)
     if not is_source:
         return Finding(path, "present", False)
-    comments = [_SIGNS.sub("", each) for each in _comments(text)]
-    notices = [match for each in comments for match in _NOTICE.finditer(each)]
+    comments = [_SIGNS.sub("", comment) for comment in _comments(text)]
+    notices = [match for comment in comments for match in _NOTICE.finditer(comment)]
     if not notices:
         return Finding(path, "could not find copyright notice", True)
     holders = ", ".join(f"{match[2].strip()} ({match[1]})" for match in notices)

@@ -108,15 +108,15 @@ def _manifest(package: Package) -> str:
     if package.build_type == "ament_cmake":
         groups = [
             [("buildtool_depend", "ament_cmake"), ("buildtool_depend", "rosidl_default_generators")],
-            [("depend", each) for each in package.dependencies],
+            [("depend", name) for name in package.dependencies],
             [("exec_depend", "rosidl_default_runtime")],
             [("member_of_group", "rosidl_interface_packages")],
         ]
     else:
         depends = dict.fromkeys([*(["rclpy"] if package.node else []), *package.dependencies])
         groups = [
-            [("depend", each) for each in depends],
-            [("test_depend", each) for each in _TEST_DEPENDS],
+            [("depend", name) for name in depends],
+            [("test_depend", name) for name in _TEST_DEPENDS],
         ]
     tags = "\n".join(
         "".join(f"  <{tag}>{escape(text)}</{tag}>\n" for tag, text in group) for group in groups if group
@@ -144,8 +144,8 @@ def _python_files(package: Package) -> Iterable[tuple[str, str]]:
 
 
 def _interface_files(package: Package) -> Iterable[tuple[str, str]]:
-    found = "".join(f"find_package({each} REQUIRED)\n" for each in package.dependencies)
+    find_packages = "".join(f"find_package({name} REQUIRED)\n" for name in package.dependencies)
     listed = f"  DEPENDENCIES {' '.join(package.dependencies)}\n" if package.dependencies else ""
-    text = templates.CMAKE_LISTS.format(name=package.name, find_packages=found, dependencies=listed)
+    text = templates.CMAKE_LISTS.format(name=package.name, find_packages=find_packages, dependencies=listed)
     yield "CMakeLists.txt", text
     yield "msg/Num.msg", templates.MESSAGE

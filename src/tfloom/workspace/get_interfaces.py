@@ -11,12 +11,12 @@ from tfloom.workspace import index
 
 def get_interface_packages() -> dict[str, str]:
     """Return the packages that have definitions, each with the folder that holds its own."""
-    found: dict[str, str] = {}
+    shares: dict[str, str] = {}
     for share in definition_files.share_folders():
         for folder in sorted(share.glob("*/")):
-            if folder.name not in found and definition_files.names_in(folder):
-                found[folder.name] = str(share)
-    return found
+            if folder.name not in shares and definition_files.names_in(folder):
+                shares[folder.name] = str(share)
+    return shares
 
 
 def get_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
@@ -100,8 +100,8 @@ def _names(share: str, package: str) -> list[str]:
 
 
 def _of_kind(kind: str, package_names: Iterable[str]) -> dict[str, list[str]]:
-    found = {
+    interfaces = {
         package: [name for name in names if name.startswith(f"{kind}/")]
         for package, names in get_interfaces(package_names).items()
     }
-    return {package: names for package, names in found.items() if names}
+    return {package: names for package, names in interfaces.items() if names}

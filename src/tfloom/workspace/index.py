@@ -80,14 +80,14 @@ def search_paths() -> list[str]:
 
 def resources(resource_type: str) -> dict[str, str]:
     """Return the prefix of each resource of a type, by the resource's name; the first prefix takes precedence."""
-    found: dict[str, str] = {}
+    prefixes: dict[str, str] = {}
     for prefix in search_paths():
         folder = Path(prefix, RESOURCE_INDEX, resource_type)
         if folder.is_dir():
             for entry in sorted(folder.iterdir()):
                 if entry.is_file() and not entry.name.startswith("."):
-                    found.setdefault(entry.name, prefix)
-    return found
+                    prefixes.setdefault(entry.name, prefix)
+    return prefixes
 
 
 def find_resource(resource_type: str, name: str) -> str | None:
@@ -114,10 +114,10 @@ def own_packages() -> dict[str, Path]:
     """Return tfloom's own packages in order of name, each with its prefix: programs, interfaces and Python packages."""
     from tfloom.distributions import installed_prefixes
 
-    found = dict.fromkeys(PROGRAMS, OWN_PREFIX)
+    prefixes = dict.fromkeys(PROGRAMS, OWN_PREFIX)
     for prefix in (*installed_prefixes(), OWN_PREFIX):
-        found |= {path.name: prefix for path in (prefix / "ros_names").glob("[a-z]*") if path.is_dir()}
-    return dict(sorted(found.items()))
+        prefixes |= {path.name: prefix for path in (prefix / "ros_names").glob("[a-z]*") if path.is_dir()}
+    return dict(sorted(prefixes.items()))
 
 
 def share_folder(package: str, prefix: str | None) -> Path:

@@ -52,8 +52,8 @@ class Installer:
         """
         for python in plan.python_packages:
             self._install_python(python)
-        for each in plan.installs:
-            self._install(each)
+        for command in plan.installs:
+            self._install(command)
         for resource in plan.resources:
             self._write_resource(resource.kind, resource.content)
         self.mark()
@@ -83,19 +83,19 @@ class Installer:
                 # A stub beside it is that of a module of the package's interfaces, which this one replaces.
                 place.with_suffix(".pyi").unlink(missing_ok=True)
 
-    def _install(self, each: Install) -> None:
-        target = self._destination(each.destination, each.line)
-        for name in each.sources:
+    def _install(self, command: Install) -> None:
+        target = self._destination(command.destination, command.line)
+        for name in command.sources:
             source = self._source / name
-            if each.kind == "DIRECTORY":
-                self._install_folder(each, name, source, target)
+            if command.kind == "DIRECTORY":
+                self._install_folder(command, name, source, target)
             elif source.is_file():
-                self._install_file(each, source, target / (each.rename or source.name))
-            elif not each.optional:
-                raise self._error(each.line, f"install({each.kind} …): there is no file {name}")
+                self._install_file(command, source, target / (command.rename or source.name))
+            elif not command.optional:
+                raise self._error(command.line, f"install({command.kind} …): there is no file {name}")
 
-    def _install_file(self, each: Install, source: Path, target: Path) -> None:
-        runs = each.kind == "PROGRAMS"
+    def _install_file(self, command: Install, source: Path, target: Path) -> None:
+        runs = command.kind == "PROGRAMS"
         self._place(source, target, executable=runs)
         if runs and self._symlink and not _is_executable(source):
             self.warnings.append(
@@ -103,25 +103,25 @@ class Installer:
             )
         if not runs and self._is_program(target) and not _is_executable(target):
             self.warnings.append(
-                f"{self._where(each.line)}: install(FILES …) puts {source.name} into lib/{self._name} without the "
+                f"{self._where(command.line)}: install(FILES …) puts {source.name} into lib/{self._name} without the "
                 "permission to execute it, so `ros2 run` does not find it: use install(PROGRAMS …)"
             )
 
     def _is_program(self, target: Path) -> bool:
         return target.is_relative_to(self._prefix / "lib" / self._name)
 
-    def _install_folder(self, each: Install, name: str, folder: Path, target: Path) -> None:
+    def _install_folder(self, command: Install, name: str, folder: Path, target: Path) -> None:
         if not folder.is_dir():
-            if each.optional:
+            if command.optional:
                 return
-            raise self._error(each.line, f"install(DIRECTORY …): there is no folder {name}")
+            raise self._error(command.line, f"install(DIRECTORY …): there is no folder {name}")
         # As CMake does: a slash at the end installs what is in the folder, not the folder.
         base = target if not name or name.endswith("/") else target / folder.name
         try:
-            choice = _Choice(each)
+            choice = _Choice(command)
             paths = [path for path in _files(folder) if choice.has(path.relative_to(folder).as_posix())]
         except (RegexError, TooMuchError) as error:
-            raise self._error(each.line, f"install(DIRECTORY …): {error}") from None
+            raise self._error(command.line, f"install(DIRECTORY …): {error}") from None
         for path in paths:
             self._place(path, base / path.relative_to(folder))
 

@@ -88,7 +88,7 @@ def install_interfaces(
     if listed.errors:
         raise InterfacePackageError(listed.errors)
     manifest = _read_manifest(source.absolute() / PACKAGE_XML, name)
-    paths = {each.name(name): each.path for each in listed.files}
+    paths = {file.name(name): file.path for file in listed.files}
     definitions = PackageDefinitions(name, paths, [*dependencies, prefix])
     if errors := list(definitions.check(manifest)):
         raise InterfacePackageError(errors)
@@ -139,8 +139,8 @@ class _Package:
         with suppress(FileNotFoundError):
             for place in (self.index / "rosidl_interfaces" / self.name).read_text("utf-8").split():
                 (self.share / place).unlink(missing_ok=True)
-        for each in listed:
-            self.install_source(each.path, each.place)
+        for file in listed:
+            self.install_source(file.path, file.place)
 
     def install_source(self, path: Path, place: str) -> None:
         """Install a file of the source folder at its place in the package's folder."""
@@ -155,7 +155,7 @@ class _Package:
 
     def install_markers(self, manifest: Manifest, listed: Sequence[ListedFile]) -> None:
         """Install the package's entries in the ament index."""
-        places = "\n".join(each.place for each in listed)
+        places = "\n".join(file.place for file in listed)
         self._write(self.index / "packages" / self.name, "")
         self._write(self.index / "package_run_dependencies" / self.name, ";".join(manifest.run))
         self._write(self.index / "rosidl_interfaces" / self.name, places)

@@ -15,7 +15,7 @@ from tfloom.workspace import index
 
 
 class Stubs(NamedTuple):
-    """The result of `write_stubs`."""
+    """The files that `write_stubs` has written, and the definitions that it has left out."""
 
     written: list[Path]
     """The files, in order of their names."""
@@ -56,8 +56,8 @@ def typed_modules(
         by: The command that writes them, for the note at the top.
     """
     groups: dict[str, list[spec.Interface]] = {}
-    for each in interfaces:
-        groups.setdefault(each.name.split("/")[1], []).append(each)
+    for interface in interfaces:
+        groups.setdefault(interface.name.split("/")[1], []).append(interface)
     kinds = [kind for kind in definition_files.KINDS if kind in groups]
     for kind in kinds:
         yield f"{kind}.pyi", generate(groups[kind], find, by=by)

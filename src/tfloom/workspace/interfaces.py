@@ -60,12 +60,12 @@ def split_name(name: str) -> tuple[str, str, str]:
         kind = next((kind for kind in KINDS if folder and path_in(folder, kind, base) is not None), "msg")
         parts = [package, kind, base]
     if len(parts) != 3 or parts[1] not in KINDS or not all(part.isidentifier() for part in parts):
-        known = [
-            each
-            for each in known_interfaces()
-            if len(parts) == 1 and each.rpartition("/")[2].lower() == name.lower()
+        candidates = [
+            interface
+            for interface in known_interfaces()
+            if len(parts) == 1 and interface.rpartition("/")[2].lower() == name.lower()
         ]
-        near = f"\ndid you mean {' or '.join(known[:3])}?" if known else ""
+        near = f"\ndid you mean {' or '.join(candidates[:3])}?" if candidates else ""
         raise LookupError(f"an interface's name is like std_msgs/msg/String, not '{name}'{near}")
     return parts[0], parts[1], parts[2]
 
@@ -82,11 +82,13 @@ def definition_path(name: str) -> Path:
         raise LookupError(f"Unknown package '{package}'{_nearest(package, list(folders))}")
     path = find_path(f"{package}/{kind}/{base}")
     if path is None:
-        known = [
-            f"{package}/{each}/{other}" for each in KINDS for other in interfaces_of(folders[package], each)
+        candidates = [
+            f"{package}/{other_kind}/{other}"
+            for other_kind in KINDS
+            for other in interfaces_of(folders[package], other_kind)
         ]
         raise LookupError(
-            f"Could not find the interface '{name}'{_nearest(f'{package}/{kind}/{base}', known)}"
+            f"Could not find the interface '{name}'{_nearest(f'{package}/{kind}/{base}', candidates)}"
         )
     return path
 

@@ -69,7 +69,7 @@ LICENSES = (
 
 def find_license_text(spdx: str) -> str | None:
     """Return the text of a licence by its SPDX name, or None for one that isn't known."""
-    if not any(each.spdx == spdx for each in LICENSES):
+    if not any(licence.spdx == spdx for licence in LICENSES):
         return None
     return (Path(__file__).parent / "license_texts" / f"{spdx}.txt").read_text("utf-8")
 
@@ -81,12 +81,12 @@ def find_license(text: str) -> str | None:
         text: Without the signs of comments; line breaks and multiple spaces count as one space.
     """
     words = " ".join(text.split())
-    for each in LICENSES:
+    for licence in LICENSES:
         at = 0
-        for phrase in each.phrases:
+        for phrase in licence.phrases:
             at = words.find(phrase, at)
             if at < 0:
                 break
         else:
-            return each.name
+            return licence.name
     return None

@@ -142,19 +142,19 @@ def _python_files(paths: Sequence[str], excludes: Sequence[str]) -> list[str]:
     to exclude, given by path or by name.
     """
     excluded = {*excludes, *map(os.path.abspath, excludes)}
-    found = []
+    files = []
     for path in paths:
         if not Path(path).is_dir():
-            found.append(path)
+            files.append(path)
             continue
         for folder, folders, names in os.walk(path):
             if _IGNORE_MARKER in names:
                 folders.clear()
                 continue
-            folders[:] = sorted(each for each in folders if each[0] not in "._")
-            found += [str(Path(folder, name)) for name in names if name.endswith(".py")]
+            folders[:] = sorted(name for name in folders if name[0] not in "._")
+            files += [str(Path(folder, name)) for name in names if name.endswith(".py")]
     return sorted(
-        each for each in found if not {each, str(Path(each).absolute()), Path(each).name} & excluded
+        path for path in files if not {path, str(Path(path).absolute()), Path(path).name} & excluded
     )
 
 

@@ -23,7 +23,7 @@ class ListedFile(NamedTuple):
 
 
 class ListedFiles(NamedTuple):
-    """The result of `find_listed`."""
+    """The definitions that a package lists, and the mistakes in the list."""
 
     files: list[ListedFile]
     """In order of their places."""
@@ -38,18 +38,18 @@ def find_listed(source: Path, entries: Sequence[str]) -> ListedFiles:
         source: The package's folder.
         entries: Paths relative to it, `msg/Sphere.msg`, or to a folder of their own, `/a/folder:msg/Sphere.msg`.
     """
-    found: dict[str, ListedFile] = {}
+    files: dict[str, ListedFile] = {}
     errors: list[str] = []
     for entry in entries:
         listed = _listed(source, entry)
         mistake = "; ".join(_mistakes(source, entry, listed))
         stem = listed.place.rpartition(".")[0]
-        other = found.setdefault(stem, listed)
+        other = files.setdefault(stem, listed)
         if not mistake and other != listed:
             mistake = f"it defines the same interface as {other.path}"
         if mistake:
             errors.append(f"rosidl_generate_interfaces lists '{entry}': {mistake}")
-    return ListedFiles(sorted(found.values(), key=lambda each: each.place), errors)
+    return ListedFiles(sorted(files.values(), key=lambda file: file.place), errors)
 
 
 def _listed(source: Path, entry: str) -> ListedFile:
@@ -70,6 +70,6 @@ def _mistakes(source: Path, entry: str, listed: ListedFile) -> Iterator[str]:
     elif suffix not in {f".{kind}", IDL_SUFFIX}:
         yield f"a file in {kind}/ ends in .{kind} or {IDL_SUFFIX}"
     elif not listed.path.is_file():
-        here = [f"{each}/{path.name}" for each in KINDS for path in sorted((source / each).glob("*.*"))]
+        here = [f"{name}/{path.name}" for name in KINDS for path in sorted((source / name).glob("*.*"))]
         near = difflib.get_close_matches(listed.place, here, 1, 0.6)
         yield f"there is no file {listed.path}" + (f"; did you mean '{near[0]}'?" if near else "")

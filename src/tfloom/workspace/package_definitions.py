@@ -99,8 +99,12 @@ class PackageDefinitions:
         if package == self.package:
             return f"; add its file to rosidl_generate_interfaces{_nearest(name, self.files)}"
         if self.is_package(package):
-            known = [each for share in self._shares for each in definition_files.names_in(share / package)]
-            return _nearest(name, known)
+            names = [
+                definition_name
+                for share in self._shares
+                for definition_name in definition_files.names_in(share / package)
+            ]
+            return _nearest(name, names)
         if package in manifest.declared:
             return f"; {PACKAGE_XML} depends on it, so build or install it first, and source its setup file"
         return f"; {PACKAGE_XML} doesn't depend on it: add <depend>{package}</depend>"

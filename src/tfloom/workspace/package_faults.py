@@ -76,10 +76,10 @@ def _advice(reason: str) -> str:
 def name_in_manifest(path: Path) -> str:
     """Return the name of the package in a package.xml that may be broken, or of its folder if no file can have that."""
     try:
-        found = _NAME_TAG.search(path.read_text("utf-8", "replace"))
+        match = _NAME_TAG.search(path.read_text("utf-8", "replace"))
     except OSError:
-        found = None
-    return found[1] if found and len(found[1]) <= MAX_NAME else path.parent.name[:MAX_NAME]
+        match = None
+    return match[1] if match and len(match[1]) <= MAX_NAME else path.parent.name[:MAX_NAME]
 
 
 def find_setup_fault(path: Path) -> str | None:
@@ -107,7 +107,7 @@ def _explain(path: Path, text: str, error: SyntaxError) -> str:
     if not curly:
         return f"{path}:{number}:{error.offset or 1}: {error.msg}: {line.strip()}"
     where = f"{path}:{number}:{line.index(curly[0]) + 1}"
-    rest = sum(any(ord(letter) in _CURLY for letter in each) for each in lines[number:])
+    rest = sum(any(ord(letter) in _CURLY for letter in later_line) for later_line in lines[number:])
     more = f"\n{rest} more line{'s' * (rest > 1)} below have them, too" if rest else ""
     what = "no-break spaces U+00A0" if curly[0] == _SPACE else f"curly quotes {curly[0]}"
     return (

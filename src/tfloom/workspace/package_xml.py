@@ -35,10 +35,10 @@ def read_manifest(path: Path) -> Manifest:
     except ET.ParseError as error:
         line, column = error.position
         raise ValueError(f"{path}:{line}:{column + 1}: it isn't XML: {error}") from None
-    found = [(each.tag, (each.text or "").strip()) for each in root]
-    names = [text for tag, text in found if tag == "name" and text]
+    tags = [(element.tag, (element.text or "").strip()) for element in root]
+    names = [text for tag, text in tags if tag == "name" and text]
     if not names:
         raise ValueError(f"{path}: the package has no <name>")
-    run = [text for wanted in _RUN_TAGS for tag, text in found if tag == wanted]
-    declared = frozenset(text for tag, text in found if tag.endswith("depend"))
+    run = [text for run_tag in _RUN_TAGS for tag, text in tags if tag == run_tag]
+    declared = frozenset(text for tag, text in tags if tag.endswith("depend"))
     return Manifest(names[0], tuple(dict.fromkeys(run)), declared)

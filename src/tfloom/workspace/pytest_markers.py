@@ -16,7 +16,7 @@ MARKERS = {
 
 
 class Config(Protocol):
-    """pytest's configuration."""
+    """What is used of pytest's configuration."""
 
     def addinivalue_line(self, name: str, line: str) -> None:
         """Add a line to an option."""

@@ -17,7 +17,9 @@ _STATIC_TF = "tf_static"
 
 def offers_differ(topic: Topic) -> bool:
     """Return whether the recorded publishers offered different qualities."""
-    return len({(each.reliability, each.durability) for each in parse_profiles(topic.offered_qos)}) > 1
+    return (
+        len({(profile.reliability, profile.durability) for profile in parse_profiles(topic.offered_qos)}) > 1
+    )
 
 
 def offered(topic: Topic) -> QoS:
@@ -30,17 +32,17 @@ def offered(topic: Topic) -> QoS:
     is_static = topic.name.rpartition("/")[2] == _STATIC_TF
     if not profiles:
         profiles = [QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL)] if is_static else [QoS()]
-    depth = min(sum(max(each.depth, 1) for each in profiles), DEPTH_MAX)
+    depth = min(sum(max(profile.depth, 1) for profile in profiles), DEPTH_MAX)
     if is_static:
         depth = max(depth, min(topic.message_count, MAX_KEPT_MESSAGES))
-    is_reliable = any(each.reliability == ReliabilityPolicy.RELIABLE for each in profiles)
-    is_kept = any(each.durability == DurabilityPolicy.TRANSIENT_LOCAL for each in profiles)
+    is_reliable = any(profile.reliability == ReliabilityPolicy.RELIABLE for profile in profiles)
+    is_kept = any(profile.durability == DurabilityPolicy.TRANSIENT_LOCAL for profile in profiles)
     return QoS(
         reliability=ReliabilityPolicy.RELIABLE if is_reliable else ReliabilityPolicy.BEST_EFFORT,
         durability=DurabilityPolicy.TRANSIENT_LOCAL if is_kept else DurabilityPolicy.VOLATILE,
         history=HistoryPolicy.KEEP_LAST,
         depth=depth,
         # Deadlines are not offered, because a pause would miss them.
-        lifespan_ns=max(each.lifespan_ns for each in profiles),
+        lifespan_ns=max(profile.lifespan_ns for profile in profiles),
         liveliness=LivelinessPolicy.AUTOMATIC,
     ).resolved()

@@ -10,7 +10,7 @@ __all__ = ["PlayClock"]
 
 
 class PlayClock:
-    """Not thread-safe."""
+    """The time of a bag. Its methods take no lock: whoever shares it between threads must hold one."""
 
     def __init__(self, now_ns: int, rate: float) -> None:
         self._bag_ns = now_ns

@@ -13,7 +13,7 @@ __all__ = ["PlayOptions", "parse_remaps"]
 
 @dataclass
 class PlayOptions:
-    """The options of a player."""
+    """What of a bag is played, and how; without arguments, all of it, once."""
 
     choice: TopicChoice = field(default_factory=lambda: TopicChoice(all_topics=True, all_services=True))
     rate: float = 1.0
@@ -52,11 +52,11 @@ def parse_remaps(words: Sequence[str]) -> dict[str, str]:
     Raises:
         ValueError: a word isn't one.
     """
-    found = {}
+    remaps = {}
     for word in words:
         old, sign, new = word.partition(":=")
         if not (sign and old and new):
             raise ValueError(f"'{word}' is no remap: old_topic:=new_topic")
         old, new = full_names((old, new))
-        found[old] = new
-    return found
+        remaps[old] = new
+    return remaps

@@ -135,11 +135,15 @@ class Playback:
             if not self._is_paused or not self._is_running:
                 return 0
             before = self._stepped
+            # The thread of `run` counts the steps down, and publishes. A negative number stays as it is, so that it
+            # asks for all messages until `run` ends and sets it to 0.
             self._steps = count or -1
             self._changed.notify_all()
+            # The patience is for one message, not for all: the wait ends early only if no message at all was published
+            # within it.
             while self._steps and self._is_running and not self._is_stopped:
-                seen = self._stepped
-                if not self._changed.wait(STEP_PATIENCE_S) and self._stepped == seen:
+                last_stepped = self._stepped
+                if not self._changed.wait(STEP_PATIENCE_S) and self._stepped == last_stepped:
                     break
             return self._stepped - before
 
@@ -166,6 +170,7 @@ class Playback:
             BagError: the bag can't be read.
         """
         with self._changed:
+            # `burst` waits for `_is_running`, because a step before that would be refused.
             start_ns: int | None = self._bounds[0]
             self._clock.set_now(self._bounds[0])
             self._is_running = True
@@ -176,6 +181,7 @@ class Playback:
                 self._on_start(start_ns)
                 start_ns = self._play_from(start_ns)
         finally:
+            # Whoever waits in `step` must learn that no message follows, also if reading has failed.
             with self._changed:
                 self._is_running = False
                 self._steps = 0
@@ -184,14 +190,16 @@ class Playback:
 
     def _play_from(self, start_ns: int) -> int | None:
         """Play from a time on; return the time of a seek, or None at the end."""
-        wanted = self._bag.messages(self._topics, start_ns, self._bounds[1])
-        messages = ReadAhead(self._bag.path, wanted, self._read_ahead)
+        unread = self._bag.messages(self._topics, start_ns, self._bounds[1])
+        messages = ReadAhead(self._bag.path, unread, self._read_ahead)
         try:
             for message in messages:
                 turn = self._wait_for(message.log_time_ns)
                 if turn is not _Turn.PUBLISH:
                     break
-                self._on_message(message)
+                self._on_message(message)  # without the lock: it may call any method of this object
+            # A seek may also come during the last message, which ends the loop without another wait. So the seek, not
+            # the reason why the loop ended, tells whether to go on.
             with self._changed:
                 seek_ns, self._seek_ns = self._seek_ns, None
                 return None if self._is_stopped else seek_ns
@@ -200,6 +208,9 @@ class Playback:
 
     def _wait_for(self, stamp_ns: int) -> _Turn:
         """Wait until a message's time, or for a step."""
+        # Each change wakes this thread, which then looks at everything anew: a pause, another rate or a seek changes
+        # how long to wait, so no deadline is kept over a wait. Stopping comes before all else, and a seek before a
+        # step, because the message at hand is none of those after the seek.
         with self._changed:
             while True:
                 if self._is_stopped:

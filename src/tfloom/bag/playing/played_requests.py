@@ -80,12 +80,12 @@ class PlayedRequests:
             self._warn(f"A request to '{self._service}' can't be sent: {error}")
 
     def destroy(self) -> None:
-        """Leave the service."""
+        """Close the client, if one could be made."""
         if self._requester is not None:
             self._requester.close()
 
     def _warn(self, text: str) -> None:
-        """Warn once."""
+        """Warn, unless a warning about this service was logged before."""
         if not self._has_warned:
             self._has_warned = True
             self._node.get_logger().warning(text)

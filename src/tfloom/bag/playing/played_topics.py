@@ -46,14 +46,14 @@ class PlayedTopics:
     def _warn_of_missing(self) -> None:
         """Name the wanted topics and services that the bag doesn't have, because nothing of them is played."""
         choice = self._options.choice
-        known = self._bag.topics
-        missing = [f"topic '{name}'" for name in choice.topics if name not in known]
+        topics = self._bag.topics
+        missing = [f"topic '{name}'" for name in choice.topics if name not in topics]
         missing += [
-            f"service '{name}'" for name in choice.services if name + SERVICE_EVENT_SUFFIX not in known
+            f"service '{name}'" for name in choice.services if name + SERVICE_EVENT_SUFFIX not in topics
         ]
-        for each in missing:
+        for name in missing:
             self._node.get_logger().warning(
-                f"The bag has no {each}, which is not played. It has: {', '.join(sorted(known)) or 'no topics'}"
+                f"The bag has no {name}, which is not played. It has: {', '.join(sorted(topics)) or 'no topics'}"
             )
         if not self.names and not missing:
             self._node.get_logger().warning("No topic of the bag is to be played.")
@@ -138,5 +138,5 @@ class _RawPublisher:
         )
 
     def destroy(self) -> None:
-        """Leave the topic."""
+        """Close the writer."""
         self.writer.close()

@@ -81,7 +81,7 @@ class Player(Node):
 
     @property
     def keys(self) -> dict[str, Callable[[], object]]:
-        """What the keys do."""
+        """What to call for each key of the terminal, by the key's name."""
         return {
             " ": self.toggle_paused,
             "right": lambda: self.playback.step(1),

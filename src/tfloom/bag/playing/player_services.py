@@ -33,7 +33,7 @@ class ServedPlayer(Protocol):
     playback: Playback
 
     def create_service(self, srv_type: Any, srv_name: str, callback: Callable[[Any, Any], Any]) -> Any:
-        """Serve requests."""
+        """Create a service of the node, as `Node.create_service`."""
 
     def set_paused(self, is_paused: bool) -> None:
         """Pause, or resume."""

@@ -48,13 +48,15 @@ class ReadAhead:
     def __next__(self) -> RawMessage:
         for message in self._batch:
             return message
-        found = self._batches.get()
-        if found is None:
+        # The thread ends with None, or with the error that it met. None is put back, because an iterator that has ended
+        # must end again, and nobody else would fill the queue.
+        batch = self._batches.get()
+        if batch is None:
             self._batches.put(None)
             raise StopIteration
-        if isinstance(found, BaseException):
-            raise found
-        self._batch = iter(found)
+        if isinstance(batch, BaseException):
+            raise batch
+        self._batch = iter(batch)
         return next(self)
 
     def close(self) -> None:
@@ -70,18 +72,19 @@ class ReadAhead:
                 batch.append(message)
                 size += len(message.data)
                 if len(batch) >= _BATCH or size >= _BATCH_SIZE:
-                    if not self._put(batch):
+                    if not self._put_batch(batch):
                         return
                     batch, size = [], 0
             if batch:
-                self._put(batch)
-            self._put(None)
+                self._put_batch(batch)
+            self._put_batch(None)
         except Exception as error:  # noqa: BLE001 - it is raised where the messages are used
-            self._put(batch)
-            self._put(error)
+            self._put_batch(batch)
+            self._put_batch(error)
 
-    def _put(self, batch: list[RawMessage] | BaseException | None) -> bool:
+    def _put_batch(self, batch: list[RawMessage] | BaseException | None) -> bool:
         """Add a batch; return False if nobody takes it any more."""
+        # A full queue wakes nobody on `close`, so this thread looks now and then whether it is still needed.
         while not self._ended.is_set():
             try:
                 self._batches.put(batch, timeout=_PATIENCE_S)

@@ -124,22 +124,22 @@ class BagFile:
     @property
     def start_ns(self) -> int:
         """The least log time [ns since epoch]; 0 without messages."""
-        return self._known.start_ns if self._known else self.storage.start_ns
+        return self._declared.start_ns if self._declared else self.storage.start_ns
 
     @property
     def end_ns(self) -> int:
         """The greatest log time [ns since epoch]; 0 without messages."""
-        if self._known:
-            return self._known.start_ns + self._known.duration_ns
+        if self._declared:
+            return self._declared.start_ns + self._declared.duration_ns
         return self.storage.end_ns
 
     @property
     def message_count(self) -> int:
         """Number of messages."""
-        return self._known.message_count if self._known else self.storage.message_count
+        return self._declared.message_count if self._declared else self.storage.message_count
 
     @property
-    def _known(self) -> FileInformation | None:
+    def _declared(self) -> FileInformation | None:
         """What metadata.yaml says, if the file would have to be decompressed to find it."""
         return self._information if self.is_compressed and self._storage is None else None
 

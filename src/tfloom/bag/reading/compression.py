@@ -57,14 +57,14 @@ def decompress(method: str, data: bytes, size: int) -> bytes:
         module = zstd()
         try:
             if module.frame_content_size(data) == size:  # at once: a stream takes twice as long
-                found: bytes = module.ZstdDecompressor().decompress(data)
-                return found
+                content: bytes = module.ZstdDecompressor().decompress(data)
+                return content
         except module.ZstdError as error:
             raise DamagedError(f"the zstd data is damaged: {error}") from None
-    found = decompress_part(method, data, size)
-    if len(found) != size:
-        raise DamagedError(f"{size} bytes are declared, and {len(found)} are there")
-    return found
+    content = decompress_part(method, data, size)
+    if len(content) != size:
+        raise DamagedError(f"{size} bytes are declared, and {len(content)} are there")
+    return content
 
 
 def decompress_part(method: str, data: bytes, size: int) -> bytes:
@@ -173,10 +173,10 @@ def lz4_frame() -> Any:
 def _part_of_lz4(data: bytes, size: int) -> bytes:
     module = lz4_frame()
     try:
-        found: bytes = module.LZ4FrameDecompressor().decompress(data, max_length=size) if size else b""
+        content: bytes = module.LZ4FrameDecompressor().decompress(data, max_length=size) if size else b""
     except (RuntimeError, EOFError, MemoryError) as error:
         raise DamagedError(f"the lz4 data is damaged: {error}") from None
-    return found
+    return content
 
 
 def bz2_module() -> Any:
@@ -195,20 +195,20 @@ def bz2_module() -> Any:
 def _part_of_bz2(data: bytes, size: int) -> bytes:
     stream = bz2_module().BZ2Decompressor()
     try:
-        found: bytes = stream.decompress(data, max_length=size) if size else b""
+        content: bytes = stream.decompress(data, max_length=size) if size else b""
     except (OSError, EOFError, ValueError) as error:
         raise DamagedError(f"the bz2 data is damaged: {error}") from None
-    return found
+    return content
 
 
 def _part_of_zstd(data: bytes, size: int) -> bytes:
     module = zstd()
     try:
         with module.ZstdDecompressor().stream_reader(data) as reader:
-            found: bytes = reader.read(min(size, len(data) * ZSTD_RATIO)) if size and data else b""
+            content: bytes = reader.read(min(size, len(data) * ZSTD_RATIO)) if size and data else b""
     except (module.ZstdError, MemoryError) as error:
         raise DamagedError(f"the zstd data is damaged: {error}") from None
-    return found
+    return content
 
 
 def copy_decompressed(source: Path, target: BinaryIO) -> None:

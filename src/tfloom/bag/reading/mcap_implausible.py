@@ -56,6 +56,8 @@ class _Walk:
 
     def add(self, piece: bytes) -> str:
         """Walk over the next bytes; return what is wrong with them, or an empty text."""
+        # A piece ends anywhere. It begins with the end of a record whose header is known, of which no more than the
+        # length matters, or else with the end of a header, whose beginning is in `_rest`.
         skipped = min(self.left, len(piece))
         self.left -= skipped
         data = self._rest + piece[skipped:]
@@ -67,6 +69,8 @@ class _Walk:
         self._others += len(others)
         self._at += skipped + end
         self._rest = data[end:]
+        # The last record isn't whole. Once its header is, count it and drop what is there of it: only the number of
+        # bytes to skip is kept, so that a record of any size takes no memory.
         if len(self._rest) >= RECORD_HEADER.size:
             opcode, length = RECORD_HEADER.unpack_from(self._rest)
             if opcode not in _KINDS:

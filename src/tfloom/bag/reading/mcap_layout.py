@@ -111,6 +111,8 @@ def decompressed(file: io.FileIO, path: Path, span: Span, size: int | None = Non
     stored = read_at(file, span.offset, span.stored_size)
     try:
         check_plausible(span.compression, stored, span.size, span.is_whole)
+        # Of a chunk that is cut off, as of one whose beginning is enough, less comes out than it declares. All others
+        # must have their declared size, or they are damaged.
         if not span.is_whole or size is not None:
             return decompress_part(span.compression, stored, span.size if size is None else size)
         return decompress(span.compression, stored, span.size)
@@ -127,6 +129,7 @@ def whole_records(file: io.FileIO, path: Path, span: Span) -> bytes:
     Raises:
         BagError: as `decompressed`.
     """
+    # The checksum is of all bytes, so a chunk that is cut off has none that fits. Its whole records are read without.
     data = decompressed(file, path, span) or b""
     if span.is_whole and not _has_checksum(file, span, data):
         warn_of_damage(path, span, "its content does not have its checksum")
@@ -138,6 +141,8 @@ def whole_records(file: io.FileIO, path: Path, span: Span) -> bytes:
         return b""
     if counts and (first < span.start_ns or last > min(span.end_ns, LATEST)):
         _warn_of_times(path, span, data, counts)
+    # After the last whole record, a chunk that is cut off has the beginning of another one, as expected. Anywhere else
+    # that is damage.
     if end != len(data) and span.is_whole:
         warn_of_damage(path, span, f"it has no whole record at byte {end}", "it is read up to there")
     return data[:end] if end != len(data) else data

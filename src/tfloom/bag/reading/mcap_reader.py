@@ -58,14 +58,15 @@ class McapFile:
     @cached_property
     def topics(self) -> list[Topic]:
         """The topics; one for each name, with the type of its first channel."""
-        found: dict[str, Topic] = {}
+        # Several channels may have the same topic. Their messages are counted together.
+        topics: dict[str, Topic] = {}
         for channel in self._layout.channels.values():
             topic = self._topic(channel)
-            before = found.get(topic.name)
+            before = topics.get(topic.name)
             if before is not None:
                 topic = before._replace(message_count=before.message_count + topic.message_count)
-            found[topic.name] = topic
-        return list(found.values())
+            topics[topic.name] = topic
+        return list(topics.values())
 
     def _topic(self, channel: records.Channel) -> Topic:
         schema = self._layout.schemas.get(channel.schema_id)
@@ -88,8 +89,8 @@ class McapFile:
         Raises:
             BagError: it is damaged.
         """
-        for each, offset in reversed(self._layout.metadata_offsets):
-            if each == name:
+        for record_name, offset in reversed(self._layout.metadata_offsets):
+            if record_name == name:
                 with self._open() as file:
                     return self._read_metadata(file, offset)
         return None
@@ -119,11 +120,11 @@ class McapFile:
         Raises:
             BagError: the file can't be decompressed.
         """
-        names = {each.id: each.topic for each in self._layout.channels.values()}
+        names = {channel.id: channel.topic for channel in self._layout.channels.values()}
         if topics is not None:
             names = {number: name for number, name in names.items() if name in topics}
         with self._open() as file:
-            spans = self._wanted(file, names, start_ns, end_ns)
+            spans = self._chosen_spans(file, names, start_ns, end_ns)
             for log, channel, publish, data in in_order(
                 spans, lambda span: self._read(file, span, names, start_ns, end_ns)
             ):
@@ -137,8 +138,12 @@ class McapFile:
         except CompressionError as error:
             raise BagError(self.path, str(error)) from None
 
-    def _wanted(self, file: io.FileIO, channels: Collection[int], start_ns: int, end_ns: int) -> list[Span]:
+    def _chosen_spans(
+        self, file: io.FileIO, channels: Collection[int], start_ns: int, end_ns: int
+    ) -> list[Span]:
         """Return the spans that may have messages of these channels and times, by their first log time."""
+        # Chunks are chosen by their times, which they only declare. Where all times are read, a wrong declaration
+        # leaves nothing out, so the true times are looked up for a part of the bag only.
         if start_ns > EARLIEST or end_ns < LATEST:
             self._layout.spans = [with_true_times(file, self.path, span) for span in self._spans(file)]
         spans = [
@@ -162,11 +167,11 @@ class McapFile:
     ) -> list[Found]:
         data = whole_records(file, self.path, span)
         try:
-            found = _native.list_mcap_messages(data, channels, start_ns, end_ns)
+            places = _native.list_mcap_messages(data, channels, start_ns, end_ns)
         except ValueError as error:
             warn_of_damage(self.path, span, str(error))
             return []
-        return [(log, channel, publish, data[at : at + size]) for log, channel, publish, at, size in found]
+        return [(log, channel, publish, data[at : at + size]) for log, channel, publish, at, size in places]
 
     def insert_transforms(
         self,
@@ -186,16 +191,22 @@ class McapFile:
         if self.is_message_compressed:
             insert_messages(self.messages, into, topics, (start_ns, end_ns), progress)
             return
-        known = self._layout.channels.values()
-        channels = {each.id: topics[each.topic].number for each in known if each.topic in topics}
-        static = {each.id for each in known if each.id in channels and topics[each.topic].is_static}
+        declared = self._layout.channels.values()
+        channels = {
+            channel.id: topics[channel.topic].number for channel in declared if channel.topic in topics
+        }
+        static = {
+            channel.id for channel in declared if channel.id in channels and topics[channel.topic].is_static
+        }
         with self._open() as file:
-            wanted = [
-                *self._wanted(file, channels, start_ns, end_ns),
-                *self._wanted(file, static, EARLIEST, LATEST),
+            # A static transform holds at all times, so it is stored whenever it was published. A span may be there for
+            # both reasons; it is read once, in the order of the file.
+            spans = [
+                *self._chosen_spans(file, channels, start_ns, end_ns),
+                *self._chosen_spans(file, static, EARLIEST, LATEST),
             ]
             reader = SparseReader(file, self.path, channels)
-            for _, span in sorted({each.offset: each for each in wanted}.items()):
+            for _, span in sorted({span.offset: span for span in spans}.items()):
                 for data in reader.records(span):
                     self._insert(into, span, data, channels, (start_ns, end_ns))
                 progress(span.stored_size)

@@ -28,7 +28,7 @@ def record_header(data: bytes) -> tuple[int, int]:
 
 
 class Opcode:  # no enum, because numbers of files are compared with these for each record
-    """The kinds of records."""
+    """The first byte of a record, which tells its kind."""
 
     HEADER = 0x01
     FOOTER = 0x02
@@ -62,7 +62,7 @@ class Fields:
         self.at = 0
 
     def take(self, size: int) -> bytes:
-        """Return the next bytes."""
+        """Return the next bytes, and go on behind them; raise RecordError if fewer are left."""
         left = len(self._data) - self.at
         if size > left:
             raise RecordError(f"{size} bytes are needed, {left} are left in the record")
@@ -101,11 +101,11 @@ class Fields:
     def texts(self) -> dict[str, str]:
         """Return a map of strings."""
         part = self.part()
-        found = {}
+        texts = {}
         while not part.is_at_end:
             key = part.text()
-            found[key] = part.text()
-        return found
+            texts[key] = part.text()
+        return texts
 
     def pairs(self, form: str) -> list[tuple[int, ...]]:
         """Return an array of several integers each."""
@@ -121,7 +121,7 @@ class Fields:
 
 
 class Header(NamedTuple):
-    """The first record."""
+    """The content of the first record of a file."""
 
     profile: str
     library: str
@@ -134,7 +134,7 @@ class Header(NamedTuple):
 
 
 class Footer(NamedTuple):
-    """The last record."""
+    """The content of the last record of a finished file."""
 
     summary_start: int
     """Offset of the summary; 0 if there is none."""

@@ -79,6 +79,7 @@ class Scan:
         elif opcode == Opcode.METADATA and content + length <= self._size:
             name = records.Fields(read_at(self._file, content, length)).text()
             self.layout.metadata_offsets.append((name, at))
+        # The indexes of a chunk follow it. Those after a chunk that is left out belong to none.
         elif opcode == Opcode.MESSAGE_INDEX and self._chunk and content + length <= self._size:
             channel = records.Fields(self._peek(content, min(length, 2))).number("H")
             self._chunk.index_offsets[channel] = at
@@ -101,6 +102,7 @@ class Scan:
             return self._size  # the last record isn't whole
         if size > MOST:
             raise RecordError(f"a record of {size} bytes is there, more than the {MOST} that are accepted")
+        # A block has many small messages. It grows to the record if that is larger, so that each step makes progress.
         if at + size > self._block_at + len(self._block):
             self._block, self._block_at = read_at(self._file, at, max(BLOCK, size)), at
         end = self._add_records(self._block, at - self._block_at, Span(0, 0, at, 0, "", 0, {}, None))
@@ -136,6 +138,7 @@ class Scan:
             raise
         if not (header.size or header.stored_size):
             return
+        # The last chunk of a file without an end may be cut off. What is there of it is read, to its last whole record.
         stored = min(header.stored_size, left - header.data_offset)
         is_whole = stored == header.stored_size
         offset = at + header.data_offset
@@ -143,6 +146,8 @@ class Scan:
         data = decompressed(self._file, self._path, span)
         if not data:
             return
+        # The records tell their times and channels, which the chunk's header doesn't, or not reliably. A message index
+        # after this chunk adds its offset to the span that is in the list, by the dict that they share.
         self._chunk = span
         try:
             self._add_records(data, 0, span)

@@ -40,6 +40,8 @@ class SparseReader:
 
         A damaged chunk is left out, after a warning.
         """
+        # By how much there is to gain: nothing is read of a chunk without such messages, and all of it if they are
+        # more than half of it; of a compressed chunk its beginning, because decompression can't start in the middle.
         runs = self._runs(span)
         if runs == []:
             return
@@ -63,6 +65,7 @@ class SparseReader:
                 except RecordError as error:
                     warn_of_damage(self._path, span, f"its index: {error}", "the index isn't used")
                     return None
+        # Offsets are those of the records' beginnings: where the last record of a run ends is known when it is read.
         offsets.sort()
         runs: list[tuple[int, int]] = []
         for offset in offsets:
@@ -92,6 +95,7 @@ class SparseReader:
 
     def _beginning(self, span: Span, last: int) -> bytes:
         """Return the records up to the one that begins at `last`."""
+        # A guess, for the same reason as in `_run`. If the last record is longer, the whole chunk is decompressed.
         data = decompressed(self._file, self._path, span, min(span.size, last + GAP)) or b""
         end = _end(data, last)
         if end <= len(data):
@@ -103,6 +107,8 @@ class SparseReader:
         if last + RECORD_HEADER.size > span.size:
             warn_of_damage(self._path, span, f"its index has a message at byte {last}")
             return b""
+        # The length of the last record is in its header. A little more is read at once, in which most of these records
+        # end; a second read fetches the rest of a larger one.
         size = min(last + AHEAD, span.size) - start
         data = read_at(self._file, span.offset + start, size)
         end = min(_end(data, last - start), span.size - start)

@@ -44,9 +44,10 @@ def read_layout(file: io.FileIO, path: Path) -> Layout:
             return layout
     except RecordError as error:
         warnings.warn(BagWarning(f"{path}: the summary is damaged, and isn't used: {error}"), stacklevel=2)
-    found = Scan(file, path, Layout(header))
-    found.run()
-    return found.layout
+    # The layout that the summary has begun is not used: the walk begins with an empty one.
+    scan = Scan(file, path, Layout(header))
+    scan.run()
+    return scan.layout
 
 
 def _read_header(file: io.FileIO, path: Path, size: int) -> records.Header:
@@ -93,6 +94,8 @@ def _read_summary(file: io.FileIO, header: records.Header, start: int, size: int
             layout.metadata_offsets.append((metadata.name, metadata.offset))
         else:
             layout.add(opcode, content)
+    # Some writers leave out parts of the summary, as the format allows. Without statistics, or with fewer chunk indexes
+    # than chunks, nobody knows what would be missing, so the file is walked over.
     _check_overlaps(spans, start)
     if statistics is None or chunks != statistics.chunk_count:
         return None
@@ -100,6 +103,7 @@ def _read_summary(file: io.FileIO, header: records.Header, start: int, size: int
         return None
     layout.counts = Counter(statistics.counts)
     layout.start_ns, layout.end_ns = statistics.start_ns, statistics.end_ns
+    # Messages without any chunk are found by a walk, but not before they are asked for: topics and times are known.
     if chunks or not statistics.message_count:
         layout.spans = spans
     return layout
@@ -107,6 +111,8 @@ def _read_summary(file: io.FileIO, header: records.Header, start: int, size: int
 
 def _check_overlaps(spans: list[Span], limit: int) -> None:
     """Raise RecordError unless chunks follow each other, each with its indexes, so that no byte is read for several."""
+    # A small file could otherwise name the same large chunk a million times, and each would be decompressed. The limit
+    # of a chunk with its indexes is the record of the next one; of the last, the summary.
     in_file = sorted(spans, key=lambda span: span.offset)
     for one, other in pairwise(in_file):
         if one.offset + one.stored_size + INDEX_OF_CHUNK > other.offset:

@@ -44,9 +44,12 @@ def in_order(parts: Sequence[AnyPart], read: Callable[[AnyPart], list[Found]]) -
     held: dict[int, list[Found]] = {}
     heap: list[tuple[int, int, int, int]] = []
     """Of each part that is held: the next message's log time, the part's offset and number, the message's index."""
+    # Parts come by their first log time, so once a part is read, all messages before the first time of the next part
+    # are at hand. They are yielded by a merge of the parts that are held, and only then is the next part read: parts
+    # that don't overlap are in memory one at a time.
     for index, part in enumerate(parts):
         messages = read(part)
-        messages.sort(key=_log_time)
+        messages.sort(key=_log_time)  # stable: those of one time stay in the order of the file
         if messages:
             held[index] = messages
             heapq.heappush(heap, (messages[0][0], part.offset, index, 0))
@@ -55,8 +58,11 @@ def in_order(parts: Sequence[AnyPart], read: Callable[[AnyPart], list[Found]]) -
         while heap and heap[0][0] < limit:
             _, offset, number, at = heap[0]
             messages = held[number]
-            # The next one, and those of the same part up to the first one of another.
-            end = min(limit, min((each[0] for each in heap[1:3]), default=limit))
+            # Whole runs are taken at once, which saves a heap operation for each message: the next message, and those
+            # of the same part up to the first one of another. That one is the lesser of the two children of the heap's
+            # top. The run has at least one message, so that equal times don't stop the loop; among them, the heap
+            # prefers the part that is first in the file.
+            end = min(limit, min((entry[0] for entry in heap[1:3]), default=limit))
             stop = max(at + 1, bisect_left(messages, end, at, key=_log_time))
             yield from messages[at:stop]
             if stop < len(messages):

@@ -27,7 +27,7 @@ def insert_messages(
         progress: Called with the size of each message.
     """
     for is_static, (start, end) in ((False, times), (True, (EARLIEST, LATEST))):
-        names = [name for name, each in topics.items() if each.is_static == is_static]
+        names = [name for name, topic in topics.items() if topic.is_static == is_static]
         for message in messages(names, start, end) if names else ():
             into.insert(topics[message.topic].number, message.data)
             progress(len(message.data))

@@ -57,6 +57,8 @@ class _Walk:
 
     def add(self, piece: bytes) -> str:
         """Walk over the next bytes; return what is wrong with them, or an empty text."""
+        # A piece ends anywhere. It begins with the end of the data of a record, of which no more than the length
+        # matters, or else with the end of a header, whose beginning is in `rest`.
         skipped = min(self.left, len(piece))
         self.left -= skipped
         self.at += skipped
@@ -66,6 +68,7 @@ class _Walk:
             while (record := next_record(data, begin)) is not None:
                 if reason := self._count(record):
                     return reason
+                # The header is whole. Of the data, only the number of bytes to skip is kept.
                 end = min(record.end, len(data))
                 self.left = record.end - end
                 self.at += end - begin

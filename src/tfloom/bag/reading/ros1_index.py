@@ -80,6 +80,8 @@ def read_index(file: io.FileIO, layout: Ros1Layout) -> None:
         raise DamagedRecordError(
             f"it has {len(infos)} chunks, and the bag's header {header.number('chunk_count', 4)}"
         )
+    # A chunk and its index records end before the next chunk, the last one's before the index. These limits keep a
+    # damaged size from reaching into another chunk.
     infos.sort(key=lambda info: info.offset)
     limits = [info.offset for info in infos[1:]] + [place]
     for info, other in pairwise(infos):
@@ -120,6 +122,8 @@ def _add_chunk(file: io.FileIO, layout: Ros1Layout, info: _ChunkInfo, limit: int
     except DamagedRecordError as error:
         layout.warn_of_damage(info.offset, str(error), f"its {info.counts.total()} messages are left out")
         return
+    # Three sources tell of a chunk: the information at the file's end, the index records behind it, and its content.
+    # The first two are enough if they agree, and every connection is described; otherwise the content decides.
     times = _times_of_index(file, info, record.end, limit)
     if times is None or not layout.describes(info.counts):
         layout.add_chunk(file, record)
@@ -149,6 +153,8 @@ def _times_of_index(file: io.FileIO, info: _ChunkInfo, at: int, limit: int) -> t
 
     The times that the information of the chunk declares aren't used: a chunk is left out by them.
     """
+    # The size follows from the counts, so that all index records are read at once. It is a guess of other writers'
+    # files, whose headers may be longer or shorter: then the counts differ below, and the chunk is read itself.
     size = sum(_INDEX_SIZE + _ENTRY_SIZE * count for count in info.counts.values())
     counts: Counter[int] = Counter()
     least, greatest = [], []
@@ -156,6 +162,7 @@ def _times_of_index(file: io.FileIO, info: _ChunkInfo, at: int, limit: int) -> t
         for record, data in records_of_file(file, at, min(at + size, limit), size):
             if record.kind != INDEX or record.number("ver", 4) != _VERSION or len(data) % _ENTRY_SIZE:
                 return None
+            # An entry is seconds, nanoseconds and an offset in the chunk, which isn't needed.
             entries = np.frombuffer(data, "<u4").reshape(-1, 3).astype(np.int64)
             if len(entries):
                 stamps_ns = entries[:, 0] * 1_000_000_000 + entries[:, 1]

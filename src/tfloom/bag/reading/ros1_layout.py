@@ -84,16 +84,17 @@ class Ros1Layout:
     @property
     def topics(self) -> dict[str, Topic]:
         """The topics by name; each with the type of its first connection."""
-        found: dict[str, Topic] = {}
+        # Each publisher of a topic has a connection of its own.
+        topics: dict[str, Topic] = {}
         for number, connection in self._connections.items():
             text = connection.definition
             definition = Definition("ros1msg", text) if text else None
-            topic = found.get(
+            topic = topics.get(
                 connection.topic, Topic(connection.topic, connection.type, "ros1", definition=definition)
             )
             count = topic.message_count + self.counts[number]
-            found[connection.topic] = topic._replace(message_count=count)
-        return found
+            topics[connection.topic] = topic._replace(message_count=count)
+        return topics
 
     def warn_of_unknown_connections(self) -> None:
         """Warn of the messages that are left out, because no record says their topic and type."""
@@ -135,8 +136,10 @@ class Ros1Layout:
         self, file: io.FileIO, span: Span, connections: Collection[int], times: tuple[int, int]
     ) -> list[Found]:
         data = self.decompressed(file, span.offset, span.stored_size, span.compression, span.size)
-        found: list[Found] = []
+        messages: list[Found] = []
         count = outside = unknown = 0
+        # All messages are counted, also those that aren't asked for: an index that names other numbers or times than
+        # the chunk has would leave messages out in silence, and only this walk can tell.
         try:
             for record in records(data, 0):
                 if record.kind != MESSAGE:
@@ -147,7 +150,7 @@ class Ros1Layout:
                 number = record.number("conn", 4)
                 unknown += number not in self._connections
                 if number in connections and times[0] <= stamp <= times[1]:
-                    found.append((stamp, number, stamp, data[record.begin : record.end]))
+                    messages.append((stamp, number, stamp, data[record.begin : record.end]))
         except DamagedRecordError as error:
             if span.indexed_count is not None:  # else the walk has warned of it
                 self.warn_of_damage(span.offset, str(error))
@@ -160,7 +163,7 @@ class Ros1Layout:
         if outside:
             reason = f"{outside} of its messages have log times outside those of its index"
             self.warn_of_damage(span.offset, reason, "a part of the bag, chosen by times, may lack them")
-        return found
+        return messages
 
     def add_chunk(self, file: io.FileIO, record: Record) -> None:
         """Add a chunk by its content.
@@ -209,6 +212,7 @@ class Ros1Layout:
                     break
                 end = record.end
         finally:
+            # Also if a record is damaged: the messages before it are kept. `end` is where the last whole one ends.
             if times:
                 self.counts += counts
                 sizes = (stored_size or end - begin, compression, len(data) if stored_size else end - begin)

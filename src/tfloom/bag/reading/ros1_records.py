@@ -96,7 +96,7 @@ def records(data: bytes, at: int) -> Iterator[Record]:
 
 def read_fields(header: bytes) -> dict[str, bytes]:
     """Return the fields of a header: each is its length, its name, `=` and its value."""
-    found = {}
+    fields = {}
     at = 0
     while at < len(header):
         begin = at + _LENGTH.size
@@ -107,8 +107,8 @@ def read_fields(header: bytes) -> dict[str, bytes]:
         name, sign, value = header[begin:at].partition(b"=")
         if at > len(header) or not sign:
             raise DamagedRecordError(f"a field of {length} bytes is none")
-        found[name.decode("ascii", "replace")] = value
-    return found
+        fields[name.decode("ascii", "replace")] = value
+    return fields
 
 
 def records_of_file(file: io.FileIO, at: int, end: int, size: int = BLOCK) -> Iterator[tuple[Record, bytes]]:

@@ -69,12 +69,14 @@ class Ros1Scan:
         """Read the record at an offset; return that of the next one, or None if the file ends in it."""
         if record.kind in {MESSAGE, CONNECTION}:
             return self._read_loose(at, record)
+        # A recorder writes a chunk's header with size 0, then its records, and at the chunk's end the size. So the last
+        # chunk of a killed recorder may be open: without compression its records are read as if they were loose.
         if record.kind == CHUNK:
             compression = compression_of(record)
             if record.size and record.end <= self._size:
                 self._layout.add_chunk(self._file, record)
             elif compression == "none":
-                return record.begin  # its size isn't written yet, or it is cut off: its records follow
+                return record.begin
             else:
                 return None
         elif record.kind not in {BAG_HEADER, INDEX, CHUNK_INFO}:
@@ -90,6 +92,8 @@ class Ros1Scan:
             raise DamagedRecordError(f"{size} bytes are declared, more than the {MOST} that are accepted")
         if record.end > self._block_at + len(self._block):
             self._block, self._block_at = read_at(self._file, at, max(BLOCK, size)), at
+        # The record was within the file a moment ago. If not even one is whole now, the file has become shorter, and
+        # the walk would go on forever here.
         begin = at - self._block_at
         end = self._layout.add(self._block, begin, at)
         return None if end == begin else self._block_at + end

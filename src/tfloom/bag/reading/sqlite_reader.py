@@ -66,7 +66,7 @@ class SqliteFile:
             if missing := sorted(_TOPIC_COLUMNS - set(_columns(database, "topics"))):
                 raise BagError(path, f"the database's table of topics has no column {', '.join(missing)}")
             self._topics = _topics(database, self._counts)
-            if not all(isinstance(each, int) for each in self._topics):
+            if not all(isinstance(topic_id, int) for topic_id in self._topics):
                 raise BagError(path, "the database is damaged: a topic has an id that is no integer")
             says_compressed = "metadata" in tables and _says_compressed(database)
             definitions = _definitions(database) if "message_definitions" in tables else {}
@@ -112,7 +112,7 @@ class SqliteFile:
             BagError: the file is damaged.
         """
         names = {
-            key: each.name for key, each in self._topics.items() if topics is None or each.name in topics
+            key: topic.name for key, topic in self._topics.items() if topics is None or topic.name in topics
         }
         with self._open() as database:
             latest = start_ns
@@ -199,8 +199,8 @@ def _connected(path: Path) -> Iterator[sqlite3.Connection]:
             yield database
         return
     with tempfile.TemporaryDirectory(prefix="tfloom-bag-") as folder:
-        for each in (path, log):
-            shutil.copy(each, folder)
+        for file in (path, log):
+            shutil.copy(file, folder)
         with _opened(Path(folder) / path.name, "mode=rw") as database:
             yield database
 
@@ -258,11 +258,11 @@ def _quoted(name: str) -> str:
 
 def _topics(database: sqlite3.Connection, counts: Mapping[int, int]) -> dict[int, Topic]:
     """Return the topics by their ids; early versions lack some columns."""
-    found = {}
+    topics = {}
     columns = _columns(database, "topics")
     for row in database.execute("SELECT * FROM topics"):
         values = dict(zip(columns, row, strict=False))
-        found[values["id"]] = Topic(
+        topics[values["id"]] = Topic(
             str(values["name"]),
             str(values["type"]),
             str(values["serialization_format"]),
@@ -270,7 +270,7 @@ def _topics(database: sqlite3.Connection, counts: Mapping[int, int]) -> dict[int
             str(values.get("offered_qos_profiles") or ""),
             message_count=counts.get(values["id"], 0),
         )
-    return found
+    return topics
 
 
 def _definitions(database: sqlite3.Connection) -> dict[str, Definition]:
@@ -288,7 +288,7 @@ def _says_compressed(database: sqlite3.Connection) -> bool:
 def _rows(
     database: sqlite3.Connection, topics: Collection[int], start_ns: int, end_ns: int, *, uses_index: bool
 ) -> Iterator[tuple[int, int, Any]]:
-    ids = ",".join(str(int(each)) for each in topics)
+    ids = ",".join(str(int(topic_id)) for topic_id in topics)
     cursor = database.execute(
         f"SELECT topic_id, timestamp, data FROM messages {'' if uses_index else 'NOT INDEXED '}"  # noqa: S608
         f"WHERE topic_id IN ({ids}) "  # integers

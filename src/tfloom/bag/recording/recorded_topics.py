@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 __all__ = ["RecordedTopics"]
 
 
-class _Found:
+class _TopicInfo:
     """What the graph says of one topic."""
 
     def __init__(self) -> None:
@@ -44,7 +44,7 @@ class _Recorded:
         self.lost = 0
 
     def destroy(self) -> None:
-        """Leave the topic."""
+        """Close the reader, and keep how many messages it has lost."""
         if self.reader is not None:
             self.lost = self.count_lost()
             self.reader.close()
@@ -95,51 +95,51 @@ class RecordedTopics:
         """Subscribe to all wanted topics that exist."""
         graph = self._graph()
         self._changes = graph.changes()
-        for name, found in sorted(self._topics(graph).items()):
+        for name, topic_info in sorted(self._topics(graph).items()):
             if name in self._recorded:
-                self._warn_of_refused(name, found)
-            elif self._is_wanted(name, found):
-                self._subscribe(name, found)
+                self._warn_of_refused(name, topic_info)
+            elif self._is_wanted(name, topic_info):
+                self._subscribe(name, topic_info)
 
     def lost_count(self) -> int:
         """Return how many messages the wire has lost."""
-        return sum(each.count_lost() for each in self._recorded.values())
+        return sum(topic.count_lost() for topic in self._recorded.values())
 
     def close(self) -> None:
-        """Leave all topics."""
-        for each in self._recorded.values():
-            each.destroy()
+        """Close the readers of all topics."""
+        for topic in self._recorded.values():
+            topic.destroy()
 
     def _graph(self) -> base.Graph:
         if self._participant is None:
-            self._participant = self._node._open(_Nothing(), lambda participant, _: participant)  # noqa: SLF001  # ours
+            self._participant = self._node._open(_NoEndpoint(), lambda participant, _: participant)  # noqa: SLF001  # ours
         return self._participant.graph
 
-    def _topics(self, graph: base.Graph) -> dict[str, _Found]:
-        topics: dict[str, _Found] = {}
+    def _topics(self, graph: base.Graph) -> dict[str, _TopicInfo]:
+        topics: dict[str, _TopicInfo] = {}
         for end in graph.endpoints():
-            found = topics.setdefault(end.topic.name, _Found())
-            if end.is_writer or end.topic.type_name not in found.types:
-                found.types[end.topic.type_name] = end.topic.type_hash
+            topic_info = topics.setdefault(end.topic.name, _TopicInfo())
+            # The type's hash is that of a publisher; a subscription's counts only where there is none.
+            if end.is_writer or end.topic.type_name not in topic_info.types:
+                topic_info.types[end.topic.type_name] = end.topic.type_hash
             if end.is_writer:
-                found.writers.append(end)
+                topic_info.writers.append(end)
             else:  # or it is the recorder's own, of a topic that is recorded: nobody asks of it
-                found.has_subscription = True
+                topic_info.has_subscription = True
         return topics
 
-    def _is_wanted(self, name: str, found: _Found) -> bool:
-        if len(found.types) > 1:
-            if any(self._options.choice.wants(name, each) for each in found.types):
-                self._report(
-                    f"Topic '{name}' has more than one type, and can't be recorded: {', '.join(sorted(found.types))}"
-                )
+    def _is_wanted(self, name: str, topic_info: _TopicInfo) -> bool:
+        if len(topic_info.types) > 1:
+            if any(self._options.choice.wants(name, type_name) for type_name in topic_info.types):
+                types = ", ".join(sorted(topic_info.types))
+                self._report(f"Topic '{name}' has more than one type, and can't be recorded: {types}")
             return False
-        type_name = next(iter(found.types))
+        type_name = next(iter(topic_info.types))
         if not self._options.choice.wants(name, type_name):
             return False
-        if not found.writers and not self._options.include_unpublished_topics:
+        if not topic_info.writers and not self._options.include_unpublished_topics:
             return False
-        if self._options.ignore_leaf_topics and not found.has_subscription:
+        if self._options.ignore_leaf_topics and not topic_info.has_subscription:
             return False
         is_named = name in self._options.choice.wanted_names()
         is_shown = is_named or self._options.include_hidden_topics or is_service_event(name, type_name)
@@ -148,9 +148,9 @@ class RecordedTopics:
             return False
         return True
 
-    def _subscribe(self, name: str, found: _Found) -> None:
-        type_name, type_hash = next(iter(found.types.items()))
-        offers = [end.qos for end in found.writers]
+    def _subscribe(self, name: str, topic_info: _TopicInfo) -> None:
+        type_name, type_hash = next(iter(topic_info.types.items()))
+        offers = [end.qos for end in topic_info.writers]
         override = self._options.qos_overrides.get(name)
         qos = adapted(offers) if override is None else override._replace(history=HistoryPolicy.KEEP_ALL)
         if override is None:
@@ -164,9 +164,12 @@ class RecordedTopics:
         recorded.reader = self._node._open(  # noqa: SLF001  # ours
             recorded, lambda participant, node: participant.create_reader(node, wire_topic, qos)
         )
+        # From here on the wire's threads push messages into the queue, with the number under which the writer knows the
+        # topic. So the topic is added first, although it may turn out to have no message.
         recorded.reader.feed(self._writer.queue.sink(number))
         self._recorded[name] = recorded
         self._node.get_logger().info(f"Subscribed to topic '{name}'")
+        # Asking peers for the definition takes time: messages are recorded meanwhile, and the definition comes later.
         if topic.definition is None:
             self._define(number, topic)
 
@@ -183,14 +186,16 @@ class RecordedTopics:
             "are recorded without it."
         )
 
-    def _warn_of_refused(self, name: str, found: _Found) -> None:
+    def _warn_of_refused(self, name: str, topic_info: _TopicInfo) -> None:
         recorded = self._recorded[name]
-        for end in found.writers:
+        # The profile was adapted to the publishers of the time at which the topic was subscribed to. One that comes
+        # later may offer less, and isn't matched with the reader; each is named once, by its gid.
+        for end in topic_info.writers:
             if end.gid in recorded.refused:
                 continue
             if policies := refused(end.qos, recorded.qos):
                 recorded.refused.add(end.gid)
-                kinds = ", ".join(each.name for each in policies)
+                kinds = ", ".join(policy.name for policy in policies)
                 self._node.get_logger().warning(
                     f"A new publisher of '{name}' offers a lower quality than was requested ({kinds}). Its messages "
                     "are not recorded."
@@ -203,14 +208,14 @@ class RecordedTopics:
             get_logger("ROSBAG2_TRANSPORT").warning(text)
 
     def _report(self, text: str) -> None:
-        """Warn once."""
+        """Log a warning, unless the same text was logged before."""
         if text not in self._reported:
             self._reported.add(text)
             self._node.get_logger().warning(text)
 
 
-class _Nothing:
+class _NoEndpoint:
     """An endpoint that is not on the wire."""
 
     def destroy(self) -> None:
-        """Do nothing."""
+        """Do nothing, because there is nothing on the wire to close."""

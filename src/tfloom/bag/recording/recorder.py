@@ -108,6 +108,9 @@ class Recorder(Node):
         """
         if self._ended.is_set():
             return
+        # First no more messages get into the queue. Then both threads end: the event ends the wait between two looks at
+        # the graph, and a closed queue wakes the thread that waits for a chunk. No lock is held meanwhile, because that
+        # thread may need it for its last chunk. Only then can no thread subscribe any more, and the readers are closed.
         self.pause()
         self._ended.set()
         self.writer.queue.close()
@@ -160,6 +163,9 @@ class Recorder(Node):
         Raises:
             BagError: one of them can't be written.
         """
+        # The order matters: messages that arrive from now on count for the duration of the next file, those that wait
+        # are written into the present one, and then it is completed. Without the lock, the writing thread could take
+        # one of their chunks meanwhile, which would get into the next file.
         with self._lock:
             self.writer.queue.restart_file()
             if not self.writer.settings.is_snapshot:
@@ -230,18 +236,20 @@ class Recorder(Node):
         except BagError as error:
             self._fail(error)
         except Exception as error:  # noqa: BLE001  # nobody else would stop a recording that writes nothing
-            self._fail(BagError(self.writer.folder, f"writing has ended: {_named(error)}"), error)
+            self._fail(BagError(self.writer.folder, f"writing has ended: {_error_text(error)}"), error)
 
     def _write_chunks(self) -> None:
         queue = self.writer.queue
         while not self._ended.is_set():
-            if self.writer.settings.is_snapshot:
+            if self.writer.settings.is_snapshot:  # chunks stay in the queue until `take_snapshot`
                 self._ended.wait(FLUSH_NS / 1e9)
                 continue
+            # Wait for a whole chunk, and after that time take the unfinished one: few small messages may take hours to
+            # fill a chunk, and a kill would lose them all.
             queue.wait(FLUSH_NS)
-            with (
-                self._lock
-            ):  # taken and written by one thread, because a split writes what is left in the queue
+            # The wait is outside of the lock, so that a split needn't wait for it. Taking and writing are inside: a
+            # split between them would complete the file before this chunk, which is older, has got into it.
+            with self._lock:
                 chunk = queue.take(0)
                 if chunk is not None:
                     self.writer.write_chunk(chunk)
@@ -263,7 +271,7 @@ class Recorder(Node):
         except Exception as error:  # noqa: BLE001  # else topics that come later would be missing in silence
             if self.context.ok() and not self._ended.is_set():
                 failure = BagError(
-                    self.writer.folder, f"no more topics can be subscribed to: {_named(error)}"
+                    self.writer.folder, f"no more topics can be subscribed to: {_error_text(error)}"
                 )
                 self._fail(failure, error)
 
@@ -278,11 +286,14 @@ class Recorder(Node):
         """Stamp messages with the simulated time."""
         queue = self.writer.queue
         clock = self.get_clock()
+        # 0 is an unknown time: until the first message of /clock, nothing is recorded rather than with wrong stamps.
         queue.set_simulated_time(0)
 
         def follow(_: Any) -> None:
             queue.set_simulated_time(clock.now().nanoseconds)
 
+        # With this threshold, each change of the clock is a jump. The queue keeps the time, because it stamps messages
+        # on the threads of the wire, which run no Python.
         threshold = JumpThreshold(
             min_forward=Duration(nanoseconds=1), min_backward=Duration(nanoseconds=-1), on_clock_change=True
         )
@@ -300,5 +311,5 @@ class Recorder(Node):
             self.get_logger().warning(f"{lost} messages were lost before they arrived.")
 
 
-def _named(error: Exception) -> str:
+def _error_text(error: Exception) -> str:
     return f"{type(error).__name__}: {error}"

@@ -15,8 +15,8 @@ def adapted(offers: Sequence[QoS]) -> QoS:
 
     All samples are kept until they are taken, so that none is replaced by a later one.
     """
-    reliable = all(each.reliability == ReliabilityPolicy.RELIABLE for each in offers)
-    kept = offers and all(each.durability == DurabilityPolicy.TRANSIENT_LOCAL for each in offers)
+    reliable = all(offer.reliability == ReliabilityPolicy.RELIABLE for offer in offers)
+    kept = offers and all(offer.durability == DurabilityPolicy.TRANSIENT_LOCAL for offer in offers)
     return QoS(
         reliability=ReliabilityPolicy.RELIABLE if reliable else ReliabilityPolicy.BEST_EFFORT,
         durability=DurabilityPolicy.TRANSIENT_LOCAL if kept else DurabilityPolicy.VOLATILE,
@@ -26,18 +26,18 @@ def adapted(offers: Sequence[QoS]) -> QoS:
 
 def warnings_of(topic: str, offers: Sequence[QoS]) -> list[str]:
     """Return what the user should know about a profile that is adapted to different offers."""
-    found = []
-    if 0 < sum(each.reliability == ReliabilityPolicy.RELIABLE for each in offers) < len(offers):
-        found.append(
+    texts = []
+    if 0 < sum(offer.reliability == ReliabilityPolicy.RELIABLE for offer in offers) < len(offers):
+        texts.append(
             f"Some, but not all, publishers on topic '{topic}' are reliable. It is recorded as best effort, which "
             "receives from all of them: messages from reliable publishers may be lost."
         )
-    if 0 < sum(each.durability == DurabilityPolicy.TRANSIENT_LOCAL for each in offers) < len(offers):
-        found.append(
+    if 0 < sum(offer.durability == DurabilityPolicy.TRANSIENT_LOCAL for offer in offers) < len(offers):
+        texts.append(
             f"Some, but not all, publishers on topic '{topic}' are transient local. It is recorded as volatile, which "
             "receives from all of them: messages that were published before are not recorded."
         )
-    return found
+    return texts
 
 
 def refused(offer: QoS, requested: QoS) -> list[QoSPolicyKind]:

@@ -14,7 +14,7 @@ __all__ = ["Info", "Reindexer"]
 
 
 class Info:
-    """Reads metadata."""
+    """Reads and prints the metadata of bags, as `rosbag2_py.Info`."""
 
     def read_metadata(self, arg0: str, arg1: str) -> BagMetadata:  # noqa: ARG002 - the storage is found by itself
         """Return what is known of a bag; the second argument is its storage.
@@ -36,7 +36,7 @@ class Info:
 
 
 class Reindexer:
-    """Writes metadata.yaml anew."""
+    """Writes metadata.yaml from the files of a bag, as `rosbag2_py.Reindexer`."""
 
     def reindex(self, arg0: StorageOptions) -> None:
         """Write metadata.yaml from the files of a folder.

@@ -127,7 +127,7 @@ class TopicMetadata:
 
     def to_topic(self) -> Topic:
         """Return the topic, with the definition of its type where that is known here."""
-        profiles = [wire_profile(each) for each in self.offered_qos_profiles]
+        profiles = [wire_profile(profile) for profile in self.offered_qos_profiles]
         return Topic(
             self.name,
             self.type,
@@ -140,7 +140,7 @@ class TopicMetadata:
     @classmethod
     def from_topic(cls, topic: Topic, number: int = 0) -> TopicMetadata:
         """Return a topic of a bag."""
-        profiles = [QoS.from_wire(each) for each in parse_profiles(topic.offered_qos)]
+        profiles = [QoS.from_wire(profile) for profile in parse_profiles(topic.offered_qos)]
         return cls(number, topic.name, topic.type, topic.serialization_format, profiles, topic.type_hash)
 
 
@@ -204,13 +204,13 @@ class BagMetadata:
             bag_size=bag_size,
             storage_identifier=values.storage_identifier,
             relative_file_paths=list(values.relative_file_paths),
-            files=[_file_information(each) for each in values.files],
+            files=[_file_information(file) for file in values.files],
             duration=Duration(nanoseconds=values.duration_ns),
             starting_time=_stamp(values.start_ns),
             message_count=values.message_count,
             topics_with_message_count=[
-                TopicInformation(TopicMetadata.from_topic(each, number), each.message_count)
-                for number, each in enumerate(values.topics, 1)
+                TopicInformation(TopicMetadata.from_topic(topic, number), topic.message_count)
+                for number, topic in enumerate(values.topics, 1)
             ],
             compression_format=values.compression_format,
             compression_mode=values.compression_mode,
@@ -226,13 +226,13 @@ class BagMetadata:
             duration_ns=self.duration.nanoseconds,
             start_ns=self.starting_time.nanoseconds,
             message_count=self.message_count,
-            topics=[_counted(each) for each in self.topics_with_message_count],
+            topics=[_counted_topic(topic) for topic in self.topics_with_message_count],
             compression_format=self.compression_format,
             compression_mode=self.compression_mode,
             relative_file_paths=list(self.relative_file_paths),
             files=[
-                File(each.path, each.starting_time.nanoseconds, each.duration.nanoseconds, each.message_count)
-                for each in self.files
+                File(file.path, file.starting_time.nanoseconds, file.duration.nanoseconds, file.message_count)
+                for file in self.files
             ],
             custom_data=dict(self.custom_data),
             ros_distro=self.ros_distro,
@@ -245,7 +245,7 @@ def _file_information(file: File) -> FileInformation:
     )
 
 
-def _counted(information: TopicInformation) -> Topic:
+def _counted_topic(information: TopicInformation) -> Topic:
     metadata = information.topic_metadata
     topic = metadata.to_topic()
     return topic._replace(type_hash=metadata.type_description_hash, message_count=information.message_count)

@@ -258,7 +258,7 @@ def bag_rewrite(arg0: Sequence[StorageOptions], arg1: str) -> None:
     """
     is_path = os.path.isfile(arg1)  # noqa: PTH113 - a Path raises OSError for a text longer than names may be
     outputs = read_outputs(Path(arg1)) if is_path else parse_outputs(arg1, Path("output_options"))
-    convert([Path(each.uri) for each in arg0], outputs)
+    convert([Path(storage_options.uri) for storage_options in arg0], outputs)
 
 
 def _services(names: Sequence[str]) -> list[str]:

@@ -27,7 +27,7 @@ __all__ = [
 
 
 class CompressionMode(IntEnum):
-    """What is compressed."""
+    """Whether whole files are compressed, or each message by itself."""
 
     NONE = 0
     FILE = 1
@@ -35,7 +35,7 @@ class CompressionMode(IntEnum):
 
 
 class CompressionOptions:
-    """How a bag is compressed."""
+    """How a bag that is written is compressed."""
 
     def __init__(
         self,

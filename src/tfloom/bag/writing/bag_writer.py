@@ -192,6 +192,8 @@ class BagWriter:
         Raises:
             BagError: it can't be written; what was written before stays readable.
         """
+        # The queue has forgotten a chunk that was taken, so the writer holds it until it is in a file, also while it
+        # refuses to write. `close` passes what is held to this method again: such a chunk must not be held twice.
         if chunk not in self._unwritten:
             self._unwritten.append(chunk)
         self._check_open()
@@ -205,6 +207,8 @@ class BagWriter:
             self._file.write(whole)
         self._unwritten.remove(chunk)
         self._count(chunk)
+        # The queue ends files by their duration, and knows nothing of their size, so it must be told that this one
+        # ends here: the duration of the next file is counted from the next message.
         if 0 < self.settings.max_file_size <= self._file.size:
             self.queue.restart_file()
             self.split()
@@ -233,14 +237,19 @@ class BagWriter:
         if self.state is State.CLOSED:
             return
         self.queue.close()
+        # Any write that failed is tried once more here, because the disk may have room again. A failure before
+        # `close` has set the state, which would refuse the chunks that are held.
         self.state = State.OPEN
         try:
             self._write_waiting()
         except BagError:
+            # A failure in `close` itself gets one more try, too. It is raised even if that succeeds.
             self.state = State.OPEN
-            self._write_waiting()  # once more, as after any failure
+            self._write_waiting()
             raise
         finally:
+            # Each step is done whether or not the one before failed: a file that lacks its last messages still gets
+            # its summary, and a bag whose last file can't be completed still gets its metadata.yaml.
             try:
                 with self._failing():
                     self._close_file()
@@ -318,7 +327,9 @@ class BagWriter:
             )
         except OSError as error:
             raise self._failure(error, path) from error
-        self._files.append(FileInformation(name, NO_TIME_NS, 0, 0))  # now that it exists
+        # Only now that the file exists: the next try after a failure must use the same name, and metadata.yaml must
+        # name no file that isn't there.
+        self._files.append(FileInformation(name, NO_TIME_NS, 0, 0))
         self._paths.append(name)
         return file
 
@@ -336,13 +347,16 @@ class BagWriter:
                 path = compress_file(path)
             except CompressionError as error:
                 raise BagError(path, f"it is written, but can't be compressed: {error}") from error
+            # `_files` keeps the name without the compression's suffix, as rosbag2 writes it into metadata.yaml.
             self._paths[-1] = path.name
         return path
 
     def _count(self, chunk: Chunk) -> None:
+        # A topic that was removed while its messages were waiting is in the bag all the same.
         self._topics.restore([number for number, _ in chunk.counts()])
         for number, count in chunk.counts():
             self._counts[number] = self._counts.get(number, 0) + count
+        # Chunks may overlap in time, and come in any order of their stamps, so both ends of the file may move.
         last = self._files[-1]
         first_ns, end_ns = chunk.start_ns, chunk.end_ns
         if last.message_count:

@@ -29,8 +29,8 @@ def compress(data: bytes, method: str, level: str = "Default") -> bytes:
     """
     number = _LEVELS[method].get(level, _LEVELS[method]["Default"])
     if method == "lz4":
-        octets: bytes = lz4_frame().compress(data, compression_level=number)
-        return octets
+        frame: bytes = lz4_frame().compress(data, compression_level=number)
+        return frame
     compressed: bytes = zstd().ZstdCompressor(level=number).compress(data)
     return compressed
 

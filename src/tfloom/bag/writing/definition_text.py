@@ -41,16 +41,16 @@ def hash_of(type_name: str) -> str:
         return ""
 
 
-def _dependencies(message: spec.Message, seen: set[str]) -> list[str]:
+def _dependencies(message: spec.Message, listed_names: set[str]) -> list[str]:
     """Return the sections of all messages that one refers to: in order of names, each before what it refers to."""
     sections = []
     for name in sorted(message.references):
-        if name in seen:
+        if name in listed_names:
             continue
-        seen.add(name)
-        found = find_message(name)
-        sections.append(f"\n{_SEPARATOR}\nMSG: {short_name(name)}\n{_text(found)}")
-        sections += _dependencies(found, seen)
+        listed_names.add(name)
+        dependency = find_message(name)
+        sections.append(f"\n{_SEPARATOR}\nMSG: {short_name(name)}\n{_text(dependency)}")
+        sections += _dependencies(dependency, listed_names)
     return sections
 
 
@@ -64,7 +64,9 @@ def _text(message: spec.Message) -> str:
 
 
 def _constants(message: spec.Message) -> list[str]:
-    return [f"{_type(each.type)} {each.name}={_value(each.value)}" for each in message.constants]
+    return [
+        f"{_type(constant.type)} {constant.name}={_value(constant.value)}" for constant in message.constants
+    ]
 
 
 def _fields(message: spec.Message) -> list[str]:
@@ -81,7 +83,7 @@ def _type(kind: spec.Type) -> str:
 
 def _value(value: spec.Value) -> str:
     if isinstance(value, (list, tuple)):
-        return f"[{', '.join(_value(each) for each in value)}]"
+        return f"[{', '.join(_value(element) for element in value)}]"
     if isinstance(value, bool):
         return str(value).lower()
     return repr(value) if isinstance(value, str) else str(value)

@@ -59,6 +59,8 @@ class McapFile:
             self._write_chunk(chunk, prefix)
         else:
             self._append(prefix, chunk.records)
+        # Only now that the chunk is in the file: a failed write has taken its definitions back with it, and the next
+        # try must write them again.
         self._written_channels.update(new)
         self._written_schemas.update(self._schema(number) for number in new)
         for number, count in counts:
@@ -73,6 +75,8 @@ class McapFile:
             return
         try:
             self._write_metadata(metadata)
+            # The summary tells its own offsets in the file, so the record before it must be made first. Both are one
+            # append: the file ends in a whole summary, or after its last whole record, and is read by a walk then.
             end = records.record(Opcode.DATA_END, struct.pack("<I", 0))
             self._append(end + self._summary(self._size + len(end)) + MAGIC)
         finally:
@@ -81,6 +85,8 @@ class McapFile:
 
     def _write_chunk(self, chunk: Chunk, prefix: bytes) -> None:
         parts = [prefix, chunk.records]
+        # Messages without compression go from the queue's memory into the file as they are. The CRC goes on from that
+        # of the definitions, so that the two needn't be joined for it.
         size = sum(map(len, parts))
         crc = zlib.crc32(parts[1], zlib.crc32(prefix)) if self._settings.has_chunk_crc else 0
         compression = self._settings.compression
@@ -89,6 +95,8 @@ class McapFile:
         stored_size = sum(map(len, parts))
         head = records.chunk_head(chunk.start_ns, chunk.end_ns, (size, stored_size), crc, compression)
         length = len(head) + stored_size
+        # The message indexes follow the chunk, and the summary says where they are, so their offsets are counted from
+        # the chunk's place before anything is written. One append keeps chunk and indexes together.
         offset = self._size
         index_offsets: dict[int, int] = {}
         indexes = b""
@@ -104,13 +112,13 @@ class McapFile:
         self._chunks.append(place)
 
     def _write_metadata(self, metadata: str) -> None:
-        octets = records.metadata(METADATA_NAME, {METADATA_KEY: metadata})
-        place = MetadataPlace(self._size, len(octets), METADATA_NAME)
-        self._append(octets)
+        record = records.metadata(METADATA_NAME, {METADATA_KEY: metadata})
+        place = MetadataPlace(self._size, len(record), METADATA_NAME)
+        self._append(record)
         self._metadata.append(place)
 
     def _append(self, *parts: bytes) -> None:
-        """Append octets; if not all can be written, leave the file as it was.
+        """Append bytes; if not all can be written, leave the file as it was.
 
         The parts are not joined, because copying large messages takes as long as writing them.
         """
@@ -118,10 +126,14 @@ class McapFile:
             raise ValueError("the file is closed")
         try:
             for part in parts:
+                # The file has no buffer, and a system call may write a part only, for instance what the disk has room
+                # for. The rest is tried until all is written or an error tells why not.
                 left = memoryview(part)
                 while left:
                     left = left[self._file.write(left) or 0 :]
         except BaseException:
+            # What went into the file is cut off, so that it ends in a whole record, and the next try begins there.
+            # `_size` still has the value from before, because it is counted at the end.
             with suppress(OSError):
                 self._file.truncate(self._size)
                 self._file.seek(self._size, os.SEEK_SET)
@@ -135,10 +147,11 @@ class McapFile:
     def _definitions(self, numbers: list[int]) -> bytes:
         """Return the records of channels, each after that of its schema, where that one is not yet written."""
         parts = []
-        seen = set(self._written_schemas)
+        # Two new channels may share a schema. Which ones are in the file is noted by `write`, after it has succeeded.
+        defined = set(self._written_schemas)
         for number in numbers:
-            if (schema := self._schema(number)) not in seen:
-                seen.add(schema)
+            if (schema := self._schema(number)) not in defined:
+                defined.add(schema)
                 parts.append(self._schema_record(number))
             parts.append(self._channel_record(number))
         return b"".join(parts)
@@ -161,12 +174,14 @@ class McapFile:
         groups = self._summary_groups() if self._settings.has_summary else []
         content = b""
         offsets = []
-        for opcode, octets in groups:
-            if octets:
-                offsets.append((opcode, start + len(content), len(octets)))
-                content += octets
+        # Records of one kind stand together, and a summary offset for each kind lets a reader go to it at once.
+        for opcode, group in groups:
+            if group:
+                offsets.append((opcode, start + len(content), len(group)))
+                content += group
         offset_start = start + len(content) if offsets else 0
         content += records.summary_offsets(offsets)
+        # The CRC covers the whole summary and the footer up to the CRC itself. An offset of 0 says that there is none.
         covered = content + records.footer_before_crc(start if offsets else 0, offset_start)
         return covered + struct.pack("<I", zlib.crc32(covered))
 
@@ -186,8 +201,8 @@ class McapFile:
             (Opcode.SCHEMA, b"".join(schemas)),
             (Opcode.CHANNEL, b"".join(self._channel_record(number) for number in numbers)),
             (Opcode.STATISTICS, statistics),
-            (Opcode.CHUNK_INDEX, b"".join(records.chunk_index(each) for each in self._chunks)),
-            (Opcode.METADATA_INDEX, b"".join(records.metadata_index(each) for each in self._metadata)),
+            (Opcode.CHUNK_INDEX, b"".join(records.chunk_index(place) for place in self._chunks)),
+            (Opcode.METADATA_INDEX, b"".join(records.metadata_index(place) for place in self._metadata)),
         ]
 
 

@@ -1,4 +1,4 @@
-"""The octets of MCAP's records; every integer is little-endian."""
+"""The bytes of MCAP's records; every integer is little-endian."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ __all__ = ["ChunkPlace", "McapChannel", "MetadataPlace"]
 
 
 class McapChannel(NamedTuple):
-    """A channel and its schema."""
+    """What the record of a channel says."""
 
     number: int
     """From 1."""
@@ -24,7 +24,7 @@ class McapChannel(NamedTuple):
 
 
 class ChunkPlace(NamedTuple):
-    """Where a chunk and its message indexes are."""
+    """Where a chunk and its message indexes are in the file, and what the summary says of them."""
 
     start_ns: int
     end_ns: int
@@ -39,7 +39,7 @@ class ChunkPlace(NamedTuple):
 
 
 class MetadataPlace(NamedTuple):
-    """Where a metadata record is."""
+    """Where a metadata record is in the file, for the summary."""
 
     offset: int
     length: int
@@ -53,8 +53,8 @@ def record(opcode: int, content: bytes) -> bytes:
 
 def text(value: str) -> bytes:
     """Return a string with its length before it."""
-    octets = value.encode()
-    return struct.pack("<I", len(octets)) + octets
+    encoded = value.encode()
+    return struct.pack("<I", len(encoded)) + encoded
 
 
 def string_map(values: Mapping[str, str]) -> bytes:
@@ -141,5 +141,5 @@ def summary_offsets(groups: Iterable[tuple[int, int, int]]) -> bytes:
 
 
 def footer_before_crc(summary_start: int, summary_offset_start: int) -> bytes:
-    """Return the last record up to the CRC, which covers these octets too."""
+    """Return the last record up to the CRC, which covers these bytes too."""
     return struct.pack("<BQQQ", Opcode.FOOTER, 20, summary_start, summary_offset_start)

@@ -43,7 +43,7 @@ class SqliteFile:
         self._path = path
         self._topics = topics
         self._settings = settings
-        self._known: set[int] = set()
+        self._written_channels: set[int] = set()
         self._types: set[str] = set()
         self._size = 0
         path.open("xb").close()
@@ -79,16 +79,19 @@ class SqliteFile:
             raise ValueError("the file is closed")
         rows = [(number, log_ns, data) for number, log_ns, _, data in chunk.messages()]
         with _named(self._path):
-            known, types = self._known.copy(), self._types.copy()
+            # The topics of new channels are rows of the same transaction. A rollback removes them with the messages,
+            # so what is noted of them must go back, too, or the next try would leave them out.
+            channels, types = self._written_channels.copy(), self._types.copy()
             database.execute("BEGIN")
             try:
                 self._add_topics(database, [number for number, _ in chunk.counts()])
                 database.executemany("INSERT INTO messages(topic_id,timestamp,data) VALUES (?, ?, ?)", rows)
                 database.execute("COMMIT")
             except BaseException:
+                # sqlite itself has rolled back after some errors, and refuses to do so again.
                 with suppress(sqlite3.Error):
                     database.execute("ROLLBACK")
-                self._known, self._types = known, types
+                self._written_channels, self._types = channels, types
                 raise
         self._size += sum(len(data) + 32 for _, _, data in rows)
 
@@ -104,15 +107,17 @@ class SqliteFile:
                 self._add_topics(database, list(self._topics.present()))
                 self._insert_metadata(database, metadata)
                 database.execute("COMMIT")
+                # This takes what is left in the log into the database, and removes the log. It must follow the commit:
+                # the mode can't be changed within a transaction.
                 database.execute("PRAGMA journal_mode=DELETE")
             finally:
                 database.close()
 
     def _add_topics(self, database: sqlite3.Connection, numbers: list[int]) -> None:
         for number in numbers:
-            if number in self._known:
+            if number in self._written_channels:
                 continue
-            self._known.add(number)
+            self._written_channels.add(number)
             topic = self._topics[number]
             database.execute(
                 "INSERT INTO topics VALUES (?, ?, ?, ?, ?, ?)",
@@ -144,7 +149,7 @@ class _named:  # noqa: N801 - a context manager that is used as a function
         self._path = path
 
     def __enter__(self) -> None:
-        """Do nothing."""
+        """Do nothing: only what the block raises matters."""
 
     def __exit__(self, kind: object, error: BaseException | None, trace: object) -> None:
         if isinstance(error, sqlite3.Error):

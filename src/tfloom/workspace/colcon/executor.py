@@ -17,7 +17,7 @@ from tfloom.workspace.colcon.identification import BROKEN_TYPE, READ_TYPE
 from tfloom.workspace.colcon.selection import MISSING_KEY
 from tfloom.workspace.colcon.tasks import LEFT_OUT_KEY, say
 from tfloom.workspace.leftovers import remove_copies, remove_dangling_links
-from tfloom.workspace.wanted import how_to_provide
+from tfloom.workspace.missing_dependencies import how_to_provide
 
 try:
     from colcon_parallel_executor.executor.parallel import ParallelExecutorExtension as Base
@@ -114,16 +114,16 @@ class _TolerantJob:
 
     def _left_out(self) -> list[str]:
         """Return a sentence on dependencies in the workspace that are left out or failed, if there are any."""
-        found = []
+        reasons = []
         for name in sorted(self.dependencies - {self.identifier}):
             job = self._jobs.get(name)
             reason = "failed" if name in self._failed else None
             if reason is None and job is not None:
                 reason = job.task_context.pkg.metadata.get(LEFT_OUT_KEY)
             if reason:
-                found.append(f"{name}, which {reason}")
-        needs = " and ".join(found)
-        return [f"{self.identifier} depends on {needs}: what uses it will not run"] if found else []
+                reasons.append(f"{name}, which {reason}")
+        needs = " and ".join(reasons)
+        return [f"{self.identifier} depends on {needs}: what uses it will not run"] if reasons else []
 
     def _missing(self) -> list[str]:
         """Return sentences on dependencies that nobody provides; of a package with C++, these don't matter."""

@@ -10,7 +10,7 @@ from colcon_core.package_descriptor import PackageDescriptor
 from colcon_core.package_selection import PackageSelectionExtensionPoint
 
 from tfloom.workspace.colcon.identification import BROKEN_TYPE, FAULT_KEY, has_real_ament_cmake
-from tfloom.workspace.wanted import is_provided
+from tfloom.workspace.missing_dependencies import is_provided
 
 MISSING_KEY = "tfloom_missing"
 """The key of the dependencies that nobody provides, in the metadata of a package's descriptor."""
@@ -35,12 +35,12 @@ class Selection(PackageSelectionExtensionPoint):
                 if notes:
                     _note_missing(decorator.descriptor, names)
         for name, unsorted in by_name.items():
-            first, *others = sorted(unsorted, key=lambda each: str(each.descriptor.path))
+            first, *others = sorted(unsorted, key=lambda decorator: str(decorator.descriptor.path))
             if not others:
                 continue
             for other in others:
                 other.selected = False
-            paths = "".join(f"\n    {each.descriptor.path}" for each in (first, *others))
+            paths = "".join(f"\n    {decorator.descriptor.path}" for decorator in (first, *others))
             first.descriptor.type = BROKEN_TYPE
             first.descriptor.metadata[FAULT_KEY] = (
                 f"{1 + len(others)} packages are named '{name}', so none of them is built: rename one in its "
@@ -50,7 +50,7 @@ class Selection(PackageSelectionExtensionPoint):
 
 def _note_missing(desc: PackageDescriptor, names: set[str]) -> None:
     """Note the dependencies of a package that are neither in the workspace nor provided otherwise."""
-    depends = {str(each) for kind in ("build", "run") for each in desc.dependencies[kind]}
-    missing = sorted(each for each in depends - names if not is_provided(each))
+    depends = {str(dependency) for kind in ("build", "run") for dependency in desc.dependencies[kind]}
+    missing = sorted(dependency for dependency in depends - names if not is_provided(dependency))
     if missing:
         desc.metadata[MISSING_KEY] = missing

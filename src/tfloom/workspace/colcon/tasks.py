@@ -31,7 +31,7 @@ LEFT_OUT_KEY = "tfloom_left_out"
 def say(context: Any, text: str) -> None:
     """Print a sentence on stderr.
 
-    It is posted in octets, because colcon-output refuses the text that `TaskExtensionPoint.print` posts.
+    It is posted in bytes, because colcon-output refuses the text that `TaskExtensionPoint.print` posts.
 
     Args:
         context: That of the task.
@@ -120,7 +120,7 @@ class BrokenTask(Task):
     """Print the fault of a package that can't be built."""
 
     async def build(self, *, additional_hooks: list[Any] | None = None) -> int:
-        """Print the fault, and fail."""
+        """Print the fault, write the scripts that colcon expects, and fail."""
         self._say(self.context.pkg.metadata[FAULT_KEY])
         self._write_scripts(additional_hooks)
         return 1

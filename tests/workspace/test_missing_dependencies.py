@@ -9,7 +9,13 @@ from tests.workspace.conftest import write_files, write_manifest
 
 from tfloom.cli.health import Verdict, check_workspace
 from tfloom.workspace import index
-from tfloom.workspace.wanted import find_source, how_to_provide, is_provided, missing, read_wants
+from tfloom.workspace.missing_dependencies import (
+    find_missing,
+    find_source,
+    how_to_provide,
+    is_provided,
+    read_requirements,
+)
 
 
 @pytest.mark.parametrize(
@@ -56,9 +62,9 @@ def test_workspace_is_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
     monkeypatch.setenv(index.PREFIX_PATH_VARIABLE, str(tmp_path))
     monkeypatch.chdir(source / "group")
     assert find_source() == source
-    wants = read_wants(source)
-    assert [each.name for each in wants] == ["first", "second"]
-    assert missing(wants) == {"nav_to_mars": ["first", "second"]}
+    requirements = read_requirements(source)
+    assert [package.name for package in requirements] == ["first", "second"]
+    assert find_missing(requirements) == {"nav_to_mars": ["first", "second"]}
     finding = check_workspace()
     assert finding.verdict is Verdict.WARNING
     assert finding.summary.endswith("ask for what is missing: nav_to_mars (for first, second)")

@@ -1,4 +1,4 @@
-"""What the packages of a workspace ask for in package.xml, and what of that nobody provides."""
+"""Dependencies that no installed package provides."""
 
 from __future__ import annotations
 
@@ -36,8 +36,8 @@ _MODULES = {
 """Modules whose names differ from those of rosdep's keys `python3-…`."""
 
 
-class Wants(NamedTuple):
-    """A package of a workspace, and what it asks for."""
+class Requirements(NamedTuple):
+    """A package of a workspace, and the dependencies that its package.xml names."""
 
     name: str
     folder: Path
@@ -96,12 +96,12 @@ def manifests(source: Path) -> Iterator[Path]:
         elif "package.xml" in names:
             folders.clear()
             yield Path(folder, "package.xml")
-        folders[:] = sorted(each for each in folders if not each.startswith("."))
+        folders[:] = sorted(name for name in folders if not name.startswith("."))
 
 
-def read_wants(source: Path) -> list[Wants]:
+def read_requirements(source: Path) -> list[Requirements]:
     """Return what each package below a folder asks for; one whose package.xml is broken asks for nothing."""
-    found = []
+    packages = []
     for path in manifests(source):
         try:
             root = read_tree(path.read_bytes())
@@ -113,16 +113,16 @@ def read_wants(source: Path) -> list[Wants]:
             if _DEPENDS.fullmatch(tag.tag) and not _ROS_1.search(tag.get("condition", ""))
         )
         name = (root.findtext("name") or "").strip() or path.parent.name
-        found.append(Wants(name, path.parent, tuple(dict.fromkeys(filter(None, depends)))))
-    return found
+        packages.append(Requirements(name, path.parent, tuple(dict.fromkeys(filter(None, depends)))))
+    return packages
 
 
-def missing(wants: list[Wants]) -> dict[str, list[str]]:
+def find_missing(packages: list[Requirements]) -> dict[str, list[str]]:
     """Return what nobody provides, by name, each with the packages that ask for it."""
-    there = {each.name for each in wants}
-    found: dict[str, list[str]] = {}
-    for each in wants:
-        for name in each.depends:
-            if name not in there and not is_provided(name):
-                found.setdefault(name, []).append(each.name)
-    return dict(sorted(found.items()))
+    workspace_names = {package.name for package in packages}
+    users: dict[str, list[str]] = {}
+    for package in packages:
+        for name in package.depends:
+            if name not in workspace_names and not is_provided(name):
+                users.setdefault(name, []).append(package.name)
+    return dict(sorted(users.items()))
