@@ -245,7 +245,7 @@ class BackgroundWriting:
 def _is_awaited(writer: BackgroundWriter, hurried_s: float | None) -> bool:
     """Return whether a launch waits for a writer at its end; `hurried_s` is when it began to hurry there."""
     # Without a signal the launch waits for as long as there is something to write. After one, the screen has a fixed
-    # time, because what it shows is in the log files, too; a file is waited for while it makes progress.
+    # time, because a paused terminal may never take the rest; a file is waited for while it makes progress.
     idle_s = writer.idle_s()
     if idle_s is None or hurried_s is None:
         return idle_s is not None

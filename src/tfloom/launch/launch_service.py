@@ -128,7 +128,7 @@ class LaunchService:
         finally:
             left = guard_of(self._context).close()
             if left:
-                # They held the pipes of the processes that had started them. The loop reads what they wrote last.
+                # They may have held the pipes of the processes that had started them: the loop reads what is in there.
                 await asyncio.sleep(CLOSE_S)
                 self._logger.warning("ended processes that others had started and left: %s", ", ".join(left))
 

@@ -39,7 +39,7 @@ class EmitEvent(Action):
         return self._event
 
     def execute(self, context: LaunchContext) -> None:
-        """Emit the event."""
+        """Add the event to those that the launch handles."""
         context.emit_event_sync(self._event)
 
 
@@ -57,11 +57,11 @@ class RegisterEventHandler(Action):
 
     @property
     def event_handler(self) -> BaseEventHandler:
-        """The handler."""
+        """Handler that is registered."""
         return self._event_handler
 
     def execute(self, context: LaunchContext) -> None:
-        """Register the handler."""
+        """Add the handler to those that are asked for each event."""
         context.register_event_handler(self._event_handler)
 
     def describe_conditional_sub_entities(
@@ -86,9 +86,9 @@ class UnregisterEventHandler(Action):
 
     @property
     def event_handler(self) -> BaseEventHandler:
-        """The handler."""
+        """Handler that is removed."""
         return self._event_handler
 
     def execute(self, context: LaunchContext) -> None:
-        """Remove the handler."""
+        """Remove the handler, which gets no later event."""
         context.unregister_event_handler(self._event_handler)

@@ -34,7 +34,7 @@ class Guard:
         """Return the environment variables for a process that is started next. Before the first, start the guardian."""
         # The guardian must outlive the launch. Its stdin is a pipe whose other end no other process inherits, so it
         # reads the end of the pipe when the launch has ended, also by SIGKILL. A session of its own keeps Ctrl-C of the
-        # terminal from it. Its environment names no launch, because an outer launch ends all processes with its name.
+        # terminal from it. Its environment names no launch, because an outer one ends all processes with its id.
         #
         # A frozen program has no Python that could run the guardian: its executable is the program itself.
         if self._guardian is None and not getattr(sys, "frozen", False):
