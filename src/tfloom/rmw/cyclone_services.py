@@ -161,12 +161,12 @@ class _Peers:
 
     def incompatibility(self) -> str:
         """Return the remedy for a peer of another vendor, or an empty text."""
-        refused = [gid for gid, _ in self._requests_end.matched() if not self.accepts(gid)]
-        if not refused:
+        refused_gids = [gid for gid, _ in self._requests_end.matched() if not self.accepts(gid)]
+        if not refused_gids:
             return ""
-        node = next(filter(None, map(self._vendors.find_node, refused)), "")
+        node = next(filter(None, map(self._vendors.find_node, refused_gids)), "")
         # What the reason is for peers on Fast DDS says nothing of other vendors.
-        reason = f", because {self._vendors.untranslated}" if any(map(_is_on_fast_dds, refused)) else ""
+        reason = f", because {self._vendors.untranslated}" if any(map(_is_on_fast_dds, refused_gids)) else ""
         return (
             f"{self._others} of {self._name}{node and f', {node},'} runs on another DDS vendor, whose form of services "
             f"isn't ours (topics pass, services don't{reason}): start it with RMW_IMPLEMENTATION=rmw_cyclonedds_cpp"

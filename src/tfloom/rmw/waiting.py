@@ -54,6 +54,7 @@ def wait_until_ready(
             now_s = time.monotonic()
             if now_s >= end_s:
                 return False
+            # Nothing posts a token when a handshake with a server ends, so look again soon while one is under way.
             pause_s = SYNCHRONISING_S if requester.is_synchronising() else look_again_s
             wait_for_token(queue, min(end_s, now_s + pause_s))
     finally:

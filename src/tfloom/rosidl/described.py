@@ -133,10 +133,14 @@ def define_described(name: str, description: TypeDescription, hashes: Mapping[st
         check_size(part, types)
         if hash_of(part, types) != announced:
             raise DescriptionError(f"the description of {part} does not have the announced hash {announced}")
+    # All checks of the peer's words come before anything is registered. What exists here must agree, and is not
+    # replaced.
     texts = _missing_definitions(name, types, hashes)
     with LOCK:
         for type_name, text in texts.items():
             replace(type_name, Source(text, f"{type_name} (as described by a peer)"))
+        # The hash of what was made is compared once more, because a definition's text can't say everything that a
+        # description can. After a failure no definition of the peer stays.
         try:
             load(name)
             _check_hashes(hashes)

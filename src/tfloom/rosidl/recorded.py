@@ -132,6 +132,8 @@ def _make_class(name: str, texts: Mapping[str, Source], types: _Types) -> Any:
     Raises:
         DescriptionError: it can't be made.
     """
+    # Messages that are here with another definition keep their names here; those of the file get new ones, and so do
+    # the messages that contain them. What isn't here is registered under its own name.
     renamed = _new_names(name, types)
     sources = {
         definition_name(type_name): texts[definition_name(type_name)]
@@ -146,6 +148,7 @@ def _make_class(name: str, texts: Mapping[str, Source], types: _Types) -> Any:
     }
     for new in renamed.values():
         sources[new] = Source(definition_text(new, table), f"{new} (recorded).msg")
+    # Register all sources before any is loaded, because they refer to one another. After a failure none must stay.
     before = {type_name: replace(type_name, source) for type_name, source in sources.items()}
     try:
         wanted = renamed.get(name, name)
@@ -171,6 +174,7 @@ def _new_names(name: str, types: _Types) -> dict[str, str]:
         DescriptionError: one is a part of a service or an action.
     """
     other_names = {type_name for type_name in types if _differs_from_local(type_name, types)}
+    # A message that contains one with another name has another definition itself: go on until no such message is left.
     while more := {
         type_name
         for type_name in types.keys() - other_names

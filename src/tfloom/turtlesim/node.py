@@ -59,7 +59,7 @@ class TurtlesimNode(Node):
     def set_parameters_atomically(self, parameter_list: list[Parameter]) -> SetParametersResult:
         """Set all parameters, or none of them if one is rejected, with the reference's reason."""
         for parameter in parameter_list:
-            if reason := parameters.refusal(self, parameter):
+            if reason := parameters.rejection_reason(self, parameter):
                 return SetParametersResult(successful=False, reason=reason)
         return super().set_parameters_atomically(parameter_list)
 

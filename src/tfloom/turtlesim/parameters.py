@@ -36,7 +36,7 @@ def is_holonomic(node: Node) -> bool:
     return bool(node.get_parameter(HOLONOMIC).value)
 
 
-def refusal(node: Node, parameter: Parameter) -> str | None:
+def rejection_reason(node: Node, parameter: Parameter) -> str | None:
     """Return the reference's reason for rejecting this value of a declared parameter, or None if it accepts it."""
     if reason := wrong_type(node, parameter):
         return reason
