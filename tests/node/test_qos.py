@@ -130,9 +130,9 @@ def test_compatibility_is_as_recorded() -> None:
 
 def test_best_available_durations_are_compatible(deviations: dict[str, dict[str, str]]) -> None:
     assert "qos-best-available" in deviations
-    for one in (QoSProfile(depth=1, deadline=Duration(seconds=1)), qos_profile_sensor_data):
-        assert "deadline" not in qos_check_compatible(one, qos_profile_best_available)[1]
-        assert "deadline" not in qos_check_compatible(qos_profile_best_available, one)[1]
+    for profile in (QoSProfile(depth=1, deadline=Duration(seconds=1)), qos_profile_sensor_data):
+        assert "deadline" not in qos_check_compatible(profile, qos_profile_best_available)[1]
+        assert "deadline" not in qos_check_compatible(qos_profile_best_available, profile)[1]
 
 
 @pytest.mark.parametrize(

@@ -176,23 +176,24 @@ class _TemporarilyAdded:
     A node that is in `executor` already stays there, because another thread may be spinning it.
     """
 
-    __slots__ = ("_before", "_executor", "_is_new", "_node")
+    __slots__ = ("_executor", "_former_executor", "_is_new", "_node")
 
     def __init__(self, node: Node, executor: Executor) -> None:
         self._node = node
         self._executor = executor
 
     def __enter__(self) -> None:
-        self._before = self._node.executor
+        self._former_executor = self._node.executor
         self._is_new = self._executor.add_node(self._node)
 
     def __exit__(self, *_: object) -> None:
+        # A node that was in this executor before stays in it, as one that a callback has moved or destroyed stays away.
         if not self._is_new or self._node not in self._executor.get_nodes():
-            return  # a callback has destroyed or moved it
+            return
         self._executor.remove_node(self._node)
-        if self._before is not None:
+        if self._former_executor is not None:
             with suppress(ShutdownException):
-                self._before.add_node(self._node)
+                self._former_executor.add_node(self._node)
 
 
 def spin(node: Node, executor: Executor | None = None) -> None:

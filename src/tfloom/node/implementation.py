@@ -124,7 +124,7 @@ class _WaitedEndpoint(ReceivingEndpoint[TakingEndpoint]):
     def __init__(self, endpoint: TakingEndpoint, name: str, node: NodeBase) -> None:
         super().__init__(endpoint, name)
         self._warning = ThrottledWarning(node.get_logger())
-        self._seen: Any = None
+        self._next_item: Any = None
 
     @property
     def endpoint(self) -> TakingEndpoint:
@@ -137,14 +137,15 @@ class _WaitedEndpoint(ReceivingEndpoint[TakingEndpoint]):
 
     def becomes_ready(self) -> bool:
         """Return whether there is something to take."""
-        if self._seen is None and not self._destroyed:
-            self._seen = self._endpoint.take()
-        return self._seen is not None
+        # The endpoint can only tell by handing an item out, so that is kept here for the program to take.
+        if self._next_item is None and not self._destroyed:
+            self._next_item = self._endpoint.take()
+        return self._next_item is not None
 
     def _take(self, message_type: type[Message]) -> tuple[Any, Any]:
         """Return the oldest item and its message, or (None, None); drop data that can't be decoded."""
         while self._alive().becomes_ready():
-            incoming, self._seen = self._seen, None
+            incoming, self._next_item = self._next_item, None
             try:
                 return incoming, cdr.decode(message_type, incoming.data)
             except cdr.DecodeError as error:
@@ -180,7 +181,7 @@ class Subscription(_WaitedEndpoint[Reader]):
         """Return the oldest message, or its bytes if `raw`, and its stamps [ns]; None if there is none."""
         if raw:
             self._alive().becomes_ready()
-            incoming, self._seen = self._seen, None
+            incoming, self._next_item = self._next_item, None
             message = None if incoming is None else incoming.data
         else:
             incoming, message = self._take(pymsg_type)
@@ -216,7 +217,7 @@ class Service(_WaitedEndpoint[Responder]):
     def service_take_request(self, pyrequest_type: type[Message]) -> tuple[Any, ServiceInfo | None]:
         """Return the oldest request and its header; (None, None) if there is none."""
         incoming, request = self._take(pyrequest_type)
-        return request, None if incoming is None else _info(incoming)
+        return request, None if incoming is None else _service_info(incoming)
 
     def service_send_response(self, pyresponse: Message, header: ServiceInfo) -> None:
         """Send the response to the request of a header."""
@@ -255,8 +256,8 @@ class Client(_WaitedEndpoint[Requester]):
     def take_response(self, pyresponse_type: type[Message]) -> tuple[ServiceInfo | None, Any]:
         """Return the header of the oldest response, and the response; (None, None) if there is none."""
         incoming, response = self._take(pyresponse_type)
-        return None if incoming is None else _info(incoming), response
+        return None if incoming is None else _service_info(incoming), response
 
 
-def _info(incoming: Any) -> ServiceInfo:
+def _service_info(incoming: Any) -> ServiceInfo:
     return ServiceInfo(incoming.id, incoming.source_stamp_ns, incoming.received_stamp_ns)

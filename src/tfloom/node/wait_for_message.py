@@ -57,8 +57,10 @@ def wait_for_message(
         msg_type, topic, on_message, qos_profile, callback_group=MutuallyExclusiveCallbackGroup()
     )
     try:
+        # In an executor, the node is spun by another thread, and this one only waits. Otherwise nothing would call the
+        # callback, so the node is spun here.
         if executor is not None:
-            _wait(future, time_to_wait, node)
+            _wait_for_future(future, time_to_wait, node)
         else:
             with SingleThreadedExecutor(context=node.context) as own:
                 own.add_node(node)
@@ -68,7 +70,7 @@ def wait_for_message(
     return future.done(), future.result()
 
 
-def _wait(future: Future[Any], time_to_wait: float, node: Node) -> None:
+def _wait_for_future(future: Future[Any], time_to_wait: float, node: Node) -> None:
     ended = threading.Event()
     future.when_complete(ended.set)
     node.context.add_shutdown_hook(ended.set)

@@ -1,4 +1,4 @@
-"""Action clients."""
+"""Action clients, which send goals and receive feedback, states and results."""
 
 from __future__ import annotations
 
@@ -375,12 +375,12 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
         """
         connected = self._send.wire_endpoint.connected_servers()
         with self._lock:
-            left = [
+            orphaned_keys = [
                 key
                 for key, servers in self._servers.items()
                 if key not in self._ended_ns and servers.isdisjoint(connected)
             ]
-        for key in left:
+        for key in orphaned_keys:
             self._end(key)
         return frozenset(connected)
 

@@ -22,24 +22,28 @@ NamesAndTypes = list[tuple[str, list[str]]]
 
 def get_action_names_and_types(node: Node) -> NamesAndTypes:
     """Return all actions that have a server or a client, with their types."""
-    return _actions(node.get_topic_names_and_types())
+    return _actions_of_topics(node.get_topic_names_and_types())
 
 
 def get_action_server_names_and_types_by_node(
     node: Node, remote_node_name: str, remote_node_namespace: str
 ) -> NamesAndTypes:
     """Return the actions that a node serves; RuntimeError if there is no such node."""
-    return _actions(node.get_publisher_names_and_types_by_node(remote_node_name, remote_node_namespace))
+    return _actions_of_topics(
+        node.get_publisher_names_and_types_by_node(remote_node_name, remote_node_namespace)
+    )
 
 
 def get_action_client_names_and_types_by_node(
     node: Node, remote_node_name: str, remote_node_namespace: str
 ) -> NamesAndTypes:
     """Return the actions that a node is a client of; RuntimeError if there is no such node."""
-    return _actions(node.get_subscriber_names_and_types_by_node(remote_node_name, remote_node_namespace))
+    return _actions_of_topics(
+        node.get_subscriber_names_and_types_by_node(remote_node_name, remote_node_namespace)
+    )
 
 
-def _actions(topics: Iterable[tuple[str, list[str]]]) -> NamesAndTypes:
+def _actions_of_topics(topics: Iterable[tuple[str, list[str]]]) -> NamesAndTypes:
     """Return the actions among topics, by their feedback topics, which both servers and clients have."""
     return [
         (name.removesuffix(FEEDBACK), [type_name.removesuffix(_TYPE_SUFFIX) for type_name in types])

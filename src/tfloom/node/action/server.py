@@ -1,4 +1,4 @@
-"""Action servers."""
+"""Action servers, which accept goals and execute them."""
 
 from __future__ import annotations
 

@@ -92,32 +92,36 @@ class AsyncParameterClient:
         callback: _Callback | None = None,
     ) -> Future[Any]:
         """Request the names below prefixes (None: all names), at most `depth` parts deep (None: no limit)."""
-        return _call(self._list, ListParameters.Request(prefixes=prefixes or [], depth=depth or 0), callback)
+        return _call_service(
+            self._list, ListParameters.Request(prefixes=prefixes or [], depth=depth or 0), callback
+        )
 
     def get_parameters(self, names: list[str], callback: _Callback | None = None) -> Future[Any]:
-        """Request values."""
-        return _call(self._get, GetParameters.Request(names=names), callback)
+        """Request the values of parameters."""
+        return _call_service(self._get, GetParameters.Request(names=names), callback)
 
     def set_parameters(
         self, parameters: Sequence[Parameter | ParameterMsg], callback: _Callback | None = None
     ) -> Future[Any]:
         """Set parameters one by one."""
-        return _call(self._set, SetParameters.Request(parameters=_messages(parameters)), callback)
+        return _call_service(
+            self._set, SetParameters.Request(parameters=_parameter_messages(parameters)), callback
+        )
 
     def set_parameters_atomically(
         self, parameters: Sequence[Parameter | ParameterMsg], callback: _Callback | None = None
     ) -> Future[Any]:
         """Set all parameters or none."""
-        request = SetParametersAtomically.Request(parameters=_messages(parameters))
-        return _call(self._set_atomically, request, callback)
+        request = SetParametersAtomically.Request(parameters=_parameter_messages(parameters))
+        return _call_service(self._set_atomically, request, callback)
 
     def describe_parameters(self, names: list[str], callback: _Callback | None = None) -> Future[Any]:
-        """Request descriptors."""
-        return _call(self._describe, DescribeParameters.Request(names=names), callback)
+        """Request the descriptors of parameters."""
+        return _call_service(self._describe, DescribeParameters.Request(names=names), callback)
 
     def get_parameter_types(self, names: list[str], callback: _Callback | None = None) -> Future[Any]:
-        """Request types."""
-        return _call(self._get_types, GetParameterTypes.Request(names=names), callback)
+        """Request the types of parameters."""
+        return _call_service(self._get_types, GetParameterTypes.Request(names=names), callback)
 
     def delete_parameters(self, names: list[str], callback: _Callback | None = None) -> Future[Any]:
         """Undeclare parameters; this succeeds for those of dynamic type only."""
@@ -135,20 +139,20 @@ class AsyncParameterClient:
             ValueError: it isn't a parameter file.
             RuntimeError: it has no parameters.
         """
-        return self.set_parameters(self._read(parameter_file, use_wildcard), callback)
+        return self.set_parameters(self._read_parameters(parameter_file, use_wildcard), callback)
 
     def load_parameter_file_atomically(
         self, parameter_file: str, use_wildcard: bool = False, callback: _Callback | None = None
     ) -> Future[Any]:
         """Set all parameters of a YAML file, or none; otherwise as `load_parameter_file`."""
-        return self.set_parameters_atomically(self._read(parameter_file, use_wildcard), callback)
+        return self.set_parameters_atomically(self._read_parameters(parameter_file, use_wildcard), callback)
 
-    def _read(self, parameter_file: str, use_wildcard: bool) -> list[ParameterMsg]:
+    def _read_parameters(self, parameter_file: str, use_wildcard: bool) -> list[ParameterMsg]:
         rules = [
             rule for rule in read_parameter_file(parameter_file) if use_wildcard or rule.node != EVERY_NODE
         ]
-        own = [rule for rule in rules if rule.is_for(self._full_name)]
-        return list(parameter_dict(own or rules).values())
+        own_rules = [rule for rule in rules if rule.is_for(self._full_name)]
+        return list(parameter_dict(own_rules or rules).values())
 
     def on_parameter_event(
         self,
@@ -173,14 +177,14 @@ class AsyncParameterClient:
         )
 
 
-def _call(client: Client, request: Any, callback: _Callback | None) -> Future[Any]:
+def _call_service(client: Client, request: Any, callback: _Callback | None) -> Future[Any]:
     future = client.call_async(request)
     if callback is not None:
         future.add_done_callback(callback)
     return future
 
 
-def _messages(parameters: Sequence[Parameter | ParameterMsg]) -> list[ParameterMsg]:
+def _parameter_messages(parameters: Sequence[Parameter | ParameterMsg]) -> list[ParameterMsg]:
     return [
         parameter.to_parameter_msg() if isinstance(parameter, Parameter) else parameter
         for parameter in parameters

@@ -104,17 +104,18 @@ class ParameterEventHandler:
 
     def remove_parameter_callback(self, handle: ParameterCallbackHandle) -> None:
         """Undo one `add_parameter_callback`; RuntimeError if that has been done."""
-        _remove(self._for_parameters, handle)
+        _remove_handle(self._for_parameters, handle)
 
     def remove_parameter_event_callback(self, handle: ParameterEventCallbackHandle) -> None:
         """Undo one `add_parameter_event_callback`; RuntimeError if that has been done."""
-        _remove(self._for_events, handle)
+        _remove_handle(self._for_events, handle)
 
     def destroy(self) -> None:
-        """Stop listening."""
+        """Stop listening: destroy the subscription."""
         self.node.destroy_subscription(self._subscription)
 
     def _on_event(self, event: ParameterEvent) -> None:
+        # Collected before any is called, because a callback may add or remove others.
         calls: list[Callable[[], None]] = []
         for handle in self._for_parameters:
             parameter = self.get_parameter_from_event(event, handle.parameter_name, handle.node_name)
@@ -142,7 +143,7 @@ class ParameterEventHandler:
         yield from event.changed_parameters
 
 
-def _remove(handles: list[Any], handle: Any) -> None:
+def _remove_handle(handles: list[Any], handle: Any) -> None:
     if handle not in handles:
         raise RuntimeError("Callback doesn't exist")
     handles.remove(handle)

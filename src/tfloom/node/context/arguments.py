@@ -106,13 +106,13 @@ class Arguments:
 
     def node_name(self, name: str) -> str:
         """Return the name given by `__node:=`, else `name`."""
-        return self._special("__node", name, name)
+        return self._special_name("__node", name, name)
 
     def namespace(self, name: str, namespace: str) -> str:
         """Return the namespace that `__ns:=` gives the node called `name`, else `namespace`."""
-        return self._special("__ns", name, namespace)
+        return self._special_name("__ns", name, namespace)
 
-    def _special(self, match: str, node_name: str, otherwise: str) -> str:
+    def _special_name(self, match: str, node_name: str, otherwise: str) -> str:
         for rule in self.remaps:
             if rule.match == match and rule.node in (None, node_name):
                 return rule.replacement
@@ -178,25 +178,25 @@ def _parse_ros_part(parsed: Arguments, words: Iterator[str]) -> None:
             parsed.unknown.append(word)
 
 
-def _fail(flag: str, value: str, why: str) -> RCLInvalidROSArgsError:
+def _argument_error(flag: str, value: str, why: str) -> RCLInvalidROSArgsError:
     return RCLInvalidROSArgsError(f"cannot understand '{flag} {value}': {why}")
 
 
-def _split(flag: str, value: str) -> tuple[str, str]:
+def _split_assignment(flag: str, value: str) -> tuple[str, str]:
     left, assign, right = value.partition(":=")
     if not assign or not left:
-        raise _fail(flag, value, f"expected {_EXPECTED[_TAKES_VALUE[flag]]}")
+        raise _argument_error(flag, value, f"expected {_EXPECTED[_TAKES_VALUE[flag]]}")
     return left, right
 
 
-def _take_node(text: str) -> tuple[str | None, str]:
+def _split_node_prefix(text: str) -> tuple[str | None, str]:
     match = re.match(_NODE_PREFIX, text)
     return (match.group(1), text[match.end() :]) if match else (None, text)
 
 
 def _parse_remap(parsed: Arguments, flag: str, value: str) -> None:
-    left, replacement = _split(flag, value)
-    node, match = _take_node(left)
+    left, replacement = _split_assignment(flag, value)
+    node, match = _split_node_prefix(left)
     scheme = ""
     for prefix in ("topic", "service"):
         if match.startswith(f"ros{prefix}://"):
@@ -212,23 +212,23 @@ def _parse_remap(parsed: Arguments, flag: str, value: str) -> None:
             validate_topic_name(match)
             validate_topic_name(replacement)
     except (InvalidNodeNameException, InvalidNamespaceException, InvalidTopicNameException) as error:
-        raise _fail(flag, value, f"'{error.name}': {error.error_msg}") from None
+        raise _argument_error(flag, value, f"'{error.name}': {error.error_msg}") from None
     parsed.remaps.append(RemapRule(node, scheme, match, replacement))
 
 
 def _parse_param(parsed: Arguments, flag: str, value: str) -> None:
-    left, text = _split(flag, value)
-    node, name = _take_node(left)
+    left, text = _split_assignment(flag, value)
+    node, name = _split_node_prefix(left)
     if not name:
-        raise _fail(flag, value, "the parameter has no name")
+        raise _argument_error(flag, value, "the parameter has no name")
     try:
         parameter = checked_value(name, parse_value(text))
     except ValueError as error:
-        raise _fail(flag, value, str(error)) from None
+        raise _argument_error(flag, value, str(error)) from None
     if text == "":
-        raise _fail(flag, value, "the parameter has no value; write '' for an empty string")
+        raise _argument_error(flag, value, "the parameter has no value; write '' for an empty string")
     if isinstance(parameter, dict):
-        raise _fail(flag, value, "a parameter's value can't be a mapping")
+        raise _argument_error(flag, value, "a parameter's value can't be a mapping")
     parsed.parameters.append(ParameterRule(f"/**/{node}" if node else "/**", name, parameter))
 
 
@@ -236,7 +236,7 @@ def _parse_params_file(parsed: Arguments, flag: str, value: str) -> None:
     try:
         rules = read_parameter_file(value)
     except (OSError, ValueError) as error:
-        raise _fail(flag, value, str(error)) from None
+        raise _argument_error(flag, value, str(error)) from None
     parsed.parameters.extend(rules)
 
 
@@ -246,21 +246,23 @@ def _parse_log_level(parsed: Arguments, flag: str, value: str) -> None:
         severity = LoggingSeverity[level.upper()]
     except KeyError:
         level_names = ", ".join(severity.name.lower() for severity in LoggingSeverity)
-        raise _fail(flag, value, f"'{level}' is no level; known are {level_names}") from None
+        raise _argument_error(flag, value, f"'{level}' is no level; known are {level_names}") from None
     if assign and not name:
-        raise _fail(flag, value, f"expected {_EXPECTED['log_level']}")
+        raise _argument_error(flag, value, f"expected {_EXPECTED['log_level']}")
     parsed.log_levels.append((name, severity))
 
 
 def _parse_log_file_name(parsed: Arguments, flag: str, value: str) -> None:
     if "/" in value or not value:
-        raise _fail(flag, value, "expected a file's name without a directory (that is ROS_LOG_DIR's)")
+        raise _argument_error(
+            flag, value, "expected a file's name without a directory (that is ROS_LOG_DIR's)"
+        )
     parsed.log_file_name = value
 
 
 def _parse_log_config_file(parsed: Arguments, flag: str, value: str) -> None:
     if not value:
-        raise _fail(flag, value, "expected a file's name")
+        raise _argument_error(flag, value, "expected a file's name")
     parsed.log_config_file = value
 
 
@@ -268,7 +270,7 @@ def _parse_enclave(parsed: Arguments, flag: str, value: str) -> None:
     try:
         validate_namespace(value)
     except InvalidNamespaceException as error:
-        raise _fail(flag, value, error.error_msg.replace("namespace", "enclave")) from None
+        raise _argument_error(flag, value, error.error_msg.replace("namespace", "enclave")) from None
     parsed.enclave = value
 
 

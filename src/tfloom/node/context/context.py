@@ -303,7 +303,7 @@ class Context:
         with self._lock:
             hooks, self._hooks = self._hooks, []
         for hook in hooks:
-            _call(hook)
+            _call_hook(hook)
 
     def join(self, node: NodeName) -> Participant:
         """Add a node to the graph, and return the participant for it.
@@ -394,7 +394,7 @@ def _set_up_logging(arguments: Arguments) -> None:
     log_output.configure(file=file, console=arguments.stdout_logs)
 
 
-def _call(hook: Callable[[], Any]) -> None:
+def _call_hook(hook: Callable[[], Any]) -> None:
     try:
         hook()
     except Exception:  # noqa: BLE001  # the other hooks must run too

@@ -1,4 +1,4 @@
-"""Service servers."""
+"""Servers of services, and the base that they share with clients."""
 
 from __future__ import annotations
 

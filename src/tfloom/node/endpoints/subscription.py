@@ -129,14 +129,14 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
     def _read(self, incoming: Sample) -> Any:
         """Return the arguments for the callback."""
         message = incoming.data if self.raw else cdr.decode(self.msg_type, incoming.data)
-        return (message, _info(incoming)) if self._with_info else (message,)
+        return (message, _message_info(incoming)) if self._with_info else (message,)
 
     def run(self, taken: Any) -> Any:
         """Call the callback."""
         return None if taken is UNREADABLE or taken is _FED else self._callback(*taken)
 
 
-def _info(sample: Sample) -> dict[str, Any]:
+def _message_info(sample: Sample) -> dict[str, Any]:
     return {
         "source_timestamp": sample.source_stamp_ns,
         "received_timestamp": sample.received_stamp_ns,

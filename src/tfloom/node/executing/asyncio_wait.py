@@ -39,12 +39,13 @@ _stepping = _Stepping()
 
 def step(coroutine: Coroutine[Any, Any, Any]) -> Any:
     """Run a coroutine of an executor to its next await and return what it yields there."""
-    before = _stepping.around
+    # Steps are nested where a callback spins an executor: at its end, the outer step is the one that runs again.
+    former_task = _stepping.around
     _stepping.around = _current_task()
     try:
         return coroutine.send(None)
     finally:
-        _stepping.around = before
+        _stepping.around = former_task
 
 
 def is_driven_by_asyncio() -> bool:
@@ -77,10 +78,11 @@ def wait_in_asyncio(future: Awaited) -> Generator[Any, None, None]:
     import asyncio
 
     loop = asyncio.get_running_loop()
+    # The future completes on any thread, but a future of asyncio may be completed on its loop's thread alone.
     waiter = loop.create_future()
 
     def resume() -> None:
-        if not waiter.done():
+        if not waiter.done():  # the task may have been cancelled before the loop came to this
             waiter.set_result(None)
 
     def resume_in_loop() -> None:

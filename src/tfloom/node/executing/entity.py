@@ -46,7 +46,7 @@ class Entity:
         raise NotImplementedError
 
     def detach(self) -> None:
-        """Stop posting."""
+        """Stop posting the token; the executor calls this when the entity is removed."""
         raise NotImplementedError
 
     def take(self) -> Any:
@@ -62,5 +62,5 @@ class Entity:
         return None
 
     def destroy(self) -> None:
-        """Stop permanently."""
+        """Stop permanently; the node calls this when the entity is destroyed."""
         raise NotImplementedError

@@ -21,7 +21,7 @@ class Waited(Protocol):
         """Post `token` when `becomes_ready` may be true, at once if it is."""
 
     def detach(self) -> None:
-        """Stop posting."""
+        """Stop posting the token."""
 
     def becomes_ready(self) -> bool:
         """Return whether there is something to take; for a guard condition, this also takes the trigger."""

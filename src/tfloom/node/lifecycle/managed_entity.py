@@ -38,11 +38,11 @@ class ManagedEntity:
         return TransitionCallbackReturn.SUCCESS
 
     def on_activate(self, state: Any) -> TransitionCallbackReturn:  # noqa: ARG002
-        """Start working."""
+        """Start working, at the transition to active."""
         return TransitionCallbackReturn.SUCCESS
 
     def on_deactivate(self, state: Any) -> TransitionCallbackReturn:  # noqa: ARG002
-        """Stop working."""
+        """Stop working, at the transition to inactive."""
         return TransitionCallbackReturn.SUCCESS
 
     def on_error(self, state: Any) -> TransitionCallbackReturn:  # noqa: ARG002
@@ -62,12 +62,12 @@ class SimpleManagedEntity(ManagedEntity):
         return self._enabled
 
     def on_activate(self, state: Any) -> TransitionCallbackReturn:  # noqa: ARG002
-        """Start working."""
+        """Start working, at the transition to active."""
         self._enabled = True
         return TransitionCallbackReturn.SUCCESS
 
     def on_deactivate(self, state: Any) -> TransitionCallbackReturn:  # noqa: ARG002
-        """Stop working."""
+        """Stop working, at the transition to inactive."""
         self._enabled = False
         return TransitionCallbackReturn.SUCCESS
 

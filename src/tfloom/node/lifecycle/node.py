@@ -211,15 +211,17 @@ class LifecycleNodeMixin(ManagedEntity):
         return response
 
     def __on_get_available_transitions(self, request: Any, response: Any) -> Any:  # noqa: ARG002
-        response.available_transitions = [_description(step) for step in self.__machine.available()]
+        response.available_transitions = [
+            _transition_description(step) for step in self.__machine.available()
+        ]
         return response
 
     def __on_get_transition_graph(self, request: Any, response: Any) -> Any:  # noqa: ARG002
-        response.available_transitions = [_description(step) for step in STEPS]
+        response.available_transitions = [_transition_description(step) for step in STEPS]
         return response
 
 
-def _description(step: Step) -> TransitionDescription:
+def _transition_description(step: Step) -> TransitionDescription:
     return TransitionDescription(
         transition=step.transition_msg(), start_state=step.start.to_msg(), goal_state=step.goal.to_msg()
     )

@@ -13,7 +13,7 @@ __all__ = ["LifecycleState", "StateMachine", "Step"]
 
 
 class LifecycleState(NamedTuple):
-    """A state."""
+    """A state of a lifecycle node, by its label and the constant of `lifecycle_msgs/msg/State`."""
 
     label: str
     state_id: int
@@ -88,7 +88,7 @@ _OUTCOMES = {
 _OUTCOME_LABELS = ("transition_success", "transition_failure", "transition_error")
 
 
-def _outcomes() -> list[Step]:
+def _outcome_steps() -> list[Step]:
     return [
         Step(first_id + number, label, start, goals[number])
         for start, (first_id, goals) in _OUTCOMES.items()
@@ -96,7 +96,7 @@ def _outcomes() -> list[Step]:
     ]
 
 
-STEPS = [*_REQUESTS, *_outcomes()]
+STEPS = [*_REQUESTS, *_outcome_steps()]
 
 
 class StateMachine:

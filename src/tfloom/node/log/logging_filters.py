@@ -34,7 +34,7 @@ class CallerId(NamedTuple):
 
     @property
     def file_path(self) -> str:
-        """Its file."""
+        """Path of the file that the function is in."""
         return self.code.co_filename
 
 

@@ -34,10 +34,10 @@ def read_declarations(namespace: str, parameters: Sequence[tuple[Any, ...]]) -> 
         ValueError: a type is NOT_SET, or given together with dynamic typing; or there is neither value nor type,
             and no dynamic typing.
     """
-    return [_read(index, namespace, parameter) for index, parameter in enumerate(parameters)]
+    return [_read_declaration(index, namespace, parameter) for index, parameter in enumerate(parameters)]
 
 
-def _read(index: int, namespace: str, entry: tuple[Any, ...]) -> Declaration:
+def _read_declaration(index: int, namespace: str, entry: tuple[Any, ...]) -> Declaration:
     where = f"at index {index} in parameters list: {entry}"
     if not 1 <= len(entry) <= 3:
         raise TypeError(f"Invalid parameter tuple length {where}; expecting length between 1 and 3")

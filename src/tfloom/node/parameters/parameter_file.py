@@ -62,35 +62,35 @@ def read_parameter_file(path: str | Path) -> list[ParameterRule]:
         return []
     if not isinstance(content, dict):
         raise ValueError(f"{path} must hold a mapping of node names, not {type(content).__name__}")
-    return [rule for key, value in content.items() for rule in _nodes(_join("", key), value)]
+    return [rule for key, value in content.items() for rule in _rules_below(_join_namespace("", key), value)]
 
 
-def _join(namespace: str, key: str) -> str:
+def _join_namespace(namespace: str, key: str) -> str:
     return f"{namespace}/{key.strip('/')}"
 
 
-def _nodes(node: str, content: Any) -> Iterator[ParameterRule]:
+def _rules_below(node: str, content: Any) -> Iterator[ParameterRule]:
     if not isinstance(content, dict):
         raise ValueError(f"{node}: expected '{_KEY}' below it, found {content!r}")
     for key, value in content.items():
         if key != _KEY:
-            yield from _nodes(_join(node, key), value)
+            yield from _rules_below(_join_namespace(node, key), value)
             continue
         if not isinstance(value, dict):
             raise ValueError(f"{node}: '{_KEY}' must hold names and values, not {value!r}")
-        yield from _parameters(node, "", value)
+        yield from _rules_of_node(node, "", value)
 
 
-def _parameters(node: str, prefix: str, content: dict[str, Any]) -> Iterator[ParameterRule]:
+def _rules_of_node(node: str, prefix: str, content: dict[str, Any]) -> Iterator[ParameterRule]:
     for key, value in content.items():
         name = f"{prefix}{key}"
         if isinstance(value, dict):
-            yield from _parameters(node, f"{name}.", value)
+            yield from _rules_of_node(node, f"{name}.", value)
         else:
-            yield ParameterRule(node, name, _checked(node, name, value))
+            yield ParameterRule(node, name, _checked_value_of(node, name, value))
 
 
-def _checked(node: str, name: str, value: Any) -> Any:
+def _checked_value_of(node: str, name: str, value: Any) -> Any:
     try:
         return checked_value(name, value)
     except ValueError as error:

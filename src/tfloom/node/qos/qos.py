@@ -74,7 +74,7 @@ DeadlineBestAvailable = BEST_AVAILABLE_DURATION
 LivelinessLeaseDurationeBestAvailable = BEST_AVAILABLE_DURATION  # rclpy's spelling
 
 
-def _number(value: Any, name: str) -> int:
+def _checked_number(value: Any, name: str) -> int:
     if isinstance(value, bool) or not isinstance(value, int):
         raise TypeError(f"{name} must be an int, not {type(value).__name__}")
     if value < 0:
@@ -82,19 +82,19 @@ def _number(value: Any, name: str) -> int:
     return value
 
 
-def _duration(value: Any, name: str) -> Duration:
+def _checked_duration(value: Any, name: str) -> Duration:
     if not isinstance(value, Duration):
         raise TypeError(f"{name} must be a Duration, not {type(value).__name__}")
     return value
 
 
-def _flag(value: Any, name: str) -> bool:
+def _checked_flag(value: Any, name: str) -> bool:
     if not isinstance(value, bool):
         raise TypeError(f"{name} must be a bool, not {type(value).__name__}")
     return value
 
 
-def _policy(kind: Callable[[Any], Any]) -> Callable[[Any, str], Any]:
+def _policy_converter(kind: Callable[[Any], Any]) -> Callable[[Any, str], Any]:
     def convert(value: Any, name: str) -> Any:
         try:
             return kind(value)
@@ -105,15 +105,15 @@ def _policy(kind: Callable[[Any], Any]) -> Callable[[Any, str], Any]:
 
 
 _FIELDS: dict[str, tuple[Any, Callable[[Any, str], Any]]] = {
-    "history": (HistoryPolicy.KEEP_LAST, _policy(HistoryPolicy)),
-    "depth": (10, _number),
-    "reliability": (ReliabilityPolicy.RELIABLE, _policy(ReliabilityPolicy)),
-    "durability": (DurabilityPolicy.VOLATILE, _policy(DurabilityPolicy)),
-    "lifespan": (Duration(), _duration),
-    "deadline": (Duration(), _duration),
-    "liveliness": (LivelinessPolicy.SYSTEM_DEFAULT, _policy(LivelinessPolicy)),
-    "liveliness_lease_duration": (Duration(), _duration),
-    "avoid_ros_namespace_conventions": (False, _flag),
+    "history": (HistoryPolicy.KEEP_LAST, _policy_converter(HistoryPolicy)),
+    "depth": (10, _checked_number),
+    "reliability": (ReliabilityPolicy.RELIABLE, _policy_converter(ReliabilityPolicy)),
+    "durability": (DurabilityPolicy.VOLATILE, _policy_converter(DurabilityPolicy)),
+    "lifespan": (Duration(), _checked_duration),
+    "deadline": (Duration(), _checked_duration),
+    "liveliness": (LivelinessPolicy.SYSTEM_DEFAULT, _policy_converter(LivelinessPolicy)),
+    "liveliness_lease_duration": (Duration(), _checked_duration),
+    "avoid_ros_namespace_conventions": (False, _checked_flag),
 }
 
 _NO_DEPTH = (
@@ -159,12 +159,12 @@ class QoSProfile:
     avoid_ros_namespace_conventions: bool
 
     def __init__(self, **kwargs: Any) -> None:
-        unknown = kwargs.keys() - _FIELDS.keys()
-        if unknown:
-            raise TypeError(f"Invalid arguments passed to constructor: {', '.join(sorted(unknown))}")
+        unknown_names = kwargs.keys() - _FIELDS.keys()
+        if unknown_names:
+            raise TypeError(f"Invalid arguments passed to constructor: {', '.join(sorted(unknown_names))}")
         if "history" not in kwargs and "depth" not in kwargs:
             raise InvalidQoSProfileException("History and/or depth settings are required.")
-        _fill(self, kwargs)
+        _set_fields(self, kwargs)
         if "depth" in kwargs:
             self._warn_of_no_depth()
         if self.history == HistoryPolicy.KEEP_LAST and "depth" not in kwargs:
@@ -221,7 +221,7 @@ class QoSProfile:
             "liveliness": qos.liveliness,
             "liveliness_lease_duration": Duration(nanoseconds=qos.liveliness_lease_ns),
         }
-        _fill(profile, values)
+        _set_fields(profile, values)
         return profile
 
     @staticmethod
@@ -240,13 +240,13 @@ class QoSProfile:
         return f"QoSProfile({', '.join(f'{name}={getattr(self, name)!s}' for name in _FIELDS)})"
 
 
-def _fill(profile: QoSProfile, values: Mapping[str, Any]) -> None:
+def _set_fields(profile: QoSProfile, values: Mapping[str, Any]) -> None:
     """Set all fields: to `values`, or to their defaults."""
     for name, (default, convert) in _FIELDS.items():
         setattr(profile, f"_{name}", convert(values.get(name, default), name))
 
 
-def _field(name: str, convert: Callable[[Any, str], Any]) -> property:
+def _field_property(name: str, convert: Callable[[Any, str], Any]) -> property:
     slot = f"_{name}"
 
     def get(self: QoSProfile) -> Any:
@@ -261,7 +261,7 @@ def _field(name: str, convert: Callable[[Any, str], Any]) -> property:
 
 
 for _name, (_, _convert) in _FIELDS.items():
-    setattr(QoSProfile, _name, _field(_name, _convert))
+    setattr(QoSProfile, _name, _field_property(_name, _convert))
 
 qos_profile_unknown = QoSProfile.from_wire(wire.PROFILES["unknown"])
 qos_profile_default = QoSProfile.from_wire(wire.PROFILES["default"])
@@ -303,7 +303,7 @@ class QoSCompatibility(IntEnum):
 
 
 class QoSPresetProfiles(Enum):
-    """The named profiles."""
+    """The profiles that ROS names for common purposes."""
 
     UNKNOWN = qos_profile_unknown
     DEFAULT = qos_profile_default

@@ -116,7 +116,7 @@ def apply_overrides(
     suffix = f"_{options.entity_id}" if options.entity_id else ""
     for policy in options.policy_kinds:
         name = f"qos_overrides.{topic_name}.{kind}{suffix}.{policy.name.lower()}"
-        settings[policy.name.lower()] = _declare(node, name, policy, settings[policy.name.lower()])
+        settings[policy.name.lower()] = _declared_setting(node, name, policy, settings[policy.name.lower()])
     overridden = QoSProfile(**settings)
     if options.callback is not None:
         result = options.callback(overridden)
@@ -125,14 +125,14 @@ def apply_overrides(
     return overridden
 
 
-def _declare(node: NodeParameters, name: str, policy: QoSPolicyKind, default: Any) -> Any:
+def _declared_setting(node: NodeParameters, name: str, policy: QoSPolicyKind, default: Any) -> Any:
     descriptor = ParameterDescriptor(read_only=True)
     if policy in _DURATIONS:
-        return Duration(nanoseconds=_value(node, name, default.nanoseconds, descriptor))
+        return Duration(nanoseconds=_declared_value(node, name, default.nanoseconds, descriptor))
     kind = _ENUMS.get(policy)
     if kind is None:
-        return _value(node, name, default, descriptor)
-    text = _value(node, name, default.short_key, descriptor)
+        return _declared_value(node, name, default, descriptor)
+    text = _declared_value(node, name, default.short_key, descriptor)
     try:
         return kind.get_from_short_key(text)
     except KeyError:
@@ -140,7 +140,7 @@ def _declare(node: NodeParameters, name: str, policy: QoSPolicyKind, default: An
         raise InvalidQosOverridesError(f"{name} is '{text}', which is none of: {short_keys}") from None
 
 
-def _value(node: NodeParameters, name: str, default: Any, descriptor: ParameterDescriptor) -> Any:
+def _declared_value(node: NodeParameters, name: str, default: Any, descriptor: ParameterDescriptor) -> Any:
     if not node.has_parameter(name):
         node.declare_parameter(name, default, descriptor)
     return node.get_parameter(name).value
