@@ -30,8 +30,8 @@ NOTHING_SELECTED = 5
 
 def workers(*, slow: bool) -> int:
     """Return the number of processes that run tests in parallel."""
-    each = SLOW_WORKERS_PER_CORE if slow else WORKERS_PER_CORE
-    return min(MAX_WORKERS, each * (os.cpu_count() or 1))
+    per_core = SLOW_WORKERS_PER_CORE if slow else WORKERS_PER_CORE
+    return min(MAX_WORKERS, per_core * (os.cpu_count() or 1))
 
 
 def timing_files(paths: list[Path]) -> list[str]:
@@ -105,12 +105,14 @@ def main() -> int:
     if not named:
         compile_tests()
     parts = {}
+    # Tests that measure time run first and in few processes: beside the others they would measure these, too.
     if files := timing_files(named or [TESTS]):
         arguments = [*few, *rest] if named else [*few, *rest, *files]
         parts["measuring time"] = run(f"{marks} and timing", arguments)
     parts["others"] = run(f"{marks} and not timing", [f"--numprocesses={many}", *by_file, *rest])
     times = ", ".join(f"{name} {seconds:.0f} s" for name, (_, seconds) in parts.items())
     print(f"Tests that are {tier}: {times}")
+    # A part in which a selection matches nothing is no failure, unless it is so in both.
     codes = [code for code, _ in parts.values() if code != NOTHING_SELECTED]
     return max(codes) if codes else NOTHING_SELECTED
 

@@ -32,6 +32,8 @@ def run_child(command: Sequence[str]) -> int:
     child: list[subprocess.Popen[bytes]] = []
 
     def pass_on(number: int, _: FrameType | None) -> None:
+        # A Ctrl-C at the terminal goes to the whole foreground group, the child included: passing it on would make it
+        # two. For any other signal it is unknown whether the child got it, too; so give it time to end by itself first.
         if child and not (number == signal.SIGINT and _terminal_signals_us()):
             timer = threading.Timer(GRACE_S, _send, (child[0], number))
             timer.daemon = True
@@ -42,6 +44,7 @@ def run_child(command: Sequence[str]) -> int:
             else:
                 waiting.append(timer)
 
+    # Install the handlers before the child starts: a signal in between would end this process and leave the child.
     old = {number: signal.signal(number, pass_on) for number in passed_on}
     try:
         child.append(subprocess.Popen(command, preexec_fn=_child_setup(old)))  # noqa: PLW1509

@@ -165,6 +165,7 @@ class InteractiveMarkerServer:
         """
         with self.mutex:
             context, update = self.marker_contexts.get(name), self.pending_updates.get(name)
+            # A pending full update replaces the marker, with a pose of its own.
             if context is None or (update is not None and update.update_type == UpdateContext.FULL_UPDATE):
                 return False
             if header is None or not header.frame_id:
@@ -208,6 +209,8 @@ class InteractiveMarkerServer:
     def clear(self) -> None:
         """Remove all markers."""
         with self.mutex:
+            # Markers that were never published vanish with their updates; the published ones must be erased at the
+            # clients.
             self.pending_updates = {}
             for name in self.marker_contexts:
                 self._erase(name)
@@ -243,6 +246,7 @@ class InteractiveMarkerServer:
             message = InteractiveMarkerUpdate(type=InteractiveMarkerUpdate.UPDATE)
             for name, update in self.pending_updates.items():
                 self._apply(name, update, message)
+            # Publish under the lock, so that messages leave in the order of their numbers. No user's code runs there.
             self.pending_updates = {}
             self.seq_num += 1
             self.publish(message)
@@ -289,6 +293,7 @@ class InteractiveMarkerServer:
             if context is None:
                 return
             now = self.node.get_clock().now()
+            # Two users who drag one marker would make it jump: the first one has it until its feedback pauses.
             others = context.last_client_id not in {"", feedback.client_id}
             if others and now - context.last_feedback < _OTHERS_WAIT:
                 self.node.get_logger().debug(

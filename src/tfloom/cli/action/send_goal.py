@@ -113,6 +113,8 @@ class _ActionClient:
         """Wait until all three services of the action are ready, and the publisher of its feedback is matched."""
         for client in (self._send_goal, self._get_result, self._cancel_goal):
             client.wait_for_server()
+        # Services can be ready before the feedback's publisher is matched, and what it sends before would be lost.
+        # After the timeout, go on without feedback: the result doesn't depend on it.
         end_s = time.monotonic() + FEEDBACK_TIMEOUT_S
         while self._feedback and not self._feedback.matched_count() and time.monotonic() < end_s:
             time.sleep(0.005)
@@ -140,6 +142,7 @@ class _ActionClient:
         return f"The server did not cancel the goal: {CANCEL_REFUSALS.get(response.return_code, 'no reason given')}"
 
     def _receive(self, client: Client, number: int) -> Any:
+        # The last feedback may still be in the reader when the result arrives: print it before the result.
         response = client.receive(number, meanwhile=self._print_feedback)
         self._print_feedback()
         return response

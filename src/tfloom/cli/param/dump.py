@@ -52,6 +52,8 @@ def nested(values: Mapping[str, Any]) -> dict[str, Any]:
         *parents, leaf = name.split(".")
         for position, part in enumerate(parents):
             inner = branch.setdefault(part, {})
+            # A parameter has the name of this branch: a mapping can't be a value as well, so the rest of the name keeps
+            # its dots and becomes a key beside it.
             if not isinstance(inner, dict):
                 leaf = ".".join([*parents[position:], leaf])
                 break

@@ -143,8 +143,11 @@ def settled(source: Source, timeout_s: float, *, only_static: bool = False) -> O
         nonlocal count, since_s
         if not seen.is_live:
             return True
+        # The number of edges only grows. Its last change begins the time in which no new edge must come.
         if len(seen.edges) != count:
             count, since_s = len(seen.edges), time.monotonic()
+        # A latched static transform arrives soon after the match; so with `only_static` it suffices that each publisher
+        # has sent one.
         awaited = [publisher for publisher in seen.publishers if publisher.is_static or not only_static]
         return (
             count > 0

@@ -67,6 +67,7 @@ def arrange(
         if child not in loop_starts:
             children[parent].append(child)
     order = list(_walk(roots, children))
+    # Place the subtrees relative to their parents from the leaves upward, then sum the offsets from the roots downward.
     offsets = _offsets(order, roots, children, sizes, sibling_gap)
     starts, depth = _generation_starts(order, sizes, generation_gap)
     breadths: dict[str, float] = {}
@@ -87,6 +88,7 @@ def _find_roots(parents: Mapping[str, str], nodes: Iterable[str]) -> tuple[list[
     for node in parents:
         path: dict[str, None] = {}
         here = node
+        # Go upward to a node whose root is known, or to one on this path again: then a cycle closes there.
         while here not in settled and here not in path:
             path[here] = None
             here = parents[here]
@@ -133,6 +135,8 @@ def _offsets(
     offsets: dict[str, float] = {}
     contours: dict[str, _Contour] = {}
     for node, _ in reversed(order):
+        # In reversed order, all children of a node come before it. Their outlines are used up here, so that a long
+        # chain doesn't keep one for each of its nodes.
         below = [contours.pop(child) for child in children[node]]
         shifts, contour = _side_by_side(below, gap)
         middle = (shifts[0] + shifts[-1]) / 2 if shifts else 0.0
@@ -155,6 +159,8 @@ def _side_by_side(trees: list[_Contour], gap: float) -> tuple[list[float], _Cont
     low, high = trees[0]
     shifts = [0.0]
     for tree in trees[1:]:
+        # Compare the upper edge of what is placed with the lower edge of the next tree, for each generation that both
+        # have. The lists end with the roots, so generations are counted from the end.
         common = min(len(high), len(tree.low))
         shift = max(high[-k] - tree.low[-k] for k in range(1, common + 1)) + gap
         shifts.append(shift)

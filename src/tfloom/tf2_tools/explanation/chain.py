@@ -80,6 +80,7 @@ def find_chain(buffer: Buffer, seen: Observation, target: str, source: str) -> C
     tree = tree_of(buffer)
     if target not in tree or source not in tree or (ways := tree.chain(target, source)) is None:
         return None
+    # Up from the source to the frame where both branches meet, then down to the target, in the order of the lookup.
     up, down = ways
     links = [(child, True) for child in up[:-1]] + [(child, False) for child in reversed(down[:-1])]
     stored = {edge.child_frame_id: edge for edge in buffer.edges()}

@@ -31,6 +31,7 @@ def unknown_frame(lookup: Lookup) -> list[str]:
     sentences = []
     nowhere = []
     for frame in lookup.missing:
+        # The frame was a parent until its child came with another one: a quarrel of publishers, not a wrong name.
         if several := _replaced_children(
             lookup, [edge for edge in _stored_edges(lookup) if edge.frames[1] == frame]
         ):

@@ -99,6 +99,7 @@ def look_up(
     except TransformException as failure:
         error = str(failure)
         outcome = _outcome(failure, is_missing=target not in tree or source not in tree)
+    # The chain is looked for after a failure, too: frames may be connected and yet have no time in common.
     chain = find_chain(buffer, seen, target, source)
     return Lookup(
         target, source, asked_ns, now_ns, cache_time_ns, seen, outcome, error, transform, chain, tree.parents

@@ -66,6 +66,8 @@ def motion_of(buffer: Buffer, target_frame: str, source_frame: str) -> Motion:
     way = buffer.trajectory(target_frame, source_frame, strict=False)
     edges = [edge for edge in buffer.explain(target_frame, source_frame).edges if not edge.is_static]
     gaps = _merged([gap for edge in edges for gap in _gaps(buffer, edge)])
+    # Between two distant samples of an edge, the buffer interpolates: the other edges' stamps there would draw a motion
+    # that nobody has measured. Keep the gap's ends, which are samples.
     is_known = np.ones(len(way.stamps_ns), bool)
     for start, end in gaps:
         is_known &= (way.stamps_ns <= start) | (way.stamps_ns >= end)
@@ -98,6 +100,7 @@ def _merged(gaps: list[tuple[int, int]]) -> list[tuple[int, int]]:
     """Return gaps in order, those that overlap as one."""
     merged: list[tuple[int, int]] = []
     for start, end in sorted(gaps):
+        # Sorted by their starts, so a gap can only overlap the last one so far.
         if merged and start < merged[-1][1]:
             merged[-1] = merged[-1][0], max(end, merged[-1][1])
         else:

@@ -75,6 +75,8 @@ class LiveWatch:
 
     def _read(self, qos: QoS, *, static: bool, only: list[bytes] | None = None) -> TfObserverSink:
         topic = topic_of(TFMessage, self._topics[static])
+        # With `only`, count and don't store: a listener with the usual quality of service receives nothing from these
+        # publishers, so lookups in the buffer must fail as they do there.
         sink = self._observer.sink(static, self.buffer if only is None else None)
         sink.accept_only(only)
         sink.notify(self._queue, len(self._sinks))
@@ -90,6 +92,7 @@ class LiveWatch:
         if (changes := graph.changes()) == self._changes:
             return
         self._changes = changes
+        # Leave out the own readers, which would look like subscriptions of the user's programs.
         own = {reader.gid for reader in self._readers}
         self._endpoints = [
             end for end in graph.endpoints() if end.topic.name in self._topics and end.gid not in own
@@ -97,6 +100,8 @@ class LiveWatch:
         writers = [end for end in self._endpoints if end.is_writer]
         for end in writers:
             known = self._described.get(end.gid)
+            # The gid can arrive before the node that owns it, and the node can leave before its publisher: never
+            # replace a known name by none.
             if end.node is not None or known is None:
                 self._described[end.gid] = Description(end.node, end.qos)
         for is_static in (False, True):
@@ -107,6 +112,8 @@ class LiveWatch:
     def _read_unmatched(self, is_static: bool, writers: list[EndpointInfo]) -> None:
         requested = REQUESTED_QOS[is_static].resolved()
         gids = [end.gid for end in writers if incompatible_policies(end.qos.resolved(), requested)]
+        # One additional reader for each topic requests less and accepts those publishers alone; otherwise it would
+        # count the transforms of all others twice.
         if is_static in self._loose:
             self._loose[is_static].accept_only(gids)
         elif gids:
@@ -128,6 +135,8 @@ class LiveWatch:
 
     def wait(self, end_s: float) -> None:
         """Wait for a transform until `end_s` on the monotonic clock [s]; return at once if one came since last time."""
+        # Ask the sinks before sleeping: what came between two waits counts. Sleep for short times only, because a new
+        # publisher may need the additional reader, and the graph posts no token to this queue.
         while not any(sink.take_pushed() for sink in self._sinks):
             self.look()
             left_s = end_s - time.monotonic()

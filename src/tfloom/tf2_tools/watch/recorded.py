@@ -38,6 +38,7 @@ def observe_recorded(
     gids = {topic: hashlib.sha256(f"{origin}\0{topic}".encode()).digest()[:16] for topic in topics}
     first_ns = last_ns = 0
     for topic, received_ns, data in messages:
+        # A gid of each topic stands for all of its publishers: it is a digest, so that two recordings differ.
         if topic not in gids:
             continue
         observer.record(data, gids[topic], received_ns, topic == topics[True], ros1, buffer)

@@ -91,6 +91,7 @@ def _observe_bag(path: Path, topics: tuple[str, str], buffer: Buffer | None) -> 
 
     with open_bag(path) as bag:
         there = {topic.name: topic for topic in bag.topics.values() if topic.type in TF_TYPES}
+        # Names as they are in the bag, by those that are asked for: a bag of ROS 1 may have `tf` for `/tf`.
         names = {recorded: name for name in topics for recorded in _spellings(name, there)}
         if not names:
             others = ", ".join(sorted(there)) or "none"
