@@ -106,18 +106,18 @@ def imports(house: Path) -> list[Import]:
 @lru_cache(maxsize=4)
 def libraries(house: Path) -> list[tuple[Path, int, str]]:
     """Return file, line and name of each imported top-level package, `import_module("name…")` included."""
-    found = [
+    imported_libraries = [
         (statement.path, statement.line, statement.imported.split(".")[0])
         for statement in imports(house)
         if not statement.level
     ]
     for path in {statement.path for statement in imports(house)}:
         text = path.read_text("utf-8")
-        found += [
+        imported_libraries += [
             (path, text.count("\n", 0, match.start()) + 1, match.group(1))
             for match in re.finditer(r"""import_module\(f?["'](\w+)""", text)
         ]
-    return found
+    return imported_libraries
 
 
 def _where(house: Path, statement: Import) -> str:
@@ -134,15 +134,15 @@ def _room(dotted: str) -> str:
 
 def imports_point_down(house: Path) -> list[str]:
     """A room imports only rooms on lower shelves; interfaces may import rosidl, too."""
-    found = []
+    violations = []
     for statement in imports(house):
         here, there = _room(statement.importer), _room(statement.imported)
         shelf_here, shelf_there = _shelf(here), _shelf(there)
         if shelf_here is None or shelf_there is None or here == there:
             continue
         if shelf_there >= shelf_here and (here, there) != ("interfaces", "rosidl"):
-            found.append(f"{_where(house, statement)}, which doesn't stand below {here}")
-    return found
+            violations.append(f"{_where(house, statement)}, which doesn't stand below {here}")
+    return violations
 
 
 def node_rooms_point_down(house: Path) -> list[str]:
@@ -155,24 +155,24 @@ def node_rooms_point_down(house: Path) -> list[str]:
         room = parts[2] if (house / "node" / parts[2]).is_dir() else ""
         return NODE_ROOMS.index(room) if room in NODE_ROOMS else None
 
-    found = []
+    violations = []
     for statement in imports(house):
         here, there = level(statement.importer), level(statement.imported)
         if here is not None and there is not None and there > here:
-            found.append(f"{_where(house, statement)}, which comes after node/{NODE_ROOMS[here]}")
-    return found
+            violations.append(f"{_where(house, statement)}, which comes after node/{NODE_ROOMS[here]}")
+    return violations
 
 
 def no_import_of_an_own_top(house: Path) -> list[str]:
     """A module imports the file that defines a name, never a package that contains the module."""
-    found = []
+    violations = []
     for statement in imports(house):
         parts = statement.path.relative_to(house.parent).with_suffix("").parts
         if statement.imported in {".".join(parts[:end]) for end in range(2, len(parts))}:
-            found.append(
+            violations.append(
                 f"{_where(house, statement)}, its own package's top; import the file that defines the thing"
             )
-    return found
+    return violations
 
 
 def no_relative_import(house: Path) -> list[str]:
@@ -186,7 +186,7 @@ def no_ros_name(house: Path) -> list[str]:
     Names of a real ROS 2 are imported by strings, at run time, and only in ROS_DOORS.
     """
     names = {path.name for path in (house / "ros_names").glob("*") if path.is_dir()}
-    found = [
+    violations = [
         f"{_where(house, statement)}, a ROS name; import it from its room in tfloom"
         for statement in imports(house)
         if statement.imported.split(".")[0] in names
@@ -195,19 +195,19 @@ def no_ros_name(house: Path) -> list[str]:
     for path in sorted({statement.path for statement in imports(house)}):
         place = path.relative_to(house).as_posix()
         text = path.read_text("utf-8")
-        found += [
+        violations += [
             f"{place}:{text.count(chr(10), 0, match.start()) + 1} imports {match.group(1)} at run time, a ROS name"
             for match in by_string.finditer(text)
             if match.group(1).split(".")[0] in names and not place.startswith(ROS_DOORS)
         ]
-    return found
+    return violations
 
 
 def one_door_for_each_library(house: Path) -> list[str]:
     """A third-party library is imported by its doors alone, one in a room, and each has such a door."""
     known = sys.stdlib_module_names | EVERYWHERE | {"tfloom", ANNOTATIONS_ONLY}
     known |= {path.name for path in (house / "ros_names").glob("*")}  # another rule's
-    found = []
+    violations = []
     for path, line, library in libraries(house):
         place = path.relative_to(house).as_posix()
         where = f"{place}:{line} imports {library}"
@@ -215,10 +215,10 @@ def one_door_for_each_library(house: Path) -> list[str]:
             continue
         doors = DOORS.get(library)
         if doors is None:
-            found.append(f"{where}, a library that has no door")
+            violations.append(f"{where}, a library that has no door")
         elif not place.startswith(doors):
-            found.append(f"{where}; its door is {' or '.join(doors)}")
-    return found
+            violations.append(f"{where}; its door is {' or '.join(doors)}")
+    return violations
 
 
 def no_type_checkers_library_at_run_time(house: Path) -> list[str]:
@@ -237,12 +237,12 @@ def no_ring(house: Path) -> list[str]:
 
 def a_top_holds_its_docstring_alone(house: Path) -> list[str]:
     """The `__init__.py` of node/ and of its rooms holds a docstring, so that importing one file loads no others."""
-    found = []
+    violations = []
     for path in sorted((house / "node").rglob("__init__.py")):
         body = ast.parse(path.read_text("utf-8")).body
         if any(not isinstance(statement, ast.Expr) for statement in body) or len(body) > 1:
-            found.append(f"{path.relative_to(house).as_posix()} holds more than its docstring")
-    return found
+            violations.append(f"{path.relative_to(house).as_posix()} holds more than its docstring")
+    return violations
 
 
 def _folders(path: Path) -> set[str]:
@@ -252,22 +252,24 @@ def _folders(path: Path) -> set[str]:
 def each_room_has_its_place(house: Path) -> list[str]:
     """Each folder of the house is on a shelf, and each one of node/ in NODE_ROOMS."""
     named = {room for rooms in SHELVES for room in rooms}
-    found = [f"{room}/ stands on no shelf" for room in sorted(_folders(house) - named)]
-    found += [f"node/{room}/ has no place" for room in sorted(_folders(house / "node") - set(NODE_ROOMS))]
-    return found
+    violations = [f"{room}/ stands on no shelf" for room in sorted(_folders(house) - named)]
+    violations += [
+        f"node/{room}/ has no place" for room in sorted(_folders(house / "node") - set(NODE_ROOMS))
+    ]
+    return violations
 
 
 def nothing_is_named_that_does_not_exist(house: Path) -> list[str]:
     """Each room of SHELVES and NODE_ROOMS exists, and each library of DOORS is imported by its door."""
     rooms = _folders(house) | {path.stem for path in house.glob("*.pyi")}
-    found = [f"SHELVES names {room}" for shelf in SHELVES for room in shelf if room not in rooms]
-    found += [
+    violations = [f"SHELVES names {room}" for shelf in SHELVES for room in shelf if room not in rooms]
+    violations += [
         f"NODE_ROOMS names {room}" for room in NODE_ROOMS if room and not (house / "node" / room).is_dir()
     ]
     used = {library for _, _, library in libraries(house)}
-    found += [f"DOORS names {library}" for library in DOORS if library not in used]
-    found += [f"EVERYWHERE names {library}" for library in sorted(EVERYWHERE - used)]
-    return found
+    violations += [f"DOORS names {library}" for library in DOORS if library not in used]
+    violations += [f"EVERYWHERE names {library}" for library in sorted(EVERYWHERE - used)]
+    return violations
 
 
 YAML_DOOR = "rosidl/user_yaml.py"
@@ -277,7 +279,7 @@ YAML_DOOR = "rosidl/user_yaml.py"
 def one_door_for_reading_yaml(house: Path) -> list[str]:
     """Only `YAML_DOOR` calls or imports a name of yaml that reads: `yaml.safe_load`, `yaml.compose`, a loader."""
     reads = re.compile(r"load|compose|parse|scan|loader", re.IGNORECASE)
-    found = []
+    violations = []
     for path in sorted(house.rglob("*.py")):
         place = path.relative_to(house).as_posix()
         text = path.read_text("utf-8")
@@ -297,10 +299,10 @@ def one_door_for_reading_yaml(house: Path) -> list[str]:
                 names = ["load"] if any(names) else []  # another name would hide its calls
             else:
                 continue
-            found += [
+            violations += [
                 f"{place}:{node.lineno} reads YAML by yaml.{name}" for name in names if reads.search(name)
             ]
-    return found
+    return violations
 
 
 FILE_WRITERS = {
@@ -316,15 +318,15 @@ FILE_WRITERS = {
 def files_are_written_whole(house: Path) -> list[str]:
     """Only FILE_WRITERS open a file to write, because others would leave half a file on a full disk."""
     writes = re.compile(r"""\.write_(?:text|bytes)\(|\bopen\([^()]*["'][wxa]b?\+?["']""")
-    found = []
+    violations = []
     for path in sorted(house.rglob("*.py")):
         place = path.relative_to(house).as_posix()
         if place in FILE_WRITERS:
             continue
         text = path.read_text("utf-8")
         lines = [text.count("\n", 0, match.start()) + 1 for match in writes.finditer(text)]
-        found += [f"{place}:{line} writes a file in place; use whole_files.py" for line in lines]
-    return found
+        violations += [f"{place}:{line} writes a file in place; use whole_files.py" for line in lines]
+    return violations
 
 
 CALLS_OUT = {"push", "forget", "run_waiting", "set_result", "add_done_callback", "callback", "function"}
@@ -373,17 +375,17 @@ def no_users_code_under_a_lock(house: Path) -> list[str]:
     while size < len(ways):  # until no further function is known to call out
         size = len(ways)
         for stem, function in functions:
-            reached = [found for name, _ in _called(function) if (found := way(stem, name))]
+            reached = [call_path for name, _ in _called(function) if (call_path := way(stem, name))]
             if reached:
                 ways.setdefault((stem, function.name), f"{function.name}, {reached[0]}")
     return [
-        f"rmw/{stem}.py:{line} calls {found} under a lock"
+        f"rmw/{stem}.py:{line} calls {call_path} under a lock"
         for stem, tree in trees.items()
         for node in ast.walk(tree)
         if isinstance(node, ast.With)
         and any(ast.unparse(item.context_expr).endswith("lock") for item in node.items)
         for name, line in _called(node)
-        if (found := way(stem, name))
+        if (call_path := way(stem, name))
     ]
 
 
@@ -400,16 +402,16 @@ def the_command_line_starts_without_the_rooms(house: Path) -> list[str]:
 
 def the_native_core_knows_no_python(native: Path) -> list[str]:
     """Only native/bindings includes Python or nanobind, and only native/dds opens libddsc."""
-    found = []
+    violations = []
     for folder in NATIVE_ROOMS:
         for path in sorted((native / folder).glob("*")):
             text = path.read_text("utf-8")
             where = f"{folder}/{path.name}"
             if re.search(r'#include\s*[<"](nanobind|Python\.h)', text):
-                found.append(f"{where} includes Python")
+                violations.append(f"{where} includes Python")
             if folder != "dds" and "dlopen" in text:
-                found.append(f"{where} calls dlopen; libddsc has one door, native/dds")
-    return found
+                violations.append(f"{where} calls dlopen; libddsc has one door, native/dds")
+    return violations
 
 
 def native_rooms_point_down(native: Path) -> list[str]:

@@ -162,7 +162,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--edges", action="store_true", help="print each import, too")
     options = parser.parse_args(arguments)
     name = options.package.name
-    found = [
+    statements = [
         statement
         for statement in imports_of_package(options.package)
         if room(statement.importer) not in ("ros_names", "interfaces")
@@ -170,17 +170,17 @@ def main(arguments: list[str] | None = None) -> int:
     ]
     if options.edges:
         for edge in sorted(
-            {(statement.importer, statement.imported, statement.kind.value) for statement in found}
+            {(statement.importer, statement.imported, statement.kind.value) for statement in statements}
         ):
             print("{} -> {} ({})".format(*edge))
-    modules = {statement.importer for statement in found}
+    modules = {statement.importer for statement in statements}
     print(f"{name}: {len(modules)} modules that import others of the package")
     for kind in Kind:
         print(
-            f"  imports {kind.value}: {len({statement[:2] for statement in found if statement.kind is kind})}"
+            f"  imports {kind.value}: {len({statement[:2] for statement in statements if statement.kind is kind})}"
         )
     for kind in Kind:
-        circles = rings(found, kind)
+        circles = rings(statements, kind)
         print(f"rings, counting imports {', '.join(member.value for member in UP_TO[kind])}: {len(circles)}")
         by_room: Counter[str] = Counter(
             " and ".join(sorted({room(module) for module in circle})) for circle in circles

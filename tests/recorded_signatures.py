@@ -52,9 +52,9 @@ def _home_differences(thing: Any, name: Name) -> Iterator[str]:
 
 def _member_differences(owner: type, member: str, name: Name) -> Iterator[str]:
     if name.kind == "constant":
-        found = getattr(owner, member, None)
-        if found is None or repr(getattr(found, "value", found)) != name.signature:
-            yield f"it is {found}, not {name.signature}"
+        value = getattr(owner, member, None)
+        if value is None or repr(getattr(value, "value", value)) != name.signature:
+            yield f"it is {value}, not {name.signature}"
         return
     if name.kind != "method":
         if not hasattr(owner, member) and not _instances_have(owner, member):
@@ -92,26 +92,28 @@ def signature_differences(signature: str, function: Any) -> Iterator[str]:
     for expected in theirs:
         if expected.kind == "variable":
             continue
-        found = by_name.get(expected.name)
-        if found is None:
+        ours_of_name = by_name.get(expected.name)
+        if ours_of_name is None:
             if not takes_anything:
                 yield f"it has no parameter {expected.name}"
-        elif found.kind != expected.kind:
-            yield f"its parameter {expected.name} is {found.kind}, not {expected.kind}"
-        elif expected.default is not None and _differ(found, expected):
-            yield f"the default of {expected.name} is {found.default}, not {expected.default}"
+        elif ours_of_name.kind != expected.kind:
+            yield f"its parameter {expected.name} is {ours_of_name.kind}, not {expected.kind}"
+        elif expected.default is not None and _differ(ours_of_name, expected):
+            yield f"the default of {expected.name} is {ours_of_name.default}, not {expected.default}"
     order = [parameter.name for parameter in theirs if parameter.kind == "positional"]
     if (
         order != [parameter.name for parameter in ours if parameter.kind == "positional"][: len(order)]
         and not takes_anything
     ):
         yield f"its parameters are not in the order {', '.join(order)}"
-    known = {parameter.name for parameter in theirs}
-    if "*args" not in known:
+    recorded_names = {parameter.name for parameter in theirs}
+    if "*args" not in recorded_names:
         yield from (
             f"it requires a parameter {parameter.name} that the recorded one lacks"
             for parameter in ours
-            if parameter.name not in known and parameter.default is None and parameter.kind != "variable"
+            if parameter.name not in recorded_names
+            and parameter.default is None
+            and parameter.kind != "variable"
         )
 
 

@@ -41,8 +41,8 @@ def test_an_imported_name_is_one_object_in_all_modules() -> None:
     for name in NAMES:
         is_profile = name.path.startswith("qos_profile_")
         if name.kind == "import" and (name.signature or is_profile) and not reason_for(name, REASONS):
-            found = getattr(importlib.import_module(name.module), name.path)
-            objects.setdefault((name.signature, name.path), {})[id(found)] = name.module
+            thing = getattr(importlib.import_module(name.module), name.path)
+            objects.setdefault((name.signature, name.path), {})[id(thing)] = name.module
     assert len(objects) > 100
     assert not [where for where in objects.values() if len(where) > 1]
 

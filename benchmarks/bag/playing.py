@@ -50,7 +50,7 @@ def main(words: list[str]) -> None:
             path = Path(folder) / f"bag_{size_mb}"
             write(path, size_mb)
             start = perf_counter()
-            found = subprocess.run(
+            player = subprocess.run(
                 [sys.executable, "-c", PLAY, str(path), "20"],
                 env=environment,
                 capture_output=True,
@@ -58,4 +58,4 @@ def main(words: list[str]) -> None:
                 check=True,
                 timeout=600.0,
             )
-            print(f"  {size_mb:>5} MiB: {int(found.stdout):>4} MiB, {perf_counter() - start:.1f} s")
+            print(f"  {size_mb:>5} MiB: {int(player.stdout):>4} MiB, {perf_counter() - start:.1f} s")

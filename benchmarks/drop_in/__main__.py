@@ -131,11 +131,11 @@ def main() -> int:
             f"{'CPU of a process that receives /tf [% of a core]':<52}{'CPU':>8}{'ratio':>8}{'received':>12}"
         )
         for transforms, rate_hz in CASES:
-            taken = {way: [] for way in ways}
+            rounds = {way: [] for way in ways}
             for _ in range(TURNS):
                 for way in ways:
-                    taken[way].append(measure(processes, way, transforms, rate_hz))
-            best = {way: min(values) for way, values in taken.items()}
+                    rounds[way].append(measure(processes, way, transforms, rate_hz))
+            best = {way: min(values) for way, values in rounds.items()}
             print(f"  {rate_hz} Hz x {transforms} transforms, least of {TURNS} runs")
             for way in ways:
                 ratio = best[processes.peer_way].percent / best[way].percent

@@ -138,7 +138,7 @@ def beside_writers(build: Build) -> None:
 def round_trips(build: Build, name: str) -> None:
     """Measure by the wall clock a round trip between two processes, one message in flight."""
     forms = build.without(name).module, build.module
-    found: tuple[list[float], list[float]] = ([], [])
+    medians_us: tuple[list[float], list[float]] = ([], [])
     for turn in range(6):
         for index in (0, 1) if turn % 2 else (1, 0):
             command = [
@@ -152,15 +152,15 @@ def round_trips(build: Build, name: str) -> None:
             trips = subprocess.run(
                 command, capture_output=True, text=True, check=True, cwd=HERE.parent.parent
             )
-            found[index].append(median(json.loads(trips.stdout)))
-    row(name, "a message there and back, p50 [us]", median(found[0]), median(found[1]))
+            medians_us[index].append(median(json.loads(trips.stdout)))
+    row(name, "a message there and back, p50 [us]", median(medians_us[0]), median(medians_us[1]))
 
 
 def main() -> None:
-    known = [*EDITS, "frozen file"]
-    requested = sys.argv[1:] or known
-    if unknown := [name for name in requested if name not in known]:
-        raise SystemExit(f"no optimisation is named {', '.join(unknown)}; there are: {', '.join(known)}")
+    names = [*EDITS, "frozen file"]
+    requested = sys.argv[1:] or names
+    if unknown := [name for name in requested if name not in names]:
+        raise SystemExit(f"no optimisation is named {', '.join(unknown)}; there are: {', '.join(names)}")
     build = Build()
     print(f"{'':22} {'':48} {'without':>12} {'with':>12} {'ratio':>7}", flush=True)
     for name in dict.fromkeys(name for name, _ in ROWS if name in requested):

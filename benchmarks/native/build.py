@@ -47,27 +47,27 @@ class Build:
     def commands(self) -> dict[str, tuple[Path, list[str]]]:
         """The source and the compiler's command of each object."""
         entries = json.loads((self.folder / "compile_commands.json").read_text("utf-8"))
-        found = {}
+        command_of = {}
         for entry in entries:
             source, words = Path(entry["file"]), shlex.split(entry["command"])
             if source.is_relative_to(NATIVE):
-                found[words[words.index("-o") + 1]] = (source, words)
-        return found
+                command_of[words[words.index("-o") + 1]] = (source, words)
+        return command_of
 
     @cached_property
     def headers(self) -> dict[str, set[str]]:
         """The files in `native/` on which each object depends, as paths relative to it."""
-        found: dict[str, set[str]] = {}
+        headers_of: dict[str, set[str]] = {}
         target = ""
         for line in self.ninja("deps").splitlines():
             if line.startswith(" "):
                 path = Path(os.path.normpath(self.folder / line.strip()))
                 if path.is_relative_to(NATIVE):
-                    found[target].add(path.relative_to(NATIVE).as_posix())
+                    headers_of[target].add(path.relative_to(NATIVE).as_posix())
             elif ": #deps" in line:
                 target = line.split(":")[0]
-                found[target] = set()
-        return found
+                headers_of[target] = set()
+        return headers_of
 
     def without(self, name: str) -> Plain:
         """Return the extension without `name`; objects that are not up to date are compiled."""
@@ -133,10 +133,10 @@ def program(build: Build, plain: Plain | None = None) -> Path:
 
 def tool(name: str) -> str:
     path = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
-    found = shutil.which(name, path=path)
-    if found is None:
+    program = shutil.which(name, path=path)
+    if program is None:
         raise SystemExit(f"{name} is not installed: install the dependency group 'build'")
-    return found
+    return program
 
 
 def run(*command: str, folder: Path | None = None) -> str:

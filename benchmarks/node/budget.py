@@ -55,14 +55,14 @@ def shares(recording: Path) -> dict[str, float]:
     """Return the share of each part in a recording of perf."""
     command = ["perf", "report", "-i", recording, "--sort", "dso", "--stdio", "-q", "-t", "|"]
     text = subprocess.run(command, capture_output=True, text=True, check=True).stdout
-    found = dict.fromkeys(PARTS, 0.0)
+    share_of = dict.fromkeys(PARTS, 0.0)
     for line in filter(None, map(str.strip, text.splitlines())):
         percent, _, binary = line.partition("|")
-        found[part_of(binary.strip())] += float(percent.rstrip("% ")) / 100
-    total = sum(found.values())
+        share_of[part_of(binary.strip())] += float(percent.rstrip("% ")) / 100
+    total = sum(share_of.values())
     if not 0.9 < total < 1.1:
         raise RuntimeError(f"the parts of perf's report are {total:.0%} of its samples")
-    return found
+    return share_of
 
 
 def record(process: subprocess.Popen[str], recording: Path) -> subprocess.Popen[bytes]:

@@ -91,11 +91,11 @@ class Counted:
         stamps = [transform.header.stamp for transform in self._newest.transforms]
         numbers = {number_at(stamp.sec * 1_000_000_000 + stamp.nanosec, self._rate_hz) for stamp in stamps}
         expected = [(f"joint_{joint}", x_of(min(numbers)), -0.25) for joint in range(self._transforms)]
-        found = [
+        received = [
             (transform.child_frame_id, transform.transform.translation.x, transform.transform.translation.y)
             for transform in self._newest.transforms
         ]
-        if len(numbers) != 1 or found != expected:
+        if len(numbers) != 1 or received != expected:
             raise ValueError("a message arrived with other content")
         return numbers.pop()
 

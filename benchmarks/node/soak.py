@@ -87,6 +87,8 @@ class Soak:
             executor.add_node(node)
             for thread in threads:
                 thread.start()
+            # The hosts' threads start processes and wait for them; this one spins the node until the last guest has
+            # left.
             while any(thread.is_alive() for thread in threads):
                 executor.spin_once(timeout_sec=0.1)
         for name, process in residents.items():
@@ -109,6 +111,7 @@ class Soak:
     def _on_message(self, message: String) -> None:
         guest, number, _ = message.data.split()
         with self._lock:
+            # Each guest has a name of its own and begins at 0, so a loss, a repetition and a wrong order all show here.
             expected = self._next.get(guest, 0)
             if int(number) != expected:
                 self.faults.append(f"guest {guest} sent {number}, and {expected} was expected")
@@ -144,6 +147,8 @@ class Soak:
         with subprocess.Popen(
             self._command(guest), stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
         ) as process:
+            # A guest that hangs would block `readline` for ever: the timer kills it, and `readline` returns an empty
+            # line.
             watch = threading.Timer(PATIENCE_S, process.kill)
             watch.start()
             try:

@@ -123,6 +123,8 @@ class Member:
         self._first.setdefault(sender, number)
         expected = self._next.get(sender, number)
         now_s = time.time()
+        # The first message of a sender may have any number, because it may have been sending before this member joined.
+        # A gap counts as lost only after LATE_S: what comes in the meantime has been overtaken.
         if number >= expected:
             self._missing |= {(sender, missing): now_s for missing in range(expected, number)}
             self._next[sender] = number + 1
@@ -195,6 +197,7 @@ def _of_newest(numbers: dict[str, int]) -> dict[str, int]:
         newest[slot] = max(newest.get(slot, 0), life)
     for key in list(numbers):
         slot, life = divmod(int(key), LIVES)
+        # Keep the newest life and the one before it, whose last messages may still arrive.
         if life < newest[slot] - 1:
             del numbers[key]
     return dict(numbers)

@@ -45,10 +45,12 @@ class Command(NamedTuple):
 def blocks(path: Path) -> list[Block]:
     """Return the fenced blocks of a page."""
     text = path.read_text("utf-8")
-    found = re.finditer(r"(?:<!-- not run: (.+?) -->\n)?^```([^\n`]*)\n((?:.*\n)*?)```$", text, re.MULTILINE)
+    matches = re.finditer(
+        r"(?:<!-- not run: (.+?) -->\n)?^```([^\n`]*)\n((?:.*\n)*?)```$", text, re.MULTILINE
+    )
     return [
         Block(match[2].strip(), match[3], text.count("\n", 0, match.start()) + 1, match[1] or "")
-        for match in found
+        for match in matches
     ]
 
 

@@ -53,8 +53,8 @@ PACKAGES = {
 
 def documented(page: str) -> set[str]:
     text = (DOCS / "api" / f"{page}.md").read_text("utf-8")
-    found = re.findall(r"^\.\. auto(module|class|function|data):: tfloom\.(\S+)", text, re.MULTILINE)
-    return {name if kind == "module" else name.rpartition(".")[0] for kind, name in found}
+    directives = re.findall(r"^\.\. auto(module|class|function|data):: tfloom\.(\S+)", text, re.MULTILINE)
+    return {name if kind == "module" else name.rpartition(".")[0] for kind, name in directives}
 
 
 def test_every_public_module_has_an_entry() -> None:
@@ -138,14 +138,14 @@ def test_site_needs_no_network(site: Path) -> None:
 
 @pytest.mark.slow
 def test_every_public_name_has_an_entry(site: Path) -> None:
-    found = entries(site)
+    documented_names = entries(site)
     modules = {name for page in PAGES for name in documented(page)} - PARTS
     assert len(modules) > 30
     missing = {
         f"{module}.{name}"
         for module in modules
         for name in public_names(f"tfloom.{module}")
-        if f"tfloom.{module}.{name}" not in found
+        if f"tfloom.{module}.{name}" not in documented_names
     }
     assert missing == set(NO_ENTRY)
 

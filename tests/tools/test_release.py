@@ -154,10 +154,10 @@ def run(command: list[Path | str], cwd: Path, environment: dict[str, str]) -> st
 @pytest.mark.parametrize("platform", PLATFORMS)
 def test_wheels_are_configured_for_each_platform(tools: Tools, platform: str) -> None:
     command = ["--platform", platform, "--archs", "all", "--print-build-identifiers", "."]
-    found = set(tools.run("cibuildwheel", *command).split())
-    missing = {f"{python}-{system}" for python in PYTHONS for system in PLATFORMS[platform]} - found
+    identifiers = set(tools.run("cibuildwheel", *command).split())
+    missing = {f"{python}-{system}" for python in PYTHONS for system in PLATFORMS[platform]} - identifiers
     assert not missing
-    assert {name.split("-")[0] for name in found} == PYTHONS
+    assert {name.split("-")[0] for name in identifiers} == PYTHONS
 
 
 @pytest.mark.slow

@@ -209,6 +209,8 @@ def _warning_of_undeclared(source: Any, file_name: str, given: Sequence[str]) ->
     from tfloom.launch.logging import get_logger
 
     def warn(context: Any) -> None:
+        # Two sources, because a file declares by its description, and by what a condition or function included
+        # meanwhile.
         declared = source.get_launch_description(context).get_launch_arguments()
         visited = context._declared_arguments  # noqa: SLF001  # launch's own
         names = list(dict.fromkeys([*(argument.name for argument in declared), *visited]))

@@ -88,6 +88,7 @@ def watch(
         publishers = wait_for_publishers(participant.graph, name, math.inf)
         cls = message_class(find_type(participant.graph, name), participant)
         check(cls)
+        # Receipts have this machine's time. Under a simulation, the time of /clock at the callback takes their place.
         simulated = args.use_sim_time and not getattr(args, "wall_time", False)
         with clock(participant, cli_node(), simulated=simulated) as now_ns:
             if simulated:

@@ -38,6 +38,7 @@ def wrapped(name: str, limit: int = NAME_LIMIT) -> list[str]:
     """Break a long frame id into lines of `limit` letters at most, after `/`, `_`, `-` or `.` where there is one."""
     lines = []
     while len(name) > limit:
+        # Only in the second half of the line, so that no line is much shorter than the others.
         cut = max(name.rfind(mark, limit // 2, limit) for mark in "/_-.") + 1 or limit
         lines.append(name[:cut])
         name = name[cut:]
@@ -164,6 +165,8 @@ class Graph:
     def parts(self, frame: str) -> list[tuple[NameBox | Card, float, str]]:
         """Return the parts at a frame, from its parent's side: part, depth at which it begins, style."""
         column: list[tuple[NameBox | Card, str]] = []
+        # The layout has cut a loop at this frame, which therefore is drawn as a root: its parent is drawn again above
+        # it.
         is_loop = frame in self.layout.loop_starts
         if is_loop:
             column.append((self.boxes[self.parents[frame]], "loop"))
@@ -183,6 +186,7 @@ class Graph:
         breadth = self.layout.places[frame].breadth
         parts = self.parts(frame)
         state = self.tree.state_of(frame)
+        # The curve ends at the first part, which is the card; arrows connect it with the parts that follow.
         if frame in self.parents and frame not in self.layout.loop_starts:
             parent = self.parents[frame]
             box, depth, _ = self.parts(parent)[-1]
