@@ -46,7 +46,7 @@ class TypeDescriptionService:
             self._service = node.create_service(GetTypeDescription, "~/get_type_description", self._get)
 
     def destroy(self) -> None:
-        """Stop serving."""
+        """Stop serving: destroy the service."""
         if self._service is not None:
             self._node.destroy_service(self._service)
             self._service = None

@@ -391,7 +391,7 @@ class ServerWatch(Entity):
             self._client.wire_endpoint.watch_servers(queue, token)
 
     def detach(self) -> None:
-        """Stop posting."""
+        """Stop posting the token."""
         if not self._client.is_destroyed:
             self._client.wire_endpoint.watch_servers(None)
 

@@ -125,7 +125,7 @@ class ReceivingEndpoint(Endpoint[TakingEndpoint]):
             self._notify(queue, token)
 
     def detach(self) -> None:
-        """Stop posting."""
+        """Stop posting the token."""
         if not self._destroyed:
             self._notify(None, 0)
 

@@ -93,7 +93,7 @@ class Introspection:
         self._publisher.publish(self._event_type(info=info, **parts))
 
     def close(self) -> None:
-        """Stop publishing."""
+        """Stop publishing, and destroy the publisher."""
         if self._publisher is not None:
             self._destroy(self._publisher)
             self._publisher = None

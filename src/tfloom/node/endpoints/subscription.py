@@ -105,7 +105,7 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
             self._sink.notify(queue, token)
 
     def detach(self) -> None:
-        """Stop posting."""
+        """Stop posting the token."""
         super().detach()
         self._queue = None
         if self._sink is not None:

@@ -107,7 +107,7 @@ class EventHandler(Entity):
             self._endpoint.notify_event(self._event, queue, token)
 
     def detach(self) -> None:
-        """Stop posting."""
+        """Stop posting the token."""
         if not self._destroyed:
             self._endpoint.notify_event(self._event, None)
 

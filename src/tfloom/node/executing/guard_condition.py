@@ -62,7 +62,7 @@ class GuardCondition(Entity):
             queue.post(token)
 
     def detach(self) -> None:
-        """Stop posting."""
+        """Stop posting the token."""
         self._queue = None
 
     def take(self) -> Any:

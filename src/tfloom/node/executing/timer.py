@@ -149,7 +149,7 @@ class Timer(Entity):
         queue.post(token)
 
     def detach(self) -> None:
-        """Stop posting."""
+        """Stop posting the token."""
         self._queue = None
 
     def deadline_ns(self) -> int | None:

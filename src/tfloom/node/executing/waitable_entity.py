@@ -37,7 +37,7 @@ class WaitableEntity(Entity):
         queue.post(token)  # it may be ready without a post
 
     def detach(self) -> None:
-        """Stop posting."""
+        """Stop posting the token."""
         self._queue = None
         for item in self._wait_set.everything():
             item.detach()

@@ -11,4 +11,4 @@ class DestroyableType(Protocol):
     """An object with the destructor that rclpy's compiled module has."""
 
     def destroy_when_not_in_use(self) -> None:
-        """Destroy it."""
+        """Release what the object holds; it must not be used afterwards."""
