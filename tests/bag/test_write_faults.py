@@ -78,10 +78,10 @@ def faulty_file(faults: Faults) -> type[io.FileIO]:
     """Return a file of which half of a failing write arrives."""
 
     class FaultyFile(io.FileIO):
-        def write(self, octets: Any) -> int:
+        def write(self, data: Any) -> int:
             if not faults.is_due:
-                return super().write(octets)
-            half = super().write(bytes(octets)[: (len(octets) + 1) // 2])
+                return super().write(data)
+            half = super().write(bytes(data)[: (len(data) + 1) // 2])
             if faults.code:
                 raise faults.error()
             return half
@@ -93,13 +93,13 @@ def faulty_compressed_file(faults: Faults, path: Path) -> io.BufferedWriter:
     """Return a new file as `open` does, whose buffer repeats a write after EINTR, and goes on after a short one."""
 
     class FaultyFile(io.FileIO):
-        def write(self, octets: Any) -> int:
+        def write(self, data: Any) -> int:
             if not faults.is_due:
-                return super().write(octets)
+                return super().write(data)
             if faults.code == errno.EINTR:
                 faults.is_repeated = True
                 raise faults.error()
-            half = super().write(bytes(octets)[: (len(octets) + 1) // 2])
+            half = super().write(bytes(data)[: (len(data) + 1) // 2])
             if faults.code:
                 raise faults.error()
             return half

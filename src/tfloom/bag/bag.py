@@ -106,8 +106,8 @@ class Bag:
             BagError: there is none of this name.
         """
         if name not in self.topics:
-            known = ", ".join(sorted(self.topics)) or "none"
-            raise BagError(self.path, f"there is no topic '{name}'; the topics are: {known}")
+            topics = ", ".join(sorted(self.topics)) or "none"
+            raise BagError(self.path, f"there is no topic '{name}'; the topics are: {topics}")
         return self.topics[name]
 
     def messages(
@@ -131,6 +131,8 @@ class Bag:
         return self._messages(full_names, *bounded(start_ns, end_ns))
 
     def _messages(self, topics: Collection[str] | None, start_ns: int, end_ns: int) -> Iterator[RawMessage]:
+        # Files mostly follow each other in time, and are then read one after the other. Only those that overlap are
+        # open at the same time, and merged.
         files = self.files
         for group in _overlapping(files):
             is_outside = group[0].start_ns > end_ns or max(file.end_ns for file in group) < start_ns

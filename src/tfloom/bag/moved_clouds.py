@@ -167,6 +167,9 @@ def point_stamps(
     if field is None or field not in names:
         missing = f"{field!r}" if field else f"one of {', '.join(TIME_FIELDS)}"
         raise ValueError(f"the points have no field {missing}; they have: {', '.join(names)}")
+    # A field of time has seconds as floats or nanoseconds as integers, unless `seconds_per_unit` says otherwise, since
+    # epoch or since the cloud's stamp. Nanoseconds since epoch need all bits of an integer, so without a unit they
+    # never become floats.
     times = points[field].reshape(-1)
     if times.dtype.kind in "iu" and seconds_per_unit is None:
         offsets = times.astype(np.int64)

@@ -186,6 +186,8 @@ class _Choice:
 
     def has(self, path: str) -> bool:
         """Return whether they let a file through; TooMuchError if that takes too many steps."""
+        # An excluded folder excludes all that is in it, so each folder above the file is looked at, too. Patterns that
+        # don't exclude matter with FILES_MATCHING only: then a file must match one of them.
         patterns = self._install.patterns
         if any(self._matches_here_or_above(path, pattern) for pattern in patterns if pattern.excludes):
             return False

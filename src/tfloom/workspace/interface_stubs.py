@@ -34,14 +34,14 @@ def write_stubs(folder: Path) -> Stubs:
     Raises:
         OSError: a file can't be read or written.
     """
-    found = Stubs([], [])
+    result = Stubs([], [])
     for package, names in _workspace_interfaces().items():
-        interfaces = list(_load(names, found.left_out))
+        interfaces = list(_load(names, result.left_out))
         stubs = typed_modules(package, interfaces, sources.find_message, by="tfloom interfaces stubs")
         for path, text in stubs:
-            _write(folder / package / path, text, found.written)
-    found.written.sort()
-    return found
+            _write(folder / package / path, text, result.written)
+    result.written.sort()
+    return result
 
 
 def typed_modules(
@@ -69,12 +69,12 @@ def typed_modules(
 def _workspace_interfaces() -> dict[str, list[str]]:
     """Return the names of all definitions of each package on AMENT_PREFIX_PATH that is not tfloom's own."""
     own = index.own_packages()
-    found: dict[str, set[str]] = {}
+    names_by_package: dict[str, set[str]] = {}
     for share in definition_files.workspace_folders():
         for folder in share.glob("*/"):
             if folder.name not in own:
-                found.setdefault(folder.name, set()).update(definition_files.names_in(folder))
-    return {package: sorted(names) for package, names in sorted(found.items()) if names}
+                names_by_package.setdefault(folder.name, set()).update(definition_files.names_in(folder))
+    return {package: sorted(names) for package, names in sorted(names_by_package.items()) if names}
 
 
 def _load(names: Iterable[str], left_out: list[str]) -> Iterable[spec.Interface]:

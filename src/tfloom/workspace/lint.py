@@ -68,10 +68,10 @@ def flake8_main_with_errors(argv: Sequence[str] | None = None) -> tuple[int, lis
     files = _python_files(args.paths, args.excludes)
     text = _run("flake8", [*options, *files]) if files else ""
     print(text, end="")
-    found = [match for match in map(_FLAKE8_LINE.match, text.splitlines()) if match]
-    errors = [match[0] for match in found]
+    matches = [match for match in map(_FLAKE8_LINE.match, text.splitlines()) if match]
+    errors = [match[0] for match in matches]
     _print_summary(files, errors)
-    for kind, count in sorted(Counter(match[4][0] for match in found).items()):
+    for kind, count in sorted(Counter(match[4][0] for match in matches).items()):
         print(f"'{kind}'-type errors: {count}")
     return int(bool(errors)), errors
 

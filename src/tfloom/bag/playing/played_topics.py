@@ -80,6 +80,8 @@ class PlayedTopics:
         Raises:
             BagError: the bag can't be read.
         """
+        # A publisher of the recording kept its last messages for late subscriptions. All that were published before the
+        # time are read, of these topics alone, and a deque of the publisher's depth keeps what it would have kept.
         kept = {
             name: deque[RawMessage](maxlen=publisher.qos.depth)
             for name, publisher in self._publishers.items()
@@ -99,6 +101,7 @@ class PlayedTopics:
         Args:
             timeout_ms: The longest wait; 0: no limit.
         """
+        # One timeout for all publishers. When it has passed, each of the others is still asked, without a wait.
         end = time.monotonic() + timeout_ms / 1e3
         are_acked = True
         for publisher in self._publishers.values():

@@ -198,6 +198,8 @@ class Player(Node):
         if self.options.is_clock_on_all or message.topic in self.options.clock_topics:
             self._publish_clock(message.log_time_ns)
         self._topics.publish(message)
+        # A message later than the file's end is of a later one. Files without messages in between are passed over, each
+        # with its event.
         files = self.bag.files
         while self._file + 1 < len(files) and message.log_time_ns > files[self._file].end_ns:
             closed, opened = files[self._file].path, files[self._file + 1].path
@@ -209,6 +211,7 @@ class Player(Node):
         options = self.options
         if not (options.clock_hz or options.clock_topics or options.is_clock_on_all):
             return lambda _: None
+        # The thread of the regular times and that of the messages may publish at once.
         publisher = self.create_publisher(Clock, CLOCK, 1)
         lock = threading.Lock()
 

@@ -101,6 +101,7 @@ def pieces(method: str, data: bytes) -> Iterator[bytes]:
         raise _unknown(method)
     stream = lz4_frame().LZ4FrameDecompressor() if method == "lz4" else bz2_module().BZ2Decompressor()
     try:
+        # The stream keeps the compressed bytes that it hasn't used yet, so the following calls pass none.
         piece = stream.decompress(data, max_length=FIRST_PIECE)
         while piece:
             yield piece
@@ -138,6 +139,7 @@ def decompress_message(data: bytes) -> bytes:
         size = None
     if size is None:
         raise DamagedError("the message isn't compressed by zstd")
+    # A frame needn't declare its size; what comes out of it is then limited by what is accepted at all.
     return decompress_part("zstd", data, MOST) if size < 0 else decompress("zstd", data, size)
 
 
@@ -223,6 +225,7 @@ def copy_decompressed(source: Path, target: BinaryIO) -> None:
     count = 0
     try:
         with source.open("rb") as file:
+            # The declared size, where there is one, also limits what is written: no more than one block beyond it.
             size = module.frame_content_size(file.read(32))
             file.seek(0)
             with module.ZstdDecompressor().stream_reader(file) as reader:

@@ -114,6 +114,8 @@ class SqliteFile:
         names = {
             key: topic.name for key, topic in self._topics.items() if topics is None or topic.name in topics
         }
+        # A damaged index may lack rows or have them in another order, and sqlite3 answers from it without a word. So
+        # the order is watched as the rows come, and where all messages are read, their number is compared at the end.
         with self._open() as database:
             latest = start_ns
             is_told = False
@@ -185,6 +187,8 @@ def _connected(path: Path) -> Iterator[sqlite3.Connection]:
     Messages that a recorder has not yet moved into the file are in `…-wal` beside it. To read them, sqlite3 writes
     another file beside both, so both are copied where it can't.
     """
+    # Three ways, from the best to the one that always works. The first reads the log where it is, but in a folder that
+    # isn't writable, sqlite3 can't make its file beside a log.
     with _opened(path, "mode=ro") as database:
         try:
             database.execute("SELECT name FROM sqlite_master").fetchone()
@@ -194,10 +198,12 @@ def _connected(path: Path) -> Iterator[sqlite3.Connection]:
             yield database
             return
     log = path.with_name(f"{path.name}-wal")
+    # Without a log, the file has all messages, and is opened as one that nobody changes: no other file is needed.
     if not log.exists() or not log.stat().st_size:
         with _opened(path, "immutable=1") as database:
             yield database
         return
+    # With a log, the copies are opened for writing, in a folder that is writable.
     with tempfile.TemporaryDirectory(prefix="tfloom-bag-") as folder:
         for file in (path, log):
             shutil.copy(file, folder)
