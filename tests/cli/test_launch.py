@@ -22,6 +22,8 @@ _MASKS = (
     (r"\[\d+\.\d+\]", "[TIME]"),
     (r"(?<=searching: )\[.*?\]", "PATHS"),
     (r"(?<=which is at )'.*?'", "'FOLDER'"),
+    # The module of a class in an object's own text: several files of the reference's are one here.
+    (r"<[\w.]+\.(\w+) object at ", r"<\1 object at "),
 )
 
 

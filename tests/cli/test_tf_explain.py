@@ -12,6 +12,8 @@ import pytest
 from tfloom.tf2_tools.static_transforms.file import file_text
 from tfloom.tf2_tools.static_transforms.transform import StaticTransform
 
+MAX_EXPLANATIONS = 12
+"""Programs until one receives the transforms in the other order."""
 BROADCASTER = Path(__file__).with_name("a_broadcaster.py")
 NO_TURN = (0.0, 0.0, 0.0, 1.0)
 STATICS = [
@@ -80,7 +82,7 @@ def test_a_time_in_the_past_is_there_after_listening(explain: Explain) -> None:
 def test_both_publishers_of_a_child_with_two_parents_are_named(
     domain_id: int, start_program: Callable[..., Any], parents: tuple[str, str]
 ) -> None:
-    """Of both lookups one has the parent that a buffer has replaced, whichever transform came last."""
+    """Which of two latched transforms comes last, and so replaces the other, may differ from one program to the next."""
     for parent in parents:
         node = f"__node:={parent}_node"
         frames = ("--frame-id", parent, "--child-frame-id", "base")
@@ -88,18 +90,16 @@ def test_both_publishers_of_a_child_with_two_parents_are_named(
             "tfloom", "run", "tf2_ros", "static_transform_publisher", *frames, "--ros-args", "-r", node
         )
         program.wait_for("Spinning until stopped")
-    texts = []
-    for parent in parents:
-        program = start_program("tfloom", "tf", "explain", parent, "base", "--listen", "0.5", "--wait", "2")
-        program.wait()
-        texts.append(program.output)
-    failed = [text for text in texts if "fails" in text]
-    assert failed, texts
-    for text in failed:
-        assert "'base' is sent with several parents, of which a buffer keeps the last" in text
-        assert (
-            "/left_node on /tf_static (parent 'left') and /right_node on /tf_static (parent 'right')" in text
+    for _ in range(MAX_EXPLANATIONS):
+        program = start_program(
+            "tfloom", "tf", "explain", parents[0], "base", "--listen", "0.5", "--wait", "2"
         )
+        program.wait()
+        if "fails" in program.output:
+            break
+    assert "'base' is sent with several parents, of which a buffer keeps the last" in program.output
+    publishers = "/left_node on /tf_static (parent 'left') and /right_node on /tf_static (parent 'right')"
+    assert publishers in program.output
 
 
 def test_frames_that_are_not_there_or_not_connected(explain: Explain) -> None:

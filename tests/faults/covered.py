@@ -13,10 +13,8 @@ _BY_FILE: dict[str, dict[str, str]] = {
         "ForEach.__init__(function)": "for each",
         "ForLoop.__init__(function)": "for loop",
     },
-    "launch.actions.opaque_coroutine": {
+    "launch.actions.opaque": {
         "OpaqueCoroutine.__init__(coroutine)": "opaque coroutine",
-    },
-    "launch.actions.opaque_function": {
         "OpaqueFunction.__init__(function)": "opaque function",
     },
     "launch.condition": {
@@ -26,38 +24,26 @@ _BY_FILE: dict[str, dict[str, str]] = {
         "BaseEventHandler.__init__(matcher)": "matcher",
         "EventHandler.__init__(matcher)": "matcher",
     },
-    "launch.event_handlers.on_action_event_base": {
+    "launch.event_handlers": {
         "OnActionEventBase.__init__(action_matcher)": "matcher of actions",
         "OnActionEventBase.__init__(on_event)": "event of actions",
-    },
-    "launch.event_handlers.on_execution_complete": {
         "OnExecutionComplete.__init__(on_completion)": "completion",
         "OnExecutionComplete.__init__(target_action)": "target of completion",
-    },
-    "launch.event_handlers.on_process_exit": {
         "OnProcessExit.__init__(on_exit)": "exit",
         "OnProcessExit.__init__(target_action)": "target of exit",
-    },
-    "launch.event_handlers.on_process_io": {
         "OnProcessIO.__init__(target_action)": "target of output",
-    },
-    "launch.event_handlers.on_process_start": {
         "OnProcessStart.__init__(on_start)": "start",
         "OnProcessStart.__init__(target_action)": "target of start",
-    },
-    "launch.event_handlers.on_shutdown": {
         "OnShutdown.__init__(on_shutdown)": "shutdown",
     },
-    "launch.events.process.process_targeted_event": {
+    "launch.events.process": {
         "ProcessTargetedEvent.__init__(process_matcher)": "signal",
-    },
-    "launch.events.process.signal_process": {
         "SignalProcess.__init__(process_matcher)": "signal",
     },
     "launch.ros.event_handlers.on_state_transition": {
         "OnStateTransition.__init__(matcher)": "state transition",
     },
-    "launch.ros.events.lifecycle.change_state": {
+    "launch.ros.events.lifecycle_events": {
         "ChangeState.__init__(lifecycle_node_matcher)": "matcher",
     },
     "launch.testing.assert_output": {
@@ -83,7 +69,7 @@ _BY_FILE: dict[str, dict[str, str]] = {
         "ProcessProxy.__init__(output_filter)": OF_A_TEST,
         "ProcessProxy.wait_for_output(condition)": OF_A_TEST,
     },
-    "launch.testing.ready_aggregator": {
+    "launch.testing.readiness": {
         "ReadyAggregator.__init__(callback)": OF_A_TEST,
     },
     "launch.testing.ros.data_republisher": {
@@ -220,6 +206,18 @@ _BY_FILE: dict[str, dict[str, str]] = {
         "QoSOverridingOptions.__init__(callback)": "qos_overriding",
         "QoSOverridingOptions.with_default_policies(callback)": "qos_overriding",
     },
+    "tf2_ros.buffer_interface": {
+        "ConvertRegistration.add_convert(callback)": "transform_registration",
+        "ConvertRegistration.add_from_msg(callback)": "transform_registration",
+        "ConvertRegistration.add_to_msg(callback)": "transform_registration",
+        "TransformRegistration.add(callback)": "transform_registration",
+    },
+    "tf2_ros.filters.message_filter": {
+        "MessageFilter.registerFailureCallback(callback)": "filter_failure",
+    },
+    "tf2_ros.filters.message_filters": {
+        "SimpleFilter.registerCallback(cb)": "filter_itself",
+    },
     "tfloom_sensing.diagnostic_tasks": {
         "FunctionDiagnosticTask.__init__(fn)": "diagnostic_function_task",
     },
@@ -231,18 +229,6 @@ _BY_FILE: dict[str, dict[str, str]] = {
     "tfloom_sensing.menu_handler": {
         "MenuHandler.doInsert(feedback_cb)": "marker_menu",
         "MenuHandler.insert(callback)": "marker_menu",
-    },
-    "tf2_ros.buffer_interface": {
-        "ConvertRegistration.add_convert(callback)": "transform_registration",
-        "ConvertRegistration.add_from_msg(callback)": "transform_registration",
-        "ConvertRegistration.add_to_msg(callback)": "transform_registration",
-        "TransformRegistration.add(callback)": "transform_registration",
-    },
-    "tf2_ros.message_filter": {
-        "MessageFilter.registerFailureCallback(callback)": "filter_failure",
-    },
-    "tf2_ros.message_filters": {
-        "SimpleFilter.registerCallback(cb)": "filter_itself",
     },
 }
 COVERED = {f"{file}.{function}": row for file, rows in _BY_FILE.items() for function, row in rows.items()}

@@ -60,7 +60,7 @@ def test_invalid_turtle_is_not_spawned(
     assert list(turtles(stage)) == ["turtle1"]
 
 
-INVALID_NAMES = ["a" * 300, "a" * 212, "{foo}", "{ns}", "a//b", "a/", "~x", "a b", "1st", "é", "a\0b"]
+INVALID_NAMES = ["a" * 300, "a" * 212, "{foo}", "{ns}", "a//b", "a/", "~x", "a b", "1st", "é"]
 
 
 @pytest.mark.parametrize("name", INVALID_NAMES)

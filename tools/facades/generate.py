@@ -73,6 +73,9 @@ class Generator:
                 home
             )
         # A function that has the name of a submodule: the import of the submodule, later, would replace it.
+        if "__getattr__" in result.deferred:  # a façade has either one of its own or that of deferred names
+            result.eager |= result.deferred
+            result.deferred.clear()
         for name in set(result.submodules) & result.deferred.keys():
             result.eager[name] = result.deferred.pop(name)
         return result

@@ -123,7 +123,7 @@ def test_parents_and_publishers() -> None:
     assert moving_publisher.name == static_publisher.label == "drive.mcap"
     assert moving_publisher.traffic is not None
     traffic = moving_publisher.traffic
-    assert (traffic.messages, traffic.transforms, traffic.unreadable, traffic.most_transforms) == (4, 4, 1, 2)
+    assert (traffic.messages, traffic.transforms, traffic.unreadable, traffic.max_transforms) == (4, 4, 1, 2)
     assert (static_publisher.topic, static_publisher.is_static) == ("/tf_static", True)
     assert (seen.started_ns, seen.taken_ns) == (START_NS, START_NS + 4 * MS)
     assert seen.frames() == ["arm", "base", "laser", "map", "odom"]
