@@ -991,7 +991,7 @@ class TfTraffic:
         """Number of messages that are no TFMessage."""
 
     @property
-    def most_transforms(self) -> int:
+    def max_transforms(self) -> int:
         """The greatest number of transforms in one message."""
 
     @property
