@@ -82,7 +82,7 @@ def test_a_time_in_the_past_is_there_after_listening(explain: Explain) -> None:
 def test_both_publishers_of_a_child_with_two_parents_are_named(
     domain_id: int, start_program: Callable[..., Any], parents: tuple[str, str]
 ) -> None:
-    """Which of two latched transforms comes last, and so replaces the other, may differ from one program to the next."""
+    """Which of two latched transforms comes last, and so replaces the other, may differ between programs."""
     for parent in parents:
         node = f"__node:={parent}_node"
         frames = ("--frame-id", parent, "--child-frame-id", "base")

@@ -126,9 +126,9 @@ def test_scrambled_sequences_are_synchronized(count: int) -> None:
     ApproximateTimeSynchronizer([left, right], count, 0.1).registerCallback(
         lambda a, b: pairs.append((seconds(a), seconds(b)))
     )
-    source = random.Random(count)
+    shuffler = random.Random(count)
     for source in (left, right):
-        for at in source.sample(range(count), count):
+        for at in shuffler.sample(range(count), count):
             source.signalMessage(point(at))
     assert sorted(pairs) == [(at, at) for at in range(count)]
 
