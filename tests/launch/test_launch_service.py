@@ -137,6 +137,22 @@ def test_an_exception_of_a_coroutine_ends_the_launch(launch: Launch) -> None:
     assert line.endswith(": RuntimeError: late")
 
 
+def test_a_last_coroutine_that_fails_ends_the_launch_once(launch: Launch) -> None:
+    """The launch is idle when it fails, which must not be a second reason for the end."""
+    reasons: list[str] = []
+
+    async def fail(_context: LaunchContext) -> None:
+        await asyncio.sleep(0)
+        raise ValueError("of the last coroutine")
+
+    def note(event: Event, _context: LaunchContext) -> None:
+        reasons.append(event.reason)  # type: ignore[attr-defined]
+
+    launch(OpaqueCoroutine(coroutine=fail), RegisterEventHandler(OnShutdown(on_shutdown=note)))
+    assert len(reasons) == 1
+    assert "of the last coroutine" in reasons[0]
+
+
 def test_the_traceback_is_there_with_debug(launch: Launch) -> None:
     def fail(_: LaunchContext) -> None:
         raise ValueError("no such wheel")

@@ -143,6 +143,8 @@ class LaunchService:
                 await asyncio.sleep(0)  # processes and timers go on between events
             elif self._has_open_futures():
                 await self._wake.wait()
+            elif state.events:
+                continue  # one of the futures has failed, which has just emitted the end
             elif state.is_shutdown:
                 return
             elif shutdown_when_idle:
