@@ -49,6 +49,7 @@ module my_msgs {
       string<7> text;
       @default (value="('a', 'b')")
       sequence<string<3>, LENGTH> words;
+      sequence<string<(32 >> 2)>> names;
       @default (value=L"\\u00e9")
       wstring wide;
       int16 a, b[2];
@@ -73,6 +74,7 @@ float32[] floats
 byte[<=5] octets [1, 2, 255]
 string<=7 text
 string<=3[<=3] words ["a", "b"]
+string<=8[] names
 wstring wide "é"
 int16 a
 int16[2] b

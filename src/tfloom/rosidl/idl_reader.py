@@ -29,6 +29,8 @@ class Reader:
         self.path = path
         self._tokens = list(tokens(text, path))
         self._at = 0
+        self._has_shifts = True
+        """Whether `>>` is an operator where the text is read now."""
         self.constants: dict[str, IdlValue] = {}
         """The constants read so far, by bare name."""
 
@@ -84,10 +86,18 @@ class Reader:
             parts.append(self.name("a name after '::'").text)
         return parts
 
-    def positive(self, what: str) -> int:
-        """Return the value of a constant expression that must be an integer of 1 or more."""
+    def positive(self, what: str, *, in_brackets: bool = False) -> int:
+        """Return the value of a constant expression that must be an integer of 1 or more.
+
+        Args:
+            what: What it is, for errors.
+            in_brackets: Whether a `>` after it ends a type, as in `sequence<string<5>>`.
+        """
         start = self.next
+        # There, `>>` ends two types. A shift has to be in parentheses, as in a template argument of C++.
+        self._has_shifts = not in_brackets
         value = self.expression()
+        self._has_shifts = True
         if isinstance(value, bool) or not isinstance(value, int) or value < 1:
             raise self.fail(f"{what} is an integer of 1 or more, not {value!r}", start)
         return value
@@ -114,7 +124,7 @@ class Reader:
     def _operator(self, operators: tuple[str, ...]) -> Token | None:
         """Take the next token if it is one of these operators; `>>` is two tokens, because it may end two types."""
         token = self.next
-        if ">>" in operators and self.is_next(">"):
+        if ">>" in operators and self._has_shifts and self.is_next(">"):
             # A shift only if nothing is between the two marks.
             after = self._tokens[self._at + 1]
             line, column = token.position
@@ -137,7 +147,9 @@ class Reader:
             operand = self._unary(depth + 1, take_name)
             return self._calculate(token, partial(apply_sign, token.text, operand))
         if self.skip("("):
+            has_shifts, self._has_shifts = self._has_shifts, True
             value = self._binary(0, depth + 1, take_name)
+            self._has_shifts = has_shifts
             self.demand(")", "after the expression")
             return value
         return self._primary(take_name)

@@ -62,7 +62,7 @@ class TypeReader:
         unbounded, bounded = _STRINGS[token.text]
         if not self.reader.skip("<"):
             return unbounded()
-        size = self.reader.positive("the bound of a string")
+        size = self.reader.positive("the bound of a string", in_brackets=True)
         self.reader.demand(">", "after the string's bound")
         return bounded(size)
 
@@ -88,7 +88,11 @@ class TypeReader:
     def _sequence(self, token: Token) -> AbstractType:
         self.reader.demand("<", "after 'sequence'")
         element = self._nestable(self.read_type(), token)
-        size = self.reader.positive("the bound of a sequence") if self.reader.skip(",") else None
+        size = (
+            self.reader.positive("the bound of a sequence", in_brackets=True)
+            if self.reader.skip(",")
+            else None
+        )
         self.reader.demand(">", "after the sequence's type")
         return UnboundedSequence(element) if size is None else BoundedSequence(element, size)
 
