@@ -24,7 +24,7 @@ LATE_PEERS_S = 5.0
 """The longest additional wait for participants of Fast DDS, which list their nodes up to 3 s late [s]."""
 NOTICE_S = 0.5
 """Wait for these before the user gets a message about it [s]."""
-LATE_MOST_S = 3.0
+MAX_LATE_S = 3.0
 """The longest additional wait on a busy machine [s]."""
 LOOK_S = 0.05
 """Length of one sleep [s]."""
@@ -78,7 +78,7 @@ def wait_until_quiet(graph: Graph, most_s: float) -> None:
     """Wait until the graph has not changed for `QUIET_S`: at least `MIN_WAIT_S`, at most `most_s` [s].
 
     It waits longer while announced entities are missing: up to `PATIENCE_S`, or up to `LATE_PEERS_S` and with a message
-    on stderr where they are of Fast DDS. It also does if this process was scheduled late, up to `LATE_MOST_S`, because
+    on stderr where they are of Fast DDS. It also does if this process was scheduled late, up to `MAX_LATE_S`, because
     the others may be late, too.
     """
     queue = ReadyQueue()
@@ -91,7 +91,7 @@ def wait_until_quiet(graph: Graph, most_s: float) -> None:
         seen, changed, late_s = graph.changes(), start, 0.0
         while True:
             now = time.monotonic()
-            quiet = max(start + MIN_WAIT_S, changed + QUIET_S) + min(LATE_WEIGHT * late_s, LATE_MOST_S)
+            quiet = max(start + MIN_WAIT_S, changed + QUIET_S) + min(LATE_WEIGHT * late_s, MAX_LATE_S)
             until = min(quiet, start + most_s)
             if not has_told and now >= start + NOTICE_S and (late := graph.late_count()):
                 has_told = True

@@ -26,7 +26,7 @@ def held_callback(
                 living(gid, child_frame_id, stamp_ns, now_ns)
 
     def on_held(gid: list[int], child_frame_id: str, stamp_ns: int, now_ns: int) -> None:
-        # On another thread, because the local wire holds its locks here, and the warning reads the graph.
+        # On another thread, because this one may be the wire's, which must not wait, and the warning reads the graph.
         call_after(0.0, lambda: run(bytes(gid), child_frame_id, stamp_ns, now_ns))
 
     return on_held
