@@ -181,6 +181,28 @@ def test_steps_seeks_and_rates_by_keys(bag: Bag, listener: Listener, local_conte
     listener.expect([0, 2, 4, 90, *range(0, 100, 2)])
 
 
+def test_a_key_that_is_pressed_at_the_start_counts(
+    bag: Bag, local_context: Context, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The line that playing begins is a sign to press keys, before the thread that plays is there."""
+    node = Player(bag, PlayOptions(has_keyboard=True, is_start_paused=True), context=local_context)
+    log = node.get_logger()
+    info = log.info
+
+    def press(text: str, **options: Any) -> bool:
+        if text.startswith("Playback until"):
+            node.keys[" "]()
+        return info(text, **options)
+
+    monkeypatch.setattr(log, "info", press)
+    try:
+        node.start()
+        assert node.ended.wait(30)
+    finally:
+        node.stop()
+        node.destroy_node()
+
+
 def test_services_steer_it(bag: Bag, listener: Listener, local_context: Context) -> None:
     with player(bag, local_context, is_start_paused=True) as node:
         listener.executor.add_node(node)

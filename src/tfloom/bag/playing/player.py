@@ -72,6 +72,8 @@ class Player(Node):
             self._publish,
             self._on_start,
         )
+        # Before any key or request can pause it, which would be undone.
+        self.playback.set_paused(options.is_start_paused)
         self._services = PlayerServices(self)
         self._threads: list[threading.Thread] = []
         if options.has_keyboard:
@@ -99,7 +101,6 @@ class Player(Node):
             BagError: a thread can't be started; then `stop` ends the others.
         """
         self.get_logger().info(f"Playback until timestamp: {self._until_ns()}")
-        self.playback.set_paused(self.options.is_start_paused)
         if self.options.clock_hz > 0.0:
             self._begin(self._publish_clock_regularly)
         self._begin(self._play_all)
