@@ -173,16 +173,16 @@ class Buffer(tf2_ros_buffer.Buffer):
     )
     _chain = _raises_theirs(tf2_ros_buffer.Buffer._chain)  # noqa: SLF001, tf2_py's name
 
-    def _message(self, transform: Any) -> Any:
+    def _message(self, stamped: Any) -> Any:
         message = self._message_class()
         header, transform = message.header, message.transform
         # Floored, because nanosec must not be negative.
-        header.stamp.sec, header.stamp.nanosec = divmod(transform.stamp_ns, S_TO_NS)
-        header.frame_id = transform.frame_id
-        message.child_frame_id = transform.child_frame_id
+        header.stamp.sec, header.stamp.nanosec = divmod(stamped.stamp_ns, S_TO_NS)
+        header.frame_id = stamped.frame_id
+        message.child_frame_id = stamped.child_frame_id
         position, rotation = transform.translation, transform.rotation
-        position.x, position.y, position.z = transform.translation
-        rotation.x, rotation.y, rotation.z, rotation.w = transform.rotation_xyzw
+        position.x, position.y, position.z = stamped.translation
+        rotation.x, rotation.y, rotation.z, rotation.w = stamped.rotation_xyzw
         return message
 
     def _registered(self, kind: Any) -> Callable[..., Any]:
