@@ -15,7 +15,7 @@ from tfloom.node.clock.clock import ROSClock
 from tfloom.node.context.context import Context
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.executing.timer import Timer
-from tfloom.node.executing.timer_schedule import TimerSchedule
+from tfloom.node.executing.timer_schedule import CELL_NS, MIN_CROWD, TimerSchedule
 from tfloom.node.node import Node
 from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.exceptions import InvalidHandle, ROSInterruptException
@@ -213,14 +213,29 @@ def test_a_schedule_keeps_the_last_deadline_of_each_token() -> None:
     assert schedule.wake_ns() is None
 
 
-def test_the_next_wake_is_at_the_earliest_deadline() -> None:
+def test_a_few_deadlines_are_met_exactly() -> None:
     schedule = TimerSchedule()
     assert schedule.wake_ns() is None
-    for token in range(1, 5):
+    for token in range(1, MIN_CROWD):
         schedule.set(token, token)
+    schedule.set(MIN_CROWD, CELL_NS)  # in the next cell
     assert schedule.wake_ns() == 1
     schedule.set(1, None)
     assert schedule.wake_ns() == 2
+
+
+def test_a_crowd_of_deadlines_shares_a_wake() -> None:
+    schedule = TimerSchedule()
+    begin_ns = 7 * CELL_NS + 10
+    for token in range(MIN_CROWD):
+        schedule.set(token, begin_ns + token * 100)
+    last_ns = begin_ns + (MIN_CROWD - 1) * 100
+    assert schedule.wake_ns() == last_ns
+    schedule.set(MIN_CROWD, 8 * CELL_NS - 1)
+    schedule.set(MIN_CROWD + 1, 8 * CELL_NS)
+    assert schedule.wake_ns() == 8 * CELL_NS - 1
+    assert schedule.take_due(last_ns) == list(range(MIN_CROWD))
+    assert schedule.wake_ns() == 8 * CELL_NS - 1
 
 
 def test_many_timers_run_in_the_order_of_deadlines_and_never_early(

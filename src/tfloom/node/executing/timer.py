@@ -27,6 +27,9 @@ class Timer(Entity):
     Missed calls are skipped: the next call is at the next whole period. The period is measured in simulated time if
     the clock shows it, else by the steady clock, because that isn't affected by setting the system's clock.
 
+    Where an executor has four or more timers due within the same millisecond, one wake serves them all, after the last
+    of their deadlines.
+
     Args:
         callback: Called without arguments.
         callback_group: Its group.
