@@ -137,8 +137,9 @@ def test_an_exception_of_a_coroutine_ends_the_launch(launch: Launch) -> None:
     assert line.endswith(": RuntimeError: late")
 
 
-def test_a_last_coroutine_that_fails_ends_the_launch_once(launch: Launch) -> None:
-    """The launch is idle when it fails, which must not be a second reason for the end."""
+@pytest.mark.parametrize("count", [1, 2])
+def test_coroutines_that_fail_end_the_launch_once(launch: Launch, count: int) -> None:
+    """The launch is idle when the last one fails, which must not be a second reason for the end; nor must the other."""
     reasons: list[str] = []
 
     async def fail(_context: LaunchContext) -> None:
@@ -148,7 +149,8 @@ def test_a_last_coroutine_that_fails_ends_the_launch_once(launch: Launch) -> Non
     def note(event: Event, _context: LaunchContext) -> None:
         reasons.append(event.reason)  # type: ignore[attr-defined]
 
-    launch(OpaqueCoroutine(coroutine=fail), RegisterEventHandler(OnShutdown(on_shutdown=note)))
+    coroutines = [OpaqueCoroutine(coroutine=fail) for _ in range(count)]
+    launch(*coroutines, RegisterEventHandler(OnShutdown(on_shutdown=note)))
     assert len(reasons) == 1
     assert "of the last coroutine" in reasons[0]
 

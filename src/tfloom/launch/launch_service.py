@@ -68,7 +68,7 @@ class LaunchService:
         self._context = LaunchContext(argv=argv, noninteractive=noninteractive)
         self._state = self._context.run_state
         self._has_begun_shutdown = False
-        """Whether a Shutdown event is being handled, or was."""
+        """Whether a Shutdown event was emitted, or is being handled, or was."""
         self._context.register_event_handler(OnIncludeLaunchDescription())
         self._context.register_event_handler(OnShutdown(on_shutdown=self._on_shutdown))
         self._open: list[tuple[LaunchDescriptionEntity, asyncio.Future[Any]]] = []
@@ -143,12 +143,11 @@ class LaunchService:
                 await asyncio.sleep(0)  # processes and timers go on between events
             elif self._has_open_futures():
                 await self._wake.wait()
-            elif state.events:
-                continue  # one of the futures has failed, which has just emitted the end
             elif state.is_shutdown:
                 return
-            elif shutdown_when_idle:
+            elif shutdown_when_idle and not self._has_begun_shutdown:
                 # Idle, but the end is not reached: handlers of Shutdown may return entities that go on.
+                self._has_begun_shutdown = True
                 await self._context.emit_event(Shutdown(reason="idle"))
             else:
                 await self._wake.wait()
@@ -196,8 +195,10 @@ class LaunchService:
         self._state.is_shutdown = True
 
     def _shut_down(self, reason: str, *, due_to_sigint: bool = False) -> None:
-        # Errors and signals during the shutdown must not begin another one: its handlers would run twice.
-        if not self._state.is_shutdown and not self._has_begun_shutdown:
+        # Other errors and signals, before the event is handled and after, must not begin another shutdown: its handlers
+        # would run twice.
+        if not self._has_begun_shutdown:
+            self._has_begun_shutdown = True
             self._context.emit_event_sync(Shutdown(reason=reason, due_to_sigint=due_to_sigint))
 
     def _fail(self, error: BaseException) -> None:
