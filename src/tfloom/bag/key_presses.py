@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 
 from tfloom.keyboard import Keyboard, NoTerminalError, without_repetitions
+from tfloom.node.values.call_all import report_exception
 
 __all__ = ["handled_keys"]
 
@@ -64,4 +65,4 @@ def _call(action: Callable[[], object]) -> None:
     try:
         action()
     except Exception:  # noqa: BLE001  # of one key; the next must work
-        threading.excepthook(threading.ExceptHookArgs((*sys.exc_info(), threading.current_thread())))
+        report_exception()

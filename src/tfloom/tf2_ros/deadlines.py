@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import heapq
-import sys
 import threading
 import time
 from collections.abc import Callable
 from itertools import count
+
+from tfloom.node.values.call_all import report_exception
 
 __all__ = ["Deadline", "call_after"]
 
@@ -77,4 +78,4 @@ def _call(function: Callable[[], None]) -> None:
     try:
         function()
     except BaseException:  # noqa: BLE001  # the other calls of this thread must be made too
-        threading.excepthook(threading.ExceptHookArgs((*sys.exc_info(), threading.current_thread())))
+        report_exception()

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import sys
-import threading
 from typing import TYPE_CHECKING
 
+from tfloom.node.values.call_all import report_exception
 from tfloom.node.values.exceptions import ExternalShutdownException
 
 if TYPE_CHECKING:
@@ -30,4 +29,4 @@ def spin_on_own_thread(executor: Executor) -> None:
             except ExternalShutdownException:  # noqa: PERF203
                 return
             except Exception:  # noqa: BLE001  # of a program's callback
-                threading.excepthook(threading.ExceptHookArgs((*sys.exc_info(), threading.current_thread())))
+                report_exception()

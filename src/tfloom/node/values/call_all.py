@@ -1,10 +1,12 @@
-"""Calls of several callbacks, of which one that raises does not prevent the others."""
+"""Calls of callbacks, of which one that raises does not prevent the others."""
 
 from __future__ import annotations
 
+import sys
+import threading
 from collections.abc import Callable, Iterable
 
-__all__ = ["call_all"]
+__all__ = ["call_all", "report_exception"]
 
 
 def call_all(calls: Iterable[Callable[[], object]]) -> None:
@@ -26,3 +28,11 @@ def call_all(calls: Iterable[Callable[[], object]]) -> None:
                 traceback.print_exception(error)
     if first is not None:
         raise first
+
+
+def report_exception() -> None:
+    """Report the exception that is being handled by `threading.excepthook`, though its thread goes on.
+
+    For callbacks that a thread of the library runs: no caller of the program's would get the exception.
+    """
+    threading.excepthook(threading.ExceptHookArgs((*sys.exc_info(), threading.current_thread())))

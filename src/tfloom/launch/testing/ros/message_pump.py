@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import sys
 import threading
 
 from tfloom.node.context.context import Context
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
+from tfloom.node.values.call_all import report_exception
 from tfloom.node.values.exceptions import ExternalShutdownException
 
 __all__ = ["MessagePump"]
@@ -53,4 +53,4 @@ class MessagePump:
             except ExternalShutdownException:  # noqa: PERF203
                 return
             except Exception:  # noqa: BLE001  # of one of the test's callbacks; the others go on
-                threading.excepthook(threading.ExceptHookArgs((*sys.exc_info(), threading.current_thread())))
+                report_exception()
