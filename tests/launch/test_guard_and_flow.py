@@ -32,6 +32,7 @@ def test_a_guard_forgets_a_group_that_has_ended_and_tells_the_guardian_all(
     lines: list[str] = []
     guard = Guard()
     monkeypatch.setattr(guard, "_send_line", lines.append)
+    monkeypatch.setattr(guard, "_start_guardian", lambda: None)
     process = sleeping()
     guard.add(process.pid)
     process.kill()
@@ -40,6 +41,32 @@ def test_a_guard_forgets_a_group_that_has_ended_and_tells_the_guardian_all(
     guard.add_folder("/tmp/a b")
     assert not guard._groups
     assert lines == [str(process.pid), f"ended {process.pid}", f"remove {b'/tmp/a b'.hex()}"]
+
+
+KILLED_EARLY = """
+import os, signal
+from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.ros.temporary_files import folder_of
+print(folder_of(context := LaunchContext()), flush=True)
+os.kill(os.getpid(), signal.SIGKILL)
+"""
+
+
+def test_a_folder_goes_with_a_launch_that_is_killed_before_its_first_process(
+    tmp_path: Path, wait_until: Callable[..., None]
+) -> None:
+    environment = {**os.environ, "TMPDIR": str(tmp_path)}
+    killed = subprocess.run(
+        [sys.executable, "-c", KILLED_EARLY],
+        capture_output=True,
+        text=True,
+        timeout=60,
+        env=environment,
+        check=False,
+    )
+    assert killed.returncode == -signal.SIGKILL, killed.stderr
+    assert Path(killed.stdout.strip()).parent == tmp_path
+    wait_until(lambda: not any(tmp_path.iterdir()), what="the end of the folder")
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="the ignored signals are read from /proc")

@@ -8,6 +8,7 @@ import subprocess
 import sys
 import time
 import uuid
+import weakref
 from collections.abc import Mapping
 from contextlib import suppress
 
@@ -32,30 +33,38 @@ class Guard:
 
     def environment(self, environment: Mapping[str, str]) -> dict[str, str]:
         """Return the environment variables for a process that is started next. Before the first, start the guardian."""
+        self._start_guardian()
+        return tagged(environment, self._launch_id)
+
+    def _start_guardian(self) -> None:
         # The guardian must outlive the launch. Its stdin is a pipe whose other end no other process inherits, so it
         # reads the end of the pipe when the launch has ended, also by SIGKILL. A session of its own keeps Ctrl-C of the
         # terminal from it. Its environment names no launch, because an outer one ends all processes with its id.
         #
         # A frozen program has no Python that could run the guardian: its executable is the program itself.
-        if self._guardian is None and not getattr(sys, "frozen", False):
-            self._guardian = subprocess.Popen(
-                [
-                    sys.executable,
-                    "-m",
-                    "tfloom.launch.processes.guardian",
-                    self._launch_id,
-                    str(self._since_s),
-                ],
-                stdin=subprocess.PIPE,
-                stdout=subprocess.DEVNULL,
-                stderr=subprocess.DEVNULL,
-                cwd=os.sep,
-                env=untagged(os.environ),
-                start_new_session=True,
-            )
-            for folder in self._folders:
-                self._send_folder(folder)
-        return tagged(environment, self._launch_id)
+        if self._guardian is not None or getattr(sys, "frozen", False):
+            return
+        self._guardian = subprocess.Popen(
+            [
+                sys.executable,
+                "-m",
+                "tfloom.launch.processes.guardian",
+                self._launch_id,
+                str(self._since_s),
+            ],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+            cwd=os.sep,
+            env=untagged(os.environ),
+            start_new_session=True,
+        )
+        # For a context that no service ever runs, whose guard nobody closes. Not at the end of Python: then the
+        # guardian ends by itself, after what the launch has left.
+        self._end_guardian = weakref.finalize(self, _end_at_once, self._guardian)
+        self._end_guardian.atexit = False
+        for folder in self._folders:  # of an earlier run of the same launch
+            self._send_folder(folder)
 
     def add(self, pid: int) -> None:
         """Add the process group of a process that has started."""
@@ -75,7 +84,11 @@ class Guard:
         self._send_line(" ".join(["ended", str(pid), *(f"{member}:{start!r}" for member, start in members)]))
 
     def add_folder(self, folder: str) -> None:
-        """Add a folder of temporary files, which is removed if the launch is killed."""
+        """Add a folder of temporary files, which is removed if the launch is killed.
+
+        To be called before the folder is created: a launch may be killed at any time after that.
+        """
+        self._start_guardian()
         self._folders.append(folder)
         self._send_folder(folder)
 
@@ -99,7 +112,12 @@ class Guard:
         self._groups.clear()
         self._has_started = False
         if self._guardian is not None:
-            self._guardian.kill()  # it has nothing left to do
-            self._guardian.communicate()
+            self._end_guardian()
             self._guardian = None
         return named
+
+
+def _end_at_once(guardian: subprocess.Popen[bytes]) -> None:
+    """End a guardian that has nothing left to do."""
+    guardian.kill()
+    guardian.communicate()

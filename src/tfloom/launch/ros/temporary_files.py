@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import shutil
 import tempfile
+import uuid
 import weakref
 from pathlib import Path
 
@@ -24,9 +25,12 @@ def folder_of(context: LaunchContext) -> Path:
     again; if the launch is killed, its guardian removes it.
     """
     if context not in _folders:
-        folder = Path(tempfile.mkdtemp(prefix="launch_"))
-        weakref.finalize(context, shutil.rmtree, folder, ignore_errors=True)
+        # Not by `mkdtemp`: the guardian has to know the name before the folder is there. Nobody can guess the name, and
+        # a folder that exists is an error, so it is never another user's.
+        folder = Path(tempfile.gettempdir(), f"launch_{uuid.uuid4().hex}")
         guard_of(context).add_folder(str(folder))
+        folder.mkdir(mode=0o700)
+        weakref.finalize(context, shutil.rmtree, folder, ignore_errors=True)
         _folders[context] = folder
     return _folders[context]
 
