@@ -176,9 +176,9 @@ def test_program_that_cannot_start_gives_an_error_message(add_program: Callable[
 
 
 WAITS_FOR_SIGNALS = """
-import signal, sys, time
-def told(number, frame):
-    print("got", signal.Signals(number).name, flush=True)
+import os, signal, sys, time
+def told(number, frame):  # perhaps inside the `print` below, which can't be entered twice
+    os.write(1, f"got {signal.Signals(number).name}\\n".encode())
 for number in (signal.SIGINT, signal.SIGTERM):
     signal.signal(number, told)
 print("ready", flush=True)

@@ -139,16 +139,20 @@ def incompatible_qos_of_subscription(world: World) -> list[Exception]:
     return _incompatible(world, fails, subscription=SubscriptionEventCallbacks(incompatible_qos=fails))
 
 
-def _late(world: World, fails: Fails, **options: Any) -> list[Exception]:
+LATE = Duration(seconds=0.05)
+DEADLINE: dict[str, Any] = {"deadline": LATE}
+"""Alone, because a writer whose liveliness is lost at the same time may end the watch for the deadline."""
+LIVELINESS: dict[str, Any] = {
+    "liveliness": LivelinessPolicy.MANUAL_BY_TOPIC,
+    "liveliness_lease_duration": LATE,
+}
+
+
+def _late(world: World, fails: Fails, policies: dict[str, Any], **options: Any) -> list[Exception]:
     """Publish once; then a deadline passes, again and again, or a liveliness is lost and regained."""
     if world.is_local:  # which reports neither
         return _matched(world, fails, callbacks=SubscriptionEventCallbacks(matched=fails))
-    qos = QoSProfile(
-        depth=1,
-        deadline=Duration(seconds=0.05),
-        liveliness=LivelinessPolicy.MANUAL_BY_TOPIC,
-        liveliness_lease_duration=Duration(seconds=0.05),
-    )
+    qos = QoSProfile(depth=1, **policies)
     subscription = world.node.create_subscription(
         Int32, "late", print, qos, event_callbacks=options.get("subscription")
     )
@@ -167,22 +171,22 @@ def _late(world: World, fails: Fails, **options: Any) -> list[Exception]:
 
 def deadline_of_publisher(world: World) -> list[Exception]:
     fails = Fails()
-    return _late(world, fails, publisher=PublisherEventCallbacks(deadline=fails))
+    return _late(world, fails, DEADLINE, publisher=PublisherEventCallbacks(deadline=fails))
 
 
 def deadline_of_subscription(world: World) -> list[Exception]:
     fails = Fails()
-    return _late(world, fails, subscription=SubscriptionEventCallbacks(deadline=fails))
+    return _late(world, fails, DEADLINE, subscription=SubscriptionEventCallbacks(deadline=fails))
 
 
 def liveliness_of_publisher(world: World) -> list[Exception]:
     fails = Fails()
-    return _late(world, fails, publisher=PublisherEventCallbacks(liveliness=fails))
+    return _late(world, fails, LIVELINESS, publisher=PublisherEventCallbacks(liveliness=fails))
 
 
 def liveliness_of_subscription(world: World) -> list[Exception]:
     fails = Fails()
-    return _late(world, fails, subscription=SubscriptionEventCallbacks(liveliness=fails))
+    return _late(world, fails, LIVELINESS, subscription=SubscriptionEventCallbacks(liveliness=fails))
 
 
 def qos_overriding(world: World) -> list[Exception]:
