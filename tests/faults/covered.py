@@ -96,12 +96,18 @@ _BY_FILE: dict[str, dict[str, str]] = {
         "ServerGoalHandle.execute(execute_callback)": "action_execute",
     },
     "node.base.node_base": {
+        "NodeBase.add_on_set_parameters_callback(callback)": "on_set_parameters",
+        "NodeBase.add_post_set_parameters_callback(callback)": "post_set_parameters",
+        "NodeBase.add_pre_set_parameters_callback(callback)": "pre_set_parameters",
         "NodeBase.create_guard_condition(callback)": "guard_condition",
         "NodeBase.create_publisher(event_callbacks)": "matched_of_publisher",
         "NodeBase.create_service(callback)": "service",
         "NodeBase.create_subscription(callback)": "subscription",
         "NodeBase.create_subscription(event_callbacks)": "matched_of_subscription",
         "NodeBase.create_timer(callback)": "timer",
+        "NodeBase.remove_on_set_parameters_callback(callback)": NOT_CALLED,
+        "NodeBase.remove_post_set_parameters_callback(callback)": NOT_CALLED,
+        "NodeBase.remove_pre_set_parameters_callback(callback)": NOT_CALLED,
     },
     "node.builtin.parameter_client": {
         "AsyncParameterClient.delete_parameters(callback)": "parameter_client",
@@ -192,15 +198,6 @@ _BY_FILE: dict[str, dict[str, str]] = {
     "node.lifecycle.managed_entity": {
         "SimpleManagedEntity.when_enabled(when_not_enabled)": OF_THE_CALLER,
         "SimpleManagedEntity.when_enabled(wrapped)": OF_THE_CALLER,
-    },
-    "node.parameters.node_parameters": {
-        "NodeParameters.__init__(publish_event)": OWN,
-        "NodeParameters.add_on_set_parameters_callback(callback)": "on_set_parameters",
-        "NodeParameters.add_post_set_parameters_callback(callback)": "post_set_parameters",
-        "NodeParameters.add_pre_set_parameters_callback(callback)": "pre_set_parameters",
-        "NodeParameters.remove_on_set_parameters_callback(callback)": NOT_CALLED,
-        "NodeParameters.remove_post_set_parameters_callback(callback)": NOT_CALLED,
-        "NodeParameters.remove_pre_set_parameters_callback(callback)": NOT_CALLED,
     },
     "node.qos.qos_overriding_options": {
         "QoSOverridingOptions.__init__(callback)": "qos_overriding",

@@ -400,3 +400,29 @@ def test_destroyed_node_raises_on_create(node: Node) -> None:
     ):
         with pytest.raises(InvalidHandle, match="cannot create anything for /tester: the node was destroyed"):
             create()
+
+
+class NamesOfItsOwn(Node):
+    """A program's node whose attributes have names that a node's parts could have, too."""
+
+    def __init__(self, context: Context) -> None:
+        super().__init__("names_of_its_own", context=context)
+        self.entities: list[str] = []
+        self.graph = self.parameters = self.names = self.owner = None
+        self._graph: dict[str, str] = {}
+        self._entities = self._names = self._clock = self._logger = self._context = self._owned = None
+        self.heard: list[str] = []
+        self.create_subscription(String, "chatter", lambda message: self.heard.append(message.data), 10)
+        self.publisher = self.create_publisher(String, "chatter", 10)
+
+
+def test_a_program_chooses_names_of_its_own(
+    context: Context, executor: SingleThreadedExecutor, spin_until: Callable[..., None]
+) -> None:
+    node = NamesOfItsOwn(context)
+    executor.add_node(node)
+    node.publisher.publish(String(data="hello"))
+    spin_until(lambda: node.heard)
+    assert node.heard == ["hello"]
+    executor.remove_node(node)
+    node.destroy_node()

@@ -221,7 +221,7 @@ def test_the_next_call_takes_over_when_the_first_has_ended(
 def test_an_executor_receives_again_after_a_call(served: Served, context_on_each_wire: Context) -> None:
     client = served.client
     with SingleThreadedExecutor(context=context_on_each_wire) as executor:
-        executor.add_node(client._part_of)
+        executor.add_node(client.owner)
         assert client.call(AddTwoInts.Request(a=1), timeout_sec=10).sum == 1
         future = client.call_async(AddTwoInts.Request(a=2))
         executor.spin_until_future_complete(future, timeout_sec=10)
@@ -264,7 +264,7 @@ def test_spin_once_returns_after_a_response_that_a_call_has_received(
     calling.start()
     wait_until(lambda: served.asked)
     with SingleThreadedExecutor(context=context_on_each_wire) as executor:
-        executor.add_node(client._part_of)
+        executor.add_node(client.owner)
 
         def spin() -> None:
             executor.spin_once()

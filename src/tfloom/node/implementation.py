@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from tfloom.node.base.node_base import NodeBase, open_endpoint
 from tfloom.node.context.arguments import RCLInvalidROSArgsError, UnknownROSArgsError
 from tfloom.node.endpoints.endpoint import ReceivingEndpoint, TakingEndpoint
 from tfloom.node.executing import guard_condition, timer
@@ -29,7 +30,6 @@ from tfloom.rmw.typed_names import service_of, topic_of
 from tfloom.rosidl import cdr
 
 if TYPE_CHECKING:
-    from tfloom.node.base.node_base import NodeBase
     from tfloom.node.clock.clock import Clock
     from tfloom.node.context.context import Context
     from tfloom.rmw.base import RequestId
@@ -172,8 +172,8 @@ class Subscription(_WaitedEndpoint[Reader]):
         owner = unwrap_handle(node)
         name = owner.resolve_topic_name(topic)
         wire_topic = topic_of(pymsg_type, name, is_native=pyqos_profile.avoid_ros_namespace_conventions)
-        reader = owner._open(  # noqa: SLF001  # opens endpoints that no executor runs
-            self, lambda wire, whose: wire.create_reader(whose, wire_topic, pyqos_profile.to_wire())
+        reader = open_endpoint(
+            owner, self, lambda wire, whose: wire.create_reader(whose, wire_topic, pyqos_profile.to_wire())
         )
         super().__init__(reader, name, owner)
 
@@ -209,8 +209,8 @@ class Service(_WaitedEndpoint[Responder]):
         owner = unwrap_handle(node)
         name = owner.resolve_service_name(service_name)
         service = service_of(pysrv_type, name)
-        responder = owner._open(  # noqa: SLF001
-            self, lambda wire, whose: wire.create_responder(whose, service, pyqos_profile.to_wire())
+        responder = open_endpoint(
+            owner, self, lambda wire, whose: wire.create_responder(whose, service, pyqos_profile.to_wire())
         )
         super().__init__(responder, name, owner)
 
@@ -240,8 +240,8 @@ class Client(_WaitedEndpoint[Requester]):
         owner = unwrap_handle(node)
         name = owner.resolve_service_name(service_name)
         service = service_of(pysrv_type, name)
-        requester = owner._open(  # noqa: SLF001
-            self, lambda wire, whose: wire.create_requester(whose, service, pyqos_profile.to_wire())
+        requester = open_endpoint(
+            owner, self, lambda wire, whose: wire.create_requester(whose, service, pyqos_profile.to_wire())
         )
         super().__init__(requester, name, owner)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
+from tfloom.node.base.node_base import open_endpoint
 from tfloom.node.qos.qos import qos_profile_services_default
 from tfloom.rmw.errors import WireError
 from tfloom.rmw.typed_names import service_of
@@ -43,7 +44,8 @@ class PlayedRequests:
             self._warn(f"Requests to '{service}' can't be sent: {error}")
             return
         self._event = kind.Event
-        self._requester = node._open(  # noqa: SLF001  # ours
+        self._requester = open_endpoint(
+            node,
             self,
             lambda participant, node_name: participant.create_requester(
                 node_name, service_of(kind, service), qos_profile_services_default.to_wire()

@@ -13,6 +13,7 @@ from tfloom.bag.playing.played_requests import PlayedRequests
 from tfloom.bag.topic_choice import SERVICE_EVENT_SUFFIX, is_service_event, service_of_event
 from tfloom.bag.values import RawMessage, Topic
 from tfloom.bag.writing.definition_text import hash_of
+from tfloom.node.base.node_base import open_endpoint
 from tfloom.rmw import base
 from tfloom.rmw.qos import DurabilityPolicy, QoS, ReliabilityPolicy
 
@@ -136,8 +137,8 @@ class _RawPublisher:
     def __init__(self, node: Node, topic: Topic, name: str, qos: QoS) -> None:
         wire_topic = base.Topic(name, topic.type, topic.type_hash or hash_of(topic.type))
         self.qos = qos
-        self.writer = node._open(  # noqa: SLF001  # ours
-            self, lambda participant, node_name: participant.create_writer(node_name, wire_topic, qos)
+        self.writer = open_endpoint(
+            node, self, lambda participant, node_name: participant.create_writer(node_name, wire_topic, qos)
         )
 
     def destroy(self) -> None:

@@ -12,6 +12,7 @@ from tfloom.bag.topic_choice import is_service_event
 from tfloom.bag.values import Topic
 from tfloom.bag.writing.bag_writer import BagWriter
 from tfloom.bag.writing.definition_text import find_definition, hash_of
+from tfloom.node.base.node_base import open_endpoint
 from tfloom.node.log.logging import get_logger
 from tfloom.rmw import base
 from tfloom.rmw.errors import UnsupportedEventError
@@ -112,7 +113,7 @@ class RecordedTopics:
 
     def _graph(self) -> base.Graph:
         if self._participant is None:
-            self._participant = self._node._open(_NoEndpoint(), lambda participant, _: participant)  # noqa: SLF001  # ours
+            self._participant = open_endpoint(self._node, _NoEndpoint(), lambda participant, _: participant)
         return self._participant.graph
 
     def _topics(self, graph: base.Graph) -> dict[str, _TopicInfo]:
@@ -161,8 +162,8 @@ class RecordedTopics:
         number = self._writer.add_topic(topic)
         recorded = _Recorded(qos)
         wire_topic = base.Topic(name, type_name, type_hash)
-        recorded.reader = self._node._open(  # noqa: SLF001  # ours
-            recorded, lambda participant, node: participant.create_reader(node, wire_topic, qos)
+        recorded.reader = open_endpoint(
+            self._node, recorded, lambda participant, node: participant.create_reader(node, wire_topic, qos)
         )
         # From here on the wire's threads push messages into the queue, with the number under which the writer knows the
         # topic. So the topic is added first, although it may turn out to have no message.

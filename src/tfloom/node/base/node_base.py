@@ -1,14 +1,14 @@
-"""A node without its built-in services: parameters, and the creation of publishers, services, timers and others."""
+"""A node without its built-in services: its names, graph, parameters, publishers, services, timers and others."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, overload
+from collections.abc import Callable, Iterator, Sequence
+from typing import TYPE_CHECKING, Any, NoReturn, TypeVar, overload
 
 from tfloom.interfaces.rcl_interfaces import msg as rcl_msg
 from tfloom.node.base.node_entities import NodeEntities
+from tfloom.node.base.node_graph import NamesAndTypes, NodeGraph
 from tfloom.node.base.node_names import NodeNames
-from tfloom.node.base.owned_entities import OwnedEntities
 from tfloom.node.clock.clock import ROSClock
 from tfloom.node.context.arguments import Arguments
 from tfloom.node.endpoints.client import Client
@@ -25,13 +25,14 @@ from tfloom.node.executing.event_handler import (
 )
 from tfloom.node.executing.guard_condition import GuardCondition
 from tfloom.node.executing.timer import Rate, Timer
+from tfloom.node.executing.waitable_entity import WaitableEntity
 from tfloom.node.log.rcutils_logger import RcutilsLogger
 from tfloom.node.parameters.node_parameters import NodeParameters
-from tfloom.node.parameters.parameter import Parameter
+from tfloom.node.parameters.parameter import Parameter, ParameterType
 from tfloom.node.qos.qos import QoSProfile, qos_profile_parameter_events, qos_profile_services_default
 from tfloom.node.qos.qos_overriding_options import QoSOverridingOptions, apply_overrides
 from tfloom.node.values.constants import S_TO_NS
-from tfloom.node.values.set_by_init import SET_BY_INIT
+from tfloom.node.values.handle import Handle
 from tfloom.node.values.stamps import check_fits_stamp
 from tfloom.node.values.type_support import (
     check_is_valid_msg_type,
@@ -46,22 +47,52 @@ if TYPE_CHECKING:
 
     from typing_extensions import Self
 
+    from tfloom.node.base.node_entities import Destroyable
     from tfloom.node.clock.clock import Clock
     from tfloom.node.context.context import Context
     from tfloom.node.endpoints.service import ServiceCallback
     from tfloom.node.endpoints.subscription import SubscriptionCallback
-    from tfloom.rmw.base import Reader, Topic, Writer
+    from tfloom.node.executing.entity import Entity
+    from tfloom.node.executing.executor import Executor
+    from tfloom.node.executing.waitable import Waitable
+    from tfloom.node.qos.topic_endpoint_info import TopicEndpointInfo
+    from tfloom.rmw.base import NodeName, Participant
 
-__all__ = ["NodeBase"]
+__all__ = ["NodeBase", "open_endpoint"]
 
 PARAMETER_EVENTS_TOPIC = "/parameter_events"
+WireEndpoint = TypeVar("WireEndpoint")
+_PreCallback = Callable[[list[Parameter]], list[Parameter]]
+_SetCallback = Callable[[list[Parameter]], rcl_msg.SetParametersResult]
+_PostCallback = Callable[[list[Parameter]], None]
+
+
+class _SetByInit:
+    """An attribute that `__init__` sets; until then, reading it raises an AttributeError that says what to call."""
+
+    def __get__(self, instance: object, owner: type | None = None) -> NoReturn:
+        name = type(instance).__name__
+        # Python fills in the attribute's name where `name` and `obj` are not given, and would then suggest one of
+        # the class's private names, which are no names for users.
+        raise AttributeError(
+            f"this {name} is no node yet: {name}.__init__ has to call super().__init__('a_node_name') "
+            "before it uses anything of a node",
+            name=None,
+            obj=instance,
+        )
+
+
+_SET_BY_INIT: Any = _SetByInit()
 
 
 # Private names are mangled, because programs derive from Node and choose names of their own.
-class NodeBase(NodeEntities, NodeParameters):
-    """A node without built-in services, which take an object of this class; Node adds them.
+class NodeBase:
+    """A node without built-in services.
 
-    All `create_…` methods raise InvalidHandle after the node was destroyed.
+    Node adds these services. They are made for an object of this class, so it is in a file that they can import.
+
+    The work is done by three members: the node's graph, its parameters, and the entities that it has created. All
+    `create_…` methods raise InvalidHandle after the node was destroyed.
 
     Args:
         node_name: Its name; `__node:=` among the arguments replaces it.
@@ -78,7 +109,9 @@ class NodeBase(NodeEntities, NodeParameters):
         InvalidNamespaceException: the namespace isn't valid.
     """
 
-    __owned: OwnedEntities = SET_BY_INIT
+    __graph: NodeGraph = _SET_BY_INIT
+    __parameters: NodeParameters = _SET_BY_INIT
+    __entities: NodeEntities = _SET_BY_INIT
 
     _parameter_event_overriding: QoSOverridingOptions | None = None
     """Overridable policies of the parameter event publisher: none, as in rclpy; rclcpp has some."""
@@ -99,23 +132,27 @@ class NodeBase(NodeEntities, NodeParameters):
         first_values = {name: Parameter(name, value=value) for name, value in overrides.items()}
         first_values |= {parameter.name: parameter for parameter in parameter_overrides}
         self.__parameter_event_publisher: Publisher[rcl_msg.ParameterEvent] | None = None
-        NodeParameters.__init__(
-            self,
+        parameters = NodeParameters(
             first_values,
             allow_undeclared=allow_undeclared_parameters,
             publish_event=self.__publish_parameter_event,
         )
+        self.__parameters = parameters
+        # The names of rclpy's attributes, which programs read.
+        self._parameters = parameters.parameters
+        self._descriptors = parameters.descriptors
+        self._parameter_overrides = parameters.overrides
+        self._allow_undeclared_parameters = parameters.allow_undeclared
         participant = context.join(names.node)
-        self.__owned = OwnedEntities(participant, names.node, context)
-        NodeEntities.__init__(
+        self.__entities = NodeEntities(
             self,
-            names,
-            participant.graph,
+            participant,
+            names.node,
             context=context,
             clock=ROSClock(),
             logger=RcutilsLogger(names.node.full.strip("/").replace("/", ".")),
-            owned=self.__owned,
         )
+        self.__graph = NodeGraph(names, participant.graph)
         try:
             self.__parameter_event_publisher = self.create_publisher(
                 rcl_msg.ParameterEvent,
@@ -124,7 +161,7 @@ class NodeBase(NodeEntities, NodeParameters):
                 qos_overriding_options=self._parameter_event_overriding,
             )
             if declare_overrides:
-                for name, parameter in self._parameter_overrides.items():
+                for name, parameter in first_values.items():
                     self.declare_parameter(
                         name, parameter.value, rcl_msg.ParameterDescriptor(dynamic_typing=True)
                     )
@@ -139,6 +176,394 @@ class NodeBase(NodeEntities, NodeParameters):
         event.node = self.get_fully_qualified_name()
         if self.__parameter_event_publisher is not None and self.context.ok():
             self.__parameter_event_publisher.publish(event)
+
+    # The node, its clock, logger and executor
+
+    @property
+    def context(self) -> Context:
+        """The context it belongs to."""
+        return self.__entities.context
+
+    @property
+    def handle(self) -> Handle:
+        """Proxy of the node, for code that expects rclpy's C handle."""
+        return Handle(self)
+
+    @property
+    def executor(self) -> Executor | None:
+        """The executor that it was added to, or None."""
+        return self.__entities.executor
+
+    @executor.setter
+    def executor(self, new_executor: Executor | None) -> None:
+        if new_executor is not None:
+            new_executor.add_node(self)
+        elif (current := self.executor) is not None:
+            current.remove_node(self)
+
+    def _enter_executor(self, executor: Executor) -> list[Entity]:
+        """As in `SpunNode`; the setter of `executor` asks the executor, which calls this."""
+        former = self.__entities.executor
+        self.__entities.executor = executor
+        if former is not None and former is not executor:
+            former.remove_node(self)
+        return self.__entities.entities()
+
+    def _leave_executor(self, executor: Executor) -> list[Entity]:
+        """As in `SpunNode`."""
+        if self.__entities.executor is executor:
+            self.__entities.executor = None
+        return self.__entities.entities()
+
+    def get_logger(self) -> RcutilsLogger:
+        """Return the node's logger."""
+        return self.__entities.logger
+
+    def get_clock(self) -> Clock:
+        """Return its clock: ROS time."""
+        return self.__entities.clock
+
+    @property
+    def default_callback_group(self) -> CallbackGroup:
+        """The group of all entities created without one: one callback at a time."""
+        return self.__entities.default_callback_group
+
+    # Names, and the graph
+
+    def get_name(self) -> str:
+        """Return the node's name."""
+        return self.__graph.get_name()
+
+    def get_namespace(self) -> str:
+        """Return the node's namespace, `/` or `/a/b`."""
+        return self.__graph.get_namespace()
+
+    def get_fully_qualified_name(self) -> str:
+        """Return namespace and name."""
+        return self.__graph.get_fully_qualified_name()
+
+    def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
+        """Return a topic's full name, remapped unless `only_expand`.
+
+        Raises:
+            InvalidTopicNameException: the name isn't valid.
+        """
+        return self.__graph.resolve_topic_name(topic, only_expand=only_expand)
+
+    def resolve_service_name(self, service: str, *, only_expand: bool = False) -> str:
+        """Return a service's full name, remapped unless `only_expand`.
+
+        Raises:
+            InvalidServiceNameException: the name isn't valid.
+        """
+        return self.__graph.resolve_service_name(service, only_expand=only_expand)
+
+    def get_node_names(self) -> list[str]:
+        """Return the names of all nodes, without their namespaces."""
+        return self.__graph.get_node_names()
+
+    def get_fully_qualified_node_names(self) -> list[str]:
+        """Return the full names of all nodes."""
+        return self.__graph.get_fully_qualified_node_names()
+
+    def get_node_names_and_namespaces(self) -> list[tuple[str, str]]:
+        """Return names and namespaces of all nodes."""
+        return self.__graph.get_node_names_and_namespaces()
+
+    def get_node_names_and_namespaces_with_enclaves(self) -> list[tuple[str, str, str]]:
+        """Return names, namespaces and enclaves of all nodes."""
+        return self.__graph.get_node_names_and_namespaces_with_enclaves()
+
+    def wait_for_node(self, fully_qualified_node_name: str, timeout: float) -> bool:
+        """Wait until a node is on the graph; False if it isn't after `timeout` [s]."""
+        return self.__graph.wait_for_node(fully_qualified_node_name, timeout)
+
+    def get_topic_names_and_types(self, no_demangle: bool = False) -> NamesAndTypes:
+        """Return all topics, and the types they are written or read as.
+
+        Args:
+            no_demangle: Whether to return all topics on the wire, those of services and of other programs too, by
+                their DDS names and types, such as `rt/pose` and `turtlesim::msg::dds_::Pose_`.
+        """
+        return self.__graph.get_topic_names_and_types(no_demangle)
+
+    def get_publisher_names_and_types_by_node(
+        self, node_name: str, node_namespace: str, no_demangle: bool = False
+    ) -> NamesAndTypes:
+        """Return the topics that a node publishes, with their types; `no_demangle` as in the above.
+
+        Raises:
+            NodeNameNonExistentError: there is no such node.
+        """
+        return self.__graph.get_publisher_names_and_types_by_node(node_name, node_namespace, no_demangle)
+
+    def get_subscriber_names_and_types_by_node(
+        self, node_name: str, node_namespace: str, no_demangle: bool = False
+    ) -> NamesAndTypes:
+        """Return the topics that a node subscribes to, with their types; `no_demangle` as in the above.
+
+        Raises:
+            NodeNameNonExistentError: there is no such node.
+        """
+        return self.__graph.get_subscriber_names_and_types_by_node(node_name, node_namespace, no_demangle)
+
+    def get_service_names_and_types(self) -> NamesAndTypes:
+        """Return all services that have a server, with their types."""
+        return self.__graph.get_service_names_and_types()
+
+    def get_service_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
+        """Return the services that a node serves, with their types; RuntimeError if there is no such node."""
+        return self.__graph.get_service_names_and_types_by_node(node_name, node_namespace)
+
+    def get_client_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
+        """Return the services that a node is a client of; RuntimeError if there is no such node."""
+        return self.__graph.get_client_names_and_types_by_node(node_name, node_namespace)
+
+    def count_services(self, service_name: str) -> int:
+        """Return how many servers a service has; the name is expanded and remapped."""
+        return self.__graph.count_services(service_name)
+
+    def count_clients(self, service_name: str) -> int:
+        """Return how many clients a service has; the name is expanded and remapped."""
+        return self.__graph.count_clients(service_name)
+
+    def count_publishers(self, topic_name: str) -> int:
+        """Return how many publishers a topic has, of all nodes; the name is expanded and remapped.
+
+        Raises:
+            InvalidTopicNameException: the name isn't valid.
+        """
+        return self.__graph.count_publishers(topic_name)
+
+    def count_subscribers(self, topic_name: str) -> int:
+        """Return how many subscriptions a topic has, of all nodes; the name is expanded and remapped.
+
+        Raises:
+            InvalidTopicNameException: the name isn't valid.
+        """
+        return self.__graph.count_subscribers(topic_name)
+
+    def get_publishers_info_by_topic(
+        self, topic_name: str, no_mangle: bool = False
+    ) -> list[TopicEndpointInfo]:
+        """Return the publishers of a topic.
+
+        Args:
+            topic_name: Its name, which is expanded and remapped.
+            no_mangle: Whether it is DDS's own name, used unchanged; types are then DDS's own, too.
+
+        Raises:
+            InvalidTopicNameException: the name isn't valid.
+        """
+        return self.__graph.get_publishers_info_by_topic(topic_name, no_mangle)
+
+    def get_subscriptions_info_by_topic(
+        self, topic_name: str, no_mangle: bool = False
+    ) -> list[TopicEndpointInfo]:
+        """Return the subscriptions of a topic.
+
+        Args:
+            topic_name: Its name, which is expanded and remapped.
+            no_mangle: Whether it is DDS's own name, used unchanged; types are then DDS's own, too.
+
+        Raises:
+            InvalidTopicNameException: the name isn't valid.
+        """
+        return self.__graph.get_subscriptions_info_by_topic(topic_name, no_mangle)
+
+    # Parameters
+
+    def declare_parameter(
+        self,
+        name: str,
+        value: Any = None,
+        descriptor: rcl_msg.ParameterDescriptor | None = None,
+        ignore_override: bool = False,
+    ) -> Parameter:
+        """Declare one parameter, and return it with its initial value.
+
+        Args:
+            name: Its name.
+            value: Its default, which fixes its type; or a Parameter.Type, for a parameter with no default.
+            descriptor: Its description, and the values that it allows.
+            ignore_override: Whether the initial value is the default even if the command line gives a value.
+
+        Raises:
+            ValueError: there is neither a value nor a type, and the descriptor doesn't allow dynamic typing.
+            ParameterAlreadyDeclaredException: it was declared before.
+            InvalidParameterException: the name is empty.
+            InvalidParameterTypeException: the value given on the command line is of another type.
+            InvalidParameterValueException: the initial value is out of range, or rejected by a callback.
+        """
+        return self.__parameters.declare_parameter(name, value, descriptor, ignore_override)
+
+    def declare_parameters(
+        self,
+        namespace: str,
+        parameters: Sequence[tuple[Any, ...]],
+        ignore_override: bool = False,
+    ) -> list[Parameter]:
+        """Declare several parameters; each is a tuple of the first one to three arguments of `declare_parameter`.
+
+        Args:
+            namespace: Put before each name, with a dot; "" for none.
+            parameters: The tuples.
+            ignore_override: As for `declare_parameter`.
+
+        Raises:
+            TypeError: a tuple isn't of that form.
+            ValueError: a type is NOT_SET, or given together with dynamic typing; or there is neither a value nor a
+                type, and no dynamic typing.
+            ParameterException: as from `declare_parameter`; the tuples before it in the list are then declared.
+        """
+        return self.__parameters.declare_parameters(namespace, parameters, ignore_override)
+
+    def undeclare_parameter(self, name: str) -> None:
+        """Remove a parameter.
+
+        Raises:
+            ParameterNotDeclaredException: it isn't declared.
+            ParameterImmutableException: it is read-only.
+        """
+        self.__parameters.undeclare_parameter(name)
+
+    def has_parameter(self, name: str) -> bool:
+        """Return whether a parameter is declared."""
+        return self.__parameters.has_parameter(name)
+
+    def get_parameter(self, name: str) -> Parameter:
+        """Return a parameter.
+
+        Raises:
+            ParameterNotDeclaredException: it isn't declared, and the node doesn't allow undeclared ones.
+            ParameterUninitializedException: it was declared with a type and has no value.
+        """
+        return self.__parameters.get_parameter(name)
+
+    def get_parameters(self, names: list[str]) -> list[Parameter]:
+        """Return the parameters of these names, each as `get_parameter` does.
+
+        Raises:
+            TypeError: `names` isn't a list of strings.
+            ParameterException: as from `get_parameter`.
+        """
+        return self.__parameters.get_parameters(names)
+
+    def get_parameter_or(self, name: str, alternative_value: Parameter | None = None) -> Parameter:
+        """Return a parameter; if it is undeclared or has no value, the alternative (None: one without value)."""
+        return self.__parameters.get_parameter_or(name, alternative_value)
+
+    def get_parameters_by_prefix(self, prefix: str) -> dict[str, Parameter]:
+        """Return the parameters below a prefix (`a.b`; "" for all), by the part of their names after it."""
+        return self.__parameters.get_parameters_by_prefix(prefix)
+
+    def get_parameter_type(self, name: str) -> ParameterType:
+        """Return a parameter's type.
+
+        Raises:
+            ParameterNotDeclaredException: it isn't declared, and the node doesn't allow undeclared ones.
+        """
+        return self.__parameters.get_parameter_type(name)
+
+    def get_parameter_types(self, names: list[str]) -> list[ParameterType]:
+        """Return the types of parameters, each as `get_parameter_type` does."""
+        return self.__parameters.get_parameter_types(names)
+
+    def describe_parameter(self, name: str) -> rcl_msg.ParameterDescriptor:
+        """Return a parameter's descriptor.
+
+        Raises:
+            ParameterNotDeclaredException: it isn't declared, and the node doesn't allow undeclared ones.
+        """
+        return self.__parameters.describe_parameter(name)
+
+    def describe_parameters(self, names: list[str]) -> list[rcl_msg.ParameterDescriptor]:
+        """Return the descriptors of parameters, each as `describe_parameter` does."""
+        return self.__parameters.describe_parameters(names)
+
+    def list_parameters(self, prefixes: list[str], depth: int) -> rcl_msg.ListParametersResult:
+        """Return the names below any of the prefixes ([]: all names), at most `depth` parts deep (0: no limit).
+
+        Raises:
+            TypeError: an argument is of the wrong type.
+            ValueError: `depth` is negative.
+        """
+        return self.__parameters.list_parameters(prefixes, depth)
+
+    def set_parameters(self, parameter_list: list[Parameter]) -> list[rcl_msg.SetParametersResult]:
+        """Set parameters one by one, and return a result for each: successful, or rejected with a reason.
+
+        Raises:
+            TypeError: an item is not a Parameter.
+            ParameterNotDeclaredException: one isn't declared, and the node doesn't allow undeclared ones; those
+                before it are then set.
+        """
+        return self.__parameters.set_parameters(parameter_list)
+
+    def set_parameters_atomically(self, parameter_list: list[Parameter]) -> rcl_msg.SetParametersResult:
+        """Set all parameters, or none of them if one is rejected.
+
+        Raises:
+            TypeError: an item is not a Parameter.
+            ParameterNotDeclaredException: one isn't declared, and the node doesn't allow undeclared ones.
+        """
+        return self.__parameters.set_parameters_atomically(parameter_list)
+
+    def set_descriptor(
+        self,
+        name: str,
+        descriptor: rcl_msg.ParameterDescriptor,
+        alternative_value: rcl_msg.ParameterValue | None = None,
+    ) -> rcl_msg.ParameterValue:
+        """Replace a parameter's descriptor; set the alternative value if the descriptor doesn't allow the present one.
+
+        Returns:
+            The parameter's new value.
+
+        Raises:
+            ParameterNotDeclaredException: it isn't declared, and the node doesn't allow undeclared ones.
+            ParameterImmutableException: it is read-only.
+            InvalidParameterValueException: the descriptor allows neither value.
+        """
+        return self.__parameters.set_descriptor(name, descriptor, alternative_value)
+
+    def add_pre_set_parameters_callback(self, callback: _PreCallback) -> None:
+        """Set what `callback(parameters)` returns instead of `parameters`; the last added is called first."""
+        self.__parameters.add_pre_set_parameters_callback(callback)
+
+    def add_on_set_parameters_callback(self, callback: _SetCallback) -> None:
+        """Set and declare only what `callback(parameters)` accepts; the last added is called first."""
+        self.__parameters.add_on_set_parameters_callback(callback)
+
+    def add_post_set_parameters_callback(self, callback: _PostCallback) -> None:
+        """Call `callback(parameters)` after each setting; the last added is called first."""
+        self.__parameters.add_post_set_parameters_callback(callback)
+
+    def remove_pre_set_parameters_callback(self, callback: _PreCallback) -> None:
+        """Undo one `add_pre_set_parameters_callback`.
+
+        Raises:
+            ValueError: it wasn't added.
+        """
+        self.__parameters.remove_pre_set_parameters_callback(callback)
+
+    def remove_on_set_parameters_callback(self, callback: _SetCallback) -> None:
+        """Undo one `add_on_set_parameters_callback`.
+
+        Raises:
+            ValueError: it wasn't added.
+        """
+        self.__parameters.remove_on_set_parameters_callback(callback)
+
+    def remove_post_set_parameters_callback(self, callback: _PostCallback) -> None:
+        """Undo one `add_post_set_parameters_callback`.
+
+        Raises:
+            ValueError: it wasn't added.
+        """
+        self.__parameters.remove_post_set_parameters_callback(callback)
+
+    # Creating
 
     def create_publisher(
         self,
@@ -174,15 +599,15 @@ class NodeBase(NodeEntities, NodeParameters):
         name = self.resolve_topic_name(topic)
         profile = self.__profile("publisher", name, qos_profile, qos_overriding_options)
         wire_topic = topic_of(msg_type, name, is_native=profile.avoid_ros_namespace_conventions)
-        writer = self.__owned.participant().create_writer(
-            self.__owned.node_name, wire_topic, profile.to_wire()
+        writer = self.__entities.participant().create_writer(
+            self.__entities.node_name, wire_topic, profile.to_wire()
         )
         group = callback_group or self.default_callback_group
         publisher = publisher_class(writer, msg_type, name, profile, None, group, context=self.context)
-        self.__owned.add_publisher(publisher, self)
-        self.__warn_of_other_type(wire_topic, publisher)
+        self.__entities.add_publisher(publisher)
+        self.__entities.warn_of_other_type(wire_topic, publisher)
         try:
-            publisher.event_handlers = self.__watch(
+            publisher.event_handlers = self.__entities.watch(
                 event_callbacks or PublisherEventCallbacks(), group, writer, name
             )
         except BaseException:
@@ -255,8 +680,8 @@ class NodeBase(NodeEntities, NodeParameters):
         name = self.resolve_topic_name(topic)
         profile = self.__profile("subscription", name, qos_profile, qos_overriding_options)
         wire_topic = topic_of(msg_type, name, is_native=profile.avoid_ros_namespace_conventions)
-        reader = self.__owned.participant().create_reader(
-            self.__owned.node_name, wire_topic, profile.to_wire()
+        reader = self.__entities.participant().create_reader(
+            self.__entities.node_name, wire_topic, profile.to_wire()
         )
         group = callback_group or self.default_callback_group
         try:
@@ -266,10 +691,10 @@ class NodeBase(NodeEntities, NodeParameters):
         except BaseException:
             reader.close()
             raise
-        self.__owned.add(subscription, self)
-        self.__warn_of_other_type(wire_topic, subscription)
+        self.__entities.add(subscription)
+        self.__entities.warn_of_other_type(wire_topic, subscription)
         try:
-            subscription.event_handlers = self.__watch(
+            subscription.event_handlers = self.__entities.watch(
                 event_callbacks or SubscriptionEventCallbacks(), group, reader, name
             )
         except BaseException:
@@ -277,34 +702,13 @@ class NodeBase(NodeEntities, NodeParameters):
             raise
         return subscription
 
-    def __warn_of_other_type(self, topic: Topic, endpoint: Publisher[Any] | Subscription[Any]) -> None:
-        other = self.context.topic_types.add(topic, endpoint)
-        if other is not None:
-            self.get_logger().warning(
-                f"{topic.name} has two types in this program: {other}, and here {topic.type_name}. Messages pass "
-                "only between endpoints of one type"
-            )
-
     def __profile(
         self, kind: str, topic_name: str, qos_profile: QoSProfile | int, options: QoSOverridingOptions | None
     ) -> QoSProfile:
         profile = _profile(qos_profile)
         if options is None:
             return profile
-        return apply_overrides(self, kind, topic_name, profile, options)
-
-    def __watch(
-        self,
-        callbacks: PublisherEventCallbacks | SubscriptionEventCallbacks,
-        group: CallbackGroup,
-        endpoint: Writer | Reader,
-        topic_name: str,
-    ) -> list[EventHandler]:
-        graph = self.__owned.participant().graph
-        handlers = callbacks.create_event_handlers(
-            group, endpoint, topic_name, logger=self.get_logger(), graph=graph
-        )
-        return [self.__owned.add(handler, self) for handler in handlers]
+        return apply_overrides(self.__parameters, kind, topic_name, profile, options)
 
     def create_service(
         self,
@@ -332,8 +736,8 @@ class NodeBase(NodeEntities, NodeParameters):
         """
         check_is_valid_srv_type(srv_type)
         name = self.resolve_service_name(srv_name)
-        responder = self.__owned.participant().create_responder(
-            self.__owned.node_name, service_of(srv_type, name), qos_profile.to_wire()
+        responder = self.__entities.participant().create_responder(
+            self.__entities.node_name, service_of(srv_type, name), qos_profile.to_wire()
         )
         group = callback_group or self.default_callback_group
         service = Service(
@@ -346,7 +750,7 @@ class NodeBase(NodeEntities, NodeParameters):
             introspection=self.__introspection(srv_type, name),
             logger=self.get_logger(),
         )
-        return self.__owned.add(service, self)
+        return self.__entities.add(service)
 
     def create_client(
         self,
@@ -371,8 +775,8 @@ class NodeBase(NodeEntities, NodeParameters):
         """
         check_is_valid_srv_type(srv_type)
         name = self.resolve_service_name(srv_name)
-        requester = self.__owned.participant().create_requester(
-            self.__owned.node_name, service_of(srv_type, name), qos_profile.to_wire()
+        requester = self.__entities.participant().create_requester(
+            self.__entities.node_name, service_of(srv_type, name), qos_profile.to_wire()
         )
         client = Client(
             self.context,
@@ -385,8 +789,8 @@ class NodeBase(NodeEntities, NodeParameters):
             introspection=self.__introspection(srv_type, name),
             logger=self.get_logger(),
         )
-        self.__owned.add(client, self)
-        self.__owned.add(client.server_watch, self)
+        self.__entities.add(client)
+        self.__entities.add(client.server_watch)
         return client
 
     def __introspection(self, srv_type: type[ServiceType], name: str) -> Introspection:
@@ -417,14 +821,14 @@ class NodeBase(NodeEntities, NodeParameters):
         timer = Timer(
             callback, group, period_ns, clock or self.get_clock(), context=self.context, autostart=autostart
         )
-        return self.__owned.add(timer, self)
+        return self.__entities.add(timer)
 
     def create_guard_condition(
         self, callback: Callable[[], Any], callback_group: CallbackGroup | None = None
     ) -> GuardCondition:
         """Create a guard condition, whose callback runs after each trigger."""
         group = callback_group or self.default_callback_group
-        return self.__owned.add(GuardCondition(callback, group, context=self.context), self)
+        return self.__entities.add(GuardCondition(callback, group, context=self.context))
 
     def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:
         """Create a rate for a loop on a thread that doesn't spin the node.
@@ -440,13 +844,119 @@ class NodeBase(NodeEntities, NodeParameters):
             raise ValueError("frequency must be > 0")
         timer = self.create_timer(1.0 / frequency, None, MutuallyExclusiveCallbackGroup(), clock)
         rate = Rate(timer, context=self.context)
-        self.__owned.add_rate(rate)
+        self.__entities.add_rate(rate)
         return rate
+
+    # What was created
+
+    @property
+    def publishers(self) -> Iterator[Publisher[Any]]:
+        """The publishers that the node created."""
+        return iter(self.__entities.publishers())
+
+    @property
+    def subscriptions(self) -> Iterator[Subscription[Any]]:
+        """The subscriptions that the node created."""
+        return (entity for entity in self.__entities.entities() if isinstance(entity, Subscription))
+
+    @property
+    def services(self) -> Iterator[Service]:
+        """The services that the node created."""
+        return (entity for entity in self.__entities.entities() if isinstance(entity, Service))
+
+    @property
+    def clients(self) -> Iterator[Client]:
+        """The clients that the node created."""
+        return (entity for entity in self.__entities.entities() if isinstance(entity, Client))
+
+    @property
+    def timers(self) -> Iterator[Timer]:
+        """The timers that the node created."""
+        return (entity for entity in self.__entities.entities() if isinstance(entity, Timer))
+
+    @property
+    def guards(self) -> Iterator[GuardCondition]:
+        """The guard conditions that the node created."""
+        return (entity for entity in self.__entities.entities() if isinstance(entity, GuardCondition))
+
+    @property
+    def waitables(self) -> Iterator[Waitable]:
+        """The waitables that were added."""
+        return (
+            entity.waitable for entity in self.__entities.entities() if isinstance(entity, WaitableEntity)
+        )
+
+    def add_waitable(self, waitable: Waitable | EventHandler) -> None:
+        """Add a waitable, or an event handler, to those that the node's executor waits for."""
+        if isinstance(waitable, EventHandler):
+            self.__entities.add(waitable)
+        else:
+            self.__entities.add(WaitableEntity(waitable, lambda: self.executor))
+
+    def remove_waitable(self, waitable: Waitable | EventHandler) -> None:
+        """Undo `add_waitable`.
+
+        Raises:
+            ValueError: it was never added.
+        """
+        for entity in self.__entities.entities():
+            if entity is waitable or (isinstance(entity, WaitableEntity) and entity.waitable is waitable):
+                self.__entities.destroy(entity)
+                return
+        raise ValueError(f"{waitable!r} is no waitable of this node")
+
+    # Destroying
+
+    def destroy_publisher(self, publisher: Publisher[Any]) -> bool:
+        """Destroy a publisher; False if it isn't this node's."""
+        return self.__entities.destroy_publisher(publisher)
+
+    def destroy_subscription(self, subscription: Subscription[Any]) -> bool:
+        """Destroy a subscription; False if it isn't this node's."""
+        for handler in subscription.event_handlers:
+            self.__entities.destroy(handler)
+        return self.__entities.destroy(subscription)
+
+    def destroy_service(self, service: Service) -> bool:
+        """Destroy a service; False if it isn't this node's."""
+        return self.__entities.destroy(service)
+
+    def destroy_client(self, client: Client) -> bool:
+        """Destroy a client; False if it isn't this node's. Its pending requests are cancelled."""
+        self.__entities.destroy(client.server_watch)
+        return self.__entities.destroy(client)
+
+    def destroy_timer(self, timer: Timer) -> bool:
+        """Destroy a timer; False if it isn't this node's."""
+        return self.__entities.destroy(timer)
+
+    def destroy_guard_condition(self, guard: GuardCondition) -> bool:
+        """Destroy a guard condition; False if it isn't this node's."""
+        return self.__entities.destroy(guard)
+
+    def destroy_rate(self, rate: Rate) -> bool:
+        """Destroy a rate; False if it isn't this node's."""
+        return self.__entities.destroy_rate(rate)
+
+    def destroy_entities(self) -> None:
+        """Destroy all that was created."""
+        self.__entities.destroy_all()
 
     def destroy_node(self) -> None:
         """Leave the executor and the graph, and destroy all that was created. Destroying again does nothing."""
+        entities = self.__entities
+        if entities.has_left:
+            return
+        entities.has_left = True
         self.__parameter_event_publisher = None
-        NodeEntities.destroy_node(self)
+        self.executor = None
+        self.destroy_entities()
+        entities.context.leave(entities.node_name)
+
+    def __del__(self) -> None:
+        entities: NodeEntities | None = self.__dict__.get("_NodeBase__entities")
+        if entities is not None and not entities.has_left:
+            entities.context.abandon(self)
 
     def __enter__(self) -> Self:
         return self
@@ -455,6 +965,12 @@ class NodeBase(NodeEntities, NodeParameters):
         self, t: type[BaseException] | None, v: BaseException | None, tb: TracebackType | None
     ) -> None:
         self.destroy_node()
+
+    def _open_endpoint(
+        self, endpoint: Destroyable, create: Callable[[Participant, NodeName], WireEndpoint]
+    ) -> WireEndpoint:
+        """As `open_endpoint`."""
+        return self.__entities.open(endpoint, create)
 
 
 def _profile(qos_profile: QoSProfile | int) -> QoSProfile:
@@ -465,3 +981,14 @@ def _profile(qos_profile: QoSProfile | int) -> QoSProfile:
     if qos_profile < 0:
         raise ValueError("history depth must be greater than or equal to zero")
     return QoSProfile(depth=qos_profile)
+
+
+def open_endpoint(
+    node: NodeBase, endpoint: Destroyable, create: Callable[[Participant, NodeName], WireEndpoint]
+) -> WireEndpoint:
+    """Return what `create` makes on the wire for `endpoint`, which no executor runs and is destroyed with the node.
+
+    Raises:
+        InvalidHandle: the node was destroyed.
+    """
+    return node._open_endpoint(endpoint, create)  # noqa: SLF001  # private, because programs derive from Node

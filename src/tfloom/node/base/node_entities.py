@@ -1,229 +1,219 @@
-"""A node as the owner of its entities, which an executor runs and which are destroyed with the node."""
+"""What a node has created: the entities that its executor runs, and all that is destroyed with the node."""
 
 from __future__ import annotations
 
 import weakref
-from collections.abc import Callable, Iterator
-from typing import TYPE_CHECKING, Any, TypeVar
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
-from tfloom.node.base.node_graph import NodeGraph
-from tfloom.node.endpoints.client import Client
-from tfloom.node.endpoints.service import Service
-from tfloom.node.endpoints.subscription import Subscription
 from tfloom.node.executing.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup
-from tfloom.node.executing.event_handler import EventHandler
-from tfloom.node.executing.guard_condition import GuardCondition
-from tfloom.node.executing.timer import Rate, Timer
-from tfloom.node.executing.waitable_entity import WaitableEntity
-from tfloom.node.values.handle import Handle
-from tfloom.node.values.set_by_init import SET_BY_INIT
+from tfloom.node.values.exceptions import InvalidHandle
 
 if TYPE_CHECKING:
-    from tfloom.node.base.node_names import NodeNames
-    from tfloom.node.base.owned_entities import Destroyable, OwnedEntities
     from tfloom.node.clock.clock import Clock
     from tfloom.node.context.context import Context
     from tfloom.node.endpoints.publisher import Publisher
+    from tfloom.node.endpoints.subscription import Subscription
     from tfloom.node.executing.entity import Entity
-    from tfloom.node.executing.executor import Executor
-    from tfloom.node.executing.waitable import Waitable
+    from tfloom.node.executing.event_handler import (
+        EventHandler,
+        PublisherEventCallbacks,
+        SubscriptionEventCallbacks,
+    )
+    from tfloom.node.executing.executor import Executor, SpunNode
+    from tfloom.node.executing.timer import Rate
     from tfloom.node.log.rcutils_logger import RcutilsLogger
-    from tfloom.rmw.base import Graph, NodeName, Participant
+    from tfloom.rmw.base import NodeName, Participant, Reader, Topic, Writer
 
 __all__ = ["NodeEntities"]
 
+AnyEntity = TypeVar("AnyEntity", bound="Entity")
 WireEndpoint = TypeVar("WireEndpoint")
 
 
-class NodeEntities(NodeGraph):
-    """Lists and destroys the entities that a node has created; a base of Node.
+class Destroyable(Protocol):
+    """An endpoint that no executor runs."""
+
+    def destroy(self) -> None:
+        """Leave the wire."""
+
+
+class NodeEntities:
+    """The entities of one node, its publishers and rates, and its endpoints that no executor runs.
+
+    Each of them keeps the node alive by its attribute `owner`. The lists have no lock, because each change is a
+    single operation on a list.
 
     Args:
-        names: The node's names.
-        graph: Graph of its participant.
-        context: The context that it has joined, and leaves when it is destroyed.
-        clock: Its clock.
-        logger: Its logger.
-        owned: The entities that it has created.
+        owner: The node.
+        participant: Creates the node's endpoints.
+        node_name: The node's name.
+        context: The context that the node has joined.
+        clock: The node's clock.
+        logger: The node's logger.
     """
-
-    __context: Context = SET_BY_INIT
-    __clock: Clock = SET_BY_INIT
-    __logger: RcutilsLogger = SET_BY_INIT
-    __owned: OwnedEntities = SET_BY_INIT
-    __executor: weakref.ref[Executor] | None = SET_BY_INIT
-    __default_callback_group: CallbackGroup = SET_BY_INIT
-    __destroyed: bool = SET_BY_INIT
 
     def __init__(
         self,
-        names: NodeNames,
-        graph: Graph,
+        owner: SpunNode,
+        participant: Participant,
+        node_name: NodeName,
         *,
         context: Context,
         clock: Clock,
         logger: RcutilsLogger,
-        owned: OwnedEntities,
     ) -> None:
-        NodeGraph.__init__(self, names, graph)
-        self.__context = context
-        self.__clock = clock
-        self.__logger = logger
-        self.__owned = owned
-        self.__executor = None
-        self.__default_callback_group = MutuallyExclusiveCallbackGroup()
-        self.__destroyed = False
-
-    @property
-    def context(self) -> Context:
-        """The context it belongs to."""
-        return self.__context
-
-    @property
-    def handle(self) -> Handle:
-        """Proxy of the node, for code that expects rclpy's C handle."""
-        return Handle(self)
+        self._owner = owner
+        self._participant = participant
+        self.node_name = node_name
+        self.context = context
+        self.clock = clock
+        self.logger = logger
+        self.default_callback_group: CallbackGroup = MutuallyExclusiveCallbackGroup()
+        """The group of all entities that are created without one."""
+        self.has_left = False
+        """Whether the node has left the graph."""
+        self._executor: weakref.ref[Executor] | None = None
+        self._entities: list[Entity] = []
+        self._publishers: list[Publisher[Any]] = []
+        self._rates: list[Rate] = []
+        self._unspun: list[Destroyable] = []
+        self._destroyed = False
 
     @property
     def executor(self) -> Executor | None:
-        """The executor that it was added to, or None."""
-        return None if self.__executor is None else self.__executor()
+        """The executor that runs the entities."""
+        return None if self._executor is None else self._executor()
 
     @executor.setter
-    def executor(self, new_executor: Executor | None) -> None:
-        if new_executor is not None:
-            new_executor.add_node(self)
-        elif (current := self.executor) is not None:
-            current.remove_node(self)
+    def executor(self, executor: Executor | None) -> None:
+        self._executor = None if executor is None else weakref.ref(executor)
 
-    def _enter_executor(self, executor: Executor | None) -> None:
-        """As in `SpunNode`; the setter of `executor` asks the executor, which calls this."""
-        former = self.executor
-        self.__executor = None if executor is None else weakref.ref(executor)
-        if executor is not None and former is not None and former is not executor:
-            former.remove_node(self)
+    def participant(self) -> Participant:
+        """Return the participant that creates endpoints.
 
-    def get_logger(self) -> RcutilsLogger:
-        """Return the node's logger."""
-        return self.__logger
-
-    def get_clock(self) -> Clock:
-        """Return its clock: ROS time."""
-        return self.__clock
-
-    @property
-    def default_callback_group(self) -> CallbackGroup:
-        """The group of all entities created without one: one callback at a time."""
-        return self.__default_callback_group
+        Raises:
+            InvalidHandle: the node was destroyed.
+            ForkedProcessError: this process is a fork of the one that created the node.
+        """
+        if self._destroyed:
+            raise InvalidHandle(f"cannot create anything for {self.node_name.full}: the node was destroyed")
+        self.context.check_not_from_parent_process(f"cannot create anything for {self.node_name.full}")
+        return self._participant
 
     def entities(self) -> list[Entity]:
         """Return all entities that an executor runs."""
-        return self.__owned.entities()
+        return list(self._entities)
 
-    @property
-    def publishers(self) -> Iterator[Publisher[Any]]:
-        """The publishers that the node created."""
-        return iter(self.__owned.publishers())
+    def publishers(self) -> list[Publisher[Any]]:
+        """Return the publishers that are not destroyed."""
+        return list(self._publishers)
 
-    @property
-    def subscriptions(self) -> Iterator[Subscription[Any]]:
-        """The subscriptions that the node created."""
-        return (entity for entity in self.entities() if isinstance(entity, Subscription))
-
-    @property
-    def services(self) -> Iterator[Service]:
-        """The services that the node created."""
-        return (entity for entity in self.entities() if isinstance(entity, Service))
-
-    @property
-    def clients(self) -> Iterator[Client]:
-        """The clients that the node created."""
-        return (entity for entity in self.entities() if isinstance(entity, Client))
-
-    @property
-    def timers(self) -> Iterator[Timer]:
-        """The timers that the node created."""
-        return (entity for entity in self.entities() if isinstance(entity, Timer))
-
-    @property
-    def guards(self) -> Iterator[GuardCondition]:
-        """The guard conditions that the node created."""
-        return (entity for entity in self.entities() if isinstance(entity, GuardCondition))
-
-    @property
-    def waitables(self) -> Iterator[Waitable]:
-        """The waitables that were added."""
-        return (entity.waitable for entity in self.entities() if isinstance(entity, WaitableEntity))
-
-    def add_waitable(self, waitable: Waitable | EventHandler) -> None:
-        """Add a waitable, or an event handler, to those that the node's executor waits for."""
-        if isinstance(waitable, EventHandler):
-            self.__owned.add(waitable, self)
-        else:
-            self.__owned.add(WaitableEntity(waitable, lambda: self.executor), self)
-
-    def remove_waitable(self, waitable: Waitable | EventHandler) -> None:
-        """Undo `add_waitable`.
+    def add(self, entity: AnyEntity) -> AnyEntity:
+        """Add an entity, also to the node's executor.
 
         Raises:
-            ValueError: it was never added.
+            InvalidHandle: the node was destroyed.
         """
-        for entity in self.entities():
-            if entity is waitable or (isinstance(entity, WaitableEntity) and entity.waitable is waitable):
-                self.__owned.destroy(entity)
-                return
-        raise ValueError(f"{waitable!r} is no waitable of this node")
+        self.participant()
+        if entity.callback_group is not None:
+            entity.callback_group.add_entity(entity)
+        entity.owner = self._owner
+        self._entities.append(entity)
+        executor = self.executor
+        if executor is not None:
+            executor.add_entity(entity)
+        return entity
 
-    def _open(
-        self, endpoint: Destroyable, create: Callable[[Participant, NodeName], WireEndpoint]
-    ) -> WireEndpoint:
-        """Return what `create` makes on the wire for `endpoint`, which no executor runs; see `OwnedEntities.open`."""
-        return self.__owned.open(endpoint, create)
+    def remove(self, entity: Entity) -> bool:
+        """Remove an entity, also from the node's executor; False if it isn't here."""
+        if entity not in self._entities:
+            return False
+        self._entities.remove(entity)
+        executor = self.executor
+        if executor is not None:
+            executor.remove_entity(entity)
+        return True
+
+    def destroy(self, entity: Entity) -> bool:
+        """Remove and destroy an entity; False if it isn't here."""
+        removed = self.remove(entity)
+        if removed:
+            entity.destroy()
+        return removed
+
+    def add_publisher(self, publisher: Publisher[Any]) -> None:
+        """Add a publisher."""
+        publisher.owner = self._owner
+        self._publishers.append(publisher)
 
     def destroy_publisher(self, publisher: Publisher[Any]) -> bool:
-        """Destroy a publisher; False if it isn't this node's."""
-        return self.__owned.destroy_publisher(publisher)
+        """Remove and destroy a publisher and its event handlers; False if it isn't here."""
+        if publisher not in self._publishers:
+            return False
+        self._publishers.remove(publisher)
+        for handler in publisher.event_handlers:
+            self.destroy(handler)
+        publisher.destroy()
+        return True
 
-    def destroy_subscription(self, subscription: Subscription[Any]) -> bool:
-        """Destroy a subscription; False if it isn't this node's."""
-        for handler in subscription.event_handlers:
-            self.__owned.destroy(handler)
-        return self.__owned.destroy(subscription)
+    def watch(
+        self,
+        callbacks: PublisherEventCallbacks | SubscriptionEventCallbacks,
+        group: CallbackGroup,
+        endpoint: Writer | Reader,
+        topic_name: str,
+    ) -> list[EventHandler]:
+        """Add handlers of the events of an endpoint on the wire, and return them."""
+        handlers = callbacks.create_event_handlers(
+            group, endpoint, topic_name, logger=self.logger, graph=self.participant().graph
+        )
+        return [self.add(handler) for handler in handlers]
 
-    def destroy_service(self, service: Service) -> bool:
-        """Destroy a service; False if it isn't this node's."""
-        return self.__owned.destroy(service)
+    def warn_of_other_type(self, topic: Topic, endpoint: Publisher[Any] | Subscription[Any]) -> None:
+        """Log a warning if an endpoint of this program has the topic with another type."""
+        other = self.context.topic_types.add(topic, endpoint)
+        if other is not None:
+            warning = (
+                f"{topic.name} has two types in this program: {other}, and here {topic.type_name}. Messages pass "
+                "only between endpoints of one type"
+            )
+            self.logger.warning(warning)
 
-    def destroy_client(self, client: Client) -> bool:
-        """Destroy a client; False if it isn't this node's. Its pending requests are cancelled."""
-        self.__owned.destroy(client.server_watch)
-        return self.__owned.destroy(client)
-
-    def destroy_timer(self, timer: Timer) -> bool:
-        """Destroy a timer; False if it isn't this node's."""
-        return self.__owned.destroy(timer)
-
-    def destroy_guard_condition(self, guard: GuardCondition) -> bool:
-        """Destroy a guard condition; False if it isn't this node's."""
-        return self.__owned.destroy(guard)
+    def add_rate(self, rate: Rate) -> None:
+        """Add a rate, which is destroyed with the node."""
+        self._rates.append(rate)
 
     def destroy_rate(self, rate: Rate) -> bool:
-        """Destroy a rate; False if it isn't this node's."""
-        return self.__owned.destroy_rate(rate)
+        """Remove and destroy a rate; False if it isn't here."""
+        if rate not in self._rates:
+            return False
+        self._rates.remove(rate)
+        self.remove(rate.timer)
+        rate.destroy()
+        return True
 
-    def destroy_entities(self) -> None:
-        """Destroy all that was created."""
-        self.__owned.destroy_all()
+    def open(
+        self, endpoint: Destroyable, create: Callable[[Participant, NodeName], WireEndpoint]
+    ) -> WireEndpoint:
+        """Return what `create` makes on the wire for `endpoint`, which is destroyed with the node.
 
-    def destroy_node(self) -> None:
-        """Leave the executor and the graph, and destroy all that was created. Destroying again does nothing."""
-        if self.__destroyed:
-            return
-        self.__destroyed = True
-        self.executor = None
-        self.destroy_entities()
-        self.__context.leave(self.__owned.node_name)
+        Raises:
+            InvalidHandle: the node was destroyed.
+        """
+        created = create(self.participant(), self.node_name)
+        self._unspun.append(endpoint)
+        return created
 
-    def __del__(self) -> None:
-        if not getattr(self, "_NodeEntities__destroyed", True):
-            self.__context.abandon(self)
+    def destroy_all(self) -> None:
+        """Destroy everything, the newest first; creating more raises InvalidHandle."""
+        for rate in list(self._rates):
+            self.destroy_rate(rate)
+        for entity in reversed(self.entities()):  # event handlers come after the endpoints that they watch
+            self.destroy(entity)
+        for publisher in list(self._publishers):
+            self.destroy_publisher(publisher)
+        for endpoint in reversed(self._unspun):
+            endpoint.destroy()
+        self._unspun.clear()
+        self._destroyed = True

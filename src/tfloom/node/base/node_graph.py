@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 from tfloom.node.qos.topic_endpoint_info import TopicEndpointInfo
 from tfloom.node.values.exceptions import NodeNameNonExistentError
-from tfloom.node.values.set_by_init import SET_BY_INIT
 from tfloom.rmw.base import NodeName
 
 if TYPE_CHECKING:
@@ -22,58 +21,52 @@ _POLL_PERIOD_S = 0.02
 
 
 class NodeGraph:
-    """The names of a node, and its queries of the graph; a base of Node."""
+    """The names of a node, and its queries of the graph. Node's methods of the same names describe each of these.
 
-    __names: NodeNames = SET_BY_INIT
-    __graph: Graph = SET_BY_INIT
+    Args:
+        names: The node's names.
+        graph: Graph of its participant.
+    """
 
     def __init__(self, names: NodeNames, graph: Graph) -> None:
-        self.__names = names
-        self.__graph = graph
+        self._names = names
+        self._graph = graph
 
     def get_name(self) -> str:
         """Return the node's name."""
-        return self.__names.node.name
+        return self._names.node.name
 
     def get_namespace(self) -> str:
         """Return the node's namespace, `/` or `/a/b`."""
-        return self.__names.node.namespace
+        return self._names.node.namespace
 
     def get_fully_qualified_name(self) -> str:
         """Return namespace and name."""
-        return self.__names.node.full
+        return self._names.node.full
 
     def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
-        """Return a topic's full name, remapped unless `only_expand`.
-
-        Raises:
-            InvalidTopicNameException: the name isn't valid.
-        """
-        return self.__names.resolve(topic, only_expand=only_expand, is_service=False)
+        """Return a topic's full name, remapped unless `only_expand`."""
+        return self._names.resolve(topic, only_expand=only_expand, is_service=False)
 
     def resolve_service_name(self, service: str, *, only_expand: bool = False) -> str:
-        """Return a service's full name, remapped unless `only_expand`.
-
-        Raises:
-            InvalidServiceNameException: the name isn't valid.
-        """
-        return self.__names.resolve(service, only_expand=only_expand, is_service=True)
+        """Return a service's full name, remapped unless `only_expand`."""
+        return self._names.resolve(service, only_expand=only_expand, is_service=True)
 
     def get_node_names(self) -> list[str]:
         """Return the names of all nodes, without their namespaces."""
-        return [node.name for node in self.__graph.nodes()]
+        return [node.name for node in self._graph.nodes()]
 
     def get_fully_qualified_node_names(self) -> list[str]:
         """Return the full names of all nodes."""
-        return [node.full for node in self.__graph.nodes()]
+        return [node.full for node in self._graph.nodes()]
 
     def get_node_names_and_namespaces(self) -> list[tuple[str, str]]:
         """Return names and namespaces of all nodes."""
-        return [(node.name, node.namespace) for node in self.__graph.nodes()]
+        return [(node.name, node.namespace) for node in self._graph.nodes()]
 
     def get_node_names_and_namespaces_with_enclaves(self) -> list[tuple[str, str, str]]:
         """Return names, namespaces and enclaves of all nodes."""
-        return [(node.name, node.namespace, enclave) for node, enclave in self.__graph.enclaves()]
+        return [(node.name, node.namespace, enclave) for node, enclave in self._graph.enclaves()]
 
     def wait_for_node(self, fully_qualified_node_name: str, timeout: float) -> bool:
         """Wait until a node is on the graph; False if it isn't after `timeout` [s]."""
@@ -88,37 +81,24 @@ class NodeGraph:
         return True
 
     def get_topic_names_and_types(self, no_demangle: bool = False) -> NamesAndTypes:
-        """Return all topics, and the types they are written or read as.
-
-        Args:
-            no_demangle: Whether to return all topics on the wire, those of services and of other programs too, by
-                their DDS names and types, such as `rt/pose` and `turtlesim::msg::dds_::Pose_`.
-        """
-        return self.__names_and_types(lambda _: True, no_demangle)
+        """Return all topics, and the types they are written or read as."""
+        return self._names_and_types(lambda _: True, no_demangle)
 
     def get_publisher_names_and_types_by_node(
         self, node_name: str, node_namespace: str, no_demangle: bool = False
     ) -> NamesAndTypes:
-        """Return the topics that a node publishes, with their types; `no_demangle` as in the above.
-
-        Raises:
-            NodeNameNonExistentError: there is no such node.
-        """
-        return self.__of_node(node_name, node_namespace, True, no_demangle)
+        """Return the topics that a node publishes, with their types; `no_demangle` as in the above."""
+        return self._of_node(node_name, node_namespace, True, no_demangle)
 
     def get_subscriber_names_and_types_by_node(
         self, node_name: str, node_namespace: str, no_demangle: bool = False
     ) -> NamesAndTypes:
-        """Return the topics that a node subscribes to, with their types; `no_demangle` as in the above.
+        """Return the topics that a node subscribes to, with their types; `no_demangle` as in the above."""
+        return self._of_node(node_name, node_namespace, False, no_demangle)
 
-        Raises:
-            NodeNameNonExistentError: there is no such node.
-        """
-        return self.__of_node(node_name, node_namespace, False, no_demangle)
-
-    def __of_node(self, name: str, namespace: str, is_writer: bool, no_demangle: bool) -> NamesAndTypes:
-        self.__check_node(name, namespace)
-        return self.__names_and_types(
+    def _of_node(self, name: str, namespace: str, is_writer: bool, no_demangle: bool) -> NamesAndTypes:
+        self._check_node(name, namespace)
+        return self._names_and_types(
             lambda info: (
                 info.is_writer == is_writer
                 and info.node is not None
@@ -127,108 +107,82 @@ class NodeGraph:
             no_demangle,
         )
 
-    def __names_and_types(self, matches: Callable[[EndpointInfo], bool], no_demangle: bool) -> NamesAndTypes:
+    def _names_and_types(self, matches: Callable[[EndpointInfo], bool], no_demangle: bool) -> NamesAndTypes:
         types_by_name: dict[str, set[str]] = {}
-        for info in self.__graph.raw_endpoints() if no_demangle else self.__graph.endpoints():
+        for info in self._graph.raw_endpoints() if no_demangle else self._graph.endpoints():
             if matches(info):
                 types_by_name.setdefault(info.topic.name, set()).add(info.topic.type_name)
         return [(name, sorted(types)) for name, types in sorted(types_by_name.items())]
 
     def get_service_names_and_types(self) -> NamesAndTypes:
         """Return all services that have a server, with their types."""
-        return self.__services(lambda info: info.is_server)
+        return self._services(lambda info: info.is_server)
 
     def get_service_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
         """Return the services that a node serves, with their types; RuntimeError if there is no such node."""
-        return self.__services_of(node_name, node_namespace, True)
+        return self._services_of(node_name, node_namespace, True)
 
     def get_client_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
         """Return the services that a node is a client of; RuntimeError if there is no such node."""
-        return self.__services_of(node_name, node_namespace, False)
+        return self._services_of(node_name, node_namespace, False)
 
     def count_services(self, service_name: str) -> int:
         """Return how many servers a service has; the name is expanded and remapped."""
-        return self.__count_service_ends(service_name, True)
+        return self._count_service_ends(service_name, True)
 
     def count_clients(self, service_name: str) -> int:
         """Return how many clients a service has; the name is expanded and remapped."""
-        return self.__count_service_ends(service_name, False)
+        return self._count_service_ends(service_name, False)
 
-    def __count_service_ends(self, service_name: str, is_server: bool) -> int:
+    def _count_service_ends(self, service_name: str, is_server: bool) -> int:
         name = self.resolve_service_name(service_name)
-        ends = self.__graph.service_ends()
+        ends = self._graph.service_ends()
         return sum(info.name == name and info.is_server == is_server for info in ends)
 
-    def __services_of(self, name: str, namespace: str, is_server: bool) -> NamesAndTypes:
-        self.__check_node(name, namespace)
-        return self.__services(
+    def _services_of(self, name: str, namespace: str, is_server: bool) -> NamesAndTypes:
+        self._check_node(name, namespace)
+        return self._services(
             lambda info: info.is_server == is_server and info.node == NodeName(namespace, name)
         )
 
-    def __services(self, matches: Callable[[ServiceEndInfo], bool]) -> NamesAndTypes:
+    def _services(self, matches: Callable[[ServiceEndInfo], bool]) -> NamesAndTypes:
         types_by_name: dict[str, set[str]] = {}
-        for info in self.__graph.service_ends():
+        for info in self._graph.service_ends():
             if matches(info):
                 types_by_name.setdefault(info.name, set()).add(info.type_name)
         return [(name, sorted(types)) for name, types in sorted(types_by_name.items())]
 
-    def __check_node(self, name: str, namespace: str) -> None:
+    def _check_node(self, name: str, namespace: str) -> None:
         if (name, namespace) not in self.get_node_names_and_namespaces():
             raise NodeNameNonExistentError(f"no node '{namespace.rstrip('/')}/{name}' on the graph")
 
     def count_publishers(self, topic_name: str) -> int:
-        """Return how many publishers a topic has, of all nodes; the name is expanded and remapped.
-
-        Raises:
-            InvalidTopicNameException: the name isn't valid.
-        """
-        return len(self.__endpoints_of(self.resolve_topic_name(topic_name), True))
+        """Return how many publishers a topic has, of all nodes; the name is expanded and remapped."""
+        return len(self._endpoints_of(self.resolve_topic_name(topic_name), True))
 
     def count_subscribers(self, topic_name: str) -> int:
-        """Return how many subscriptions a topic has, of all nodes; the name is expanded and remapped.
-
-        Raises:
-            InvalidTopicNameException: the name isn't valid.
-        """
-        return len(self.__endpoints_of(self.resolve_topic_name(topic_name), False))
+        """Return how many subscriptions a topic has, of all nodes; the name is expanded and remapped."""
+        return len(self._endpoints_of(self.resolve_topic_name(topic_name), False))
 
     def get_publishers_info_by_topic(
         self, topic_name: str, no_mangle: bool = False
     ) -> list[TopicEndpointInfo]:
-        """Return the publishers of a topic.
-
-        Args:
-            topic_name: Its name, which is expanded and remapped.
-            no_mangle: Whether it is DDS's own name, used unchanged; types are then DDS's own, too.
-
-        Raises:
-            InvalidTopicNameException: the name isn't valid.
-        """
-        return self.__infos(topic_name, True, no_mangle)
+        """Return the publishers of a topic."""
+        return self._infos(topic_name, True, no_mangle)
 
     def get_subscriptions_info_by_topic(
         self, topic_name: str, no_mangle: bool = False
     ) -> list[TopicEndpointInfo]:
-        """Return the subscriptions of a topic.
+        """Return the subscriptions of a topic."""
+        return self._infos(topic_name, False, no_mangle)
 
-        Args:
-            topic_name: Its name, which is expanded and remapped.
-            no_mangle: Whether it is DDS's own name, used unchanged; types are then DDS's own, too.
-
-        Raises:
-            InvalidTopicNameException: the name isn't valid.
-        """
-        return self.__infos(topic_name, False, no_mangle)
-
-    def __infos(self, topic_name: str, is_writer: bool, no_mangle: bool) -> list[TopicEndpointInfo]:
+    def _infos(self, topic_name: str, is_writer: bool, no_mangle: bool) -> list[TopicEndpointInfo]:
         name = topic_name if no_mangle else self.resolve_topic_name(topic_name)
-        return [
-            TopicEndpointInfo.from_graph(info) for info in self.__endpoints_of(name, is_writer, no_mangle)
-        ]
+        return [TopicEndpointInfo.from_graph(info) for info in self._endpoints_of(name, is_writer, no_mangle)]
 
-    def __endpoints_of(self, name: str, is_writer: bool, no_mangle: bool = False) -> list[EndpointInfo]:
+    def _endpoints_of(self, name: str, is_writer: bool, no_mangle: bool = False) -> list[EndpointInfo]:
         return [
             info
-            for info in (self.__graph.raw_endpoints() if no_mangle else self.__graph.endpoints())
+            for info in (self._graph.raw_endpoints() if no_mangle else self._graph.endpoints())
             if info.topic.name == name and info.is_writer == is_writer
         ]

@@ -7,6 +7,7 @@ from weakref import WeakKeyDictionary
 
 from tfloom.interfaces.builtin_interfaces import msg as builtin_msg
 from tfloom.interfaces.rcl_interfaces import msg as rcl_msg
+from tfloom.node.base.node_base import NodeBase, open_endpoint
 from tfloom.node.log import log_output
 from tfloom.node.log.rcutils_logger import RcutilsLogger
 from tfloom.node.qos.qos import qos_profile_rosout_default
@@ -17,7 +18,6 @@ from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl import cdr
 
 if TYPE_CHECKING:
-    from tfloom.node.base.node_base import NodeBase
     from tfloom.node.context.context import Context
 
 __all__ = ["Rosout"]
@@ -36,8 +36,10 @@ class Rosout:
 
     def __init__(self, node: NodeBase) -> None:
         topic = topic_of(rcl_msg.Log, TOPIC)
-        self._writer = node._open(  # noqa: SLF001  # opens endpoints that no executor runs
-            self, lambda wire, name: wire.create_writer(name, topic, qos_profile_rosout_default.to_wire())
+        self._writer = open_endpoint(
+            node,
+            self,
+            lambda wire, name: wire.create_writer(name, topic, qos_profile_rosout_default.to_wire()),
         )
         self._logger_name = node.get_logger().name
         self._twins = _by_context.setdefault(node.context, {}).setdefault(self._logger_name, [])

@@ -60,7 +60,8 @@ class Endpoint(Generic[WireEndpoint]):
     _kind = ""
     """Kind of endpoint for error texts, such as `client`."""
 
-    _part_of: Any = None  # the node; see `Entity`
+    owner: Any = None
+    """The node, as of an `Entity`."""
 
     def __init__(self, endpoint: WireEndpoint, name: str) -> None:
         self._endpoint = endpoint

@@ -39,7 +39,8 @@ class Entity:
     refused_item: Any = None
     """What `take` returned before the group refused to begin. It stays here, where the next executor finds it."""
 
-    _part_of: Any = None  # the node: a reference to the entity keeps it alive
+    owner: Any = None
+    """The node. It is referenced, because a reference to the entity keeps it alive."""
 
     def attach(self, queue: ReadyQueue, token: int) -> None:
         """Post `token` to `queue` when there may be something to take, at once if there already is."""

@@ -55,15 +55,15 @@ class SpunNode(Protocol):
     def executor(self) -> Executor | None:
         """The executor that the node was added to."""
 
-    def _enter_executor(self, executor: Executor | None) -> None:
-        """Store the executor that has added the node, and leave the former one; None: none has."""
+    def _enter_executor(self, executor: Executor) -> list[Entity]:
+        """Store the executor that has added the node, leave the former one, and return what it is to run."""
+
+    def _leave_executor(self, executor: Executor) -> list[Entity]:
+        """Forget the executor, unless it is the former one, and return what it is no longer to run."""
 
     @property
     def context(self) -> Context:
         """The context that the node belongs to."""
-
-    def entities(self) -> list[Entity]:
-        """Return all entities that the executor runs."""
 
     def get_name(self) -> str:
         """Return the node's name."""
@@ -129,8 +129,8 @@ class Executor(WorkQueue):
             if node in self._nodes:
                 return False
             self._nodes.append(node)
-        node._enter_executor(self)  # noqa: SLF001  # ours
-        self.add_entities(node.entities())
+        entities = node._enter_executor(self)  # noqa: SLF001  # private, because programs derive from Node
+        self.add_entities(entities)
         return True
 
     def remove_node(self, node: SpunNode) -> None:
@@ -139,9 +139,8 @@ class Executor(WorkQueue):
             if node not in self._nodes:
                 return
             self._nodes.remove(node)
-        self.remove_entities(node.entities())
-        if node.executor is self:
-            node._enter_executor(None)  # noqa: SLF001  # ours
+        entities = node._leave_executor(self)  # noqa: SLF001  # private, because programs derive from Node
+        self.remove_entities(entities)
 
     def get_nodes(self) -> list[SpunNode]:
         """Return the nodes that were added."""
@@ -186,7 +185,7 @@ class Executor(WorkQueue):
         self._register_task(task)
         # Not at the end of `run`: a callback that is a coroutine occupies its group until it completes.
         task.when_complete(lambda: self._end(entity))
-        node = next((node for node in self.get_nodes() if entity in node.entities()), None)
+        node = next((node for node in self.get_nodes() if node is entity.owner), None)
         return task, getattr(entity, "waitable", entity), node
 
     def _next(
@@ -259,7 +258,7 @@ class Executor(WorkQueue):
             # Nothing is posted when the hint is due, so the wait ends then, and this is called again.
             return hint_ns if end_ns is None else min(end_ns, hint_ns)
         self._has_hinted = True
-        entity._part_of.get_logger().warning(hint)  # noqa: SLF001  # ours
+        entity.owner.get_logger().warning(hint)
         return end_ns
 
     # Running

@@ -1,4 +1,4 @@
-"""Declaration and setting of a node's parameters."""
+"""The parameters of a node."""
 
 from __future__ import annotations
 
@@ -8,20 +8,19 @@ from functools import partial
 from typing import Any
 
 from tfloom.interfaces.rcl_interfaces import msg as rcl_msg
-from tfloom.node.parameters.declared_parameters import DeclaredParameters
 from tfloom.node.parameters.exceptions import (
     InvalidParameterTypeException,
     InvalidParameterValueException,
     ParameterAlreadyDeclaredException,
     ParameterImmutableException,
     ParameterNotDeclaredException,
+    ParameterUninitializedException,
 )
-from tfloom.node.parameters.parameter import Parameter, ParameterType
+from tfloom.node.parameters.parameter import PARAMETER_SEPARATOR_STRING, Parameter, ParameterType
 from tfloom.node.parameters.parameter_declaration import Declaration, read_declarations
 from tfloom.node.parameters.parameter_rules import check_against_descriptor
 from tfloom.node.parameters.validate_parameter_name import validate_parameter_name
 from tfloom.node.values.call_all import call_all
-from tfloom.node.values.set_by_init import SET_BY_INIT
 
 __all__ = ["NodeParameters"]
 
@@ -30,20 +29,14 @@ _PreCallback = Callable[[list[Parameter]], list[Parameter]]
 _PostCallback = Callable[[list[Parameter]], None]
 
 
-class NodeParameters(DeclaredParameters):
-    """Declares and sets parameters; a base of Node.
+class NodeParameters:
+    """The parameters of one node: declared, read and set. Node's methods of the same names describe each of these.
 
     Args:
         overrides: First values of parameters, by name.
         allow_undeclared: Whether parameters may be set that aren't declared.
         publish_event: Called with the new, changed and deleted parameters of each setting; it adds stamp and node.
     """
-
-    __pre_set_callbacks: list[_PreCallback] = SET_BY_INIT
-    __on_set_callbacks: list[_SetCallback] = SET_BY_INIT
-    __post_set_callbacks: list[_PostCallback] = SET_BY_INIT
-    __parameters_lock = SET_BY_INIT
-    """Held while parameters are declared, undeclared or set; reading takes no lock."""
 
     def __init__(
         self,
@@ -52,13 +45,104 @@ class NodeParameters(DeclaredParameters):
         allow_undeclared: bool,
         publish_event: Callable[[rcl_msg.ParameterEvent], None],
     ) -> None:
-        DeclaredParameters.__init__(self, allow_undeclared=allow_undeclared)
-        self._parameter_overrides = overrides
-        self.__publish_event = publish_event
-        self.__pre_set_callbacks = []
-        self.__on_set_callbacks = []
-        self.__post_set_callbacks = []
-        self.__parameters_lock = threading.RLock()
+        self.parameters: dict[str, Parameter] = {}
+        """The declared parameters, by name. Changed under `_lock`, as `descriptors`; reading takes no lock."""
+        self.descriptors: dict[str, rcl_msg.ParameterDescriptor] = {}
+        """Their descriptors, by name."""
+        self.overrides = overrides
+        self.allow_undeclared = allow_undeclared
+        self._publish_event = publish_event
+        self._pre_set_callbacks: list[_PreCallback] = []
+        self._on_set_callbacks: list[_SetCallback] = []
+        self._post_set_callbacks: list[_PostCallback] = []
+        self._lock = threading.RLock()
+        """Held while parameters are declared, undeclared or set."""
+
+    # Reading
+
+    def has_parameter(self, name: str) -> bool:
+        """Return whether a parameter is declared."""
+        return name in self.parameters
+
+    def get_parameter(self, name: str) -> Parameter:
+        """Return a parameter."""
+        parameter = self.parameters.get(name)
+        if parameter is None:
+            if self.allow_undeclared:
+                return Parameter(name, ParameterType.NOT_SET, None)
+            raise ParameterNotDeclaredException(name)
+        if parameter.type_ is ParameterType.NOT_SET and not self.descriptors[name].dynamic_typing:
+            raise ParameterUninitializedException(name)
+        return parameter
+
+    def get_parameters(self, names: list[str]) -> list[Parameter]:
+        """Return the parameters of these names, each as `get_parameter` does."""
+        if not all(isinstance(name, str) for name in names):
+            raise TypeError("All names must be instances of type str")
+        return [self.get_parameter(name) for name in names]
+
+    def get_parameter_or(self, name: str, alternative_value: Parameter | None = None) -> Parameter:
+        """Return a parameter; if it is undeclared or has no value, the alternative (None: one without value)."""
+        if alternative_value is None:
+            alternative_value = Parameter(name, ParameterType.NOT_SET, None)
+        parameter = self.parameters.get(name)
+        if parameter is None or parameter.type_ is ParameterType.NOT_SET:
+            return alternative_value
+        return parameter
+
+    def get_parameters_by_prefix(self, prefix: str) -> dict[str, Parameter]:
+        """Return the parameters below a prefix (`a.b`; "" for all), by the part of their names after it."""
+        if prefix:
+            prefix += PARAMETER_SEPARATOR_STRING
+        return {
+            name[len(prefix) :]: parameter
+            for name, parameter in list(self.parameters.items())
+            if name.startswith(prefix)
+        }
+
+    def get_parameter_type(self, name: str) -> ParameterType:
+        """Return a parameter's type."""
+        if name in self.parameters:
+            return self.parameters[name].type_
+        if self.allow_undeclared:
+            return ParameterType.NOT_SET
+        raise ParameterNotDeclaredException(name)
+
+    def get_parameter_types(self, names: list[str]) -> list[ParameterType]:
+        """Return the types of parameters, each as `get_parameter_type` does."""
+        if not all(isinstance(name, str) for name in names):
+            raise TypeError("All names must be instances of type str")
+        return [self.get_parameter_type(name) for name in names]
+
+    def describe_parameter(self, name: str) -> rcl_msg.ParameterDescriptor:
+        """Return a parameter's descriptor."""
+        descriptor = self.descriptors.get(name)
+        if descriptor is not None:
+            return descriptor
+        if self.allow_undeclared:
+            return rcl_msg.ParameterDescriptor()
+        raise ParameterNotDeclaredException(name)
+
+    def describe_parameters(self, names: list[str]) -> list[rcl_msg.ParameterDescriptor]:
+        """Return the descriptors of parameters, each as `describe_parameter` does."""
+        return [self.describe_parameter(name) for name in names]
+
+    def list_parameters(self, prefixes: list[str], depth: int) -> rcl_msg.ListParametersResult:
+        """Return the names below any of the prefixes ([]: all names), at most `depth` parts deep (0: no limit)."""
+        if isinstance(prefixes, str) or not all(isinstance(prefix, str) for prefix in prefixes):
+            raise TypeError("The prefixes argument must be a list of str")
+        if not isinstance(depth, int):
+            raise TypeError("The depth must be an int")
+        if depth < 0:
+            raise ValueError("The depth must be greater than or equal to zero")
+        result = rcl_msg.ListParametersResult()
+        for name in list(self.parameters):
+            if any(_is_below(name, prefix, depth) for prefix in prefixes or [""]):
+                result.names.append(name)
+                parent = name.rpartition(PARAMETER_SEPARATOR_STRING)[0]
+                if parent and parent not in result.prefixes:
+                    result.prefixes.append(parent)
+        return result
 
     # Declaring
 
@@ -69,21 +153,7 @@ class NodeParameters(DeclaredParameters):
         descriptor: rcl_msg.ParameterDescriptor | None = None,
         ignore_override: bool = False,
     ) -> Parameter:
-        """Declare one parameter, and return it with its initial value.
-
-        Args:
-            name: Its name.
-            value: Its default, which fixes its type; or a Parameter.Type, for a parameter with no default.
-            descriptor: Its description, and the values that it allows.
-            ignore_override: Whether the initial value is the default even if the command line gives a value.
-
-        Raises:
-            ValueError: there is neither a value nor a type, and the descriptor doesn't allow dynamic typing.
-            ParameterAlreadyDeclaredException: it was declared before.
-            InvalidParameterException: the name is empty.
-            InvalidParameterTypeException: the value given on the command line is of another type.
-            InvalidParameterValueException: the initial value is out of range, or rejected by a callback.
-        """
+        """Declare one parameter, and return it with its initial value."""
         if value is None and descriptor is None:
             return self.declare_parameters("", [(name,)], ignore_override)[0]
         descriptor = rcl_msg.ParameterDescriptor() if descriptor is None else descriptor
@@ -95,43 +165,31 @@ class NodeParameters(DeclaredParameters):
         parameters: Sequence[tuple[Any, ...]],
         ignore_override: bool = False,
     ) -> list[Parameter]:
-        """Declare several parameters; each is a tuple of the first one to three arguments of `declare_parameter`.
-
-        Args:
-            namespace: Put before each name, with a dot; "" for none.
-            parameters: The tuples.
-            ignore_override: As for `declare_parameter`.
-
-        Raises:
-            TypeError: a tuple isn't of that form.
-            ValueError: a type is NOT_SET, or given together with dynamic typing; or there is neither a value nor a
-                type, and no dynamic typing.
-            ParameterException: as from `declare_parameter`; the tuples before it in the list are then declared.
-        """
+        """Declare several parameters; each is a tuple of the first one to three arguments of `declare_parameter`."""
         declarations = read_declarations(namespace, parameters)
-        with self.__parameters_lock:
+        with self._lock:
             declared_names = [
-                declaration.name for declaration in declarations if declaration.name in self._parameters
+                declaration.name for declaration in declarations if declaration.name in self.parameters
             ]
             if declared_names:
                 raise ParameterAlreadyDeclaredException(declared_names)
             for declaration in declarations:
                 validate_parameter_name(declaration.name)
             for declaration in declarations:
-                self.__declare(declaration, ignore_override)
-            return [self._parameters[declaration.name] for declaration in declarations]
+                self._declare(declaration, ignore_override)
+            return [self.parameters[declaration.name] for declaration in declarations]
 
-    def __declare(self, declaration: Declaration, ignore_override: bool) -> None:
+    def _declare(self, declaration: Declaration, ignore_override: bool) -> None:
         parameter = Parameter(declaration.name, value=declaration.default)
-        if not ignore_override and declaration.name in self._parameter_overrides:
-            parameter = self._parameter_overrides[declaration.name]
+        if not ignore_override and declaration.name in self.overrides:
+            parameter = self.overrides[declaration.name]
         descriptor = declaration.descriptor
         if parameter.type_ is ParameterType.NOT_SET:
             descriptor.name = parameter.name
-            self._descriptors[parameter.name] = descriptor
-            self._parameters[parameter.name] = parameter
+            self.descriptors[parameter.name] = descriptor
+            self.parameters[parameter.name] = parameter
             return
-        result = self.__apply([parameter], {parameter.name: descriptor})
+        result = self._apply([parameter], {parameter.name: descriptor})
         if result.successful:
             return
         if result.reason.startswith("Wrong parameter type"):
@@ -139,60 +197,44 @@ class NodeParameters(DeclaredParameters):
         raise InvalidParameterValueException(parameter.name, parameter.value, result.reason)
 
     def undeclare_parameter(self, name: str) -> None:
-        """Remove a parameter.
-
-        Raises:
-            ParameterNotDeclaredException: it isn't declared.
-            ParameterImmutableException: it is read-only.
-        """
-        with self.__parameters_lock:
-            if name not in self._parameters:
+        """Remove a parameter."""
+        with self._lock:
+            if name not in self.parameters:
                 raise ParameterNotDeclaredException(name)
-            if self._descriptors[name].read_only:
+            if self.descriptors[name].read_only:
                 raise ParameterImmutableException(name)
-            del self._parameters[name]
-            del self._descriptors[name]
+            del self.parameters[name]
+            del self.descriptors[name]
 
     # Setting
 
     def set_parameters(self, parameter_list: list[Parameter]) -> list[rcl_msg.SetParametersResult]:
-        """Set parameters one by one, and return a result for each: successful, or rejected with a reason.
-
-        Raises:
-            TypeError: an item is not a Parameter.
-            ParameterNotDeclaredException: one isn't declared, and the node doesn't allow undeclared ones; those
-                before it are then set.
-        """
+        """Set parameters one by one, and return a result for each: successful, or rejected with a reason."""
         results: list[rcl_msg.SetParametersResult] = []
         for parameter in parameter_list:
-            self.__check_declared([parameter])
-            results.append(self.__set_atomically([parameter]))
+            self._check_declared([parameter])
+            results.append(self._set_atomically([parameter]))
         return results
 
     def set_parameters_atomically(self, parameter_list: list[Parameter]) -> rcl_msg.SetParametersResult:
-        """Set all parameters, or none of them if one is rejected.
+        """Set all parameters, or none of them if one is rejected."""
+        self._check_declared(parameter_list)
+        return self._set_atomically(parameter_list)
 
-        Raises:
-            TypeError: an item is not a Parameter.
-            ParameterNotDeclaredException: one isn't declared, and the node doesn't allow undeclared ones.
-        """
-        self.__check_declared(parameter_list)
-        return self.__set_atomically(parameter_list)
-
-    def __check_declared(self, parameters: Sequence[Parameter]) -> None:
+    def _check_declared(self, parameters: Sequence[Parameter]) -> None:
         if not all(isinstance(parameter, Parameter) for parameter in parameters):
             raise TypeError("parameter must be instance of type 'rclpy.parameter.Parameter'")
-        if self._allow_undeclared_parameters:
+        if self.allow_undeclared:
             return
         undeclared_names = [
-            parameter.name for parameter in parameters if parameter.name not in self._parameters
+            parameter.name for parameter in parameters if parameter.name not in self.parameters
         ]
         if undeclared_names:
             raise ParameterNotDeclaredException(undeclared_names)
 
-    def __set_atomically(self, parameters: list[Parameter]) -> rcl_msg.SetParametersResult:
-        with self.__parameters_lock:
-            for pre_callback in self.__pre_set_callbacks:
+    def _set_atomically(self, parameters: list[Parameter]) -> rcl_msg.SetParametersResult:
+        with self._lock:
+            for pre_callback in self._pre_set_callbacks:
                 parameters = pre_callback(parameters)
                 if not parameters:
                     reason = (
@@ -200,14 +242,14 @@ class NodeParameters(DeclaredParameters):
                         "modifying the original parameters list."
                     )
                     return rcl_msg.SetParametersResult(successful=False, reason=reason)
-            self.__check_declared(parameters)
-            descriptors = {parameter.name: self.__descriptor_for(parameter.name) for parameter in parameters}
-            return self.__apply(parameters, descriptors, check_read_only=True)
+            self._check_declared(parameters)
+            descriptors = {parameter.name: self._descriptor_for(parameter.name) for parameter in parameters}
+            return self._apply(parameters, descriptors, check_read_only=True)
 
-    def __descriptor_for(self, name: str) -> rcl_msg.ParameterDescriptor:
-        return self._descriptors.get(name) or rcl_msg.ParameterDescriptor(name=name, dynamic_typing=True)
+    def _descriptor_for(self, name: str) -> rcl_msg.ParameterDescriptor:
+        return self.descriptors.get(name) or rcl_msg.ParameterDescriptor(name=name, dynamic_typing=True)
 
-    def __apply(
+    def _apply(
         self,
         parameters: list[Parameter],
         descriptors: dict[str, rcl_msg.ParameterDescriptor],
@@ -223,35 +265,35 @@ class NodeParameters(DeclaredParameters):
             if reason is not None:
                 return rcl_msg.SetParametersResult(successful=False, reason=reason)
         result = rcl_msg.SetParametersResult(successful=True)
-        for callback in self.__on_set_callbacks:
+        for callback in self._on_set_callbacks:
             result = callback(parameters)
             if not result.successful:
                 return result
         event = rcl_msg.ParameterEvent()
         for parameter in parameters:
-            self.__store(parameter, descriptors[parameter.name], event)
-        self.__publish_event(event)
+            self._store(parameter, descriptors[parameter.name], event)
+        self._publish_event(event)
         # The parameters are set: each callback is called, and one that raises is reported by its exception.
-        call_all([partial(callback, parameters) for callback in self.__post_set_callbacks])
+        call_all([partial(callback, parameters) for callback in self._post_set_callbacks])
         return result
 
-    def __store(
+    def _store(
         self, parameter: Parameter, descriptor: rcl_msg.ParameterDescriptor, event: rcl_msg.ParameterEvent
     ) -> None:
         name = parameter.name
-        old = self._parameters.get(name)
+        old = self.parameters.get(name)
         was_set = old is not None and old.type_ is not ParameterType.NOT_SET
         if parameter.type_ is ParameterType.NOT_SET:
-            self._parameters.pop(name, None)
-            self._descriptors.pop(name, None)
+            self.parameters.pop(name, None)
+            self.descriptors.pop(name, None)
             if was_set:
                 event.deleted_parameters.append(parameter.to_parameter_msg())
             return
-        self._parameters[name] = parameter
+        self.parameters[name] = parameter
         descriptor.name = name
         if descriptor.dynamic_typing or descriptor.type == ParameterType.NOT_SET.value:
             descriptor.type = parameter.type_.value
-        self._descriptors[name] = descriptor
+        self.descriptors[name] = descriptor
         changes = event.changed_parameters if was_set else event.new_parameters
         changes.append(parameter.to_parameter_msg())
 
@@ -261,69 +303,58 @@ class NodeParameters(DeclaredParameters):
         descriptor: rcl_msg.ParameterDescriptor,
         alternative_value: rcl_msg.ParameterValue | None = None,
     ) -> rcl_msg.ParameterValue:
-        """Replace a parameter's descriptor; set the alternative value if the descriptor doesn't allow the present one.
-
-        Returns:
-            The parameter's new value.
-
-        Raises:
-            ParameterNotDeclaredException: it isn't declared, and the node doesn't allow undeclared ones.
-            ParameterImmutableException: it is read-only.
-            InvalidParameterValueException: the descriptor allows neither value.
-        """
-        with self.__parameters_lock:
-            if name not in self._parameters:
-                if not self._allow_undeclared_parameters:
+        """Replace a parameter's descriptor, and return the parameter's new value."""
+        with self._lock:
+            if name not in self.parameters:
+                if not self.allow_undeclared:
                     raise ParameterNotDeclaredException(name)
                 return Parameter(name).get_parameter_value()
             if self.describe_parameter(name).read_only:
                 raise ParameterImmutableException(name)
-            current = self._parameters[name]
+            current = self.parameters[name]
             target = current
             if alternative_value is not None:
                 as_msg = rcl_msg.Parameter(name=name, value=alternative_value)
                 target = Parameter.from_parameter_msg(as_msg)
             if not descriptor.dynamic_typing and descriptor.type == ParameterType.NOT_SET.value:
                 descriptor.type = target.type_.value
-            result = self.__apply([target], {name: descriptor})
+            result = self._apply([target], {name: descriptor})
             if not result.successful:
                 raise InvalidParameterValueException(name, target.value, result.reason)
-            return self._parameters[name].get_parameter_value()
+            return self.parameters[name].get_parameter_value()
 
     # Callbacks
 
     def add_pre_set_parameters_callback(self, callback: _PreCallback) -> None:
         """Set what `callback(parameters)` returns instead of `parameters`; the last added is called first."""
-        self.__pre_set_callbacks.insert(0, callback)
+        self._pre_set_callbacks.insert(0, callback)
 
     def add_on_set_parameters_callback(self, callback: _SetCallback) -> None:
         """Set and declare only what `callback(parameters)` accepts; the last added is called first."""
-        self.__on_set_callbacks.insert(0, callback)
+        self._on_set_callbacks.insert(0, callback)
 
     def add_post_set_parameters_callback(self, callback: _PostCallback) -> None:
         """Call `callback(parameters)` after each setting; the last added is called first."""
-        self.__post_set_callbacks.insert(0, callback)
+        self._post_set_callbacks.insert(0, callback)
 
     def remove_pre_set_parameters_callback(self, callback: _PreCallback) -> None:
-        """Undo one `add_pre_set_parameters_callback`.
-
-        Raises:
-            ValueError: it wasn't added.
-        """
-        self.__pre_set_callbacks.remove(callback)
+        """Undo one `add_pre_set_parameters_callback`."""
+        self._pre_set_callbacks.remove(callback)
 
     def remove_on_set_parameters_callback(self, callback: _SetCallback) -> None:
-        """Undo one `add_on_set_parameters_callback`.
-
-        Raises:
-            ValueError: it wasn't added.
-        """
-        self.__on_set_callbacks.remove(callback)
+        """Undo one `add_on_set_parameters_callback`."""
+        self._on_set_callbacks.remove(callback)
 
     def remove_post_set_parameters_callback(self, callback: _PostCallback) -> None:
-        """Undo one `add_post_set_parameters_callback`.
+        """Undo one `add_post_set_parameters_callback`."""
+        self._post_set_callbacks.remove(callback)
 
-        Raises:
-            ValueError: it wasn't added.
-        """
-        self.__post_set_callbacks.remove(callback)
+
+def _is_below(name: str, prefix: str, depth: int) -> bool:
+    if prefix:
+        if name == prefix:
+            return True
+        if not name.startswith(prefix + PARAMETER_SEPARATOR_STRING):
+            return False
+        name = name[len(prefix) + 1 :]
+    return depth == 0 or name.count(PARAMETER_SEPARATOR_STRING) < depth

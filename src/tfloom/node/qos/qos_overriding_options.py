@@ -97,12 +97,12 @@ class QoSOverridingOptions:
 
 
 def apply_overrides(
-    node: NodeParameters, kind: str, topic_name: str, profile: QoSProfile, options: QoSOverridingOptions
+    parameters: NodeParameters, kind: str, topic_name: str, profile: QoSProfile, options: QoSOverridingOptions
 ) -> QoSProfile:
     """Declare the parameters of the policies, and return the profile with their values.
 
     Args:
-        node: The node whose parameters override.
+        parameters: The parameters of the node, which override.
         kind: `publisher` or `subscription`.
         topic_name: The topic's full name.
         profile: The profile before the overrides.
@@ -116,7 +116,9 @@ def apply_overrides(
     suffix = f"_{options.entity_id}" if options.entity_id else ""
     for policy in options.policy_kinds:
         name = f"qos_overrides.{topic_name}.{kind}{suffix}.{policy.name.lower()}"
-        settings[policy.name.lower()] = _declared_setting(node, name, policy, settings[policy.name.lower()])
+        settings[policy.name.lower()] = _declared_setting(
+            parameters, name, policy, settings[policy.name.lower()]
+        )
     overridden = QoSProfile(**settings)
     if options.callback is not None:
         result = options.callback(overridden)
@@ -125,14 +127,14 @@ def apply_overrides(
     return overridden
 
 
-def _declared_setting(node: NodeParameters, name: str, policy: QoSPolicyKind, default: Any) -> Any:
+def _declared_setting(parameters: NodeParameters, name: str, policy: QoSPolicyKind, default: Any) -> Any:
     descriptor = ParameterDescriptor(read_only=True)
     if policy in _DURATIONS:
-        return Duration(nanoseconds=_declared_value(node, name, default.nanoseconds, descriptor))
+        return Duration(nanoseconds=_declared_value(parameters, name, default.nanoseconds, descriptor))
     kind = _ENUMS.get(policy)
     if kind is None:
-        return _declared_value(node, name, default, descriptor)
-    text = _declared_value(node, name, default.short_key, descriptor)
+        return _declared_value(parameters, name, default, descriptor)
+    text = _declared_value(parameters, name, default.short_key, descriptor)
     try:
         return kind.get_from_short_key(text)
     except KeyError:
@@ -140,7 +142,9 @@ def _declared_setting(node: NodeParameters, name: str, policy: QoSPolicyKind, de
         raise InvalidQosOverridesError(f"{name} is '{text}', which is none of: {short_keys}") from None
 
 
-def _declared_value(node: NodeParameters, name: str, default: Any, descriptor: ParameterDescriptor) -> Any:
-    if not node.has_parameter(name):
-        node.declare_parameter(name, default, descriptor)
-    return node.get_parameter(name).value
+def _declared_value(
+    parameters: NodeParameters, name: str, default: Any, descriptor: ParameterDescriptor
+) -> Any:
+    if not parameters.has_parameter(name):
+        parameters.declare_parameter(name, default, descriptor)
+    return parameters.get_parameter(name).value
