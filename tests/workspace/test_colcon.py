@@ -141,7 +141,11 @@ def test_compiled_package_is_left_out_and_its_users_are_warned(built: Built) -> 
     asks = "ball_node asks for nav_home, nav_to_mars in package.xml: neither in this workspace, nor sourced"
     assert asks in built.output
     assert "asks for rclcpp" not in built.output
-    assert "ball_cpp" not in in_shell(built.folder, "tfloom pkg list").splitlines()
+    assert "ball_cpp" in in_shell(built.folder, "tfloom pkg list").splitlines()
+    assert in_shell(built.folder, "tfloom run ball_cpp ball") == (
+        f"No executable found: ball is a program in C++, which is left out of the build: {path}:2 has "
+        "add_executable(ball …), which needs a ROS install"
+    )
 
 
 def test_package_with_interfaces_and_cpp_is_built_without_the_latter(built: Built) -> None:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
 from pathlib import Path
 
 import pytest
 from tests.workspace.conftest import write_files, write_manifest
 
-from tfloom.workspace.cmake_plan import Install, Pattern, Plan, PythonPackage, Resource
+from tfloom.workspace.cmake_plan import Install, Pattern, Plan, PythonPackage, Remark, Resource
 from tfloom.workspace.installing import Installer, InstallError
 from tfloom.workspace.interface_package import install_interfaces
 
@@ -61,6 +63,105 @@ def test_marker_resource_and_python_are_installed(tmp_path: Path) -> None:
     assert (index / "packages" / "pkg").is_file()
     assert (index / "plugins" / "pkg").read_text() == "a;b"
     assert (tmp_path / "install" / "lib" / "python" / "tools" / "__init__.py").is_file()
+
+
+SETUP_CFG = """
+[options.entry_points]
+console_scripts =
+    say = tools.say:main
+    say-more=tools.deep.more : run [extra]
+"""
+
+
+def test_programs_of_setup_cfg_are_installed(tmp_path: Path) -> None:
+    write_files(
+        tmp_path, {"py/__init__.py": "", "py/say.py": "def main():\n    return 3\n", "setup.cfg": SETUP_CFG}
+    )
+    install(tmp_path, python_packages=[PythonPackage("tools", "py", "lib/python", 2, "lib/pkg")])
+    folder = tmp_path / "install" / "lib"
+    assert "from tools.deep.more import run\n" in (folder / "pkg" / "say-more").read_text()
+    run = subprocess.run(
+        [folder / "pkg" / "say"], env={"PYTHONPATH": str(folder / "python")}, check=False, timeout=30
+    )
+    assert run.returncode == 3
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        (None, "SCRIPTS_DESTINATION needs a setup.cfg, and there is no {path}"),
+        (
+            "[options.entry_points]\nconsole_scripts = say = tools\n",
+            "{path}: 'say = tools' of console_scripts isn't: ",
+        ),
+        ("say", "{path}: File contains no section headers"),
+    ],
+)
+def test_setup_cfg_without_usable_programs_is_named(text: str | None, reason: str, tmp_path: Path) -> None:
+    path = tmp_path / "setup.cfg"
+    write_files(tmp_path, {"py/__init__.py": ""} | ({} if text is None else {"setup.cfg": text}))
+    with pytest.raises(InstallError) as error:
+        install(tmp_path, python_packages=[PythonPackage("tools", "py", "lib/python", 2, "lib/pkg")])
+    assert str(error.value).startswith(f"{tmp_path}/CMakeLists.txt:2: {reason.format(path=path)}")
+
+
+GENERATED = {"a.yaml": b"1", "d/b.yaml": b"2", "d/e/c": b"3"}
+
+
+@pytest.mark.parametrize(
+    ("command", "expected"),
+    [
+        (Install("FILES", ("<build>/a.yaml",), "share/pkg", 1), {"a.yaml": b"1"}),
+        (Install("PROGRAMS", ("<build>/d/b.yaml",), "share/pkg", 1, "go"), {"go": b"2"}),
+        (Install("DIRECTORY", ("<build>/d",), "share/pkg", 1), {"d/b.yaml": b"2", "d/e/c": b"3"}),
+        (Install("DIRECTORY", ("<build>/d/",), "share/pkg", 1), {"b.yaml": b"2", "e/c": b"3"}),
+    ],
+)
+@pytest.mark.parametrize("symlink", [False, True])
+def test_configured_files_are_installed(
+    command: Install, expected: dict[str, bytes], symlink: bool, tmp_path: Path
+) -> None:
+    write_files(tmp_path, {"package.xml": ""})
+    plan = Plan("pkg", installs=[command], generated=GENERATED)
+    for _ in range(2):  # a new build replaces them
+        Installer(tmp_path, "pkg", tmp_path / "install", symlink=symlink).install(plan)
+    share = tmp_path / "install" / "share" / "pkg"
+    files = {path.relative_to(share).as_posix(): path for path in share.rglob("*") if path.is_file()}
+    del files["package.xml"]
+    assert {name: path.read_bytes() for name, path in files.items()} == expected
+    assert all(os.access(path, os.X_OK) == (command.kind == "PROGRAMS") for path in files.values())
+
+
+def test_package_with_cpp_installs_what_is_there(tmp_path: Path) -> None:
+    write_files(tmp_path, FILES)
+    installs = [
+        Install("DIRECTORY", ("a", "none"), "share/pkg", 3),
+        Install("FILES", ("none.so",), "lib", 4),
+        Install("DIRECTORY", ("include/",), "include", 5),
+    ]
+    plan = Plan("pkg", installs=installs, compiled=[Remark(2, "add_library(a …)")], programs=["go", "stop"])
+    installer = Installer(tmp_path, "pkg", tmp_path / "install")
+    installer.install(plan)
+    where = f"{tmp_path}/CMakeLists.txt"
+    assert installer.warnings == [
+        f"{where}:3: install(DIRECTORY …): there is no folder none, so it is left out",
+        f"{where}:4: install(FILES …): there is no file none.so, so it is left out",
+    ]
+    share = tmp_path / "install" / "share"
+    assert (share / "pkg" / "a" / "x.dae").is_file()
+    note = share / "ament_index" / "resource_index" / "tfloom_left_out" / "pkg"
+    assert note.read_text() == f"{where}:2 has add_library(a …)\ngo\nstop\n"
+
+
+def test_folder_outside_of_the_package_is_left_out(tmp_path: Path) -> None:
+    # `${X}/lib` without X would copy the system's libraries.
+    source = tmp_path / "source"
+    write_files(tmp_path, {"lib/a": "", "source/package.xml": ""})
+    installer = Installer(source, "pkg", tmp_path / "install")
+    installer.install(Plan("pkg", installs=[Install("DIRECTORY", (f"{tmp_path}/lib",), "share", 1)]))
+    reason = f"install(DIRECTORY …): {tmp_path}/lib is outside of the package, so it is left out"
+    assert installer.warnings == [f"{source}/CMakeLists.txt:1: {reason}"]
+    assert not (tmp_path / "install" / "share" / "lib").exists()
 
 
 @pytest.mark.parametrize(

@@ -26,6 +26,8 @@ LEFT, RIGHT = "\N{LEFT DOUBLE QUOTATION MARK}", "\N{RIGHT DOUBLE QUOTATION MARK}
         ("<license>Apache-2.0</license>", "", ": the tag <license> is missing: add <license>…</license>"),
         ("my_pkg", "p" * 201, ": the name of the package is too long: it has 201 letters, but may have 200"),
         ("my_pkg", "p" * 200, None),
+        ("Of a test.", "<p>Of a <em>test</em>.</p>", None),
+        ("Of a test.", "<p/>", ": the tag <description> is missing: add <description>…</description>"),
         ("my_pkg", " ", ": the tag <name> is missing: add <name>…</name>"),
         ("</package>", "", ":12:1: not XML: no element found: every tag that opens must close"),
     ],

@@ -40,7 +40,9 @@ def package_programs(package: str) -> list[str] | None:
     """Return the names of a package's programs in order, or None if there is no such package."""
     prefix = index.find_package(package)
     if prefix is not None:
-        return sorted({index.program_name(path) for path in index.package_programs(package, prefix)})
+        installed = {index.program_name(path) for path in index.package_programs(package, prefix)}
+        own = [name for name in index.PROGRAMS.get(package, ()) if index.replacement(package, prefix, name)]
+        return sorted({*installed, *own})
     if package in index.own_packages():
         return sorted(index.PROGRAMS.get(package, {}))
     return None
@@ -49,6 +51,11 @@ def package_programs(package: str) -> list[str] | None:
 def main(args: argparse.Namespace) -> int:
     """Run the program to its end and return its exit code, -N if signal N ended it."""
     command = find_command(args.package_name, args.executable_name)
+    if isinstance(command, str) and index.find_package(args.package_name) is not None:
+        print(
+            f"[ros2run]: starting tfloom's own {args.executable_name}, because that of the sourced workspace is in C++",
+            file=sys.stderr,
+        )
     if not isinstance(command, str) and args.executable_name in index.PROGRAMS.get(args.package_name, {}):
         # Both have the program, and the user may not know that a sourced workspace precedes tfloom.
         print(
@@ -92,6 +99,8 @@ def find_command(package: str, program: str) -> list[str] | str:
     programs = index.package_programs(package, prefix)
     paths = [path for path in programs if index.program_name(path) == program]
     if not paths:
+        if own_program := index.replacement(package, prefix, program):
+            return own_program
         if reason := _why_not_found(package, prefix, program):
             raise CommandError(f"No executable found: {reason}")
         raise CommandError(f"No executable found{did_you_mean(program, map(index.program_name, programs))}")
@@ -114,7 +123,7 @@ def _why_not_found(package: str, prefix: str, program: str) -> str:
             f"it is {stray}, not in lib/{package}: setup.cfg lacks two lines: "
             f"[install] and below it install_scripts=$base/lib/{package}"
         )
-    return ""
+    return index.why_left_out(package, prefix, program)
 
 
 def _command_of(path: Path) -> list[str]:

@@ -8,7 +8,16 @@ from contextlib import contextmanager
 from fnmatch import fnmatchcase
 from pathlib import Path, PurePosixPath
 
-from tfloom.workspace.cmake_plan import BINARY_FOLDER, PYTHON_FOLDER, Plan, Remark, find_action
+from tfloom.workspace.cmake_configure import configured
+from tfloom.workspace.cmake_plan import (
+    BINARY_FOLDER,
+    PYTHON_FOLDER,
+    Plan,
+    Remark,
+    drop_ungenerated,
+    find_action,
+    name_in_build,
+)
 from tfloom.workspace.cmake_regex import RegexError
 from tfloom.workspace.cmake_syntax import MAX_NESTED, CMakeSyntaxError, Command, read_commands
 from tfloom.workspace.cmake_values import (
@@ -22,6 +31,7 @@ from tfloom.workspace.cmake_values import (
     is_true,
     split_list,
 )
+from tfloom.workspace.missing_dependencies import is_package_there
 
 _ENDS = {
     "if": "endif",
@@ -31,11 +41,14 @@ _ENDS = {
     "macro": "endmacro",
     "block": "endblock",
 }
+_SEARCHES = ("find_package", "find_library", "find_path", "find_file", "find_program", "pkg_check_modules")
 MAX_STEPS = 20_000
 """Commands that one file may take, because loops nest."""
 MAX_LOOKED_AT = 500_000
 """Commands that may be looked at for the ends and the branches of blocks, because loops may hold many."""
 
+MAX_SOUGHT = 200
+"""Characters that the name of a variable about a search may have."""
 MAX_LISTED = 50_000
 """Files that `file(GLOB …)` may list, because a pattern may lead out of the package."""
 
@@ -55,6 +68,7 @@ def read_plan(folder: Path, prefix: Path, *, testing: bool = False) -> Plan:
     path = folder / "CMakeLists.txt"
     reader = _Reader(path, prefix, testing=testing)
     reader.run(read_commands(path))
+    drop_ungenerated(reader.plan)
     return reader.plan
 
 
@@ -73,6 +87,10 @@ class _Reader:
         self._looked_at = 0
         self._listed = 0
         self._depth = 0
+        self._sought: dict[str, Remark] = {}
+        """The searches of what isn't here, by the beginning of the variables that they set, in lower case."""
+        self._failed_search: Remark | None = None
+        """Such a search on which the condition of a block around the current command depends."""
         source = self._folder.as_posix()
         self._variables = Variables(
             {
@@ -156,7 +174,7 @@ class _Reader:
     def _run_block(self, block: Sequence[Command]) -> None:
         head = block[0]
         if head.name == "if":
-            self._run(self._chosen_branch(block))
+            self._run_branch(block)
         elif head.name == "foreach":
             self._run_loop(head, block[1:])
         elif head.name == "block":
@@ -165,8 +183,8 @@ class _Reader:
             self._remark(head, "while() isn't understood")
         # The body of a function or a macro is left out; a call of it is named as not understood.
 
-    def _chosen_branch(self, block: Sequence[Command]) -> Sequence[Command]:
-        """Return the commands of the first branch of an `if` whose condition is true."""
+    def _run_branch(self, block: Sequence[Command]) -> None:
+        """Run the first branch of an `if` whose condition is true."""
         # Only the branches of this `if` count, not those of one inside it, which has a depth of its own. The block has
         # the `if` itself, but not its `endif`.
         self._look_at(block, len(block))
@@ -176,10 +194,33 @@ class _Reader:
             depth += (command.name == "if") - (command.name == "endif")
             if depth == 1 and command.name in {"elseif", "else"}:
                 heads.append(at)
+        around = self._failed_search
         for head, end in zip(heads, [*heads[1:], len(block)], strict=True):
+            # Also where an earlier condition of the same `if` has named the search: `else()` is its other half.
+            self._failed_search = self._failed_search or self._search_in(block[head])
             if block[head].name == "else" or self._condition_holds(block[head]):
-                return block[head + 1 : end]
-        return []
+                self._run(block[head + 1 : end])
+                break
+        self._failed_search = around
+
+    def _search_in(self, command: Command) -> Remark | None:
+        """Return the failed search that the condition of an `if` asks about, or None."""
+        for argument in command.arguments:
+            # `Foo_FOUND`, `FOO_VERSION` and, of find_library, the whole name; an underscore may be in the name itself.
+            words = argument.text[:MAX_SOUGHT].strip("${}").lower().split("_")
+            for end in range(1, len(words) + 1):
+                if (search := self._sought.get("_".join(words[:end]))) is not None:
+                    return search
+        return None
+
+    def _note_search(self, command: Command, values: Sequence[str]) -> None:
+        """Set the variables of a search, and note it if it finds nothing: what isn't here is taken for C++."""
+        name = next(iter(values), "")
+        is_there = command.name == "find_package" and is_package_there(name)
+        if is_there or "REQUIRED" in values:  # without it, CMake would stop here
+            self._variables |= {f"{name}_FOUND": "1", f"{name.upper()}_FOUND": "1"}
+        if name and not is_there:
+            self._sought[name.lower()] = Remark(command.line, f"{command.name}({name} …)")
 
     def _condition_holds(self, command: Command) -> bool:
         try:
@@ -232,7 +273,10 @@ class _Reader:
         if action is None:
             self._remark(command, f"{command.name}() isn't understood")
             return
-        action(self.plan, expand_all(command.arguments, self._variables), command.line)
+        values = expand_all(command.arguments, self._variables)
+        action(self.plan, values, command.line)
+        if command.name in _SEARCHES:
+            self._note_search(command, values)
         if command.name == "project":
             source = self._folder.as_posix()
             self._variables |= {"PROJECT_NAME": self.plan.name, "PROJECT_SOURCE_DIR": source}
@@ -372,9 +416,32 @@ class _Reader:
             return
         self._variables[words[0]] = part(PurePosixPath(words[1]))
 
+    def configure_file(self, command: Command) -> None:
+        """Run `configure_file(input output [COPYONLY] [@ONLY])`, whose output stays in memory until it is installed."""
+        words = expand_all(command.arguments, self._variables)
+        if len(words) < 2:
+            raise self._error(command, "configure_file() needs an input and an output")
+        source, output = self._folder / words[0], words[1]
+        is_relative = not (output.startswith(BINARY_FOLDER) or Path(output).is_absolute())
+        name = name_in_build(f"{BINARY_FOLDER}/{output}" if is_relative else output)
+        if name == ".":  # the folder: the file keeps its name
+            name = source.name
+        if name is None or name.startswith(".."):
+            self._remark(
+                command, f"configure_file() writes {output}, outside of the build folder, and isn't run"
+            )
+            return
+        try:
+            self.plan.generated[name] = configured(source, self._variables, words[2:])
+        except OSError as error:
+            self._remark(command, f"configure_file(): {words[0]} can't be read: {error.strerror}")
+
     def show_message(self, command: Command) -> None:
         words = [" ".join(expand(argument, self._variables)) for argument in command.arguments]
         if words[:1] == ["FATAL_ERROR"]:
+            if self._failed_search is not None:
+                self.plan.compiled.append(self._failed_search)
+                return
             raise self._error(command, "".join(words[1:]) or "message(FATAL_ERROR)")
 
     def include_file(self, command: Command) -> None:
@@ -404,6 +471,7 @@ _PARTS: dict[str, Callable[[PurePosixPath], str]] = {
 }
 
 _OWN: dict[str, Callable[[_Reader, Command], None]] = {
+    "configure_file": _Reader.configure_file,
     "set": _Reader.set_variable,
     "unset": _Reader.unset_variable,
     "option": _Reader.set_option,

@@ -13,7 +13,7 @@ from tfloom.workspace.cmake_syntax import MAX_NESTED, Argument, Form
 
 _REFERENCE = re.compile(r"\$(ENV)?\{([A-Za-z0-9_./+-]*)\}|\\(.)", re.DOTALL)
 _ESCAPES = {"n": "\n", "t": "\t", "r": "\r"}
-_FALSE = {"", "0", "OFF", "NO", "FALSE", "N", "IGNORE", "NOTFOUND"}
+FALSE_VALUES = {"", "0", "OFF", "NO", "FALSE", "N", "IGNORE", "NOTFOUND"}
 _TRUE = {"1", "ON", "YES", "TRUE", "Y"}
 _MAX_NESTING = 20
 """How deep `${${NAME}}` may be nested."""
@@ -222,14 +222,14 @@ class _Condition:
         upper = text.upper()
         if upper in _TRUE:
             return True
-        if upper in _FALSE or upper.endswith("-NOTFOUND"):
+        if upper in FALSE_VALUES or upper.endswith("-NOTFOUND"):
             return False
         if re.fullmatch(r"-?\d+(\.\d*)?", text):
             return float(text) != 0
         if form is Form.QUOTED:
             return False
         value = self._variables.get(text, "").upper()
-        return value not in _FALSE and not value.endswith("-NOTFOUND")
+        return value not in FALSE_VALUES and not value.endswith("-NOTFOUND")
 
     def _value(self, text: str, form: Form) -> str:
         """Return the value of an operand: of the variable of that name if it is set and not quoted."""

@@ -14,6 +14,8 @@ OWN_PREFIX = Path(__file__).parents[1]
 """The prefix of tfloom's own packages, but for those of the distributions beside it."""
 PREFIX_PATH_VARIABLE = "AMENT_PREFIX_PATH"
 RESOURCE_INDEX = "share/ament_index/resource_index"
+LEFT_OUT = "tfloom_left_out"
+"""The type of the resource about a package's C++ that a build has left out: the reason, and a line for each program."""
 
 PROGRAMS: dict[str, dict[str, str]] = {
     "demo_nodes_py": {
@@ -148,6 +150,23 @@ def find_unmarked_program(package: str, prefix: str, program: str) -> Path | Non
     return next(
         (path for path in sorted(Path(prefix, "lib", package).rglob(program)) if not _is_program(path)), None
     )
+
+
+def why_left_out(package: str, prefix: str, program: str) -> str:
+    """Return a sentence on the C++ that was left out of a package, which the program is part of; empty if it isn't."""
+    try:
+        text = Path(prefix, RESOURCE_INDEX, LEFT_OUT, package).read_text("utf-8")
+    except OSError:
+        return ""
+    reason, *programs = text.splitlines() or [""]
+    if program in programs:
+        return f"{program} is a program in C++, which is left out of the build: {reason}, which needs a ROS install"
+    return f"{package} has C++ programs that are left out of the build: {reason}, which needs a ROS install"
+
+
+def replacement(package: str, prefix: str, program: str) -> str | None:
+    """Return tfloom's own program in place of a workspace's in C++, as `module:function`; None if there is none."""
+    return PROGRAMS.get(package, {}).get(program) if why_left_out(package, prefix, program) else None
 
 
 def interpreter_with_space(path: Path) -> list[str]:

@@ -11,9 +11,18 @@ from pathlib import Path
 
 from tfloom.whole_files import write_file
 from tfloom.workspace import index
-from tfloom.workspace.cmake_plan import Install, Pattern, Plan, PythonPackage, is_in
+from tfloom.workspace.cmake_plan import (
+    Install,
+    Pattern,
+    Plan,
+    PythonPackage,
+    is_in,
+    is_of_headers,
+    name_in_build,
+)
 from tfloom.workspace.cmake_regex import Expression, RegexError
 from tfloom.workspace.cmake_values import MAX_STEPS, TooMuchError
+from tfloom.workspace.console_scripts import read_console_scripts
 
 _EXECUTE = stat.S_IXUSR | stat.S_IXGRP | stat.S_IXOTH
 _LEFT_OUT = {"__pycache__", ".git", ".svn"}
@@ -53,12 +62,18 @@ class Installer:
         for python in plan.python_packages:
             self._install_python(python)
         for command in plan.installs:
-            self._install(command)
+            # No compiler will read headers, and those of a build are not there.
+            if not (plan.compiled and is_of_headers(command)):
+                self._install(command, plan)
         for resource in plan.resources:
             self._write_resource(resource.kind, resource.content)
-        self.mark()
+        if plan.compiled:
+            remark = plan.compiled[0]
+            reason = f"{self._where(remark.line)} has {remark.text}"
+            self._write_resource(index.LEFT_OUT, "\n".join([reason, *dict.fromkeys(plan.programs)]) + "\n")
+        self._mark()
 
-    def mark(self) -> None:
+    def _mark(self) -> None:
         """Install package.xml and the package's marker in the ament index."""
         self._write_resource("packages", "")
         self._place(self._source / "package.xml", self._prefix / "share" / self._name / "package.xml")
@@ -82,17 +97,61 @@ class Installer:
             if path.suffix == ".py" and not path.with_suffix(".pyi").exists():
                 # A stub beside it is that of a module of the package's interfaces, which this one replaces.
                 place.with_suffix(".pyi").unlink(missing_ok=True)
+        if package.scripts_destination:
+            self._write_scripts(package)
 
-    def _install(self, command: Install) -> None:
+    def _write_scripts(self, package: PythonPackage) -> None:
+        """Write a program for each of the `console_scripts` of the package's setup.cfg."""
+        path = self._source / package.setup_cfg
+        if not path.is_file():
+            raise self._error(package.line, f"SCRIPTS_DESTINATION needs a setup.cfg, and there is no {path}")
+        folder = self._destination(package.scripts_destination, package.line)
+        try:
+            scripts = read_console_scripts(path)
+        except ValueError as error:
+            raise self._error(package.line, str(error)) from None
+        for name, text in scripts.items():
+            self._write(folder / (f"{name}.py" if os.name == "nt" else name), text.encode(), executable=True)
+
+    def _install(self, command: Install, plan: Plan) -> None:
         target = self._destination(command.destination, command.line)
         for name in command.sources:
             source = self._source / name
-            if command.kind == "DIRECTORY":
-                self._install_folder(command, name, source, target)
+            generated = name_in_build(name)
+            if generated is not None:
+                self._install_generated(command, name, generated, plan, target)
+            elif Path(name).is_absolute() and not source.is_relative_to(self._source):
+                # A variable that isn't set leaves `/lib` of `${X}/lib`, which must not be copied.
+                self.warnings.append(
+                    f"{self._where(command.line)}: install({command.kind} …): {name} is outside of the package, so it "
+                    "is left out"
+                )
+            elif command.kind == "DIRECTORY":
+                self._install_folder(command, name, source, target, plan)
             elif source.is_file():
                 self._install_file(command, source, target / (command.rename or source.name))
             elif not command.optional:
-                raise self._error(command.line, f"install({command.kind} …): there is no file {name}")
+                self._lacks(plan, command.line, f"install({command.kind} …): there is no file {name}")
+
+    def _lacks(self, plan: Plan, line: int, reason: str) -> None:
+        """Raise an error about a missing source; in a package with C++ print it, because the build may make it."""
+        if not plan.compiled:
+            raise self._error(line, reason)
+        self.warnings.append(f"{self._where(line)}: {reason}, so it is left out")
+
+    def _install_generated(
+        self, command: Install, name: str, generated: str, plan: Plan, target: Path
+    ) -> None:
+        """Write what `configure_file` has made of one file, or of all in a folder."""
+        if command.kind != "DIRECTORY":
+            base = target / (command.rename or Path(generated).name)
+            self._write(base, plan.generated[generated], executable=command.kind == "PROGRAMS")
+            return
+        start = "" if generated == "." else f"{generated}/"
+        base = target if name.endswith("/") or not start else target / Path(generated).name
+        for path, data in plan.generated.items():
+            if path.startswith(start):
+                self._write(base / path.removeprefix(start), data)
 
     def _install_file(self, command: Install, source: Path, target: Path) -> None:
         runs = command.kind == "PROGRAMS"
@@ -110,11 +169,11 @@ class Installer:
     def _is_program(self, target: Path) -> bool:
         return target.is_relative_to(self._prefix / "lib" / self._name)
 
-    def _install_folder(self, command: Install, name: str, folder: Path, target: Path) -> None:
+    def _install_folder(self, command: Install, name: str, folder: Path, target: Path, plan: Plan) -> None:
         if not folder.is_dir():
-            if command.optional:
-                return
-            raise self._error(command.line, f"install(DIRECTORY …): there is no folder {name}")
+            if not command.optional:
+                self._lacks(plan, command.line, f"install(DIRECTORY …): there is no folder {name}")
+            return
         # As CMake does: a slash at the end installs what is in the folder, not the folder.
         base = target if not name or name.endswith("/") else target / folder.name
         try:
@@ -131,8 +190,8 @@ class Installer:
             raise self._error(line, f"DESTINATION {text} is outside the prefix {self._prefix}")
         return target
 
-    def _place(self, source: Path, target: Path, *, executable: bool = False) -> None:
-        """Copy or link a file, replacing what is there."""
+    def _make_room(self, target: Path) -> None:
+        """Remove what is at the place of a file to install."""
         self.files.append(target)
         target.parent.mkdir(parents=True, exist_ok=True)
         if target.is_symlink() or target.is_file():
@@ -140,6 +199,17 @@ class Installer:
             target.unlink()
         elif target.is_dir():
             shutil.rmtree(target)
+
+    def _write(self, target: Path, data: bytes, *, executable: bool = False) -> None:
+        """Write a file that has no source, replacing what is there."""
+        self._make_room(target)
+        write_file(target, data)
+        if executable:
+            target.chmod(target.stat().st_mode | _EXECUTE)
+
+    def _place(self, source: Path, target: Path, *, executable: bool = False) -> None:
+        """Copy or link a file, replacing what is there."""
+        self._make_room(target)
         source = source.resolve()
         if self._symlink and (not executable or _is_executable(source)):
             target.symlink_to(source)

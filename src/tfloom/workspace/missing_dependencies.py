@@ -44,9 +44,18 @@ class Requirements(NamedTuple):
     depends: tuple[str, ...]
 
 
+def is_package_there(name: str) -> bool:
+    """Return whether a ROS package is sourced, tfloom's, or a build tool that tfloom does without."""
+    return (
+        _BUILD_TOOLS.fullmatch(name) is not None
+        or name in index.own_packages()
+        or index.find_package(name) is not None
+    )
+
+
 def is_provided(name: str) -> bool:
     """Return whether a dependency is there, or needs not be: sourced, tfloom's, a build tool, or a Python library."""
-    if _BUILD_TOOLS.fullmatch(name) or name in index.own_packages() or index.find_package(name) is not None:
+    if is_package_there(name):
         return True
     python = re.fullmatch(r"python3?-(.+)", name)
     # Other names with a hyphen are rosdep's, of packages of the system.

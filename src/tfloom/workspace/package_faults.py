@@ -48,7 +48,9 @@ def find_manifest_fault(path: Path) -> str | None:
 
 def _find_tag_fault(root: ET.Element) -> str | None:
     for tag in ("name", "version", "description", "maintainer", "license"):
-        if not (root.findtext(tag) or "").strip():
+        element = root.find(tag)
+        # The text may be in elements of XHTML: `<description><p>…</p></description>`.
+        if element is None or not "".join(element.itertext()).strip():
             return f"the tag <{tag}> is missing: add <{tag}>…</{tag}>"
     length = len((root.findtext("name") or "").strip())
     if length > MAX_NAME:

@@ -152,12 +152,16 @@ class _WarnedTask:
         self._task = task
         self._warning = warning
 
+    @property
+    def context(self) -> Any:
+        """The context of the task itself, which extensions of colcon read when it has failed."""
+        return self._task.context
+
     def set_context(self, *, context: Any) -> None:
         """Set the context of the task itself."""
-        self._context = context
         self._task.set_context(context=context)
 
     async def __call__(self, *args: Any, **kwargs: Any) -> Any:
         """Print the warning and run the task."""
-        say(self._context, self._warning)
+        say(self.context, self._warning)
         return await self._task(*args, **kwargs)

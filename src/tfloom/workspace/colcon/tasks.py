@@ -88,8 +88,6 @@ class BuildTask(Task):
         symlink = bool(args.symlink_install)
         plan = read_plan(source, prefix)
         self._remark(plan, source)
-        if plan.is_all_compiled:
-            return
         files: list[Path] = []
         if plan.interfaces:
             installed = install_interfaces(source, package.name, plan.interfaces, prefix, symlink=symlink)
@@ -107,12 +105,13 @@ class BuildTask(Task):
         path = source / "CMakeLists.txt"
         if plan.compiled:
             first = plan.compiled[0]
-            part = "left out" if plan.is_all_compiled else "built without its C++"
+            part = "left out" if plan.is_left_out else "built without its C++"
             reason = f"{path}:{first.line} has {first.text}, which needs C++ and a ROS install"
             self.context.pkg.metadata[LEFT_OUT_KEY] = f"is {part}"
             self._say(f"{self.context.pkg.name} is {part}: {reason}")
-        if not plan.is_all_compiled:
-            for remark in plan.unknown:
+        for remark in plan.unknown:
+            # Of a package in C++, other commands are mostly about what isn't compiled.
+            if not plan.is_cpp or remark.text.startswith("install("):
                 self._say(f"{path}:{remark.line}: {remark.text}")
 
 
@@ -144,13 +143,21 @@ class TestTask(Task):
         except (CMakeSyntaxError, OSError) as error:
             self._say(str(error))
             return 1
-        if not plan.tests or plan.is_all_compiled:
+        tests = plan.tests
+        if plan.is_cpp:
+            tests = [test for test in plan.tests if not test.launches]
+        if len(tests) < len(plan.tests):
+            left_out = len(plan.tests) - len(tests)
+            self._say(
+                f"{self.context.pkg.name}: {left_out} launch test{'s' * (left_out > 1)} of its C++ left out"
+            )
+        if not tests:
             return 0
         if find_spec("pytest") is None:
             self._say(f"the tests of {self.context.pkg.name} can't run: pip install pytest")
             return 1
         try:
-            return await run_pytest_tests(self.context, plan.tests)
+            return await run_pytest_tests(self.context, tests)
         except (OSError, RuntimeError) as error:
             self._say(f"the tests of {self.context.pkg.name} can't run: {error}")
             return 1

@@ -66,9 +66,17 @@ class ExecutableInPackage(FindPackagePrefix):
         prefix = super().perform(context)
         package = perform_substitutions(context, self.package)
         program = perform_substitutions(context, self._executable)
+        folder = Path(prefix, "lib", package)
         if index.find_package(package) is None:
-            return _own_program(context, package, program, Path(prefix, "lib", package))
-        return _installed_program(package, program, prefix)
+            return _own_program(context, package, program, folder)
+        try:
+            return _installed_program(package, program, prefix)
+        except SubstitutionFailure as error:
+            if index.replacement(package, prefix, program):
+                return _own_program(context, package, program, folder)
+            if reason := index.why_left_out(package, prefix, program):
+                raise SubstitutionFailure(reason) from error
+            raise
 
 
 def _own_program(context: LaunchContext, package: str, program: str, folder: Path) -> str:
