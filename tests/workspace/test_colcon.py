@@ -79,7 +79,7 @@ def write_faulty_packages(source: Path) -> None:
     )
     write_cmake_package(source / "ball_mixed", mixed, msg__One_DOT_msg="bool one\n")
     bad = 'project(ball_bad)\nrosidl_generate_interfaces(ball_bad "msg/Bad.msg")\n'
-    write_cmake_package(source / "ball_bad", bad, msg__Bad_DOT_msg="float64 x\nflot64 y\n")
+    write_cmake_package(source / "ball_bad", bad, "nav_to_mars", msg__Bad_DOT_msg="float64 x\nflot64 y\n")
     write_python_package(source / "ball_curly", SAY, setup=CURLY)
     write_manifest(source / "ball_xml", "ament_cmake")
     text = (source / "ball_xml" / "package.xml").read_text().replace("</description>", "")
