@@ -245,6 +245,22 @@ def a_top_holds_its_docstring_alone(house: Path) -> list[str]:
     return violations
 
 
+LISTED = re.compile(r"^- ([\w/*]+(?:, [\w/*]+)*): ", re.MULTILINE)
+"""A row of the list of files in a room's docstring: `- text/, echo: what they are for`."""
+
+
+def listed_files_exist(house: Path) -> list[str]:
+    """The files and folders that the docstring of a room's `__init__.py` lists are there."""
+    return [
+        f"{path.relative_to(house).as_posix()} lists {name}, which isn't there"
+        for path in sorted(house.rglob("__init__.py"))
+        if "ros_names" not in path.parts
+        for names in LISTED.findall(ast.get_docstring(ast.parse(path.read_text("utf-8"))) or "")
+        for name in names.split(", ")
+        if not any(path.parent.glob(name.rstrip("/") if name.endswith("/") else f"{name}.py"))
+    ]
+
+
 def _folders(path: Path) -> set[str]:
     return {entry.name for entry in path.iterdir() if entry.is_dir()} - NO_ROOMS
 
@@ -475,6 +491,7 @@ HOUSE_RULES: list[Rule] = [
     no_type_checkers_library_at_run_time,
     no_ring,
     a_top_holds_its_docstring_alone,
+    listed_files_exist,
     each_room_has_its_place,
     nothing_is_named_that_does_not_exist,
     the_command_line_starts_without_the_rooms,

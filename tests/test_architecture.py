@@ -169,6 +169,18 @@ VIOLATIONS: list[tuple[Rule, dict[str, str], list[str]]] = [
         ["node/qos/__init__.py holds more than its docstring"],
     ),
     (
+        architecture.listed_files_exist,
+        {
+            "rmw/__init__.py": (
+                '"""A wire.\n\n- base, local*: both are there\n- old/, wire: neither is\n'
+                '    with base: an example\n"""\n'
+            ),
+            "rmw/base.py": "",
+            "rmw/local_events.py": "",
+        },
+        ["rmw/__init__.py lists old/, which isn't there", "rmw/__init__.py lists wire, which isn't there"],
+    ),
+    (
         architecture.each_room_has_its_place,
         {"stage/reader.py": "", "node/helpers/x.py": ""},
         ["node/helpers/ has no place", "stage/ stands on no shelf"],

@@ -7,11 +7,19 @@ namespace {
 
 std::size_t index_of(Event event) { return static_cast<std::size_t>(event); }
 
-bool is_of_writers(Event event) {
-  return event != Event::liveliness_changed && event != Event::message_lost;
+// Return whether writers, or readers, have an event; false for a number from Python that is none. Without a `default`,
+// the compiler warns of an event that is missing here.
+bool has_event(bool of_writer, Event event) {
+  switch (event) {
+    case Event::matched:
+    case Event::incompatible_qos:
+    case Event::deadline_missed: return true;
+    case Event::liveliness_lost: return of_writer;
+    case Event::liveliness_changed:
+    case Event::message_lost: return !of_writer;
+  }
+  return false;
 }
-
-bool is_of_readers(Event event) { return event != Event::liveliness_lost; }
 
 template <typename StatusOf>
 StatusOf get(Result (*function)(Entity, StatusOf*), Entity entity) {
@@ -58,8 +66,7 @@ void Events::notify(Event event, ReadyQueue* queue, ReadyQueue::Token token) {
 }
 
 void Events::check(Event event) const {
-  const bool is_known = index_of(event) < event_count;
-  if (is_known && (of_writer_ ? is_of_writers(event) : is_of_readers(event))) return;
+  if (has_event(of_writer_, event)) return;
   throw std::invalid_argument(of_writer_ ? "writers have no such event" : "readers have no such event");
 }
 

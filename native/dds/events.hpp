@@ -15,6 +15,7 @@ namespace tfloom::dds {
 
 // Numbered as in tfloom.rmw.events.
 enum class Event { matched, incompatible_qos, deadline_missed, liveliness_lost, liveliness_changed, message_lost };
+inline constexpr std::size_t event_count = static_cast<std::size_t>(Event::message_lost) + 1;  // of the last one
 
 class Events {
  public:
@@ -40,7 +41,6 @@ class Events {
   void close();
 
  private:
-  static constexpr std::size_t event_count = 6;
   struct Watcher {
     ReadyQueue* queue = nullptr;
     ReadyQueue::Token token = 0;

@@ -64,7 +64,9 @@ void NewestChain::find_meeting_frame(const FrameTable& frames, FrameId top) {
     if (meeting == all.end()) continue;
     source_count_ = static_cast<std::size_t>(meeting - all.begin());
     compute_stamp(frames);
-    is_uniform_ = false;  // a lookup must walk the whole branch, and fail
+    // The common time is known, and is the answer of `latest_common_time`. A lookup at it walks the target's branch up to
+    // the limit, and fails there; `is_uniform_` would spare it the walk.
+    is_uniform_ = false;
     return;
   }
   failure_ = {Failure::Kind::cycle, {}, top, 0};

@@ -3,7 +3,8 @@
 It is last in `sys.meta_path`, because any module of the same name takes precedence. It finds packages on
 AMENT_PREFIX_PATH that hold definitions (`share/my_interfaces/msg/X.msg`); the classes of their modules are created at
 first access. `tfloom.pth` installs it if AMENT_PREFIX_PATH is set when Python starts; `tfloom.use_ros_names()` does the
-same.
+same. Beside another `rclpy` it finds nothing. Type checkers don't run it: for them `tfloom interfaces stubs` writes the
+same packages as typed modules.
 
 This module imports almost nothing, because each Python process in a sourced workspace loads it when it starts.
 """

@@ -1,10 +1,19 @@
 """Recordings: rosbag2 of MCAP and sqlite3, and ROS 1 bags for their transforms.
 
-from tfloom.bag import frames, open_bag
+    from tfloom.bag import frames, open_bag
 
-buffer = frames("my_bag")
-with open_bag("my_bag") as bag:
-for message in bag.messages("/scan"): …
+    buffer = frames("my_bag")
+    with open_bag("my_bag") as bag:
+        for message in bag.messages("/scan"): …
+
+- opening: `open_bag`
+- bag, values, metadata: files in order, topics, messages as bytes, and what a bag says of itself
+- tf_frames, stamps, moved_clouds: frames of a recording, and what needs them
+- message_classes: also of types that only the recording knows
+- reading/, writing/: one form in each file; the numbers of topics, the folder
+- recording/, playing/: the nodes
+- qos_profiles, topic_choice, key_presses, info_text, reindexing, converting: what the verbs of `bag` need
+- rosbag2_names/: rosbag2_py
 """
 
 from __future__ import annotations

@@ -1,1 +1,4 @@
-"""Example programs of the tutorials, and the demonstration."""
+"""Example programs of the tutorials, and the demonstration.
+
+- show: the demonstration, its programs as processes or on threads
+"""

@@ -1,6 +1,11 @@
 """tf2_ros's buffer and listener for the nodes of a real rclpy: `from tfloom.drop_in import Buffer, TransformListener`.
 
 Where `rclpy` is tfloom's, these are the classes of `tfloom.tf2_ros`, so that a program runs in both places.
+
+- buffer, transform_listener: tf2_ros for nodes of a real rclpy
+- sources: a reader beside the node, or a raw subscription
+- errors: also tf2_py's
+- real_ros: that ROS's names
 """
 
 from __future__ import annotations

@@ -1,1 +1,22 @@
-"""Launch: descriptions of processes and what is done on their events, and the service that runs a description."""
+"""Launch: descriptions of processes and what is done on their events, and the service that runs a description.
+
+A launch description is a tree of entities; `launch_service.py` visits it and handles events in order, and its docstring
+says how. Files hold what belongs together; the names of the reference's files are those of the façades.
+
+From the bottom up:
+
+- logging, terminal_colors: where lines go
+- log_handlers, background_writing: what the screen and the log files get, by threads while a launch runs
+- event, launch_context: the state that entities share; Protocols for what it holds
+- substitution, substitutions/, condition, conditions, utilities/: texts, and values of a type
+- frontend/: elements of launch files, and the tables of tags and substitutions
+- launch_description_entity, action, launch_description, launch_description_source: what a launch visits
+- event_handler, event_handlers, events/: what happens, and what is done then
+- processes/: a process group, with pipes or terminals; who ends what is left, also if the launch is killed
+- descriptions/, actions/: `execute_local` runs a process from its start to its end
+- launch_description_sources/, xml/, yaml/: files
+- launch_service: the engine
+- launch_introspector: `--print`
+- ros/: launch_ros: nodes, parameters, lifecycle; the one part that imports `tfloom.node`
+- testing/: launch_testing; in fixtures/ launch_pytest, in ros/ launch_testing_ros
+"""

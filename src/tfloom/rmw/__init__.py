@@ -1,1 +1,10 @@
-"""Bytes over a wire: topics, qualities of service, the graph, and the backends behind one interface (`base`)."""
+"""Bytes over a wire: topics, qualities of service, the graph, and the backends behind one interface (`base`).
+
+- base: the interface of the wires
+- backends: the table of wires, by the value of RMW_IMPLEMENTATION
+- local*: the wire inside the process
+- cyclone*: the wire on libddsc
+- services, events, qos, compatibility: what both wires share
+- forks: what a forked process has inherited
+- waiting, typed_names, action_names, endpoint_text, qos_mismatch: what nodes and commands share
+"""

@@ -1,1 +1,8 @@
-"""Robots: their description in URDF, their joints' states, and the frames of their links."""
+"""Robots: their description in URDF, their joints' states, and the frames of their links.
+
+- xml_elements, urdf, description, joint_tree, mimicry: URDF, read
+- model: forward kinematics on arrays
+- robot_transforms, robot_state_publisher: frames of the links
+- joint_ranges, joint_state_publisher: states of the joints
+- xacro_program: xacro
+"""

@@ -1,1 +1,9 @@
-"""Frames over time for ROS programs: buffers, listeners, broadcasters, and operations on transforms."""
+"""Frames over time for ROS programs: buffers, listeners, broadcasters, and operations on transforms.
+
+- buffer*: a buffer filled by a listener, and by an action of another node
+- transform_listener, listener_base: `drop_in` has the base, too
+- geometry, kdl: transformations of messages
+- point_clouds/: clouds as arrays
+- filters/: messages by their transforms and stamps
+- transformations/: tf_transformations
+"""

@@ -1,1 +1,14 @@
-"""The programs of tf2: printing, monitoring, drawing, serving and publishing transforms."""
+"""The programs of tf2: printing, monitoring, drawing, serving and publishing transforms.
+
+- echo, monitor, static_publisher, view_frames, buffer_server: the programs
+
+- text/: counts, times and transforms in words
+- static_transforms/: as a command line, as a YAML file
+- watch/: transforms as they are published, live or recorded; the tools below read these observations
+- tree_pictures/: of view_frames: records, the tree with the health of its edges, graph, table, web page
+- drawing/: shapes, fonts, layout of trees, as PDF, SVG and PNG
+- explanation/: of a lookup: chain, time-line, advice
+- doctor/: checks, and the catalogue of what they find
+- top/: the tree in a terminal
+- plot/: motion, axis, chart
+"""

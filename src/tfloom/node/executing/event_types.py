@@ -63,5 +63,6 @@ def wire_event(event_type: QoSPublisherEventType | QoSSubscriptionEventType) -> 
             f"event_type must be a QoSPublisherEventType or QoSSubscriptionEventType, not {event_type!r}"
         )
     if event is None:
+        # of the two INCOMPATIBLE_TYPE: neither table has them
         raise UnsupportedEventError(f"{event_type.name}: no wire here reports peers of another type")
     return event

@@ -148,7 +148,8 @@ def _widths(rows: Sequence[Row], columns: int | None) -> tuple[int, int]:
     note = max([len(HEADINGS[5]), *(cell_len(row.note) for row in rows)])
     # The numbers have fixed widths, and the note gets up to a quarter of the line. What is left is for the two names:
     # the publisher gives way first, down to a third, because rows are told apart by their frames.
-    room = columns - RATE_WIDTH - AGE_WIDTH - DELAY_WIDTH - 5 - min(note, columns // 4)
+    blanks = len(HEADINGS) - 1
+    room = columns - RATE_WIDTH - AGE_WIDTH - DELAY_WIDTH - blanks - min(note, columns // 4)
     if frame + publisher <= room:
         return frame, publisher
     publisher = max(MIN_PUBLISHER_WIDTH, min(publisher, room // 3))

@@ -47,9 +47,11 @@ class Top:
         rows = rows_of(observation, self._source.now_ns(), self._rates)
         return rows, self._summary(observation)
 
-    def _summary(self, seen: Observation) -> Summary:
-        publishers = len({publisher.label for publisher in seen.publishers if publisher.traffic is not None})
-        return Summary(len(seen.frames()), publishers, self._rates.total(), self._place)
+    def _summary(self, observation: Observation) -> Summary:
+        publishers = len(
+            {publisher.label for publisher in observation.publishers if publisher.traffic is not None}
+        )
+        return Summary(len(observation.frames()), publishers, self._rates.total(), self._place)
 
     def followed(self, pair: tuple[str, str] | None) -> list[str]:
         """Return the lines of the followed pair; none without one."""

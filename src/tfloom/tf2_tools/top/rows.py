@@ -98,24 +98,25 @@ class Rates:
     """Rates of edges over the last second, by counts in the observations before."""
 
     def __init__(self) -> None:
-        self._past: deque[tuple[float, dict[object, int]]] = deque()
-        self._since_s = 0.0
+        self._earlier: deque[tuple[float, dict[object, int]]] = deque()
+        """Times of observations [s], the oldest first, each with the number of transforms of each edge until then."""
         self._counts: dict[object, int] = {}
+        """Number of transforms of each edge in the last `_span_s` seconds."""
         self._span_s = 0.0
 
-    def add(self, seen: Observation, now_s: float | None = None) -> None:
+    def add(self, observation: Observation, now_s: float | None = None) -> None:
         """Count an observation, made at `now_s` on the monotonic clock [s]."""
         now_s = time.monotonic() if now_s is None else now_s
-        counts = {_key(edge): edge.statistics.count for edge in seen.edges}
+        counts = {_key(edge): edge.statistics.count for edge in observation.edges}
         # Keep one observation that is at least a second old, as the beginning of the window: an older one can go as
         # soon as its successor is old enough.
-        while len(self._past) > 1 and self._past[1][0] <= now_s - WINDOW_S:
-            self._past.popleft()
-        if self._past:
-            since_s, before = self._past[0]
+        while len(self._earlier) > 1 and self._earlier[1][0] <= now_s - WINDOW_S:
+            self._earlier.popleft()
+        if self._earlier:
+            since_s, before = self._earlier[0]
             self._span_s = now_s - since_s
             self._counts = {key: count - before.get(key, 0) for key, count in counts.items()}
-        self._past.append((now_s, counts))
+        self._earlier.append((now_s, counts))
 
     def of(self, edge: Edge) -> float:
         """Return an edge's rate [Hz]; until a second has been observed, that since the beginning."""
@@ -132,29 +133,29 @@ def _key(edge: Edge) -> object:
     return edge.child, edge.parent, edge.publisher.gid, edge.is_static
 
 
-def rows_of(seen: Observation, now_ns: int, rates: Rates) -> list[Row]:
+def rows_of(observation: Observation, now_ns: int, rates: Rates) -> list[Row]:
     """Return the rows of an observation in the order of the tree, children by their names.
 
     Args:
-        seen: The observation.
+        observation: The observation.
         now_ns: The time with which stamps are compared [ns since epoch]: this machine's, or a simulation's.
         rates: The rates, to which the observation has been added.
     """
     # A small difference between the clocks is the time since the observation; a large one is a simulation's clock.
-    ahead_ns = now_ns - seen.taken_ns
-    clock = Clock(seen.taken_ns, ahead_ns if abs(ahead_ns) > OTHER_CLOCK_NS else 0)
+    ahead_ns = now_ns - observation.taken_ns
+    clock = Clock(observation.taken_ns, ahead_ns if abs(ahead_ns) > OTHER_CLOCK_NS else 0)
     edges: dict[str, list[Edge]] = {}
-    for edge in seen.edges:
+    for edge in observation.edges:
         edges.setdefault(edge.child, []).append(edge)
-    parents = seen.parents()
+    parents = observation.parents()
     tree = Tree(parents)
     loops = {frame for loop in tree.loops() for frame in loop}
     rows = []
     for frame, prefix in _walk(tree):
         if frame not in edges:
-            rows.append(Row(frame, "", prefix, 0.0, None, None, "", Health.ROOT, ""))
+            rows.append(_root_row(frame, prefix))
         # A publisher that has left keeps its row, but isn't one of several: its node may just have been restarted.
-        reparented = seen.children[frame].reparented if frame in seen.children else 0
+        reparented = observation.children[frame].reparented if frame in observation.children else 0
         living = [edge for edge in edges.get(frame, []) if not edge.publisher.has_left]
         names = {(edge.publisher.gid, edge.is_static) for edge in living}
         for edge in edges.get(frame, []):
@@ -189,6 +190,20 @@ def _walk(tree: Tree) -> Iterator[tuple[str, str]]:
             yield frame, branches + ("└ " if ends[-1] else "├ ")
 
 
+def _root_row(frame: str, prefix: str) -> Row:
+    return Row(
+        child=frame,
+        parent="",
+        prefix=prefix,
+        rate_hz=0.0,
+        age_s=None,
+        delay_s=None,
+        publisher="",
+        health=Health.ROOT,
+        note="",
+    )
+
+
 def _row(edge: Edge, prefix: str, faults: list[str], clock: Clock, rates: Rates) -> Row:
     statistics = edge.statistics
     if statistics.non_finite:
@@ -214,15 +229,15 @@ def _row(edge: Edge, prefix: str, faults: list[str], clock: Clock, rates: Rates)
         states.append("its publisher has left")
         health = Health.STALE
     return Row(
-        edge.child,
-        edge.parent,
-        prefix,
-        0.0 if edge.is_static else rates.of(edge),
-        age_s,
-        delay_s,
-        edge.publisher.label,
-        Health.BAD if faults else health,
-        ", ".join([*faults, *states]),
+        child=edge.child,
+        parent=edge.parent,
+        prefix=prefix,
+        rate_hz=0.0 if edge.is_static else rates.of(edge),
+        age_s=age_s,
+        delay_s=delay_s,
+        publisher=edge.publisher.label,
+        health=Health.BAD if faults else health,
+        note=", ".join([*faults, *states]),
     )
 
 
