@@ -118,7 +118,7 @@ class Plain:
 def program(build: Build, plain: Plain | None = None) -> Path:
     """Return the path of `beside_writers`, linked with the shipped core or with that of `plain`."""
     folder = plain._folder if plain else build.folder  # noqa: SLF001  # one module's classes
-    objects = list(plain._objects.values()) if plain else []  # noqa: SLF001
+    objects = list(plain._objects.values()) if plain else []  # noqa: SLF001  # as above
     core = [one for one in objects if "/bindings_" not in one]
     words = next(words for made, (_, words) in build.commands.items() if made.endswith("/tf2/buffer.cpp.o"))
     flags = words[1 : words.index("-o")]

@@ -29,8 +29,8 @@ def add_dll_directories_from_env(env_name: str) -> Iterator[list[Any]]:
     """
     handles: list[Any] = []
     if sys.platform == "win32":
-        folders = [Path(each) for each in os.environ.get(env_name, "").split(os.pathsep) if each]
-        handles = [os.add_dll_directory(str(each.resolve())) for each in folders if each.is_dir()]
+        folders = [Path(folder) for folder in os.environ.get(env_name, "").split(os.pathsep) if folder]
+        handles = [os.add_dll_directory(str(folder.resolve())) for folder in folders if folder.is_dir()]
     try:
         yield handles
     finally:

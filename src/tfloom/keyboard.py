@@ -59,11 +59,11 @@ def without_repetitions(keys: Iterable[str]) -> list[str]:
 
     A terminal repeats a key that is held down, and repetitions that have accumulated must not be executed late.
     """
-    found: list[str] = []
+    distinct_keys: list[str] = []
     for key in keys:
-        if found[-1:] != [key]:
-            found.append(key)
-    return found
+        if distinct_keys[-1:] != [key]:
+            distinct_keys.append(key)
+    return distinct_keys
 
 
 def _nothing() -> None:
@@ -104,7 +104,7 @@ if sys.platform != "win32":
         def __enter__(self) -> Self:
             if not os.isatty(self._fd):
                 raise NoTerminalError
-            self._found = termios.tcgetattr(self._fd)
+            self._former_settings = termios.tcgetattr(self._fd)
             self._decoder = codecs.getincrementaldecoder("utf-8")("replace")
             self._handlers: dict[int, Callable[[int, FrameType | None], object] | int | None] = {}
             for number, handler in {
@@ -160,7 +160,7 @@ if sys.platform != "win32":
             # In the background, this would stop the process before the terminal is restored.
             old = signal.signal(signal.SIGTTOU, signal.SIG_IGN)
             try:
-                termios.tcsetattr(self._fd, termios.TCSANOW, self._found)
+                termios.tcsetattr(self._fd, termios.TCSANOW, self._former_settings)
                 self._on_leave()
             except (termios.error, OSError):
                 pass  # the terminal is closed

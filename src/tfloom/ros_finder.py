@@ -32,7 +32,7 @@ _KINDS = ("msg", "srv", "action")
 
 def install() -> None:
     """Add the finder to the end of `sys.meta_path`, unless it is there."""
-    if not any(isinstance(each, InterfaceFinder) for each in sys.meta_path):
+    if not any(isinstance(finder, InterfaceFinder) for finder in sys.meta_path):
         sys.meta_path.append(InterfaceFinder())
 
 
@@ -71,7 +71,7 @@ def _package_folder(package: str, kind: str) -> str | None:
         return None
     for prefix in os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep):
         folder = os.path.join(prefix, "share", package)  # noqa: PTH118  # pathlib takes longer to import than all the rest
-        if prefix and any(_holds_definitions(folder, each) for each in _KINDS if kind in ("", each)):
+        if prefix and any(_holds_definitions(folder, name) for name in _KINDS if kind in ("", name)):
             return folder
     return None
 

@@ -71,9 +71,9 @@ def deferred(module: str, **homes: str) -> tuple[Callable[[str], Any], Callable[
             __import__(f"{module}.{name}")
             return sys.modules[f"{module}.{name}"]
         __import__(home)
-        found = getattr(sys.modules[home], name)
-        setattr(sys.modules[module], name, found)
-        return found
+        value = getattr(sys.modules[home], name)
+        setattr(sys.modules[module], name, value)
+        return value
 
     def names() -> list[str]:
         return sorted({*vars(sys.modules[module]), *homes})

@@ -21,7 +21,6 @@ from tfloom.node.action.graph import (
     get_action_names_and_types,
     get_action_server_names_and_types_by_node,
 )
-from tfloom.node.action.names import new_goal_id
 from tfloom.node.action.server import ActionServer, CancelResponse, GoalResponse, ServerGoalHandle
 from tfloom.node.context.context import Context
 from tfloom.node.endpoints.client import NoResponseError
@@ -31,6 +30,7 @@ from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
 from tfloom.node.values.exceptions import RCLError
 from tfloom.rmw import local_endpoints
+from tfloom.rmw.action_names import new_goal_id
 
 Finish = Callable[[Future[Any]], Any]
 

@@ -52,9 +52,9 @@ def pyright(python: Path, *programs: Path, folder: Path) -> list[str]:
     report = json.loads(done.stdout)
     assert report["summary"]["filesAnalyzed"] >= len(programs)
     return [
-        f"{each['file']}:{each['range']['start']['line'] + 1}: {each['message']}"
-        for each in report["generalDiagnostics"]
-        if each["severity"] == "error"
+        f"{diagnostic['file']}:{diagnostic['range']['start']['line'] + 1}: {diagnostic['message']}"
+        for diagnostic in report["generalDiagnostics"]
+        if diagnostic["severity"] == "error"
     ]
 
 
@@ -89,9 +89,9 @@ def test_programs_pass_pyright_against_a_wheel(wheel_python: Path, tmp_path: Pat
     assert pyright(wheel_python, *PROGRAMS, folder=tmp_path) == []
 
 
-def lines_of(found: Iterable[str]) -> list[int]:
+def lines_of(reported: Iterable[str]) -> list[int]:
     """Return the lines of errors in the file of mistakes."""
-    matches = (re.match(rf"{re.escape(str(MISTAKES))}:(\d+): (?!note)", each) for each in found)
+    matches = (re.match(rf"{re.escape(str(MISTAKES))}:(\d+): (?!note)", line) for line in reported)
     return sorted(int(match[1]) for match in matches if match)
 
 
@@ -102,10 +102,10 @@ def test_each_mistake_is_found_and_nothing_else(checker: str, tmp_path: Path) ->
     assert len(planted) == 12
     python = Path(sys.executable)
     if checker == "mypy":
-        found = mypy(python, MISTAKES, cache=tmp_path).stdout.splitlines()
+        reported = mypy(python, MISTAKES, cache=tmp_path).stdout.splitlines()
     else:
-        found = pyright(python, MISTAKES, folder=tmp_path)
-    assert lines_of(found) == planted, "\n".join(found)
+        reported = pyright(python, MISTAKES, folder=tmp_path)
+    assert lines_of(reported) == planted, "\n".join(reported)
 
 
 def test_every_public_name_passes_mypy_and_pyright(tmp_path: Path) -> None:
@@ -144,7 +144,7 @@ def test_wrong_program_is_rejected_by_mypy(tmp_path: Path) -> None:
 
 
 def test_a_wheel_puts_the_ros_names_last_on_the_path(wheel_python: Path) -> None:
-    code = "import sys; print(*(each.replace('\\\\', '/').rpartition('site-packages/')[2] for each in sys.path[-3:]))"
+    code = "import sys; print(*(path.replace('\\\\', '/').rpartition('site-packages/')[2] for path in sys.path[-3:]))"
     result = subprocess.run(
         [wheel_python, "-c", code], capture_output=True, text=True, check=True, timeout=60
     )

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 
 from tfloom.keyboard import Keyboard, NoTerminalError, without_repetitions
-from tfloom.node.values.call_all import report_exception
+from tfloom.node.values.callback_errors import report_exception
 
 __all__ = ["handled_keys"]
 

@@ -74,8 +74,7 @@ def open_participant(domain_id: int, enclave: str = "/", announce_s: float | Non
 def is_joined(domain_id: int) -> bool:
     """Return whether this process has a participant on a domain."""
     return any(
-        participant.domain_id == domain_id and not participant._closed  # noqa: SLF001
-        for participant in _open_participants
+        participant.domain_id == domain_id and not participant.is_closed for participant in _open_participants
     )
 
 
@@ -135,7 +134,7 @@ class CycloneParticipant:
         self._service_end_numbers = count(1)
         self._in_flight: WeakValueDictionary[str, RequestsInFlight] = WeakValueDictionary()
         """What the clients of each service have sent."""
-        self._closed = False
+        self.is_closed = False
         try:
             cyclone_config.refuse_enforced_security()
             cyclone_config.look_up_peers()
@@ -267,7 +266,7 @@ class CycloneParticipant:
     def _open(self, kind: type[_End], dds_name: str, topic: Topic, qos: QoS, user_data: bytes) -> _End:
         if self._is_forked:
             refuse(f"the participant that {topic.name} would be opened with")
-        if self._closed:
+        if self.is_closed:
             raise ClosedError(f"cannot open {topic.name}: its participant is closed")
         try:
             native = kind.native_type(
@@ -293,7 +292,7 @@ class CycloneParticipant:
 
     def invalidate_after_fork(self) -> bool:
         """Become the copy of the parent's participant in a forked child; return False if it was closed before."""
-        if self._closed:
+        if self.is_closed:
             return False
         self._is_forked = True
         self._lock = threading.Lock()  # a thread of the parent may have held the former one
@@ -318,9 +317,9 @@ class CycloneParticipant:
 
     def close(self) -> None:
         """Close all writers and readers and leave the domain. Closing again does nothing."""
-        if self._closed or self._is_forked:
+        if self.is_closed or self._is_forked:
             return
-        self._closed = True
+        self.is_closed = True
         # Take the endpoints out of the table first. Each calls `_forget` as it closes, which needs the lock, and would
         # otherwise publish a list of nodes for every endpoint of a participant that leaves anyway.
         with self._lock:

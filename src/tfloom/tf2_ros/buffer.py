@@ -274,7 +274,7 @@ def jump_callback(buffer: weakref.ref[Buffer], clock: weakref.ref[Any]) -> Calla
         alive.time_jump_callback(time_jump)
         jump_ns = time_jump.delta.nanoseconds
         if jump_ns < 0 and int(time_jump.clock_change) == ClockChange.ROS_TIME_NO_CHANGE:
-            alive._ignore_stragglers(jump_ns, source.now().nanoseconds)  # noqa: SLF001, part of the class
+            alive._ignore_stragglers(jump_ns, source.now().nanoseconds)  # noqa: SLF001  # part of the class
 
     return jumped
 

@@ -8,7 +8,7 @@ import time
 from collections.abc import Callable
 from itertools import count
 
-from tfloom.node.values.call_all import report_exception
+from tfloom.node.values.callback_errors import report_exception
 
 __all__ = ["Deadline", "call_after"]
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import secrets
 import weakref
 from contextlib import suppress
-from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
@@ -13,7 +12,6 @@ from tfloom.node.clock.clock import ROSClock
 from tfloom.node.clock.time_jump import ANY_JUMP
 from tfloom.node.executing.callback_groups import ReentrantCallbackGroup
 from tfloom.node.executing.executors import SingleThreadedExecutor
-from tfloom.node.executing.own_thread import spin_on_own_thread
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
 from tfloom.tf2_ros.far_stamps import held_callback, jump_callback, warn_of_held
@@ -135,7 +133,7 @@ class TransformListener(ListenerBase):
     def _spin_on_thread(self) -> None:
         executor = SingleThreadedExecutor(context=self.node.context)
         try:
-            self._spin(executor, partial(spin_on_own_thread, executor))
+            self._spin(executor, executor.spin_on_own_thread)
         except RuntimeError:
             if self._owns_node:
                 self.node.destroy_node()

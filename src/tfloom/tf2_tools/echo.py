@@ -92,8 +92,8 @@ class Echo:
         latest = Time()
         while ok():
             answer = self._buffer.can_transform(source, target, latest, return_debug_tuple=True)
-            found, reason = cast("tuple[bool, str]", answer)
-            if found:
+            is_available, reason = cast("tuple[bool, str]", answer)
+            if is_available:
                 return
             self._node.get_logger().info(
                 f"Waiting for transform {source} ->  {target}: {reason}", throttle_duration_sec=1.0

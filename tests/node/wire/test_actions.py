@@ -13,12 +13,12 @@ from tfloom.interfaces.action_msgs.msg import GoalInfo, GoalStatus, GoalStatusAr
 from tfloom.interfaces.action_msgs.srv import CancelGoal
 from tfloom.interfaces.example_interfaces.action import Fibonacci
 from tfloom.node.action.client import ActionClient
-from tfloom.node.action.names import new_goal_id
 from tfloom.node.endpoints.client import NoResponseError
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import qos_profile_action_status_default
+from tfloom.rmw.action_names import new_goal_id
 
 Start = Callable[..., Program]
 Finish = Callable[..., Any]

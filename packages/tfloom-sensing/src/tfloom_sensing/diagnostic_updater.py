@@ -9,7 +9,7 @@ from typing import Any, overload
 
 from tfloom.interfaces.diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from tfloom.node.node import Node
-from tfloom.node.values.call_all import call_all
+from tfloom.node.values.callback_errors import call_all
 from tfloom_sensing.diagnostic_status_wrapper import DiagnosticStatusWrapper
 from tfloom_sensing.diagnostic_tasks import DiagnosticTask
 

@@ -108,10 +108,9 @@ class ROSAdapter:
 
 def _spin(executor: SingleThreadedExecutor) -> None:
     from tfloom.node.executing.executor_exceptions import ShutdownException
-    from tfloom.node.executing.own_thread import spin_on_own_thread
 
     with contextlib.suppress(ShutdownException):
-        spin_on_own_thread(executor)
+        executor.spin_on_own_thread()
 
 
 def get_ros_node(context: LaunchContext) -> Node:

@@ -14,16 +14,6 @@ from tfloom.interfaces.action_msgs.srv import CancelGoal, CancelGoal_Response
 from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.interfaces.unique_identifier_msgs.msg import UUID
 from tfloom.node.action.goal_states import ACTIVE, TERMINAL
-from tfloom.node.action.names import (
-    CANCEL_GOAL,
-    FEEDBACK,
-    GET_RESULT,
-    SEND_GOAL,
-    STATUS,
-    check_is_valid_action_type,
-    key_of,
-    new_goal_id,
-)
 from tfloom.node.endpoints.client import ResponseFuture
 from tfloom.node.endpoints.type_variables import (
     FeedbackMessageT,
@@ -34,6 +24,16 @@ from tfloom.node.endpoints.type_variables import (
 )
 from tfloom.node.executing.task import Future
 from tfloom.node.qos.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
+from tfloom.node.values.type_support import check_is_valid_action_type
+from tfloom.rmw.action_names import (
+    CANCEL_GOAL,
+    FEEDBACK,
+    GET_RESULT,
+    SEND_GOAL,
+    STATUS,
+    key_of,
+    new_goal_id,
+)
 from tfloom.rosidl.service import Action
 
 if TYPE_CHECKING:

@@ -15,15 +15,6 @@ from tfloom.interfaces.action_msgs.msg import GoalInfo, GoalStatus, GoalStatusAr
 from tfloom.interfaces.action_msgs.srv import CancelGoal_Request, CancelGoal_Response
 from tfloom.interfaces.unique_identifier_msgs.msg import UUID
 from tfloom.node.action.goal_states import GoalEvent
-from tfloom.node.action.names import (
-    CANCEL_GOAL,
-    FEEDBACK,
-    GET_RESULT,
-    SEND_GOAL,
-    STATUS,
-    check_is_valid_action_type,
-    key_of,
-)
 from tfloom.node.action.server_goal_handle import ServerGoalHandle
 from tfloom.node.endpoints.service import ResponseFirst
 from tfloom.node.endpoints.type_variables import FeedbackT, GoalT, ResultT
@@ -31,6 +22,15 @@ from tfloom.node.executing.executors import await_or_execute
 from tfloom.node.qos.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
 from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.exceptions import InvalidHandle, RCLError
+from tfloom.node.values.type_support import check_is_valid_action_type
+from tfloom.rmw.action_names import (
+    CANCEL_GOAL,
+    FEEDBACK,
+    GET_RESULT,
+    SEND_GOAL,
+    STATUS,
+    key_of,
+)
 from tfloom.rosidl.service import Action
 
 if TYPE_CHECKING:

@@ -33,7 +33,7 @@ from tfloom.node.qos.qos import QoSProfile, qos_profile_parameter_events, qos_pr
 from tfloom.node.qos.qos_overriding_options import QoSOverridingOptions, apply_overrides
 from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.handle import Handle
-from tfloom.node.values.stamps import check_fits_stamp
+from tfloom.node.values.time import check_fits_stamp
 from tfloom.node.values.type_support import (
     check_is_valid_msg_type,
     check_is_valid_srv_type,

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from tfloom.interfaces.rcl_interfaces.msg import Parameter, ParameterEvent
 from tfloom.node.qos.qos import QoSProfile, qos_profile_parameter_events
-from tfloom.node.values.call_all import call_all
+from tfloom.node.values.callback_errors import call_all
 from tfloom.node.values.names import full_node_name
 
 if TYPE_CHECKING:

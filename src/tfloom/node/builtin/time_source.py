@@ -11,7 +11,7 @@ from tfloom.node.clock.clock import ROSClock
 from tfloom.node.log.throttled_warning import ThrottledWarning
 from tfloom.node.parameters.parameter import Parameter, ParameterType
 from tfloom.node.qos.qos import QoSProfile, ReliabilityPolicy
-from tfloom.node.values.call_all import call_all
+from tfloom.node.values.callback_errors import call_all
 from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.time import Time
 

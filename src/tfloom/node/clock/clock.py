@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from tfloom.node.clock.time_jump import ANY_JUMP, SOURCE_CHANGES, ClockChange, JumpThreshold, TimeJump
 from tfloom.node.context.utilities import get_default_context
-from tfloom.node.values.call_all import call_all
+from tfloom.node.values.callback_errors import call_all
 from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.duration import Duration

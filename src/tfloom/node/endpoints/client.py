@@ -214,7 +214,8 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         self._context.check_not_from_parent_process(f"cannot call {self.srv_name}")
         data = cdr.encode(request)
         future: ResponseFuture[SrvTypeResponse] = ResponseFuture()
-        with self._alive()._lock:  # a response may arrive before `send` has returned  # noqa: SLF001
+        self._alive()
+        with self._lock:  # a response may arrive before `send` has returned
             # A server that leaves from here on is noticed by the watch, which waits for the lock.
             servers = self._endpoint.receiving_servers()
             number = self._endpoint.send(data)

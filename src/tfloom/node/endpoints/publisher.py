@@ -83,7 +83,7 @@ class Publisher(Endpoint["Writer"], Generic[MsgType]):
 
     def assert_liveliness(self) -> None:
         """Assert that the publisher is alive; with AUTOMATIC liveliness the wire does this."""
-        self._alive()._endpoint.assert_liveliness()  # noqa: SLF001
+        self.wire_endpoint.assert_liveliness()
 
     def wait_for_all_acked(self, timeout: Duration = Duration(seconds=-1)) -> bool:  # noqa: B008  # immutable
         """Wait until every connected reliable subscription has acknowledged all messages.
@@ -94,4 +94,4 @@ class Publisher(Endpoint["Writer"], Generic[MsgType]):
         Returns:
             True if all are acknowledged; False after the timeout.
         """
-        return self._alive()._endpoint.wait_for_acks(timeout.nanoseconds)  # noqa: SLF001
+        return self.wire_endpoint.wait_for_acks(timeout.nanoseconds)

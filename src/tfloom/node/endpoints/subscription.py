@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from enum import Enum
+from types import FunctionType, MethodType
 from typing import TYPE_CHECKING, Any, Generic
 
 from tfloom.node.endpoints.endpoint import UNREADABLE, Receiver
 from tfloom.node.endpoints.type_variables import MsgType
-from tfloom.node.executing.callback_arguments import takes
 from tfloom.node.qos.qos import QoSProfile
 from tfloom.rosidl import cdr
 
@@ -25,6 +25,8 @@ if TYPE_CHECKING:
 
 __all__ = ["MsgType", "Subscription"]
 
+_VAR_POSITIONAL = 0x04
+"""The flag of a code object that takes `*args`."""
 _FED = object()
 """Returned by `take` after messages were pushed into the sink, which need no callback."""
 
@@ -72,9 +74,9 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
 
     @callback.setter
     def callback(self, callback: Callable[..., Any]) -> None:
-        if takes(callback, 1):
+        if _takes(callback, 1):
             self._callback_type = Subscription.CallbackType.MessageOnly
-        elif takes(callback, 2):
+        elif _takes(callback, 2):
             self._callback_type = Subscription.CallbackType.WithMessageInfo
         else:
             raise RuntimeError(
@@ -143,3 +145,30 @@ def _message_info(sample: Sample) -> dict[str, Any]:
         "publication_sequence_number": None,
         "reception_sequence_number": None,
     }
+
+
+def _takes(callback: Callable[..., Any], count: int) -> bool:
+    """Return whether `callback` can be called with `count` positional arguments; True if its signature is unknown."""
+    function = callback.__func__ if isinstance(callback, MethodType) else callback
+    if not isinstance(function, FunctionType) or hasattr(function, "__wrapped__"):
+        return _binds(callback, count)
+    code = function.__code__
+    bound = 1 if isinstance(callback, MethodType) else 0
+    most = code.co_argcount - bound
+    least = most - len(function.__defaults__ or ())
+    required_keywords = code.co_kwonlyargcount - len(function.__kwdefaults__ or ())
+    return (
+        least <= count and (count <= most or bool(code.co_flags & _VAR_POSITIONAL)) and required_keywords == 0
+    )
+
+
+def _binds(callback: Callable[..., Any], count: int) -> bool:
+    from inspect import signature
+
+    try:
+        signature(callback).bind(*range(count))
+    except TypeError:
+        return False
+    except ValueError:
+        pass  # a built-in without a signature, as `print` before Python 3.11
+    return True

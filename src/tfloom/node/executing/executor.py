@@ -22,6 +22,8 @@ from tfloom.node.executing.running_work import RunningWork
 from tfloom.node.executing.signals import shutdown_exception
 from tfloom.node.executing.task import Future, Task
 from tfloom.node.executing.work_queue import MAX_BATCH_SIZE, Work, WorkQueue
+from tfloom.node.values.callback_errors import report_exception
+from tfloom.node.values.exceptions import ExternalShutdownException
 
 if TYPE_CHECKING:
     from typing_extensions import Self
@@ -117,6 +119,11 @@ class Executor(WorkQueue):
     def context(self) -> Context:
         """Context whose shutdown ends every spin."""
         return self._context
+
+    @property
+    def is_shutdown(self) -> bool:
+        """Whether `shutdown` was called."""
+        return self._is_shutdown
 
     # Nodes and entities
 
@@ -341,6 +348,24 @@ class Executor(WorkQueue):
                 self.spin_once()
         if self._context.is_interrupted():  # by a signal that arrived while a callback ran
             raise shutdown_exception()
+
+    def spin_on_own_thread(self) -> None:
+        """Run callbacks as `spin` does, on a thread that the library has started, whose end nobody would notice.
+
+        The exception of a callback is reported by `threading.excepthook`, and the next callback runs: if the thread
+        ended, the program would go on without the transforms, or the timers of a launch, that it waits for.
+
+        Raises:
+            RuntimeError: another thread is spinning this executor.
+        """
+        with self._long_spin():
+            while self._context.ok() and not self._is_shutdown:
+                try:
+                    self.spin_once()
+                except ExternalShutdownException:  # noqa: PERF203
+                    return
+                except Exception:  # noqa: BLE001  # of a program's callback
+                    report_exception()
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
         """Wait for one callback and run it, for a response to a client, or for a transform of a TransformListener.

@@ -232,12 +232,12 @@ def get_global_executor() -> Executor:
     defaults = current_defaults()
     executor: Executor | None = defaults.executor
     # The usual case needs no lock; under it, all is checked again, because another thread may have been faster.
-    if executor is not None and executor.context is defaults.context and not executor._is_shutdown:  # noqa: SLF001
+    if executor is not None and executor.context is defaults.context and not executor.is_shutdown:
         return executor
     with _global_lock:
         executor = defaults.executor
         context = get_default_context()
-        if executor is None or executor.context is not context or executor._is_shutdown:  # noqa: SLF001
+        if executor is None or executor.context is not context or executor.is_shutdown:
             if executor is not None:  # a callback of it that still runs isn't waited for
                 executor.shutdown(0.0)
             executor = defaults.executor = SingleThreadedExecutor(context=context)

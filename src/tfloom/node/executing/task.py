@@ -9,7 +9,7 @@ from collections.abc import Callable, Coroutine, Generator, Iterable, Mapping
 from typing import Any, Generic, Protocol, TypeVar, cast
 
 from tfloom.node.executing.asyncio_wait import is_driven_by_asyncio, step, wait_in_asyncio
-from tfloom.node.values.call_all import call_all
+from tfloom.node.values.callback_errors import call_all
 
 __all__ = ["Future", "Task", "TaskRunner"]
 

@@ -9,6 +9,7 @@ from typing import Any
 
 from tfloom.interfaces.rcl_interfaces import msg as rcl_msg
 from tfloom.node.parameters.exceptions import (
+    InvalidParameterException,
     InvalidParameterTypeException,
     InvalidParameterValueException,
     ParameterAlreadyDeclaredException,
@@ -19,10 +20,9 @@ from tfloom.node.parameters.exceptions import (
 from tfloom.node.parameters.parameter import PARAMETER_SEPARATOR_STRING, Parameter, ParameterType
 from tfloom.node.parameters.parameter_declaration import Declaration, read_declarations
 from tfloom.node.parameters.parameter_rules import check_against_descriptor
-from tfloom.node.parameters.validate_parameter_name import validate_parameter_name
-from tfloom.node.values.call_all import call_all
+from tfloom.node.values.callback_errors import call_all
 
-__all__ = ["NodeParameters"]
+__all__ = ["NodeParameters", "validate_parameter_name"]
 
 _SetCallback = Callable[[list[Parameter]], rcl_msg.SetParametersResult]
 _PreCallback = Callable[[list[Parameter]], list[Parameter]]
@@ -358,3 +358,14 @@ def _is_below(name: str, prefix: str, depth: int) -> bool:
             return False
         name = name[len(prefix) + 1 :]
     return depth == 0 or name.count(PARAMETER_SEPARATOR_STRING) < depth
+
+
+def validate_parameter_name(name: str) -> bool:
+    """Return True for a valid parameter name: any text that isn't empty.
+
+    Raises:
+        InvalidParameterException: it is empty.
+    """
+    if not name:
+        raise InvalidParameterException(name)
+    return True

@@ -2,16 +2,23 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, TypeVar, cast
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar, cast
 
 if TYPE_CHECKING:
     from types import TracebackType
 
     from typing_extensions import Self
 
-__all__ = ["Handle", "unwrap_handle"]
+__all__ = ["DestroyableType", "Handle", "unwrap_handle"]
 
 T = TypeVar("T")
+
+
+class DestroyableType(Protocol):
+    """An object with the destructor that rclpy's compiled module has."""
+
+    def destroy_when_not_in_use(self) -> None:
+        """Release what the object holds; it must not be used afterwards."""
 
 
 class Handle:
@@ -42,4 +49,4 @@ class Handle:
 
 def unwrap_handle(handle: T | Handle) -> T:
     """Return the object that a handle forwards to; return any other object unchanged."""
-    return cast("T", handle._target) if isinstance(handle, Handle) else handle  # noqa: SLF001  # ours
+    return cast("T", handle._target) if isinstance(handle, Handle) else handle  # noqa: SLF001  # all other names are the target's

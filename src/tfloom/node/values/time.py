@@ -7,11 +7,17 @@ from typing import TYPE_CHECKING, overload
 from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.constants import INT64_MAX, S_TO_NS
 from tfloom.node.values.duration import Duration
+from tfloom.node.values.exceptions import RCLError
+from tfloom.rmw.machine_clock import describe_machine_clock
 
 if TYPE_CHECKING:
     from tfloom.interfaces.builtin_interfaces import msg as builtin_msg
 
-__all__ = ["S_TO_NS", "Time"]
+__all__ = ["S_TO_NS", "Time", "check_fits_stamp"]
+
+MIN_STAMP_NS = -(2**31) * S_TO_NS
+MAX_STAMP_NS = 2**31 * S_TO_NS - 1
+"""The earliest and the latest time that a `builtin_interfaces/msg/Time` can hold: its seconds are an int32."""
 
 
 class Time:
@@ -144,6 +150,20 @@ class Time:
 def make_time(nanoseconds: int, clock_type: ClockType) -> Time:
     """Return a Time without the constructor's checks, for clocks and other callers whose numbers are valid."""
     time = Time.__new__(Time)
-    time._ns = nanoseconds  # noqa: SLF001
-    time._clock_type = clock_type  # noqa: SLF001
+    time._ns = nanoseconds  # noqa: SLF001  # in place of the constructor
+    time._clock_type = clock_type  # noqa: SLF001  # as above
     return time
+
+
+def check_fits_stamp(time_ns: int) -> None:
+    """Raise an error that names the machine's clock if its time doesn't fit into a message of the node's own.
+
+    Raises:
+        RCLError: it doesn't.
+    """
+    if MIN_STAMP_NS <= time_ns <= MAX_STAMP_NS:
+        return
+    raise RCLError(
+        f"{describe_machine_clock(time_ns)}, and messages of ROS 2 hold times from 1901 to 19 January 2038 alone. Set "
+        "the clock to the present date"
+    )

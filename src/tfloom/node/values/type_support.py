@@ -11,6 +11,7 @@ from tfloom.rosidl.service import Service as ServiceType
 
 __all__ = [
     "check_for_type_support",
+    "check_is_valid_action_type",
     "check_is_valid_msg_type",
     "check_is_valid_srv_type",
 ]
@@ -45,6 +46,16 @@ def check_is_valid_srv_type(srv_type: Any) -> None:
         RuntimeError: it is a message or an action.
     """
     check_type(srv_type, ServiceType, "service class, such as std_srvs.srv.SetBool")
+
+
+def check_is_valid_action_type(action_type: Any) -> None:
+    """Check that a class is an action.
+
+    Raises:
+        AttributeError: it is not a ROS type.
+        RuntimeError: it is a message or a service.
+    """
+    check_type(action_type, Action, "action class, such as example_interfaces.action.Fibonacci")
 
 
 def check_type(candidate: Any, base: type, wanted: str) -> None:

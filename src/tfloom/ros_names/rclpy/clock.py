@@ -14,9 +14,9 @@ if TYPE_CHECKING:
     from tfloom.node.context.context import Context as Context
     from tfloom.node.context.utilities import get_default_context as get_default_context
     from tfloom.node.values.clock_type import ClockType as ClockType
-    from tfloom.node.values.destroyable import DestroyableType as DestroyableType
     from tfloom.node.values.duration import Duration as Duration
     from tfloom.node.values.exceptions import NotInitializedException as NotInitializedException
+    from tfloom.node.values.handle import DestroyableType as DestroyableType
     from tfloom.node.values.time import Time as Time
 else:
     from tfloom.ros_modules import deferred
@@ -25,7 +25,7 @@ else:
         __name__,
         ClockType="tfloom.node.values.clock_type",
         Context="tfloom.node.context.context",
-        DestroyableType="tfloom.node.values.destroyable",
+        DestroyableType="tfloom.node.values.handle",
         Duration="tfloom.node.values.duration",
         JumpHandlePreCallbackType="tfloom.node.clock.clock",
         NotInitializedException="tfloom.node.values.exceptions",

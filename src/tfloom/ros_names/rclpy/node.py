@@ -50,9 +50,9 @@ if TYPE_CHECKING:
     from tfloom.node.parameters.exceptions import ParameterImmutableException as ParameterImmutableException
     from tfloom.node.parameters.exceptions import ParameterNotDeclaredException as ParameterNotDeclaredException
     from tfloom.node.parameters.exceptions import ParameterUninitializedException as ParameterUninitializedException
+    from tfloom.node.parameters.node_parameters import validate_parameter_name as validate_parameter_name
     from tfloom.node.parameters.parameter import Parameter as Parameter
     from tfloom.node.parameters.parameter import ParameterMsg as ParameterMsg
-    from tfloom.node.parameters.validate_parameter_name import validate_parameter_name as validate_parameter_name
     from tfloom.node.qos.qos import QoSProfile as QoSProfile
     from tfloom.node.qos.qos import qos_profile_parameter_events as qos_profile_parameter_events
     from tfloom.node.qos.qos import qos_profile_services_default as qos_profile_services_default
@@ -129,6 +129,6 @@ else:
         validate_full_topic_name="tfloom.node.values.names",
         validate_namespace="tfloom.node.values.names",
         validate_node_name="tfloom.node.values.names",
-        validate_parameter_name="tfloom.node.parameters.validate_parameter_name",
+        validate_parameter_name="tfloom.node.parameters.node_parameters",
         validate_topic_name="tfloom.node.values.names",
     )

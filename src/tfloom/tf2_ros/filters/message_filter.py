@@ -10,7 +10,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from tfloom.node.log.logging import get_logger
-from tfloom.node.values.call_all import call_all
+from tfloom.node.values.callback_errors import call_all
 from tfloom.tf2_ros.buffer_core import duration_ns, time_ns
 from tfloom.tf2_ros.deadlines import call_after
 from tfloom.tf2_ros.filters.message_filters import SimpleFilter

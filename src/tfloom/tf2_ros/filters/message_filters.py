@@ -9,7 +9,7 @@ from functools import partial
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
-from tfloom.node.values.call_all import call_all
+from tfloom.node.values.callback_errors import call_all
 from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.time import Time
@@ -210,7 +210,8 @@ class TimeSynchronizer(SimpleFilter):
     def connectInput(self, fs: Sequence[Any]) -> None:  # noqa: N802, message_filters' name
         """Connect to these filters, in this order."""
         self.queues: list[dict[int, Any]] = [{} for _ in fs]
-        self._clock = next((f._clock for f in fs if getattr(f, "_clock", None) is not None), None)  # noqa: SLF001
+        clocks = (getattr(f, "_clock", None) for f in fs)
+        self._clock = next((clock for clock in clocks if clock is not None), None)
         self.input_connections = [
             f.registerCallback(self.add, queue, index)
             for index, (f, queue) in enumerate(zip(fs, self.queues, strict=True))

@@ -7,7 +7,7 @@ import threading
 from tfloom.node.context.context import Context
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
-from tfloom.node.values.call_all import report_exception
+from tfloom.node.values.callback_errors import report_exception
 from tfloom.node.values.exceptions import ExternalShutdownException
 
 __all__ = ["MessagePump"]
