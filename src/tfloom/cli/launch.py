@@ -27,6 +27,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "-d", "--debug", action="store_true", help="log each event, and the tracebacks of errors"
     )
+    parser.add_argument(
+        "--skip-missing",
+        action="store_true",
+        help="skip what needs packages, programs or launch files that aren't here, with a warning for each",
+    )
     shown = parser.add_mutually_exclusive_group()
     shown.add_argument(
         "-p",
@@ -80,7 +85,13 @@ def main(args: argparse.Namespace) -> int:
     except RuntimeError as error:
         raise CommandError(str(error)) from None
     if args.print or args.show_args:
-        _show(path, args.print)
+        if not args.skip_missing:
+            _show(path, args.print)
+            return 0
+        from tfloom.launch.missing import missing_packages_stood_in
+
+        with missing_packages_stood_in():
+            _show(path, args.print)
         return 0
     if args.show_all_subprocesses_output:
         os.environ[ALL_OUTPUT_VARIABLE] = "both"
@@ -92,6 +103,7 @@ def main(args: argparse.Namespace) -> int:
         launch_file_arguments=arguments,
         noninteractive=args.noninteractive,
         debug=args.debug,
+        skip_missing=args.skip_missing,
     )
 
 

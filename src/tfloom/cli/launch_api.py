@@ -159,6 +159,7 @@ def launch_a_launch_file(
     args: Any = None,  # noqa: ARG001
     option_extensions: Any = None,  # noqa: ARG001
     debug: bool = False,
+    skip_missing: bool = False,
 ) -> int:
     """Launch a file and return the exit code when all has ended.
 
@@ -169,6 +170,7 @@ def launch_a_launch_file(
         args: Not used: for extensions, which tfloom has none of.
         option_extensions: Not used, as `args`.
         debug: Whether to log the events and the tracebacks of errors.
+        skip_missing: Whether to skip what needs packages, programs and files that aren't here, in place of ending.
 
     Raises:
         RuntimeError: an argument isn't of this form.
@@ -183,15 +185,22 @@ def launch_a_launch_file(
     arguments = parse_launch_arguments(launch_file_arguments)
     service = LaunchService(argv=launch_file_arguments, noninteractive=noninteractive, debug=debug)
     source = AnyLaunchDescriptionSource(launch_file_path)
+    included = IncludeLaunchDescription(source, launch_arguments=arguments)
     service.include_launch_description(
         LaunchDescription(
             [
-                IncludeLaunchDescription(source, launch_arguments=arguments),
+                included,
                 _warning_of_undeclared(source, Path(launch_file_path).name, [name for name, _ in arguments]),
             ]
         )
     )
-    return int(service.run())
+    if not skip_missing:
+        return int(service.run())
+    from tfloom.launch.missing import missing_packages_stood_in
+
+    service.context.run_state.unskippable = included
+    with missing_packages_stood_in():
+        return int(service.run())
 
 
 _OF_LAUNCH = frozenset(

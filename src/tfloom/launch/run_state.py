@@ -36,6 +36,8 @@ class RunState:
         """Loop that runs the launch; None while it doesn't run."""
         self.is_shutdown = False
         """Whether a Shutdown event has been handled."""
+        self.unskippable: object = None
+        """The one entity that isn't skipped if it needs what isn't here, as the launch file itself; None: none is."""
         self.wake: Callable[[], None] = _do_nothing
         """Wakes the service, while one waits for events."""
         self.report: Callable[[Exception], None] | None = None

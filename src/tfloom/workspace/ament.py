@@ -9,6 +9,7 @@ from __future__ import annotations
 import os
 import re
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import Literal
 
@@ -18,6 +19,10 @@ from tfloom.workspace.unsourced import how_to_find
 
 AMENT_PREFIX_PATH_ENV_VAR = index.PREFIX_PATH_VARIABLE
 RESOURCE_INDEX_SUBFOLDER = index.RESOURCE_INDEX
+STAND_IN = Path(os.path.abspath(os.sep), "not-installed", "share")  # noqa: PTH100  # the root, on Windows with its drive
+"""A folder that doesn't exist, for the share folders of packages that aren't there, if a launch skips these."""
+on_stand_in: Callable[[str], None] | None = None
+"""Called with the name of each package that gets one; None: such a package is an error."""
 
 
 class InvalidResourceNameError(ValueError):
@@ -64,7 +69,13 @@ def get_package_share_path(package_name: str, print_warning: bool = True) -> Pat
         PackageNotFoundError: there is no such package.
         ValueError: it is not a valid package name.
     """
-    path = index.share_folder(package_name, _find(package_name))
+    try:
+        path = index.share_folder(package_name, _find(package_name))
+    except PackageNotFoundError:
+        if on_stand_in is None:
+            raise
+        on_stand_in(package_name)
+        return STAND_IN / package_name
     if print_warning and not path.exists():
         print(f"WARNING: the share folder of {package_name!r} doesn't exist: {path}", file=sys.stderr)
     return path

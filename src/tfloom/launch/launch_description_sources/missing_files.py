@@ -6,6 +6,7 @@ import errno
 import os
 from pathlib import Path
 
+from tfloom.launch.missing import marked_as_missing
 from tfloom.launch.utilities.nearest import nearest
 
 __all__ = ["check_file"]
@@ -46,4 +47,4 @@ def check_file(path: str) -> None:
     if Path(path).is_dir():
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), path)
     if not Path(path).exists():
-        raise _MissingFileError(errno.ENOENT, os.strerror(errno.ENOENT), path)
+        raise marked_as_missing(_MissingFileError(errno.ENOENT, os.strerror(errno.ENOENT), path))

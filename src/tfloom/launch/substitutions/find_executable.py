@@ -7,6 +7,7 @@ from typing import Any
 
 from tfloom.launch.frontend.expose import expose_substitution
 from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.missing import marked_as_missing
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 from tfloom.launch.substitution import Substitution
 from tfloom.launch.substitutions.described import described
@@ -59,5 +60,5 @@ class FindExecutable(Substitution):
         name = perform_substitutions(context, self._name)
         path = find_program(context, name)
         if path is None:
-            raise SubstitutionFailure(f"executable '{name}' not found on the PATH")
+            raise marked_as_missing(SubstitutionFailure(f"executable '{name}' not found on the PATH"))
         return path

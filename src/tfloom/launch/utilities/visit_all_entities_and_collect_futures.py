@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
+from tfloom.launch.logging import get_logger
+from tfloom.launch.missing import is_about_missing, skip_text
 
 if TYPE_CHECKING:
     from asyncio import Future
@@ -18,7 +20,13 @@ def visit_all_entities(
     entity: LaunchDescriptionEntity, context: LaunchContext
 ) -> Iterator[tuple[LaunchDescriptionEntity, Future[Any]]]:
     """Visit an entity, then what its visit returns, depth first; yield those that go on, each with its future."""
-    following = entity.visit(context)
+    try:
+        following = entity.visit(context)
+    except Exception as error:
+        if context.run_state.unskippable in (None, entity) or not is_about_missing(error):
+            raise
+        get_logger("launch").warning("%s", skip_text(error))
+        return
     future = entity.get_asyncio_future()
     if future is not None:
         yield entity, future

@@ -9,6 +9,7 @@ from tfloom.launch.frontend.entity import Entity, ParsesActions
 from tfloom.launch.frontend.expose import expose_action
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
+from tfloom.launch.missing import marked_as_missing
 from tfloom.launch.ros.actions.node import Node
 from tfloom.launch.ros.descriptions.composable_node import ComposableNode, parse_composable_nodes
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple
@@ -55,7 +56,7 @@ class LoadComposableNodes(Action):
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         """Raise RuntimeError, because this needs C++."""
-        raise RuntimeError(f"LoadComposableNodes: {NEEDS_CPP}")
+        raise marked_as_missing(RuntimeError(f"LoadComposableNodes: {NEEDS_CPP}"))
 
 
 def get_composable_node_load_request(
@@ -107,4 +108,4 @@ class ComposableNodeContainer(Node):
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         """Raise RuntimeError, because this needs C++."""
-        raise RuntimeError(f"ComposableNodeContainer: {NEEDS_CPP}")
+        raise marked_as_missing(RuntimeError(f"ComposableNodeContainer: {NEEDS_CPP}"))

@@ -8,6 +8,7 @@ from typing import Any
 
 from tfloom.launch.frontend.expose import expose_substitution
 from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.missing import marked_as_missing
 from tfloom.launch.ros.substitutions.find_package import FindPackagePrefix
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 from tfloom.launch.substitution import Substitution
@@ -75,14 +76,14 @@ class ExecutableInPackage(FindPackagePrefix):
             if index.replacement(package, prefix, program):
                 return _own_program(context, package, program, folder)
             if reason := index.why_left_out(package, prefix, program):
-                raise SubstitutionFailure(reason) from error
+                raise marked_as_missing(SubstitutionFailure(reason)) from error
             raise
 
 
 def _own_program(context: LaunchContext, package: str, program: str, folder: Path) -> str:
     own = index.PROGRAMS.get(package, {})
     if program not in own:
-        raise SubstitutionFailure(_not_found_message(program, folder, own))
+        raise marked_as_missing(SubstitutionFailure(_not_found_message(program, folder, own)))
     from tfloom.launch.ros.own_programs import script_for
 
     return script_for(context, package, program, own[program])
@@ -91,9 +92,8 @@ def _own_program(context: LaunchContext, package: str, program: str, folder: Pat
 def _installed_program(package: str, program: str, prefix: str) -> str:
     folder = Path(prefix, "lib", package)
     if not folder.exists():
-        raise SubstitutionFailure(
-            f"package '{package}' found at '{prefix}', but libexec directory '{folder}' does not exist"
-        )
+        text = f"package '{package}' found at '{prefix}', but libexec directory '{folder}' does not exist"
+        raise marked_as_missing(SubstitutionFailure(text))
     programs = index.package_programs(package, prefix)
     matches = [path for path in programs if program in (index.program_name(path), path.name)]
     if not matches:
@@ -101,7 +101,9 @@ def _installed_program(package: str, program: str, prefix: str) -> str:
         if blocked := index.find_unmarked_program(package, prefix, program):
             hint = f"\n{blocked} is not marked as executable: chmod +x {blocked}"
         program_names = map(index.program_name, programs)
-        raise SubstitutionFailure(_not_found_message(program, folder, program_names) + hint)
+        raise marked_as_missing(
+            SubstitutionFailure(_not_found_message(program, folder, program_names) + hint)
+        )
     # A program in the folder itself counts, before others of its name in folders below.
     return str(min(matches, key=lambda path: len(path.parts)))
 
