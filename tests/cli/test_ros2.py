@@ -33,11 +33,20 @@ def test_ros2_command_refuses_beside_a_real_one(tmp_path: Path) -> None:
     (tmp_path / "ros2cli").mkdir()
     real = tmp_path / "ros2cli" / "__init__.py"
     real.write_text("")
+    (tmp_path / "rclpy").mkdir()
+    (tmp_path / "rclpy" / "__init__.py").touch()
     result = run("topic", "list", path=tmp_path)
     assert result.returncode == 1
     assert str(real) in result.stderr
     assert "Type `tfloom` instead" in result.stderr
     assert result.stdout == ""
+
+
+def test_ros2_command_runs_beside_a_ros2cli_without_an_rclpy(tmp_path: Path) -> None:
+    (tmp_path / "ros2cli").mkdir()
+    (tmp_path / "ros2cli" / "__init__.py").touch()
+    result = run("run", "nope", "x", path=tmp_path)
+    assert (result.returncode, result.stderr) == (1, "Package 'nope' not found\n")
 
 
 def test_launch_test_command_runs_but_beside_a_real_one(tmp_path: Path) -> None:

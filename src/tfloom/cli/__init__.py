@@ -2,6 +2,9 @@
 
 - main: the table of verbs
 - launch_api: ros2launch.api
+- api/: what programs import from the packages of the other commands, as ros2topic.api
+- nodes/: a node for a block, for these and for extensions
+- plugins/: commands and verbs of installed packages
 
 Each verb is a file, imported when it is called; those of a group, as `topic`, are in its folder.
 """

@@ -9,12 +9,13 @@ from __future__ import annotations
 import os
 import signal
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from types import FrameType
+from typing import Any
 
 from tfloom.cli.errors import CommandError, refuse_bytes
-from tfloom.cli.parser import Group, build_parser
+from tfloom.cli.parser import Group, VerbParser, build_parser
 
 COMMANDS: dict[str, str | Group] = {
     "action": Group(
@@ -242,7 +243,7 @@ def _sentence(error: Exception, prog: str) -> str | None:
 
 
 def _run(argv: Sequence[str] | None, prog: str) -> int:
-    parser = build_parser(prog, COMMANDS)
+    parser = build_parser(prog, COMMANDS, _add_extensions)
     if "_ARGCOMPLETE" in os.environ:
         from tfloom.cli.tab_key import complete
 
@@ -260,6 +261,12 @@ def _run(argv: Sequence[str] | None, prog: str) -> int:
 
     with shown_on_terminals():
         return int(args.run_verb(args) or 0)
+
+
+def _add_extensions(parser: VerbParser, words: Any, group: str) -> Callable[[], None]:
+    from tfloom.cli.plugins.words import add_installed_words
+
+    return add_installed_words(parser, words, group)
 
 
 def _drop_output() -> None:

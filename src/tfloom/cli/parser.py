@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from importlib import import_module
-from typing import Any, NamedTuple, NoReturn
+from typing import Any, NamedTuple, NoReturn, TypeAlias
 
 from tfloom import __version__
 
@@ -23,18 +24,37 @@ class Group(NamedTuple):
     """Other words for it."""
 
 
+AddExtensions: TypeAlias = "Callable[[VerbParser, Any, str], Callable[[], None]]"
+"""Adds words to a parser, given its own and a group of entry points; returns what adds them to the help."""
+
+
 class VerbParser(argparse.ArgumentParser):
     """A parser for one word of the command line, which adds its arguments or verbs when it parses.
 
     A verb's `module` is imported then, and adds the arguments. For a `group`, a parser for each of its verbs is
-    created then, because parsers for all verbs of all groups would lengthen the start by a half.
+    created then, because parsers for all verbs of all groups would lengthen the start by a half. For an extension,
+    `fill_extension` is called then, with this parser.
     """
 
-    def __init__(self, *args: Any, module: str = "", group: Group | None = None, **options: Any) -> None:
+    def __init__(
+        self,
+        *args: Any,
+        module: str = "",
+        group: Group | None = None,
+        fill_extension: Callable[[VerbParser], None] | None = None,
+        add_extensions: AddExtensions | None = None,
+        **options: Any,
+    ) -> None:
         super().__init__(*args, **options)
         self._module = module
         self._group = group
+        self._fill_extension = fill_extension
         self._words: dict[str, VerbParser] = {}
+        self._add_extensions = add_extensions
+        self._add_late_words: Callable[[], Callable[[], None]] | None = None
+        """Adds the words of extensions, which are looked for if a word is unknown, and for the help."""
+        self._add_help_lines: Callable[[], None] | None = None
+        """Adds these words to the help, for which all of the extensions are imported."""
         self._hint_after_error: Callable[[argparse.Namespace], str] | None = None
         """Of a verb: returns what follows an error about its arguments, from those that were read before."""
         self._parsed = argparse.Namespace()
@@ -42,12 +62,17 @@ class VerbParser(argparse.ArgumentParser):
     @property
     def words(self) -> dict[str, VerbParser]:
         """The parsers of the words that may follow."""
-        if self._group is not None:
+        if self._group is not None or self._fill_extension is not None:
             self.fill()
+        self._look_for_late_words()
         return self._words
 
-    def add_words(self) -> Any:
-        """Add the positional argument for the next word; argparse's messages use its placeholder."""
+    def add_words(self, extension_group: str) -> Any:
+        """Add the positional argument for the next word; argparse's messages use its placeholder.
+
+        Args:
+            extension_group: Group of the entry points by which installed packages add words.
+        """
         self.set_defaults(run_verb=_print_help(self))
         words = self.add_subparsers(
             title="Commands",
@@ -55,13 +80,37 @@ class VerbParser(argparse.ArgumentParser):
             parser_class=VerbParser,
         )
         self._words = words.choices
+
+        if self._add_extensions is not None:
+            self._add_late_words = partial(self._add_extensions, self, words, extension_group)
         return words
 
+    def take_extension_words(self, words: Any, add_help_lines: Callable[[], None]) -> None:
+        """Take the words of an extension's own verbs, and what adds them to the help."""
+        self._words = words.choices
+        self._add_help_lines = add_help_lines
+
+    def _look_for_late_words(self) -> None:
+        add_late_words, self._add_late_words = self._add_late_words, None
+        if add_late_words is not None:
+            self._add_help_lines = add_late_words()
+
+    def format_help(self) -> str:
+        """Return the help, with the words of extensions."""
+        self._look_for_late_words()
+        add_help_lines, self._add_help_lines = self._add_help_lines, None
+        if add_help_lines is not None:
+            add_help_lines()
+        return super().format_help()
+
     def fill(self) -> None:
-        """Import the verb and add its arguments, or add the verbs of the group; once."""
+        """Import the verb or the extension and add its arguments, or add the verbs of the group; once."""
         if self._group is not None:
             group, self._group = self._group, None
             _fill_group(self, group)
+        if self._fill_extension is not None:
+            fill_extension, self._fill_extension = self._fill_extension, None
+            fill_extension(self)
         if self._module:
             verb = import_module(self._module)
             self._module = ""
@@ -87,6 +136,8 @@ class VerbParser(argparse.ArgumentParser):
         return list(self._option_string_actions)
 
     def _check_value(self, action: argparse.Action, value: Any) -> None:
+        if action.choices is self._words and value not in self._words:
+            self._look_for_late_words()
         try:
             super()._check_value(action, value)
         except argparse.ArgumentError as error:
@@ -111,15 +162,19 @@ VERB_ALIASES = {"doctor": ("wtf",)}
 """Other words for first words that have no verbs."""
 
 
-def build_parser(prog: str, commands: Mapping[str, str | Group]) -> VerbParser:
+def build_parser(
+    prog: str, commands: Mapping[str, str | Group], add_extensions: AddExtensions | None = None
+) -> VerbParser:
     """Return the parser of the whole command line, without importing the verbs' modules.
 
     Args:
         prog: Name of the command: `tfloom` or `ros2`.
         commands: A summary or a group for each first word.
+        add_extensions: Adds what installed packages add to these.
     """
     top = VerbParser(
         prog=prog,
+        add_extensions=add_extensions,
         description="TF2, turtlesim and the ROS 2 workflow, with no ROS installed.",
         epilog=f"`{prog} --version` prints the version.",
     )
@@ -131,7 +186,7 @@ def build_parser(prog: str, commands: Mapping[str, str | Group]) -> VerbParser:
         action="store_true",
         help="keep Python's output buffering; without it, each line is written at once",
     )
-    words = top.add_words()
+    words = top.add_words("ros2cli.command")
     for word, command in commands.items():
         if isinstance(command, str):
             words.add_parser(
@@ -150,6 +205,7 @@ def build_parser(prog: str, commands: Mapping[str, str | Group]) -> VerbParser:
                 description=command.summary,
                 prog=f"{prog} {word}",
                 group=command,
+                add_extensions=add_extensions,
             )
     return top
 
@@ -162,7 +218,7 @@ def _fill_group(parser: VerbParser, group: Group) -> None:
             action="store_true",
             help=f"include {group.hidden} with a part that begins with an underscore",
         )
-    verbs = parser.add_words()
+    verbs = parser.add_words(f"ros2{word}.verb")
     for verb, summary in group.verbs.items():
         verbs.add_parser(
             verb,

@@ -77,7 +77,7 @@ def main(args: argparse.Namespace) -> int:
             raise CommandError(f"can't read --prefix {args.prefix!r}: {error}") from None
         code = run_child([*prefix, *command, *args.argv])
     if code:
-        print(f"[ros2run]: {_how_it_ended(code)}", file=sys.stderr)
+        print(f"[ros2run]: {how_it_ended(code)}", file=sys.stderr)
     return code
 
 
@@ -167,7 +167,8 @@ def _is_input_error(error: Exception) -> bool:
     return isinstance(error, (NameValidationException, ParameterException, UnknownROSArgsError, RCLError))
 
 
-def _how_it_ended(code: int) -> str:
+def how_it_ended(code: int) -> str:
+    """Return what ended a program: the name of a signal, or its exit code."""
     if code < 0 and (text := signal.strsignal(-code)):
         return text
     return f"Process exited with failure {code}"

@@ -11,11 +11,15 @@ from tfloom.ros_guard import is_elsewhere
 
 
 def main() -> int:
-    """Run the command line; where Python would import a real ros2, name it and stop."""
-    real = find_spec("ros2cli")
-    if real is not None:
+    """Run the command line; where a real ROS is sourced, name it and stop.
+
+    A real ROS has its own `ros2cli` and its own `rclpy`. A `ros2cli` alone, built in a workspace or installed by pip,
+    serves extensions of the command, which run on tfloom's `rclpy`.
+    """
+    if is_elsewhere("ros2cli") and is_elsewhere("rclpy"):
+        real = find_spec("ros2cli")
         print(
-            f"ros2: this is tfloom's, and it stands before the real one of {real.origin}.\n"
+            f"ros2: this is tfloom's, and it stands before the real one of {real and real.origin}.\n"
             "Type `tfloom` instead of `ros2` for this one, or leave this environment for the real one.",
             file=sys.stderr,
         )

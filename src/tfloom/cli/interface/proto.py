@@ -18,11 +18,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def main(args: argparse.Namespace) -> int:
     """Print the default values of the interface's fields, as YAML."""
     quote = "" if args.no_quotes else '"'
-    print(f"{quote}{message_to_yaml(_class_to_send(args.type)())}{quote}")
+    print(f"{quote}{message_to_yaml(class_to_send(args.type)())}{quote}")
     return 0
 
 
-def _class_to_send(name: str) -> type[Message]:
+def class_to_send(name: str) -> type[Message]:
     """Return the class that a user sends: the message, the request or the goal."""
     kind = name.split("/")[1:-1]
     if kind == ["srv"]:

@@ -1,0 +1,172 @@
+"""The functions of `ros2param.api`: parameters of other nodes."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from typing import Any
+
+from tfloom.cli.api.node import get_absolute_node_name
+from tfloom.cli.nodes.direct import DirectNode
+from tfloom.cli.nodes.strategy import GraphNode, node_of
+from tfloom.interfaces.rcl_interfaces.msg import ParameterType, ParameterValue
+from tfloom.interfaces.rcl_interfaces.srv import (
+    DescribeParameters_Response,
+    GetParameters_Response,
+    SetParameters_Response,
+)
+from tfloom.node.builtin.parameter_client import AsyncParameterClient
+from tfloom.node.client_library import spin_until_future_complete
+from tfloom.node.executing.task import Future
+from tfloom.node.parameters.parameter import parameter_value_to_python
+
+__all__ = [
+    "ParameterNameCompleter",
+    "call_describe_parameters",
+    "call_get_parameters",
+    "call_list_parameters",
+    "call_set_parameters",
+    "get_parameter_type_string",
+    "get_value",
+    "load_parameter_file",
+]
+
+TIMEOUT_S = 5.0
+"""Wait for a node's parameter services [s]."""
+
+_TYPES = {
+    ParameterType.PARAMETER_BOOL: "boolean",
+    ParameterType.PARAMETER_INTEGER: "integer",
+    ParameterType.PARAMETER_DOUBLE: "double",
+    ParameterType.PARAMETER_STRING: "string",
+    ParameterType.PARAMETER_BYTE_ARRAY: "byte array",
+    ParameterType.PARAMETER_BOOL_ARRAY: "boolean array",
+    ParameterType.PARAMETER_INTEGER_ARRAY: "integer array",
+    ParameterType.PARAMETER_DOUBLE_ARRAY: "double array",
+    ParameterType.PARAMETER_STRING_ARRAY: "string array",
+    ParameterType.PARAMETER_NOT_SET: "not set",
+}
+
+
+def get_value(*, parameter_value: ParameterValue) -> Any:
+    """Return the value in a message; None if it is not set, or of an unknown type."""
+    try:
+        return parameter_value_to_python(parameter_value)
+    except RuntimeError:
+        return None
+
+
+def get_parameter_type_string(parameter_type: int) -> str:
+    """Return the name of a type of `rcl_interfaces/msg/ParameterType`, as `boolean`.
+
+    Raises:
+        KeyError: there is no such type.
+    """
+    return _TYPES[parameter_type]
+
+
+def load_parameter_file(*, node: GraphNode, node_name: str, parameter_file: str, use_wildcard: bool) -> None:
+    """Set the parameters of a node to those of a file, and print what became of each.
+
+    Raises:
+        RuntimeError: the node's services aren't there or don't respond, or the file has nothing for the node.
+    """
+    client = _client(node, node_name)
+    future = client.load_parameter_file(parameter_file, use_wildcard)
+    results = list(_response(node, future, node_name).results)
+    names = list(_parameters_of(parameter_file, node_name, use_wildcard))
+    for index, result in enumerate(results):
+        name = names[index] if index < len(names) else ""
+        reason = f": {result.reason}" if result.reason else ""
+        if result.successful:
+            print(f"Set parameter {name} successful{reason}")
+        else:
+            print(f"Set parameter {name} failed{reason}", file=sys.stderr)
+
+
+def _parameters_of(parameter_file: str, node_name: str, use_wildcard: bool) -> list[str]:
+    from tfloom.node.parameters.parameter import parameter_dict_from_yaml_file
+
+    full = get_absolute_node_name(node_name) or ""
+    return list(parameter_dict_from_yaml_file(parameter_file, use_wildcard, target_nodes=[full]))
+
+
+def call_describe_parameters(
+    *, node: GraphNode, node_name: str, parameter_names: Sequence[str] | None = None
+) -> DescribeParameters_Response:
+    """Return a node's response with the descriptors of parameters.
+
+    Raises:
+        RuntimeError: the node's services aren't there, or don't respond.
+    """
+    future = _client(node, node_name).describe_parameters(list(parameter_names or ()))
+    response: DescribeParameters_Response = _response(node, future, node_name)
+    return response
+
+
+def call_get_parameters(
+    *, node: GraphNode, node_name: str, parameter_names: Sequence[str]
+) -> GetParameters_Response:
+    """Return a node's response with the values of parameters.
+
+    Raises:
+        RuntimeError: the node's services aren't there, or don't respond.
+    """
+    future = _client(node, node_name).get_parameters(list(parameter_names))
+    response: GetParameters_Response = _response(node, future, node_name)
+    return response
+
+
+def call_set_parameters(
+    *, node: GraphNode, node_name: str, parameters: Sequence[Any]
+) -> SetParameters_Response:
+    """Set parameters, and return a node's response with a result for each.
+
+    Raises:
+        RuntimeError: the node's services aren't there, or don't respond.
+    """
+    future = _client(node, node_name).set_parameters(list(parameters))
+    response: SetParameters_Response = _response(node, future, node_name)
+    return response
+
+
+def call_list_parameters(
+    *, node: GraphNode, node_name: str, prefixes: Sequence[str] | None = None
+) -> Future[Any] | None:
+    """Return the future of a node's response with the names of its parameters, which is done.
+
+    Returns:
+        None if the node's services aren't there.
+    """
+    client = AsyncParameterClient(node_of(node), node_name)
+    if not client.wait_for_services(timeout_sec=TIMEOUT_S):
+        return None
+    future = client.list_parameters(list(prefixes or ()))
+    spin_until_future_complete(node_of(node), future)
+    return future
+
+
+def _client(node: GraphNode, node_name: str) -> AsyncParameterClient:
+    client = AsyncParameterClient(node_of(node), node_name)
+    if not client.wait_for_services(timeout_sec=TIMEOUT_S):
+        raise RuntimeError("Wait for service timed out")
+    return client
+
+
+def _response(node: GraphNode, future: Future[Any], node_name: str) -> Any:
+    spin_until_future_complete(node_of(node), future)
+    response = future.result()
+    if response is None:
+        raise RuntimeError(f"Exception while calling service of node '{node_name}': {future.exception()}")
+    return response
+
+
+class ParameterNameCompleter:
+    """Lists the parameters of the node that a command line names."""
+
+    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:  # noqa: ARG002
+        """Return their names."""
+        with DirectNode(parsed_args) as node:
+            future = call_list_parameters(node=node, node_name=parsed_args.node_name)
+            response = future and future.result()
+            return list(response.result.names) if response else []

@@ -1,0 +1,58 @@
+"""The functions of `ros2pkg.api`: packages and their programs."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from tfloom.workspace import index
+from tfloom.workspace.ament import PackageNotFoundError, get_package_prefix, get_packages_with_prefixes
+
+__all__ = [
+    "PackageNotFound",
+    "get_executable_paths",
+    "get_package_names",
+    "get_prefix_path",
+    "package_name_completer",
+]
+
+
+class PackageNotFound(Exception):  # noqa: N818  # the reference's name
+    """There is no such package.
+
+    Args:
+        package_name: Its name.
+    """
+
+    def __init__(self, package_name: str) -> None:
+        super().__init__(f"package '{package_name}' not found")
+        self.package_name = package_name
+
+
+def get_package_names() -> Any:
+    """Return the names of all packages, tfloom's own included."""
+    return get_packages_with_prefixes().keys()
+
+
+def get_prefix_path(package_name: str) -> str | None:
+    """Return the prefix of a package; None if there is no such package."""
+    try:
+        return get_package_prefix(package_name)
+    except (PackageNotFoundError, ValueError):
+        return None
+
+
+def get_executable_paths(*, package_name: str) -> list[str]:
+    """Return the paths of a package's programs; tfloom's own have none, see `ros2run.api.get_executable_path`.
+
+    Raises:
+        PackageNotFound: there is no such package.
+    """
+    prefix = get_prefix_path(package_name)
+    if prefix is None:
+        raise PackageNotFound(package_name)
+    return [str(path) for path in index.package_programs(package_name, prefix)]
+
+
+def package_name_completer(**_: Any) -> list[str]:
+    """Return the names of all packages."""
+    return list(get_package_names())

@@ -1,0 +1,101 @@
+"""A node on the graph for a block, which begins when discovery is complete."""
+
+from __future__ import annotations
+
+import argparse
+import os
+from types import TracebackType
+from typing import TYPE_CHECKING, Any
+
+from tfloom.cli.graph import MAX_WAIT_S, wait_until_quiet
+from tfloom.cli.nodes.names import NODE_NAME_PREFIX
+from tfloom.cli.numbers import seconds
+from tfloom.node.action import graph as action_graph
+from tfloom.node.client_library import init
+from tfloom.node.context.utilities import ok, try_shutdown
+from tfloom.node.node import Node
+from tfloom.node.parameters.parameter import Parameter
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
+
+    from tfloom.node.action.graph import NamesAndTypes
+
+__all__ = ["DEFAULT_TIMEOUT", "DirectNode", "add_arguments"]
+
+DEFAULT_TIMEOUT = 0.5
+"""The reference's time for discovery [s]. Here discovery ends when nothing new arrives; see `wait_until_quiet`."""
+
+
+class DirectNode(Node):
+    """A node that is created with its context, and destroyed with it at the end of a `with`.
+
+    The constructor returns when discovery is complete. If the default context is in use already, as in a program that
+    has nodes of its own, the node joins it, and leaves it running.
+
+    Args:
+        args: What the command line said; its optional attributes `spin_time` (longest time of discovery [s]),
+            `use_sim_time`, `argv` (ROS arguments), `start_parameter_services` and `node_name_suffix` count.
+        node_name: Name of the node; by default a hidden one with the process's number.
+    """
+
+    def __init__(self, args: Any, *, node_name: str | None = None) -> None:
+        self._is_context_own = not ok()
+        if self._is_context_own:
+            init(args=getattr(args, "argv", []))
+        suffix = getattr(args, "node_name_suffix", f"_{os.getpid()}")
+        use_sim_time = getattr(args, "use_sim_time", False)
+        try:
+            super().__init__(
+                node_name or NODE_NAME_PREFIX + suffix,
+                start_parameter_services=getattr(args, "start_parameter_services", False),
+                parameter_overrides=[Parameter("use_sim_time", value=use_sim_time)],
+                automatically_declare_parameters_from_overrides=True,
+            )
+        except BaseException:
+            self._leave_context()
+            raise
+        participant = self.context._participant  # noqa: SLF001  # a node offers queries, not the graph itself
+        if participant is not None:
+            wait_until_quiet(participant.graph, getattr(args, "spin_time", MAX_WAIT_S))
+
+    @property
+    def node(self) -> Self:
+        """The node itself, which the reference's class holds in an attribute."""
+        return self
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
+    ) -> None:
+        self.destroy_node()
+        self._leave_context()
+
+    def _leave_context(self) -> None:
+        if self._is_context_own:
+            try_shutdown()
+
+    def get_action_names_and_types(self) -> NamesAndTypes:
+        """Return all actions on the graph, with their types."""
+        return action_graph.get_action_names_and_types(self)
+
+    def get_action_client_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
+        """Return the actions that a node is a client of; RuntimeError if there is no such node."""
+        return action_graph.get_action_client_names_and_types_by_node(self, node_name, node_namespace)
+
+    def get_action_server_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
+        """Return the actions that a node serves; RuntimeError if there is no such node."""
+        return action_graph.get_action_server_names_and_types_by_node(self, node_name, node_namespace)
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the flags that `DirectNode` reads."""
+    parser.add_argument(
+        "--spin-time",
+        type=seconds,
+        default=MAX_WAIT_S,
+        help=f"longest time of discovery in seconds (default {MAX_WAIT_S:g}; it ends when nothing new arrives)",
+    )
+    parser.add_argument("-s", "--use-sim-time", action="store_true", help="use the time on /clock")
