@@ -20,6 +20,18 @@ def test_profile_with_a_depth_that_is_none_is_left_out(depth: str, tmp_path: Pat
         read_overrides(path)
 
 
+@pytest.mark.parametrize("duration", ["{sec: 1}", "{nsec: 1}"])
+def test_duration_needs_both_parts(duration: str, tmp_path: Path) -> None:
+    assert (
+        parse_profiles(f"- deadline: {duration}\n- deadline: {{sec: 1, nsec: 2}}")[0].deadline_ns
+        == 1_000_000_002
+    )
+    path = tmp_path / "overrides.yaml"
+    path.write_text(f"/tf: {{deadline: {duration}}}", "utf-8")
+    with pytest.raises(BagError, match="a duration in the profile of /tf needs both sec and nsec"):
+        read_overrides(path)
+
+
 def test_depth_that_is_offered_fits_the_wire() -> None:
     profiles = "- depth: 2147483647\n" * 3
     assert offered(Topic("/tf", "tf2_msgs/msg/TFMessage", offered_qos=profiles)).depth == DEPTH_MAX

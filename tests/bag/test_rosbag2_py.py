@@ -140,6 +140,99 @@ def test_filters_seeks_and_orders(tmp_path: Path) -> None:
     assert stamps(reader) == [3, 4, 5]
 
 
+def write_of_one_time(folder: Path) -> None:
+    """Write messages on three topics, several of them at one time, two of them equal."""
+    writer = rosbag2_py.SequentialWriter()
+    writer.open(rosbag2_py.StorageOptions(str(folder), "mcap"), CDR)
+    for name in ("/a", "/b", "/c"):
+        writer.create_topic(rosbag2_py.TopicMetadata(0, name, "std_msgs/msg/String", "cdr"))
+    for name, text, stamp in [("/b", "0", 1), ("/a", "1", 5), ("/b", "2", 5), ("/a", "3", 5), ("/a", "3", 5)]:
+        writer.write(name, serialize_message(String(data=text)), stamp)
+    for name, text, stamp in [("/c", "4", 5), ("/b", "5", 6), ("/a", "6", 9)]:
+        writer.write(name, serialize_message(String(data=text)), stamp)
+    writer.close()
+
+
+def texts(reader: Any, most: int = 99) -> str:
+    found = ""
+    while len(found) < most and reader.has_next():
+        found += deserialize_message(reader.read_next()[1], String).data
+    return found
+
+
+@pytest.mark.parametrize(("read", "rest"), [(0, "01233456"), (1, "233456"), (2, "3456"), (3, "456"), (4, "")])
+def test_reset_filter_goes_on_after_the_last_message(read: int, rest: str, tmp_path: Path) -> None:
+    """Read `read` messages on one topic, then go on with all: those of the present time too, each once."""
+    write_of_one_time(tmp_path / "bag")
+    reader = rosbag2_py.SequentialReader()
+    reader.open_uri(str(tmp_path / "bag"))
+    reader.set_filter(rosbag2_py.StorageFilter(topics=["/a"]))
+    assert texts(reader, read) == "1336"[:read]
+    assert reader.has_next() == (read < 4)
+    reader.reset_filter()
+    assert texts(reader) == rest
+
+
+def test_another_filter_goes_on_after_the_last_message_in_reverse(tmp_path: Path) -> None:
+    write_of_one_time(tmp_path / "bag")
+    reader = rosbag2_py.SequentialReader()
+    reader.open_uri(str(tmp_path / "bag"))
+    reader.set_read_order(rosbag2_py.ReadOrder(reverse=True))
+    assert texts(reader, 4) == "6543"
+    reader.set_filter(rosbag2_py.StorageFilter(topics=["/a", "/b"]))
+    assert texts(reader) == "3210"
+
+
+def test_definitions_by_short_names_and_of_services() -> None:
+    source = rosbag2_py.LocalMessageDefinitionSource()
+    short = source.get_full_text("tf2_msgs/TFMessage")
+    full = source.get_full_text("tf2_msgs/msg/TFMessage")
+    assert (short.encoding, short.topic_type) == ("ros2msg", "tf2_msgs/TFMessage")
+    assert (short.encoded_message_definition, short.type_hash) == (
+        full.encoded_message_definition,
+        full.type_hash,
+    )
+    service = source.get_full_text("nav_msgs/srv/GetMap")
+    assert service.encoding == "ros2msg"
+    text = service.encoded_message_definition
+    assert "---" in text.splitlines()
+    assert text.count("MSG: nav_msgs/OccupancyGrid\n") == text.count("MSG: std_msgs/Header\n") == 1
+    assert source.get_full_text("nav_msgs/srv/None").encoding == "unknown"
+
+
+@pytest.mark.parametrize("kind", [rosbag2_py.Player, rosbag2_py.Recorder])
+def test_log_level_of_player_and_recorder(kind: Any) -> None:
+    kind("debug")
+    kind()
+    with pytest.raises(ValueError, match="no log level 'loud': debug, info, warn, error or fatal"):
+        kind("loud")
+
+
+@pytest.mark.wire
+@pytest.mark.parametrize(("level", "is_told"), [("debug", True), ("fatal", False)])
+def test_log_level_holds_while_a_bag_is_played(
+    level: str, is_told: bool, domain_id: int, tmp_path: Path
+) -> None:
+    import subprocess
+    import sys
+
+    write_of_one_time(tmp_path / "bag")
+    code = (
+        "import rosbag2_py, sys; options = rosbag2_py.PlayOptions(); options.disable_keyboard_controls = True; "
+        "rosbag2_py.Player(sys.argv[2]).play(rosbag2_py.StorageOptions(sys.argv[1], 'mcap'), options); "
+        "from rclpy.logging import get_logger_effective_level; print(get_logger_effective_level('x').name)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code, str(tmp_path / "bag"), level],
+        capture_output=True,
+        text=True,
+        check=True,
+        timeout=60,
+    )
+    assert done.stdout.splitlines()[-1] == level.upper()
+    assert ("[INFO]" in done.stderr + done.stdout) == is_told
+
+
 def test_metadata_and_definitions_of_a_recorded_bag() -> None:
     metadata = rosbag2_py.Info().read_metadata(str(BAGS / "mcap"), "mcap")
     assert metadata.duration == Duration(nanoseconds=13737005344)

@@ -124,6 +124,7 @@ MISTAKES: list[tuple[tuple[str, ...], str]] = [
     (("record", "-a", "--custom-data", "a"), "--custom-data needs KEY=VALUE, not 'a'"),
     (("record", "-e", "("), "'(' is not a regular expression"),
     (("record", "-a", "-s", "sqlite3", "--storage-preset-profile", "fastwrite"), "a preset of mcap"),
+    (("record", "-a", "--storage-preset-profile", "resilient"), "a preset of sqlite3"),
     (("play", "b1", "-r", "0"), "must be a number greater than zero, not '0'"),
     (("play", "b1", "-m", "a"), "'a' is no remap"),
     (("convert", "-i", "b1", "-o", "none.yaml"), "none.yaml: it can't be read: No such file"),

@@ -106,6 +106,8 @@ def read_overrides(path: str | Path) -> dict[str, QoS]:
     try:
         return {str(topic := name): _profile(values[name]) for name in values}
     except _UNREADABLE as error:
+        if isinstance(error, KeyError) and error.args[0] in {"sec", "nsec"}:
+            raise BagError(path, f"a duration in the profile of {topic} needs both sec and nsec") from None
         raise BagError(path, f"the profile of {topic} has an unknown value: {error}") from None
 
 
@@ -130,5 +132,5 @@ def _policy(kind: type[QoSPolicyEnum], value: Any) -> QoSPolicyEnum:
 
 def _duration_ns(value: Mapping[str, Any]) -> int:
     """Return a duration [ns]; one without limit is `INFINITE_NS`, and so is 0."""
-    duration = int(value["sec"]) * _S_TO_NS + int(value.get("nsec", 0))
+    duration = int(value["sec"]) * _S_TO_NS + int(value["nsec"])
     return duration if 0 < duration < INFINITE_NS else INFINITE_NS

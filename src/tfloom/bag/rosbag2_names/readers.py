@@ -42,6 +42,10 @@ class SequentialReader:
         self._is_reverse = False
         self._messages: Iterator[RawMessage] | None = None
         self._next: RawMessage | None = None
+        self._last: RawMessage | None = None
+        """The message that was read last, after which a new filter goes on."""
+        self._twins = 0
+        """How many messages equal to it were read before it, one after the other."""
 
     def open(self, arg0: StorageOptions, arg1: ConverterOptions) -> None:
         """Open a bag.
@@ -57,7 +61,7 @@ class SequentialReader:
         limits = (arg0.start_time_ns, arg0.end_time_ns)
         self._bounds = (None if limits[0] < 0 else limits[0], None if limits[1] < 0 else limits[1])
         self._start_ns = None
-        self._rewind()
+        self._begin_anew()
 
     def open_uri(self, arg0: str) -> None:
         """Open a bag by its path.
@@ -95,21 +99,22 @@ class SequentialReader:
         if not self.has_next() or self._next is None:
             raise BagError(self._opened().path, "there are no more messages")
         message, self._next = self._next, None
+        self._twins = self._twins + 1 if message == self._last else 0
+        self._last = message
         return message.topic, message.data, message.log_time_ns
 
     def seek(self, arg0: int) -> None:
         """Go on with the messages from a log time on [ns since epoch]; in reverse, up to it."""
         self._start_ns = arg0
-        self._rewind()
+        self._begin_anew()
 
     def set_filter(self, arg0: StorageFilter) -> None:
-        """Return only messages of some topics from now on, from the present place."""
-        self._keep_place()
+        """Return only messages of some topics from now on: those after the message that was read last."""
         self._filter = arg0
-        self._rewind()
+        self._messages = self._next = None
 
     def reset_filter(self) -> None:
-        """Return messages of all topics from now on, from the present place."""
+        """Return messages of all topics from now on: those after the message that was read last."""
         self.set_filter(StorageFilter())
 
     def set_read_order(self, arg0: ReadOrder) -> bool:
@@ -120,7 +125,7 @@ class SequentialReader:
         if arg0.sort_by != ReadOrderSortBy.ReceivedTimestamp:
             return False
         self._is_reverse = arg0.reverse
-        self._rewind()
+        self._begin_anew()
         return True
 
     def get_all_topics_and_types(self) -> list[TopicMetadata]:
@@ -155,22 +160,35 @@ class SequentialReader:
             raise BagError("rosbag2_py", "no bag is open: call open() before")
         return self._bag
 
-    def _rewind(self) -> None:
-        self._messages = self._next = None
-
-    def _keep_place(self) -> None:
-        """Let the next reading begin at the message that would be next."""
-        if self._messages is not None and self.has_next() and self._next is not None:
-            self._start_ns = self._next.log_time_ns
+    def _begin_anew(self) -> None:
+        self._messages = self._next = self._last = None
 
     def _begin(self) -> Iterator[RawMessage]:
+        """Return the messages from the start, or those after the one that was read last."""
+        if self._last is None:
+            yield from self._wanted_from(self._start_ns)
+            return
+        # Messages of one time are in the order of recording, whatever the filter was: those before the last one have
+        # been passed over, and those after it are still to come.
+        last, twins = self._last, self._twins
+        bag = self._opened()
+        of_its_time = list(bag.messages(None, last.log_time_ns, last.log_time_ns))
+        if self._is_reverse:
+            of_its_time.reverse()
+        places = [place for place, message in enumerate(of_its_time) if message == last]
+        after = of_its_time[places[min(twins, len(places) - 1)] + 1 :] if places else []
+        yield from (message for message in after if self._is_wanted(message.topic))
+        yield from self._wanted_from(last.log_time_ns + (-1 if self._is_reverse else 1))
+
+    def _wanted_from(self, start_ns: int | None) -> Iterator[RawMessage]:
+        """Return the messages of the wanted topics from a log time on; in reverse, up to it."""
         bag = self._opened()
         first, last = self._bounds
-        if self._start_ns is not None:
+        if start_ns is not None:
             if self._is_reverse:
-                last = self._start_ns if last is None else min(last, self._start_ns)
+                last = start_ns if last is None else min(last, start_ns)
             else:
-                first = self._start_ns if first is None else max(first, self._start_ns)
+                first = start_ns if first is None else max(first, start_ns)
         topics = [name for name in bag.topics if self._is_wanted(name)]
         if self._is_reverse:
             return _in_reverse(bag, topics, first, last)

@@ -12,11 +12,12 @@ from tfloom.bag.metadata import FileInformation as File
 from tfloom.bag.qos_profiles import parse_profiles, profiles_text
 from tfloom.bag.rosbag2_names.qos import QoS, wire_profile
 from tfloom.bag.values import Definition, Topic
-from tfloom.bag.writing.definition_text import find_definition, hash_of
+from tfloom.bag.writing.definition_text import find_definition, find_service_definition, hash_of
 from tfloom.bag.writing.metadata_text import METADATA_VERSION, metadata_file_text, metadata_text
 from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.time import Time
+from tfloom.rosidl.class_search import full_name
 from tfloom.whole_files import write_file
 
 __all__ = [
@@ -291,8 +292,14 @@ class LocalMessageDefinitionSource:
     """The definitions that are known here."""
 
     def get_full_text(self, arg0: str) -> MessageDefinition:
-        """Return the definition of a type; its encoding is `unknown` if the type is."""
-        return MessageDefinition.of_topic(Topic(arg0, arg0, "cdr", hash_of(arg0), "", find_definition(arg0)))
+        """Return the definition of a type; its encoding is `unknown` if the type is.
+
+        Args:
+            arg0: `package/msg/Name`, or `package/Name` for short, or a service's `package/srv/Name`.
+        """
+        name = full_name(arg0, "msg")
+        definition = find_definition(name) or find_service_definition(name)
+        return MessageDefinition.of_topic(Topic(arg0, arg0, "cdr", hash_of(name), "", definition))
 
 
 def get_default_storage_id() -> str:

@@ -21,6 +21,8 @@ from tfloom.bag.rosbag2_names.writers import writer_settings
 from tfloom.bag.topic_choice import SERVICE_EVENT_SUFFIX, TopicChoice, full_names
 from tfloom.node.client_library import init
 from tfloom.node.context.utilities import get_default_context, try_shutdown
+from tfloom.node.log.logging import get_logging_severity_from_string, set_logger_level
+from tfloom.node.log.logging_severity import LoggingSeverity
 
 __all__ = ["PlayOptions", "Player", "RecordOptions", "Recorder", "ServiceRequestsSource", "bag_rewrite"]
 
@@ -164,14 +166,19 @@ class _Stoppable:
         self._lock = threading.Lock()
         self._stops: set[threading.Event] = set()  # guarded by _lock
 
-    def run(self, work: Callable[[threading.Event], None]) -> None:
-        """Call `work` with the event that ends it, in the default context, which is initialised if it isn't."""
+    def run(self, work: Callable[[threading.Event], None], level: LoggingSeverity) -> None:
+        """Call `work` with the event that ends it, in the default context, which is initialised if it isn't.
+
+        All loggers get the level, but for INFO, which is theirs without it.
+        """
         stop = threading.Event()
         with self._lock:
             self._stops.add(stop)
         is_ours = not get_default_context().ok()
         if is_ours:
             init(args=[])
+        if level != LoggingSeverity.INFO:
+            set_logger_level("", level)
         try:
             work(stop)
         finally:
@@ -188,9 +195,19 @@ class _Stoppable:
 
 
 class Recorder:
-    """Records until `cancel`, Ctrl-C or a shutdown."""
+    """Records until `cancel`, Ctrl-C or a shutdown.
+
+    Args:
+        log_level: The least level of what all loggers print: debug, info, warn, error or fatal.
+
+    Raises:
+        ValueError: there is no such level.
+    """
 
     _runs = _Stoppable()
+
+    def __init__(self, log_level: str = "info") -> None:
+        self._level = _severity(log_level)
 
     def record(
         self,
@@ -207,7 +224,8 @@ class Recorder:
         settings = writer_settings(storage_options, "" if mode == "NONE" else mode)
         options = record_options.to_options()
         self._runs.run(
-            lambda stop: record(Path(storage_options.uri), settings, options, node_name=node_name, stop=stop)
+            lambda stop: record(Path(storage_options.uri), settings, options, node_name=node_name, stop=stop),
+            self._level,
         )
 
     @staticmethod
@@ -217,9 +235,19 @@ class Recorder:
 
 
 class Player:
-    """Plays until the bag's end, `cancel`, Ctrl-C or a shutdown."""
+    """Plays until the bag's end, `cancel`, Ctrl-C or a shutdown.
+
+    Args:
+        log_level: The least level of what all loggers print: debug, info, warn, error or fatal.
+
+    Raises:
+        ValueError: there is no such level.
+    """
 
     _runs = _Stoppable()
+
+    def __init__(self, log_level: str = "info") -> None:
+        self._level = _severity(log_level)
 
     def play(self, storage_options: StorageOptions, play_options: PlayOptions) -> None:
         """Play a bag.
@@ -228,7 +256,7 @@ class Player:
             BagError: it can't be read.
         """
         options = play_options.to_options()
-        self._runs.run(lambda stop: play(Path(storage_options.uri), options, stop=stop))
+        self._runs.run(lambda stop: play(Path(storage_options.uri), options, stop=stop), self._level)
 
     def burst(self, storage_options: StorageOptions, play_options: PlayOptions, num_messages: int) -> None:
         """Publish messages of a bag at once, and go on in the paused state; 0: all messages.
@@ -238,7 +266,9 @@ class Player:
         """
         options = play_options.to_options()
         options.is_start_paused = True
-        self._runs.run(lambda stop: play(Path(storage_options.uri), options, burst=num_messages, stop=stop))
+        self._runs.run(
+            lambda stop: play(Path(storage_options.uri), options, burst=num_messages, stop=stop), self._level
+        )
 
     @staticmethod
     def cancel() -> None:
@@ -259,6 +289,12 @@ def bag_rewrite(arg0: Sequence[StorageOptions], arg1: str) -> None:
     is_path = os.path.isfile(arg1)  # noqa: PTH113 - a Path raises OSError for a text longer than names may be
     outputs = read_outputs(Path(arg1)) if is_path else parse_outputs(arg1, Path("output_options"))
     convert([Path(storage_options.uri) for storage_options in arg0], outputs)
+
+
+def _severity(log_level: str) -> LoggingSeverity:
+    if log_level not in {"debug", "info", "warn", "error", "fatal"}:
+        raise ValueError(f"there is no log level '{log_level}': debug, info, warn, error or fatal")
+    return get_logging_severity_from_string(log_level.upper())
 
 
 def _services(names: Sequence[str]) -> list[str]:

@@ -8,7 +8,7 @@ from tfloom.rosidl.parse import ParseError
 from tfloom.rosidl.sources import definition_name, find_message, find_source
 from tfloom.rosidl.type_hash import type_hash
 
-__all__ = ["find_definition", "hash_of", "short_name"]
+__all__ = ["find_definition", "find_service_definition", "hash_of", "short_name"]
 
 _SEPARATOR = "=" * 80
 
@@ -31,6 +31,20 @@ def find_definition(type_name: str) -> Definition | None:
     except (LookupError, ParseError, OSError, ValueError):
         return None
     return Definition("ros2msg", text)
+
+
+def find_service_definition(type_name: str) -> Definition | None:
+    """Return the definition of a service, with those of all messages that its parts refer to; None if it is unknown."""
+    try:
+        source = find_source(type_name)
+        if source is None or not source.path.endswith(".srv"):
+            return None
+        sections, listed_names = [source.text], {type_name}
+        for part in ("Request", "Response"):
+            sections += _dependencies(find_message(f"{type_name}_{part}"), listed_names)
+    except (LookupError, ParseError, OSError, ValueError):
+        return None
+    return Definition("ros2msg", "".join(sections))
 
 
 def hash_of(type_name: str) -> str:

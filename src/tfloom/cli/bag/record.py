@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from tfloom.bag.writing.bag_writer import WriterSettings
 
 PRESETS = ["none", "fastwrite", "zstd_fast", "zstd_small"]
+"""The presets of mcap, which the usage lists; sqlite3 has the first one, and `SQLITE3_PRESET`."""
+SQLITE3_PRESET = "resilient"
 DEFAULT_CACHE_SIZE = 100 * 1024 * 1024
 
 
@@ -133,9 +135,11 @@ def _add_storage(parser: argparse.ArgumentParser) -> None:
     )
     add(
         "--storage-preset-profile",
-        choices=PRESETS,
+        choices=[*PRESETS, SQLITE3_PRESET],
+        metavar=f"{{{','.join(PRESETS)}}}",
         default="none",
-        help="options of mcap: fastwrite has no chunks; zstd_fast and zstd_small compress them",
+        help="options of mcap: fastwrite has no chunks, zstd_fast and zstd_small compress them; of sqlite3: resilient "
+        "loses less on a power cut",
     )
     add(
         "--compression-queue-size",
@@ -195,8 +199,9 @@ def _checked_folder(args: argparse.Namespace) -> Path:
         raise common.error("Invalid choice: Cannot specify compression format without a compression mode.")
     if args.compression_mode != "none" and not args.compression_format:
         raise common.error("Invalid choice: Compression format must be specified: --compression-format zstd")
-    if args.storage != "mcap" and args.storage_preset_profile not in {"none", "resilient"}:
-        raise common.error(f"'{args.storage_preset_profile}' is a preset of mcap, not of {args.storage}")
+    owner = "sqlite3" if args.storage_preset_profile == SQLITE3_PRESET else "mcap"
+    if args.storage_preset_profile != "none" and args.storage != owner:
+        raise common.error(f"'{args.storage_preset_profile}' is a preset of {owner}, not of {args.storage}")
     import datetime as dt
 
     stamp = dt.datetime.now()  # noqa: DTZ005 - the user's own time
