@@ -62,6 +62,20 @@ def test_mixture_with_a_real_ros_is_a_failure(tmp_path: Path) -> None:
     assert findings("-ep", PYTHONPATH=str(tmp_path), RMW_IMPLEMENTATION="tfloom_local")[1] == 0
 
 
+def test_distribution_that_shadows_a_package_of_ours_is_named(tmp_path: Path) -> None:
+    (tmp_path / "cv_bridge").mkdir()
+    (tmp_path / "cv_bridge" / "__init__.py").touch()
+    info = tmp_path / "cv_bridge-1.13.dist-info"
+    info.mkdir()
+    (info / "METADATA").write_text("Metadata-Version: 2.1\nName: cv-bridge\nVersion: 1.13\n")
+    (info / "top_level.txt").write_text("cv_bridge\n")
+    found, exit_code = findings(PYTHONPATH=str(tmp_path), RMW_IMPLEMENTATION="tfloom_local")
+    assert (found["names"]["verdict"], exit_code) == ("warning", 0)
+    text = "cv_bridge is that of the distribution cv-bridge, which takes precedence over tfloom's"
+    assert found["names"]["summary"] == text
+    assert found["names"]["advice"] == "pip uninstall cv-bridge"
+
+
 def test_real_ros2_command_on_the_path_is_a_warning(tmp_path: Path) -> None:
     command = tmp_path / "ros2"
     command.touch(mode=0o755)

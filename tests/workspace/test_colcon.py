@@ -69,6 +69,7 @@ def write_sound_packages(source: Path) -> None:
         "ball_description",
         "ball_cpp",
         "ball_bad",
+        "python3-no-such-thing",
     )
 
 
@@ -140,6 +141,10 @@ def test_compiled_package_is_left_out_and_its_users_are_warned(built: Built) -> 
     assert warning in built.output
     asks = "ball_node asks for nav_home, nav_to_mars in package.xml: neither in this workspace, nor sourced"
     assert asks in built.output
+    assert (
+        "ball_node asks for python3-no-such-thing in package.xml: which is not installed: pip in"
+        in built.output
+    )
     assert "asks for rclcpp" not in built.output
     assert "ball_cpp" in in_shell(built.folder, "tfloom pkg list").splitlines()
     assert in_shell(built.folder, "tfloom run ball_cpp ball") == (

@@ -31,6 +31,10 @@ from tfloom.workspace.missing_dependencies import (
         ("python3-yaml", True),
         ("python3-setuptools", True),
         ("python3-no-such-thing", False),
+        ("python3-dev", True),
+        ("python3-pil-imagetk", True),
+        ("no-such-thing-pip", False),
+        ("yaml", True),
         ("libopencv-dev", True),
         ("nav_to_mars", False),
         ("rclcpp", False),
@@ -44,6 +48,11 @@ def test_remedies_differ() -> None:
     assert how_to_provide("nav2_msgs") == "pip install ./packages/tfloom-interfaces, in tfloom's sources"
     assert how_to_provide("cv_bridge") == "pip install ./packages/tfloom-sensing, in tfloom's sources"
     assert how_to_provide("python3-transforms3d-pip") == "pip install transforms3d"
+    assert how_to_provide("roslibpy-pip") == "pip install roslibpy"
+    assert how_to_provide("python3-serial") == "pip install pyserial"
+    assert how_to_provide("python-opencv") == "pip install opencv-python"
+    assert how_to_provide("python3-pyside2.qtgui") == "pip install pyside2"
+    assert how_to_provide("urdf_parser_py") == "pip install urdf-parser-py"
     assert how_to_provide("nav_to_mars").endswith(
         "put the source of a ROS package into src/, or source a workspace that has it"
     )
@@ -70,6 +79,22 @@ def test_workspace_is_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
     assert finding.summary.endswith("ask for what is missing: nav_to_mars (for first, second)")
     write_manifest(source / "nav_to_mars", "ament_cmake")
     assert check_workspace().verdict is Verdict.OK
+
+
+def test_what_pip_has_installed_is_provided(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    write_files(
+        tmp_path,
+        {
+            "mars_rover/__init__.py": "",
+            "pyserial-3.5.dist-info/METADATA": "Metadata-Version: 2.1\nName: pyserial\nVersion: 3.5\n",
+            "only_a_folder/src/x.cpp": "",
+        },
+    )
+    assert not is_provided("mars_rover")
+    monkeypatch.syspath_prepend(tmp_path)
+    assert is_provided("mars_rover")
+    assert is_provided("python3-serial")
+    assert not is_provided("only_a_folder")
 
 
 @pytest.mark.parametrize(

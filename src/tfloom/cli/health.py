@@ -371,10 +371,30 @@ def check_names() -> Finding:
             "all names come from a real ROS, which takes precedence over tfloom",
             details=details,
         )
+    shadows = _shadowing_distributions(others)
+    if shadows:
+        named = ", ".join(f"{name} is that of the distribution {other}" for name, other in shadows.items())
+        advice = f"pip uninstall {' '.join(dict.fromkeys(shadows.values()))}"
+        return Finding(Verdict.WARNING, f"{named}, which takes precedence over tfloom's", advice, details)
     mixed = ", ".join(f"{name} from {origin}" for name, origin in list(others.items())[:3])
     advice = "take the real ROS out of PYTHONPATH, or run in a shell that hasn't sourced it"
     verdict = Verdict.FAILED if "rclpy" in others else Verdict.WARNING
     return Finding(verdict, f"a real ROS and tfloom are mixed: {mixed}", advice, details)
+
+
+def _shadowing_distributions(others: dict[str, str]) -> dict[str, str]:
+    """Return the distributions of pip that names are imported from, by name; empty with another `rclpy`, a real ROS."""
+    if "rclpy" in others:
+        return {}
+    from importlib.metadata import distribution, packages_distributions
+
+    shadows = {}
+    distributions = packages_distributions()
+    for name, origin in others.items():
+        for candidate in distributions.get(name, ()):
+            if Path(str(distribution(candidate).locate_file(name))) == Path(origin).parent:
+                shadows[name] = candidate
+    return shadows
 
 
 def check_commands() -> Finding:

@@ -13,6 +13,7 @@ from xml.etree import ElementTree as ET
 
 from tfloom.distributions import distribution_with
 from tfloom.workspace import index
+from tfloom.workspace.rosdep_keys import library_key, pypi_name
 from tfloom.xml_parsers import read_tree
 
 _BUILD_TOOLS = re.compile(
@@ -24,16 +25,10 @@ _DEPENDS = re.compile(r"(build_|exec_|test_|buildtool_|build_export_|run_|buildt
 _ROS_1 = re.compile(r"ROS_VERSION\s*==\s*['\"]?1")
 IGNORE_MARKERS = ("AMENT_IGNORE", "CATKIN_IGNORE", "COLCON_IGNORE")
 """Files by which a folder is left out."""
-_MODULES = {
-    "opencv": "cv2",
-    "pil": "PIL",
-    "pyqt5": "PyQt5",
-    "pykdl": "PyKDL",
-    "serial": "serial",
-    "skimage": "skimage",
-    "sklearn": "sklearn",
-}
-"""Modules whose names differ from those of rosdep's keys `python3-…`."""
+_MODULES = {"opencv": "cv2", "pil": "PIL", "pykdl": "PyKDL", "tk": "tkinter", "yaml": "yaml"}
+"""Modules by rosdep's keys, where the name differs and no distribution may tell."""
+_ROS_ON_PYPI = {"urdf_parser_py": "urdf-parser-py"}
+"""ROS packages that PyPI has, too."""
 
 
 class Requirements(NamedTuple):
@@ -57,20 +52,40 @@ def is_provided(name: str) -> bool:
     """Return whether a dependency is there, or needs not be: sourced, tfloom's, a build tool, or a Python library."""
     if is_package_there(name):
         return True
-    python = re.fullmatch(r"python3?-(.+)", name)
-    # Other names with a hyphen are rosdep's, of packages of the system.
-    return "-" in name if python is None else _has_python(python[1].removesuffix("-pip"))
+    key = library_key(name)
+    if key is not None:
+        return _has_python(key)
+    # Other names with a hyphen are rosdep's, of packages of the system. Another ROS package may be installed by pip.
+    return "-" in name or (distribution_with(name) is None and _has_module(name))
 
 
 def _has_python(key: str) -> bool:
-    module = _MODULES.get(key, key.replace("-", "_"))
+    pypi = pypi_name(key)
+    if pypi is None or _has_module(_MODULES.get(key, key.replace("-", "_"))):
+        return True
     try:
-        if find_spec(module) is not None:
-            return True
-        distribution(key)
-    except (PackageNotFoundError, ImportError, ValueError):
+        distribution(pypi)
+    except (PackageNotFoundError, ValueError):
         return False
     return True
+
+
+def _has_module(name: str) -> bool:
+    """Return whether a module can be imported; a mere folder of its name, as one in a workspace, is none."""
+    if not name.isidentifier():
+        return False
+    try:
+        spec = find_spec(name)
+    except (ImportError, ValueError):
+        return False
+    return spec is not None and spec.origin is not None
+
+
+def what_is_missing(name: str) -> str:
+    """Return where a dependency was looked for that nobody provides."""
+    if library_key(name) is not None:
+        return "which is not installed"
+    return "neither in this workspace, nor sourced, nor tfloom's, nor installed by pip"
 
 
 def how_to_provide(name: str) -> str:
@@ -78,9 +93,10 @@ def how_to_provide(name: str) -> str:
     distribution_beside = distribution_with(name)
     if distribution_beside is not None:
         return distribution_beside.how_to_install
-    python = re.fullmatch(r"python3?-(.+)", name)
-    if python is not None:
-        return f"pip install {python[1].removesuffix('-pip')}"
+    key = library_key(name)
+    pypi = _ROS_ON_PYPI.get(name) if key is None else pypi_name(key)
+    if pypi is not None:
+        return f"pip install {pypi}"
     return "put the source of a ROS package into src/, or source a workspace that has it"
 
 

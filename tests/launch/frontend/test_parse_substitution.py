@@ -119,6 +119,10 @@ def test_unknown_name() -> None:
         RuntimeError, match=r"^Unknown substitution: vra; did you mean 'var'\? \(in '\$\(vra x\)'\)$"
     ):
         parse_substitution("a $(vra x)")
+    with pytest.raises(
+        RuntimeError, match=r"find; that is of ROS 1: write \$\(find-pkg-share PACKAGE\) \(in"
+    ):
+        parse_substitution("$(find my_robot)/launch/robot.launch")
     with pytest.raises(TypeError, match=r"^var substitution expects 1 or 2 arguments \(in '\$\(var\)'\)$"):
         parse_substitution("$(var)")
 

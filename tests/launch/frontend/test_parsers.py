@@ -193,6 +193,14 @@ def parsed(name: str, text: str) -> str:
         ),
         (
             "a.xml",
+            '<launch>\n<test test-name="t" pkg="p" type="t.py"/></launch>',
+            (
+                "RuntimeError: a.xml:2: Unrecognized entity of the type: test; that is of ROS 1: write a Python file "
+                "with generate_test_description(), for launch_testing"
+            ),
+        ),
+        (
+            "a.xml",
             '<launch>\n<log\nmessage="x" colour="y"/></launch>',
             "ValueError: a.xml:2: Unexpected attribute(s) found in `log`: {'colour'}",
         ),

@@ -24,6 +24,19 @@ __all__ = [
     "substitution_parse_methods",
 ]
 
+_OF_ROS_1 = {
+    "arg": "; that is of ROS 1: write $(var NAME)",
+    "find": "; that is of ROS 1: write $(find-pkg-share PACKAGE)",
+    "optenv": "; that is of ROS 1: write $(env NAME DEFAULT)",
+}
+"""What ROS 2 has in place of substitutions of ROS 1."""
+_TAGS_OF_ROS_1 = {
+    "param": "; that is of ROS 1: write <set_parameter name=… value=…/>, or <param> within <node>",
+    "remap": "; that is of ROS 1: write <set_remap from=… to=…/>, or <remap> within <node>",
+    "rosparam": "; that is of ROS 1: write <param from=…/> within <node>",
+    "test": "; that is of ROS 1: write a Python file with generate_test_description(), for launch_testing",
+}
+"""What ROS 2 has in place of tags of ROS 1."""
 _Exposed = TypeVar("_Exposed", bound=Callable[..., Any])
 
 action_parse_methods: dict[str, Any] = {}
@@ -45,7 +58,8 @@ def instantiate_action(entity: Entity, parser: ParsesActions) -> Any:
     """
     parse = _parse_method(entity.type_name, action_parse_methods, ACTION_MODULES)
     if parse is None:
-        near = did_you_mean(entity.type_name, {*action_parse_methods, *ACTION_MODULES})
+        known = {*action_parse_methods, *ACTION_MODULES}
+        near = _TAGS_OF_ROS_1.get(entity.type_name) or did_you_mean(entity.type_name, known)
         raise RuntimeError(f"Unrecognized entity of the type: {entity.type_name}{near}")
     action_type, kwargs = parse(entity, parser)
     return action_type(**kwargs)
@@ -65,7 +79,8 @@ def instantiate_substitution(
     """
     parse = _parse_method(type_name, substitution_parse_methods, SUBSTITUTION_MODULES)
     if parse is None:
-        near = did_you_mean(type_name, {*substitution_parse_methods, *SUBSTITUTION_MODULES})
+        known = {*substitution_parse_methods, *SUBSTITUTION_MODULES}
+        near = _OF_ROS_1.get(type_name) or did_you_mean(type_name, known)
         raise RuntimeError(f"Unknown substitution: {type_name}{near}")
     substitution_type, kwargs = parse([] if args is None else list(args))
     positional = kwargs.pop("args") if _takes_any_number(substitution_type) and "args" in kwargs else ()

@@ -17,7 +17,7 @@ from tfloom.workspace.colcon.identification import BROKEN_TYPE, READ_TYPE
 from tfloom.workspace.colcon.selection import MISSING_KEY
 from tfloom.workspace.colcon.tasks import LEFT_OUT_KEY, say
 from tfloom.workspace.leftovers import remove_copies, remove_dangling_links
-from tfloom.workspace.missing_dependencies import how_to_provide
+from tfloom.workspace.missing_dependencies import how_to_provide, what_is_missing
 
 try:
     from colcon_parallel_executor.executor.parallel import ParallelExecutorExtension as Base
@@ -132,13 +132,12 @@ class _TolerantJob:
         package = self._job.task_context.pkg
         if package.type == READ_TYPE and _has_cpp(package.path):
             return []
-        by_remedy: dict[str, list[str]] = {}
+        by_remedy: dict[tuple[str, str], list[str]] = {}
         for name in package.metadata.get(MISSING_KEY, ()):
-            by_remedy.setdefault(how_to_provide(name), []).append(name)
+            by_remedy.setdefault((what_is_missing(name), how_to_provide(name)), []).append(name)
         return [
-            f"{self.identifier} asks for {', '.join(names)} in package.xml: neither in this workspace, nor sourced, "
-            f"nor tfloom's: {remedy}"
-            for remedy, names in by_remedy.items()
+            f"{self.identifier} asks for {', '.join(names)} in package.xml: {where}: {remedy}"
+            for (where, remedy), names in by_remedy.items()
         ]
 
     def __str__(self) -> str:
