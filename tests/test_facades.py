@@ -20,6 +20,7 @@ from tools.facades import rooms
 from tools.facades.generate import Generator, generate_all
 from tools.facades.table import Facade, Package, TableError, read_table
 
+from tfloom.rosidl.class_modules import DefinitionModule
 from tfloom.rosidl.generate import load_definitions
 
 ROS_NAMES = Path(__file__).parents[1] / "src" / "tfloom" / "ros_names"
@@ -125,7 +126,7 @@ def deferred_otherwise_than_typed(folder: Path) -> Iterator[str]:
 def submodules_of(package: Path) -> Iterator[str]:
     for path in package.iterdir():
         is_module = path.suffix == ".py" or (path / "__init__.py").is_file()
-        if is_module and not path.name.startswith("_"):
+        if is_module and not path.name.startswith("__"):
             yield path.stem
 
 
@@ -138,7 +139,8 @@ def names_that_are_missing(folder: Path) -> Iterator[str]:
         except ImportError as error:
             yield f"{name}: {error}"
             continue
-        if Path(module.__file__) != path:
+        # The module of a definition is there before its file, whose names it has.
+        if Path(module.__file__) != path and not isinstance(module, DefinitionModule):
             yield f"{name} comes from {module.__file__}"
         yield from (
             f"{name} has no {exported_name}"

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import os
 import sys
-from importlib.machinery import PathFinder
 
-__all__ = ["claim", "is_elsewhere", "serves_rclpy"]
+__all__ = ["claim", "is_elsewhere", "is_facade", "serves_rclpy"]
 
 _ROS_NAMES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "ros_names") + os.sep  # noqa: PTH100, PTH118, PTH120  # pathlib takes longer to import than all the rest here
 
@@ -58,6 +57,30 @@ def serves_rclpy() -> bool:
     return where is not None and os.path.abspath(where).startswith(_ROS_NAMES)  # noqa: PTH100
 
 
+def is_facade(package: str, file: str) -> bool:
+    """Return whether a package of interfaces is, or would be, imported from the façade beside a generated module.
+
+    Args:
+        package: Name of the package, as `geometry_msgs`.
+        file: Path of the generated module: `…/tfloom/interfaces/geometry_msgs/msg.py`.
+    """
+    if getattr(sys, "frozen", False):
+        return _is_frozen_facade(package)
+    where = _origin(package)
+    root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(file))))  # noqa: PTH100, PTH120
+    facade = os.path.join(root, "ros_names", package, "__init__.py")  # noqa: PTH118
+    return where is not None and os.path.abspath(where) == facade  # noqa: PTH100
+
+
+def _is_frozen_facade(package: str) -> bool:
+    """Return whether a package of a frozen program is a façade: the path is the same for each ROS, its code is not."""
+    try:
+        module = __import__(package)
+    except ModuleNotFoundError:
+        return False
+    return getattr(getattr(module, "__getattr__", None), "__module__", "") == "tfloom.ros_modules"
+
+
 def _is_frozen_rclpy_ours() -> bool:
     """Return whether the `rclpy` of a frozen program, if any, is tfloom's.
 
@@ -68,12 +91,15 @@ def _is_frozen_rclpy_ours() -> bool:
         rclpy = __import__("rclpy")
     except ModuleNotFoundError:
         return True
-    return getattr(getattr(rclpy, "init", None), "__module__", "").startswith("tfloom.")
+    home = getattr(getattr(rclpy, "init", None), "__globals__", {}).get("__name__", "")
+    return str(home).startswith("tfloom.")
 
 
 def _origin(name: str) -> str | None:
     loaded = sys.modules.get(name)
     if loaded is not None:
         return getattr(loaded, "__file__", None)
+    from importlib.machinery import PathFinder  # slow to import, and messages seldom need it
+
     spec = PathFinder.find_spec(name)
     return None if spec is None else spec.origin

@@ -28,15 +28,16 @@ _OF_FACADES = {"TYPE_CHECKING", "claim", "deferred"}
 def submodules(package: str) -> Callable[[str], ModuleType]:
     """Return the `__getattr__` of a package, which imports the submodule of a name.
 
-    It raises AttributeError where there is no such module.
+    It raises AttributeError where there is no such module. The module of a definition, `geometry_msgs.msg._pose`, is in
+    `sys.modules` when its package is loaded.
 
     Args:
         package: Name of the package.
     """
 
     def load(name: str) -> ModuleType:
-        if not name.startswith("_"):
-            module = f"{package}.{name}"
+        module = f"{package}.{name}"
+        if not name.startswith("_") or module in sys.modules:
             try:
                 __import__(module)
             except ModuleNotFoundError as error:

@@ -82,6 +82,10 @@ def test_topics_and_services_are_remapped_by_their_full_names() -> None:
         ("1.2.3", "1.2.3"),
         ("!!binary AQI=", [b"\x01", b"\x02"]),
         ("[!!binary AQ==, !!binary Ag==]", [b"\x01", b"\x02"]),
+        ("!!str 5", "5"),
+        ("!!str off", "off"),
+        ("[!!str 1, !!str 2]", ["1", "2"]),
+        ("!!float 5", 5),
     ],
 )
 def test_values_are_parsed_by_the_rules_of_ros(text: str, value: object) -> None:

@@ -15,6 +15,7 @@ from tests.test_facades import ROS_NAMES, RULES, Rule
 
 from tfloom.distributions import INTERFACES, find_prefix
 from tfloom.rosidl import cdr, class_table, generate, spec
+from tfloom.rosidl.class_modules import module_leaf
 from tfloom.rosidl.registry import find_class, get_message_class
 from tfloom.rosidl.type_hash import type_hash
 from tfloom.workspace.get_interfaces import get_interfaces
@@ -84,7 +85,7 @@ def test_each_is_found_by_name_and_by_import(name: str) -> None:
     cls = find_class(name)
     assert type_hash(extra()[name], specs().__getitem__) == cls._TYPE_HASH
     assert getattr(importlib.import_module(f"{package}.{kind}"), base) is cls
-    assert cls.__module__ == f"tfloom_interfaces.interfaces.{package}.{kind}"
+    assert cls.__module__ == f"{package}.{kind}.{module_leaf(base)}"
     assert f"{kind}/{base}" in get_interfaces([package])[package]
     for message in spec.messages_of(extra()[name]):
         made = class_table.find(message.name)()

@@ -24,6 +24,9 @@ def test_regenerated_files_are_identical(path: str) -> None:
 def test_no_file_of_a_removed_definition_remains() -> None:
     on_disk = {path.relative_to(HOME).as_posix() for path in HOME.glob("interfaces/*/*.py")}
     assert on_disk == {path for path in files() if path.startswith("interfaces/")}
+    kinds = {path.rpartition("/")[0] for path in files() if path.startswith("ros_names/")}
+    modules = {path.relative_to(HOME).as_posix() for kind in kinds for path in (HOME / kind).glob("*.py*")}
+    assert modules == {path for path in files() if path.endswith(".py") and path.startswith("ros_names/")}
 
 
 def test_class_with_the_name_of_a_referenced_one() -> None:

@@ -32,7 +32,7 @@ def foreign(kind: type) -> type:
     """Return another class of the same ROS name and fields, with type checks as in ROS's classes."""
     if kind in _classes:
         return _classes[kind]
-    package = kind.__module__.split(".")[-2]
+    package = kind.__module__.split(".")[0]
     names = list(kind.get_fields_and_field_types())
 
     def start(self: Any) -> None:

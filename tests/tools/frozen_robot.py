@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pickle
+
 import rclpy
 from geometry_msgs.msg import TransformStamped
 from nav2_msgs.action import NavigateToPose
@@ -24,7 +26,13 @@ class Robot(Node):
         self.listener = TransformListener(self.buffer, self)
         self.broadcaster = TransformBroadcaster(self)
         self.create_timer(0.1, self.step)
-        self.get_logger().info(f"{get_message('nav_msgs/msg/Odometry').__name__} {NavigateToPose.__name__}")
+        odometry = get_message("nav_msgs/msg/Odometry")
+        self.get_logger().info(f"{odometry.__name__} {NavigateToPose.__name__}")
+        self.get_logger().info(
+            f"modules: {odometry.__module__} {String.__module__} {NavigateToPose.__module__}"
+        )
+        for message in (odometry(), String(data="kept"), NavigateToPose.Goal()):
+            assert pickle.loads(pickle.dumps(message)) == message
 
     def step(self) -> None:
         """Broadcast, look up, publish."""

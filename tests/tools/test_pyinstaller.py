@@ -69,6 +69,9 @@ def test_frozen_program_runs_over_dds(
 
     robot = start_program(program)
     robot.wait_for("Odometry NavigateToPose")
+    # The façade nav_msgs is not in the program, which imports none of its names.
+    modules = "tfloom.interfaces.nav_msgs.msg std_msgs.msg._string nav2_msgs.action._navigate_to_pose"
+    robot.wait_for(f"modules: {modules}")
     start_program(
         "ros2",
         "run",

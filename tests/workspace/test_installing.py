@@ -217,7 +217,6 @@ def test_rebuild_leaves_the_sources_of_python_beside_interfaces(symlink: bool, t
     assert (folder / "pkg" / "__init__.py").read_text() == own
     assert sorted(path.name for path in (folder / "pkg").iterdir()) == [
         "__init__.py",
-        "msg.py",
-        "msg.pyi",
+        "msg",
         "py.typed",
     ]

@@ -117,9 +117,9 @@ def test_what_is_installed(source: Path, prefix: Path, monkeypatch: pytest.Monke
     ]
     assert installed.warnings == []
     assert installed.python_folder == python_folder(prefix)
-    modules = (
-        f"{name}{suffix}" for name in ("__init__", "msg", "srv", "action") for suffix in (".py", ".pyi")
-    )
+    folders = ("", "msg/", "srv/", "action/")
+    modules = [f"{folder}__init__{suffix}" for folder in folders for suffix in (".py", ".pyi")]
+    modules += ["msg/_pile.py", "msg/_sphere.py", "srv/_weigh.py", "action/_roll.py"]
     markers = ("packages", "package_run_dependencies", "rosidl_interfaces")
     assert installed.files == sorted(path for path in prefix.rglob("*") if path.is_file())
     assert set(installed.files) == {
@@ -143,7 +143,7 @@ def test_modules_have_the_classes_that_the_index_has(
     monkeypatch.setenv("AMENT_PREFIX_PATH", str(prefix) if is_sourced else "")
     monkeypatch.syspath_prepend(install(source, prefix).python_folder)
     module = importlib.import_module("my_interfaces.msg")
-    assert module.__file__ == str(python_folder(prefix) / "my_interfaces" / "msg.py")
+    assert module.__file__ == str(python_folder(prefix) / "my_interfaces" / "msg" / "__init__.py")
     assert module.__all__ == ["Pile", "Sphere"]
     assert registry.get_message_class("my_interfaces/msg/Sphere") is module.Sphere
     pile = module.Pile(spheres=[module.Sphere(radius=2.0)])
@@ -219,7 +219,7 @@ def test_messages_of_a_package_in_another_prefix(
 
 
 def python_stub(installed: Installed, prefix: Path) -> Path:
-    return installed.python_folder.relative_to(prefix) / "user_msgs" / "msg.pyi"
+    return installed.python_folder.relative_to(prefix) / "user_msgs" / "msg" / "__init__.pyi"
 
 
 @pytest.mark.parametrize(

@@ -5,6 +5,6 @@
 - message, cdr, fill: objects of messages, their bytes, their fields from plain values
 - yaml_text, user_yaml: as text, and from a user's
 - adapter: rosidl_adapter.parser
-- dynamic, definition_modules: types at run time
+- dynamic, definition_modules: types at run time; class_modules: the modules that classes name as theirs
 - idl_tokens, idl_values, idl_reader, idl_types, idl_parser, idl_spec: .idl files
 """

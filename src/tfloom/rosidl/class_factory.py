@@ -6,6 +6,7 @@ import threading
 from typing import Any
 
 from tfloom.rosidl import class_table, sources, spec
+from tfloom.rosidl.class_modules import module_of_made
 from tfloom.rosidl.references import check_references
 from tfloom.rosidl.service import Action, Service
 from tfloom.rosidl.type_hash import type_hash
@@ -14,7 +15,7 @@ LOCK = threading.RLock()
 """Held while classes are made."""
 
 _HOME = "tfloom.rosidl.dynamic"
-"""The module in which pickle looks up a class made here."""
+"""The module in which pickle looks up a class made here that has no module of its own."""
 
 
 def load(name: str) -> Any:
@@ -42,12 +43,16 @@ def load(name: str) -> Any:
 
 
 def _class(name: str, base: type, attributes: dict[str, Any]) -> Any:
-    """Make a class that pickle can find, by `dynamic.__getattr__`."""
-    return type(
-        name.rpartition("/")[2],
-        (base,),
-        {"__module__": _HOME, "__qualname__": name, "_TYPE_NAME": name, **attributes},
-    )
+    """Make a class that pickle can find, in the module of its definition or by `dynamic.__getattr__`."""
+    class_name = name.rpartition("/")[2]
+    module = module_of_made(sources.definition_name(name))
+    place = {"__module__": _HOME, "__qualname__": name}
+    if module is not None:
+        place = {"__module__": module.__name__, "__qualname__": class_name}
+    made = type(class_name, (base,), {**place, "_TYPE_NAME": name, **attributes})
+    if module is not None:
+        setattr(module, class_name, made)
+    return made
 
 
 def _message_class(message: spec.Message) -> Any:
@@ -97,4 +102,6 @@ def _action_class(action: spec.Action, parts: dict[str, Any]) -> type[Action]:
             ),
         },
     )
+    impl: Any = made.Impl
+    impl.__module__, impl.__qualname__ = made.__module__, f"{made.__qualname__}.Impl"
     return made

@@ -27,6 +27,8 @@ if TYPE_CHECKING:
         _PLAN: ClassVar[Plan | None]
 
 
+_OWN_HOMES = ("tfloom.interfaces.", "tfloom_interfaces.interfaces.")
+"""The packages in which the interface packages of tfloom's definitions are."""
 _classes: dict[str, Any] = {}
 _bases: dict[str, type[Any]] = {"msg": MessageBase}
 
@@ -51,6 +53,11 @@ def registered(name: str) -> Any:
     return _classes.get(name)
 
 
+def has_package(package: str) -> bool:
+    """Return whether the table has a class of a package."""
+    return any(class_name.startswith(f"{package}/") for class_name in _classes)
+
+
 def forget(name: str) -> None:
     """Remove the class of a name, and those of its parts."""
     for known in [
@@ -73,12 +80,17 @@ def find(name: str) -> Any:
     return interface_class
 
 
-def _find_in_modules(name: str) -> Any:
+def find_own(name: str) -> Any:
+    """Return tfloom's class of `package/kind/Name`, or that of `tfloom-interfaces`, or None."""
+    return _find_in_modules(name, _OWN_HOMES)
+
+
+def _find_in_modules(name: str, homes: tuple[str, ...] = (*_OWN_HOMES, "")) -> Any:
     parts = name.split("/")
     if len(parts) != 3 or not all(part.isidentifier() for part in parts):
         return None
     package, kind, base = parts
-    for home in ("tfloom.interfaces.", "tfloom_interfaces.interfaces.", ""):
+    for home in homes:
         module_name = f"{home}{package}.{kind}"
         attribute = getattr(_import(module_name), base, None)
         if isinstance(attribute, type) and issubclass(attribute, (MessageBase, Service, Action)):

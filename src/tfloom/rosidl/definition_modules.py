@@ -14,6 +14,7 @@ from typing import Any
 
 from tfloom.ros_guard import claim
 from tfloom.rosidl import definition_files
+from tfloom.rosidl.class_modules import add_module, module_leaf
 from tfloom.rosidl.registry import find_by_definition
 
 _PARTS = {
@@ -75,18 +76,21 @@ def _fill_package(module: ModuleType, folder: str) -> None:
 def _fill_kind(module: ModuleType, package: str, kind: str, folder: str) -> None:
     module.__doc__ = f"The {kind} definitions of {package}, from {folder}."
 
+    def bases() -> set[str]:
+        shares = definition_files.workspace_folders()
+        return {name for share in shares for name in definition_files.interfaces_of(share / package, kind)}
+
     def names() -> list[str]:
-        bases = {
-            name.rpartition("/")[2]
-            for share in definition_files.workspace_folders()
-            for name in definition_files.names_in(share / package)
-            if name.split("/")[1] == kind
-        }
-        return sorted(f"{base}{part}" for base in bases for part in _PARTS[kind])
+        return sorted(f"{base}{part}" for base in bases() for part in _PARTS[kind])
+
+    for base in bases():
+        add_module(f"{module.__name__}.{module_leaf(base)}", module.__name__)
 
     def find_attribute(name: str) -> Any:
         if name == "__all__":
             return names()
+        if (definition_module := sys.modules.get(f"{module.__name__}.{name}")) is not None:
+            return definition_module
         interface_class = None if name.startswith("_") else find_by_definition(f"{package}/{kind}/{name}")
         if interface_class is None:
             raise AttributeError(

@@ -14,6 +14,9 @@ import yaml
 
 __all__ = ["YamlError", "YamlLimitError", "compose", "load", "load_placed"]
 
+_STRING_TAG = "tag:yaml.org,2002:str"
+"""The tag of strings, `!!str` in a text."""
+
 MAX_EXPANDED_SIZE = 1_000_000
 """Values and characters that all aliases of a text may stand for."""
 MAX_DEPTH = 100
@@ -80,6 +83,17 @@ class _Loader(yaml.SafeLoader):
         if event.anchor is not None:
             self._measured[event.anchor] = self._total - before, self._deepest - self._level
         self._deepest = max(deepest, self._deepest)
+        return node
+
+    def compose_scalar_node(self, anchor: Any) -> Any:
+        """Return the next node, a scalar; where a text has `!!str` before one, it is as if in quotes.
+
+        A plain scalar that YAML takes for a string has the same tag, but may be no string by another's rules: ROS's.
+        """
+        event: Any = self.peek_event()  # type: ignore[no-untyped-call]
+        node = super().compose_scalar_node(anchor)
+        if event.tag == _STRING_TAG:
+            node.style = node.style or "'"
         return node
 
     def _enter(self, levels: int, mark: Any) -> None:
@@ -152,6 +166,8 @@ def load_placed(text: str) -> tuple[Any, dict[int, int]]:
 
 def compose(text: str) -> Any:
     """Return the root node of a YAML text, with unresolved scalars; None for an empty text.
+
+    A scalar is a string if it has a style: it is in quotes, in a block, or has the tag `!!str`.
 
     Raises:
         YamlError, YamlLimitError: as `load`, except that tags are not checked.

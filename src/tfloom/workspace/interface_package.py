@@ -3,7 +3,7 @@
     share/my_interfaces/{msg,srv,action}/          the definitions
     share/my_interfaces/package.xml
     share/ament_index/resource_index/*/my_interfaces
-    lib/python3.x/site-packages/my_interfaces/     modules, each with a typed one beside it for editors
+    lib/python3.x/site-packages/my_interfaces/     modules, and stubs: msg/__init__.py, __init__.pyi, _sphere.py
 
 The modules create their classes from the installed definitions, at first access. So the classes are those that the
 commands use, and one that is a symbolic link into the source folder can be edited without a new build.
@@ -124,6 +124,15 @@ def _read_manifest(path: Path, name: str) -> Manifest:
     return manifest
 
 
+def _written_modules(folder: Path) -> Iterator[Path]:
+    """Yield the modules and stubs in a package's Python folder that this or an earlier tfloom may have written."""
+    yield from folder.glob("__init__.py*")
+    for kind in definition_files.KINDS:
+        yield from folder.glob(f"{kind}.py*")
+        yield from folder.glob(f"{kind}/__init__.pyi")
+        yield from folder.glob(f"{kind}/_*.py")
+
+
 class _Package:
     """The files of one package below a prefix."""
 
@@ -164,17 +173,20 @@ class _Package:
         """Install the Python modules and their stubs; remove those of kinds that there are no longer."""
         folder = self.python_folder / self.name
         stubs = dict(self._stubs(definitions))
-        for module in ("__init__", *definition_files.KINDS):
-            for suffix in (".py", ".pyi"):
-                if f"{module}.pyi" not in stubs:
-                    (folder / f"{module}{suffix}").unlink(missing_ok=True)
+        for path in _written_modules(folder):
+            if path.relative_to(folder).with_suffix(".pyi").as_posix() not in stubs:
+                path.unlink()
         if not stubs:
             return
-        to_prefix = Path(os.path.relpath(self.prefix, folder)).as_posix()
-        for path, text in stubs.items():
+        for place, text in stubs.items():
+            path = folder / place
+            if path.stem != "__init__":  # the module of a definition, which only hands on
+                self._write(path.with_suffix(".py"), text)
+                continue
+            to_prefix = Path(os.path.relpath(self.prefix, path.parent)).as_posix()
             module = _MODULE.format(package=self.name, by=_BY, prefix=to_prefix)
-            self._write(folder / path.replace(".pyi", ".py"), module)
-            self._write(folder / path, text)
+            self._write(path.with_suffix(".py"), module)
+            self._write(path, text)
         self._write(folder / "py.typed", "")
 
     def _stubs(self, definitions: PackageDefinitions) -> Iterator[tuple[str, str]]:

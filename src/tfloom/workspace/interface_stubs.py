@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from tfloom.rosidl import definition_files, sources, spec
-from tfloom.rosidl.generate import generate
+from tfloom.rosidl.generate import definition_modules, generate
 from tfloom.rosidl.references import check_references
 from tfloom.rosidl.type_hash import FindSpec
 from tfloom.whole_files import write_file
@@ -24,9 +24,10 @@ class Stubs(NamedTuple):
 
 
 def write_stubs(folder: Path) -> Stubs:
-    """Write `package/kind.pyi` for each package on AMENT_PREFIX_PATH that holds definitions and is not tfloom's own.
+    """Write the stubs of each package on AMENT_PREFIX_PATH that holds definitions and is not tfloom's own.
 
-    Definitions that can't be loaded are left out.
+    They are `package/kind/__init__.pyi`, and one for the module of each definition. Definitions that can't be loaded
+    are left out.
 
     Args:
         folder: Where to write; it is made.
@@ -47,7 +48,7 @@ def write_stubs(folder: Path) -> Stubs:
 def typed_modules(
     package: str, interfaces: Iterable[spec.Interface], find: FindSpec, *, by: str
 ) -> Iterator[tuple[str, str]]:
-    """Yield path and text of each stub of a package: `msg.pyi`, `srv.pyi`, `action.pyi`, `__init__.pyi`.
+    """Yield path and text of each stub of a package: `__init__.pyi`, `msg/__init__.pyi`, `msg/_sphere.pyi`.
 
     Args:
         package: The package's name.
@@ -60,7 +61,9 @@ def typed_modules(
         groups.setdefault(interface.name.split("/")[1], []).append(interface)
     kinds = [kind for kind in definition_files.KINDS if kind in groups]
     for kind in kinds:
-        yield f"{kind}.pyi", generate(groups[kind], find, by=by)
+        yield f"{kind}/__init__.pyi", generate(groups[kind], find, by=by)
+        for name, text in definition_modules(f"{package}.{kind}", groups[kind]):
+            yield f"{kind}/{name}.pyi", text
     if kinds:
         imports = "".join(f"from {package} import {kind} as {kind}\n" for kind in kinds)
         yield "__init__.pyi", f'"""The interfaces of {package}."""\n\n{imports}'

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
@@ -11,10 +12,13 @@ if TYPE_CHECKING:
 
 __all__ = ["GoalInfo", "GoalStatus", "GoalStatusArray"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class GoalInfo(_Message):
     """The message action_msgs/msg/GoalInfo."""
 
+    __module__ = _module("_goal_info")
     _TYPE_NAME = "action_msgs/msg/GoalInfo"
     _TYPE_HASH = "RIHS01_6398fe763154554353930716b225947f93b672f0fb2e49fdd01bb7a7e37933e9"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "stamp": "builtin_interfaces/msg/Time"}
@@ -30,6 +34,7 @@ class GoalInfo(_Message):
 class GoalStatus(_Message):
     """The status of a goal."""
 
+    __module__ = _module("_goal_status")
     _TYPE_NAME = "action_msgs/msg/GoalStatus"
     _TYPE_HASH = "RIHS01_32f4cfd717735d17657e1178f24431c1ce996c878c515230f6c5b3476819dbb9"
     _FIELDS = {"goal_info": "action_msgs/msg/GoalInfo", "status": "int8"}
@@ -52,6 +57,7 @@ class GoalStatus(_Message):
 class GoalStatusArray(_Message):
     """The message action_msgs/msg/GoalStatusArray."""
 
+    __module__ = _module("_goal_status_array")
     _TYPE_NAME = "action_msgs/msg/GoalStatusArray"
     _TYPE_HASH = "RIHS01_6c1684b00f177d37438febe6e709fc4e2b0d4248dca4854946f9ed8b30cda83e"
     _FIELDS = {"status_list": "action_msgs/msg/GoalStatus[]"}

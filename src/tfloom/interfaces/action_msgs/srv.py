@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 from tfloom.rosidl.service import Service as _Service
 
@@ -13,10 +14,13 @@ if TYPE_CHECKING:
 
 __all__ = ["CancelGoal", "CancelGoal_Event", "CancelGoal_Request", "CancelGoal_Response"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class CancelGoal_Request(_Message):
     """The message action_msgs/srv/CancelGoal_Request."""
 
+    __module__ = _module("_cancel_goal")
     _TYPE_NAME = "action_msgs/srv/CancelGoal_Request"
     _TYPE_HASH = "RIHS01_3d3c84653c1f96918086887e1dcb236faec88b81a5b14fd4cf4840065bcdf8af"
     _FIELDS = {"goal_info": "action_msgs/msg/GoalInfo"}
@@ -31,6 +35,7 @@ class CancelGoal_Request(_Message):
 class CancelGoal_Response(_Message):
     """The message action_msgs/srv/CancelGoal_Response."""
 
+    __module__ = _module("_cancel_goal")
     _TYPE_NAME = "action_msgs/srv/CancelGoal_Response"
     _TYPE_HASH = "RIHS01_35e682cf3f510e83c70a82a4aac888496dedee56773bf9d8e5e0aa81f9e1c960"
     _FIELDS = {"return_code": "int8", "goals_canceling": "action_msgs/msg/GoalInfo[]"}
@@ -50,6 +55,7 @@ class CancelGoal_Response(_Message):
 class CancelGoal_Event(_Message):
     """The message action_msgs/srv/CancelGoal_Event."""
 
+    __module__ = _module("_cancel_goal")
     _TYPE_NAME = "action_msgs/srv/CancelGoal_Event"
     _TYPE_HASH = "RIHS01_178f81615ce6be41ad328211d7a56b08b00e73f41f0b8aec256b2f3ff97a5e7e"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "action_msgs/srv/CancelGoal_Request[<=1]", "response": "action_msgs/srv/CancelGoal_Response[<=1]"}
@@ -66,6 +72,7 @@ class CancelGoal_Event(_Message):
 class CancelGoal(_Service[CancelGoal_Request, CancelGoal_Response]):
     """The service action_msgs/srv/CancelGoal."""
 
+    __module__ = _module("_cancel_goal")
     _TYPE_NAME = "action_msgs/srv/CancelGoal"
     _TYPE_HASH = "RIHS01_573d8b0a534451d7bc2ac8c5ffde8ac14b8593b7001175d0cd6516dcbeb8689a"
     Request: _TypeAlias = CancelGoal_Request

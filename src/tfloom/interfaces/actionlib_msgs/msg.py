@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
@@ -11,10 +12,13 @@ if TYPE_CHECKING:
 
 __all__ = ["GoalID", "GoalStatus", "GoalStatusArray"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class GoalID(_Message):
     """A goal of a ROS 1 action: topics of these types cross a bridge."""
 
+    __module__ = _module("_goal_id")
     _TYPE_NAME = "actionlib_msgs/msg/GoalID"
     _TYPE_HASH = "RIHS01_140ea4a1bad4781edc32030c7983ab3a62c675f861c61c9b2200ae5e5398be24"
     _FIELDS = {"stamp": "builtin_interfaces/msg/Time", "id": "string"}
@@ -31,6 +35,7 @@ class GoalID(_Message):
 class GoalStatus(_Message):
     """The message actionlib_msgs/msg/GoalStatus."""
 
+    __module__ = _module("_goal_status")
     _TYPE_NAME = "actionlib_msgs/msg/GoalStatus"
     _TYPE_HASH = "RIHS01_c90c64230954d90ee079cbdd22a14bca3650b3d403f5cc3faf0eee992c6ae9ff"
     _FIELDS = {"goal_id": "actionlib_msgs/msg/GoalID", "status": "uint8", "text": "string"}
@@ -57,6 +62,7 @@ class GoalStatus(_Message):
 class GoalStatusArray(_Message):
     """The message actionlib_msgs/msg/GoalStatusArray."""
 
+    __module__ = _module("_goal_status_array")
     _TYPE_NAME = "actionlib_msgs/msg/GoalStatusArray"
     _TYPE_HASH = "RIHS01_f3230208e8daec53eb7b8da6df1c1d1d4eb095f3082be922661c29a1f855a1bc"
     _FIELDS = {"header": "std_msgs/msg/Header", "status_list": "actionlib_msgs/msg/GoalStatus[]"}

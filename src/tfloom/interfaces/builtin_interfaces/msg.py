@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
 
 __all__ = ["Duration", "Time"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class Duration(_Message):
     """A duration, which may be negative."""
 
+    __module__ = _module("_duration")
     _TYPE_NAME = "builtin_interfaces/msg/Duration"
     _TYPE_HASH = "RIHS01_e8d009f659816f758b75334ee1a9ca5b5c0b859843261f14c7f937349599d93b"
     _FIELDS = {"sec": "int32", "nanosec": "uint32"}
@@ -29,6 +33,7 @@ class Duration(_Message):
 class Time(_Message):
     """A point in time: since the epoch of its clock."""
 
+    __module__ = _module("_time")
     _TYPE_NAME = "builtin_interfaces/msg/Time"
     _TYPE_HASH = "RIHS01_b106235e25a4c5ed35098aa0a61a3ee9c9b18d197f398b0e4206cea9acf9c197"
     _FIELDS = {"sec": "int32", "nanosec": "uint32"}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 from tfloom.rosidl.service import Service as _Service
 
@@ -14,10 +15,13 @@ if TYPE_CHECKING:
 
 __all__ = ["ListNodes", "ListNodes_Event", "ListNodes_Request", "ListNodes_Response", "LoadNode", "LoadNode_Event", "LoadNode_Request", "LoadNode_Response", "UnloadNode", "UnloadNode_Event", "UnloadNode_Request", "UnloadNode_Response"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class ListNodes_Request(_Message):
     """The message composition_interfaces/srv/ListNodes_Request."""
 
+    __module__ = _module("_list_nodes")
     _TYPE_NAME = "composition_interfaces/srv/ListNodes_Request"
     _TYPE_HASH = "RIHS01_57c879a1825b3fa15fd58e70d2e73223af6b9c45c7ae104cc107e73464d3a724"
     _FIELDS = {}
@@ -31,6 +35,7 @@ class ListNodes_Request(_Message):
 class ListNodes_Response(_Message):
     """The message composition_interfaces/srv/ListNodes_Response."""
 
+    __module__ = _module("_list_nodes")
     _TYPE_NAME = "composition_interfaces/srv/ListNodes_Response"
     _TYPE_HASH = "RIHS01_b7cd8401aedcd85c4cedce384944001d5c1ab611e0164a8207045cfcaf4a2584"
     _FIELDS = {"full_node_names": "string[]", "unique_ids": "uint64[]"}
@@ -49,6 +54,7 @@ class ListNodes_Response(_Message):
 class ListNodes_Event(_Message):
     """The message composition_interfaces/srv/ListNodes_Event."""
 
+    __module__ = _module("_list_nodes")
     _TYPE_NAME = "composition_interfaces/srv/ListNodes_Event"
     _TYPE_HASH = "RIHS01_843ad4c80092060d68dbf8008ce53354314d98257cddddaf55df03abd7321b38"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "composition_interfaces/srv/ListNodes_Request[<=1]", "response": "composition_interfaces/srv/ListNodes_Response[<=1]"}
@@ -65,6 +71,7 @@ class ListNodes_Event(_Message):
 class ListNodes(_Service[ListNodes_Request, ListNodes_Response]):
     """The service composition_interfaces/srv/ListNodes."""
 
+    __module__ = _module("_list_nodes")
     _TYPE_NAME = "composition_interfaces/srv/ListNodes"
     _TYPE_HASH = "RIHS01_13f30d73a74c844ee4bacf78f3680f08777cad137f10fbd6a648544cc7b59d2a"
     Request: _TypeAlias = ListNodes_Request
@@ -75,6 +82,7 @@ class ListNodes(_Service[ListNodes_Request, ListNodes_Response]):
 class LoadNode_Request(_Message):
     """The message composition_interfaces/srv/LoadNode_Request."""
 
+    __module__ = _module("_load_node")
     _TYPE_NAME = "composition_interfaces/srv/LoadNode_Request"
     _TYPE_HASH = "RIHS01_7d3496175f54f92d652547e144c9b2a3b22afd604f84ed70adfcd1cfe35801b5"
     _FIELDS = {"package_name": "string", "plugin_name": "string", "node_name": "string", "node_namespace": "string", "log_level": "uint8", "remap_rules": "string[]", "parameters": "rcl_interfaces/msg/Parameter[]", "extra_arguments": "rcl_interfaces/msg/Parameter[]"}
@@ -96,6 +104,7 @@ class LoadNode_Request(_Message):
 class LoadNode_Response(_Message):
     """The message composition_interfaces/srv/LoadNode_Response."""
 
+    __module__ = _module("_load_node")
     _TYPE_NAME = "composition_interfaces/srv/LoadNode_Response"
     _TYPE_HASH = "RIHS01_08cdf942efabec2448fd03c131f3627a33ed05376400612425f871feb87ca9fd"
     _FIELDS = {"success": "bool", "error_message": "string", "full_node_name": "string", "unique_id": "uint64"}
@@ -113,6 +122,7 @@ class LoadNode_Response(_Message):
 class LoadNode_Event(_Message):
     """The message composition_interfaces/srv/LoadNode_Event."""
 
+    __module__ = _module("_load_node")
     _TYPE_NAME = "composition_interfaces/srv/LoadNode_Event"
     _TYPE_HASH = "RIHS01_db276d4eb31443e4d30cfb4b0c01bcd22af27fc95be8e1ba2cc56d7772219cd2"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "composition_interfaces/srv/LoadNode_Request[<=1]", "response": "composition_interfaces/srv/LoadNode_Response[<=1]"}
@@ -129,6 +139,7 @@ class LoadNode_Event(_Message):
 class LoadNode(_Service[LoadNode_Request, LoadNode_Response]):
     """The service composition_interfaces/srv/LoadNode."""
 
+    __module__ = _module("_load_node")
     _TYPE_NAME = "composition_interfaces/srv/LoadNode"
     _TYPE_HASH = "RIHS01_2e521ef6066fba6d7fc3a3b175d486709f01b4d738d9a59188858546fc8e5acd"
     Request: _TypeAlias = LoadNode_Request
@@ -139,6 +150,7 @@ class LoadNode(_Service[LoadNode_Request, LoadNode_Response]):
 class UnloadNode_Request(_Message):
     """The message composition_interfaces/srv/UnloadNode_Request."""
 
+    __module__ = _module("_unload_node")
     _TYPE_NAME = "composition_interfaces/srv/UnloadNode_Request"
     _TYPE_HASH = "RIHS01_95d5cfc357956740190c7685ac868d9c7c98dcb8c1416aae8eaa351422074e12"
     _FIELDS = {"unique_id": "uint64"}
@@ -153,6 +165,7 @@ class UnloadNode_Request(_Message):
 class UnloadNode_Response(_Message):
     """The message composition_interfaces/srv/UnloadNode_Response."""
 
+    __module__ = _module("_unload_node")
     _TYPE_NAME = "composition_interfaces/srv/UnloadNode_Response"
     _TYPE_HASH = "RIHS01_fa7fc38f9206220a6bc1558a3c019269e5aa592f7fae01dffbd19f56eb86d599"
     _FIELDS = {"success": "bool", "error_message": "string"}
@@ -168,6 +181,7 @@ class UnloadNode_Response(_Message):
 class UnloadNode_Event(_Message):
     """The message composition_interfaces/srv/UnloadNode_Event."""
 
+    __module__ = _module("_unload_node")
     _TYPE_NAME = "composition_interfaces/srv/UnloadNode_Event"
     _TYPE_HASH = "RIHS01_448a525df1406f0c3dc653b03c68cb80d5c67cff48a8006a65f76f13e23e29cf"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "composition_interfaces/srv/UnloadNode_Request[<=1]", "response": "composition_interfaces/srv/UnloadNode_Response[<=1]"}
@@ -184,6 +198,7 @@ class UnloadNode_Event(_Message):
 class UnloadNode(_Service[UnloadNode_Request, UnloadNode_Response]):
     """The service composition_interfaces/srv/UnloadNode."""
 
+    __module__ = _module("_unload_node")
     _TYPE_NAME = "composition_interfaces/srv/UnloadNode"
     _TYPE_HASH = "RIHS01_dce562f83adc735ddcfe9dfb927b89293d4dd0fe2b8fc91e772fb83e970a43b0"
     Request: _TypeAlias = UnloadNode_Request

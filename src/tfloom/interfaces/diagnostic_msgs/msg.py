@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
@@ -10,10 +11,13 @@ if TYPE_CHECKING:
 
 __all__ = ["DiagnosticArray", "DiagnosticStatus", "KeyValue"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class DiagnosticArray(_Message):
     """The message diagnostic_msgs/msg/DiagnosticArray."""
 
+    __module__ = _module("_diagnostic_array")
     _TYPE_NAME = "diagnostic_msgs/msg/DiagnosticArray"
     _TYPE_HASH = "RIHS01_5a8a36efb05fb25070fa0fb3810290c0e6cd4862b54a8fb975a1ee8dc55a333e"
     _FIELDS = {"header": "std_msgs/msg/Header", "status": "diagnostic_msgs/msg/DiagnosticStatus[]"}
@@ -29,6 +33,7 @@ class DiagnosticArray(_Message):
 class DiagnosticStatus(_Message):
     """The state of one component."""
 
+    __module__ = _module("_diagnostic_status")
     _TYPE_NAME = "diagnostic_msgs/msg/DiagnosticStatus"
     _TYPE_HASH = "RIHS01_b0e3e692ea2d54a8af2f4ef1930e81556a2db55216b771f8a7d2724ed47bf0e4"
     _FIELDS = {"level": "byte", "name": "string", "message": "string", "hardware_id": "string", "values": "diagnostic_msgs/msg/KeyValue[]"}
@@ -51,6 +56,7 @@ class DiagnosticStatus(_Message):
 class KeyValue(_Message):
     """The message diagnostic_msgs/msg/KeyValue."""
 
+    __module__ = _module("_key_value")
     _TYPE_NAME = "diagnostic_msgs/msg/KeyValue"
     _TYPE_HASH = "RIHS01_d68081eaa540288c5440753baecef0c4e16e81a5f78ad68902ded5100413bb42"
     _FIELDS = {"key": "string", "value": "string"}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 from tfloom.rosidl.service import Service as _Service
 
@@ -13,10 +14,13 @@ if TYPE_CHECKING:
 
 __all__ = ["AddDiagnostics", "AddDiagnostics_Event", "AddDiagnostics_Request", "AddDiagnostics_Response", "SelfTest", "SelfTest_Event", "SelfTest_Request", "SelfTest_Response"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class AddDiagnostics_Request(_Message):
     """The message diagnostic_msgs/srv/AddDiagnostics_Request."""
 
+    __module__ = _module("_add_diagnostics")
     _TYPE_NAME = "diagnostic_msgs/srv/AddDiagnostics_Request"
     _TYPE_HASH = "RIHS01_e0b6572a07c2b3ca2c4f2acf742297661f6ceb50f5baa4f9305b6094cf950146"
     _FIELDS = {"load_namespace": "string"}
@@ -31,6 +35,7 @@ class AddDiagnostics_Request(_Message):
 class AddDiagnostics_Response(_Message):
     """The message diagnostic_msgs/srv/AddDiagnostics_Response."""
 
+    __module__ = _module("_add_diagnostics")
     _TYPE_NAME = "diagnostic_msgs/srv/AddDiagnostics_Response"
     _TYPE_HASH = "RIHS01_e7070a2373c892c4cf071dcd90405d7696187eb2ff0e40d8b6472a04a4b73d22"
     _FIELDS = {"success": "bool", "message": "string"}
@@ -46,6 +51,7 @@ class AddDiagnostics_Response(_Message):
 class AddDiagnostics_Event(_Message):
     """The message diagnostic_msgs/srv/AddDiagnostics_Event."""
 
+    __module__ = _module("_add_diagnostics")
     _TYPE_NAME = "diagnostic_msgs/srv/AddDiagnostics_Event"
     _TYPE_HASH = "RIHS01_21ac801810297ae86b5e5dcc665bbd1918bf71b19615c031c4c6e755ada80c7c"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "diagnostic_msgs/srv/AddDiagnostics_Request[<=1]", "response": "diagnostic_msgs/srv/AddDiagnostics_Response[<=1]"}
@@ -62,6 +68,7 @@ class AddDiagnostics_Event(_Message):
 class AddDiagnostics(_Service[AddDiagnostics_Request, AddDiagnostics_Response]):
     """The service diagnostic_msgs/srv/AddDiagnostics."""
 
+    __module__ = _module("_add_diagnostics")
     _TYPE_NAME = "diagnostic_msgs/srv/AddDiagnostics"
     _TYPE_HASH = "RIHS01_6b91084c9f8bffd9b0c1f6883e0e8e491a831f4fc6c6aec77a4efaf3f1ea90b5"
     Request: _TypeAlias = AddDiagnostics_Request
@@ -72,6 +79,7 @@ class AddDiagnostics(_Service[AddDiagnostics_Request, AddDiagnostics_Response]):
 class SelfTest_Request(_Message):
     """The message diagnostic_msgs/srv/SelfTest_Request."""
 
+    __module__ = _module("_self_test")
     _TYPE_NAME = "diagnostic_msgs/srv/SelfTest_Request"
     _TYPE_HASH = "RIHS01_3bb94b497e74e9beed2dddc7212d3ae596696d30413bd1550fe932fc20efb8a4"
     _FIELDS = {}
@@ -85,6 +93,7 @@ class SelfTest_Request(_Message):
 class SelfTest_Response(_Message):
     """The message diagnostic_msgs/srv/SelfTest_Response."""
 
+    __module__ = _module("_self_test")
     _TYPE_NAME = "diagnostic_msgs/srv/SelfTest_Response"
     _TYPE_HASH = "RIHS01_489da82e00dce6671cb0ff423a0f0939b546336fbfe49d6c7e64c9b89f898f57"
     _FIELDS = {"id": "string", "passed": "byte", "status": "diagnostic_msgs/msg/DiagnosticStatus[]"}
@@ -101,6 +110,7 @@ class SelfTest_Response(_Message):
 class SelfTest_Event(_Message):
     """The message diagnostic_msgs/srv/SelfTest_Event."""
 
+    __module__ = _module("_self_test")
     _TYPE_NAME = "diagnostic_msgs/srv/SelfTest_Event"
     _TYPE_HASH = "RIHS01_949f4bd418dae483879d649012beff105276e5b75b3c7445693c70dca1687718"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "diagnostic_msgs/srv/SelfTest_Request[<=1]", "response": "diagnostic_msgs/srv/SelfTest_Response[<=1]"}
@@ -117,6 +127,7 @@ class SelfTest_Event(_Message):
 class SelfTest(_Service[SelfTest_Request, SelfTest_Response]):
     """The service diagnostic_msgs/srv/SelfTest."""
 
+    __module__ = _module("_self_test")
     _TYPE_NAME = "diagnostic_msgs/srv/SelfTest"
     _TYPE_HASH = "RIHS01_df1e4e54a814a16ccc77471e9239618d46818e8d0e3b45ad6f8c34c6e2abfef6"
     Request: _TypeAlias = SelfTest_Request

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from tfloom.interfaces.action_msgs.msg import GoalStatusArray as _GoalStatusArray
 from tfloom.interfaces.action_msgs.srv import CancelGoal as _CancelGoal
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 from tfloom.rosidl.service import Action as _Action
 from tfloom.rosidl.service import Service as _Service
@@ -18,10 +19,13 @@ if TYPE_CHECKING:
 
 __all__ = ["Fibonacci", "Fibonacci_Feedback", "Fibonacci_FeedbackMessage", "Fibonacci_GetResult", "Fibonacci_GetResult_Event", "Fibonacci_GetResult_Request", "Fibonacci_GetResult_Response", "Fibonacci_Goal", "Fibonacci_Result", "Fibonacci_SendGoal", "Fibonacci_SendGoal_Event", "Fibonacci_SendGoal_Request", "Fibonacci_SendGoal_Response"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class Fibonacci_Goal(_Message):
     """The message example_interfaces/action/Fibonacci_Goal."""
 
+    __module__ = _module("_fibonacci")
     _TYPE_NAME = "example_interfaces/action/Fibonacci_Goal"
     _TYPE_HASH = "RIHS01_226cb437e4355dcd3e914f930382a3b0cc1da81545bd319ed554e95a03255f51"
     _FIELDS = {"order": "int32"}
@@ -36,6 +40,7 @@ class Fibonacci_Goal(_Message):
 class Fibonacci_Result(_Message):
     """The message example_interfaces/action/Fibonacci_Result."""
 
+    __module__ = _module("_fibonacci")
     _TYPE_NAME = "example_interfaces/action/Fibonacci_Result"
     _TYPE_HASH = "RIHS01_fea81394f25aa4502217953f1a021fb750e79c10bbd43f13dd94632da6569649"
     _FIELDS = {"sequence": "int32[]"}
@@ -53,6 +58,7 @@ class Fibonacci_Result(_Message):
 class Fibonacci_Feedback(_Message):
     """The message example_interfaces/action/Fibonacci_Feedback."""
 
+    __module__ = _module("_fibonacci")
     _TYPE_NAME = "example_interfaces/action/Fibonacci_Feedback"
     _TYPE_HASH = "RIHS01_2b12e37361da6f408d4c85bc24a18de64333f29082f2ca34b5ee33dc4c8b42a9"
     _FIELDS = {"sequence": "int32[]"}
@@ -70,6 +76,7 @@ class Fibonacci_Feedback(_Message):
 class Fibonacci_SendGoal_Request(_Message):
     """The message example_interfaces/action/Fibonacci_SendGoal_Request."""
 
+    __module__ = _module("_fibonacci")
     _TYPE_NAME = "example_interfaces/action/Fibonacci_SendGoal_Request"
     _TYPE_HASH = "RIHS01_3d088942b413247db536576f0286768c6be8fcd5d0c9a5d544f359fba090a238"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "goal": "example_interfaces/action/Fibonacci_Goal"}
@@ -85,6 +92,7 @@ class Fibonacci_SendGoal_Request(_Message):
 class Fibonacci_SendGoal_Response(_Message):
     """The message example_interfaces/action/Fibonacci_SendGoal_Response."""
 
+    __module__ = _module("_fibonacci")
     _TYPE_NAME = "example_interfaces/action/Fibonacci_SendGoal_Response"
     _TYPE_HASH = "RIHS01_d8c07bb3d5b766fe4b43159c9a5222af5214e2fcc29229b991d826166c512be1"
     _FIELDS = {"accepted": "bool", "stamp": "builtin_interfaces/msg/Time"}
@@ -100,6 +108,7 @@ class Fibonacci_SendGoal_Response(_Message):
 class Fibonacci_SendGoal_Event(_Message):
     """The message example_interfaces/action/Fibonacci_SendGoal_Event."""
 
+    __module__ = _module("_fibonacci")
     _TYPE_NAME = "example_interfaces/action/Fibonacci_SendGoal_Event"
     _TYPE_HASH = "RIHS01_d5e5b312dbf847307b0e876c2ecc9d80258e95b0d17f8f7bfc581c4a29c83484"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "example_interfaces/action/Fibonacci_SendGoal_Request[<=1]", "response": "example_interfaces/action/Fibonacci_SendGoal_Response[<=1]"}
@@ -116,6 +125,7 @@ class Fibonacci_SendGoal_Event(_Message):
 class Fibonacci_GetResult_Request(_Message):
     """The message example_interfaces/action/Fibonacci_GetResult_Request."""
 
+    __module__ = _module("_fibonacci")
     _TYPE_NAME = "example_interfaces/action/Fibonacci_GetResult_Request"
     _TYPE_HASH = "RIHS01_c8a4f5e7d13b81286ee1043e2ecd084281cecf1ff06aaa799464f5f15479f003"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID"}
@@ -130,6 +140,7 @@ class Fibonacci_GetResult_Request(_Message):
 class Fibonacci_GetResult_Response(_Message):
     """The message example_interfaces/action/Fibonacci_GetResult_Response."""
 
+    __module__ = _module("_fibonacci")
     _TYPE_NAME = "example_interfaces/action/Fibonacci_GetResult_Response"
     _TYPE_HASH = "RIHS01_6021dc98ab9b4bbe395e48aa4de81ee5f68eb570f88358affcc648146668b24f"
     _FIELDS = {"status": "int8", "result": "example_interfaces/action/Fibonacci_Result"}
@@ -145,6 +156,7 @@ class Fibonacci_GetResult_Response(_Message):
 class Fibonacci_GetResult_Event(_Message):
     """The message example_interfaces/action/Fibonacci_GetResult_Event."""
 
+    __module__ = _module("_fibonacci")
     _TYPE_NAME = "example_interfaces/action/Fibonacci_GetResult_Event"
     _TYPE_HASH = "RIHS01_ac4e9cdb954c2e192c9f0753d46f59ab6f0101d5fb5b9542fd8ab2906e40c4d9"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "example_interfaces/action/Fibonacci_GetResult_Request[<=1]", "response": "example_interfaces/action/Fibonacci_GetResult_Response[<=1]"}
@@ -161,6 +173,7 @@ class Fibonacci_GetResult_Event(_Message):
 class Fibonacci_FeedbackMessage(_Message):
     """The message example_interfaces/action/Fibonacci_FeedbackMessage."""
 
+    __module__ = _module("_fibonacci")
     _TYPE_NAME = "example_interfaces/action/Fibonacci_FeedbackMessage"
     _TYPE_HASH = "RIHS01_c1de71afd52e49a89c53d8262366884185bc0a02f78ce051c4e46b0a7fe59bb2"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "feedback": "example_interfaces/action/Fibonacci_Feedback"}
@@ -176,6 +189,7 @@ class Fibonacci_FeedbackMessage(_Message):
 class Fibonacci_SendGoal(_Service[Fibonacci_SendGoal_Request, Fibonacci_SendGoal_Response]):
     """The service example_interfaces/action/Fibonacci_SendGoal."""
 
+    __module__ = _module("_fibonacci")
     _TYPE_NAME = "example_interfaces/action/Fibonacci_SendGoal"
     _TYPE_HASH = "RIHS01_d1a57fb2a4afe8c21e34fb10db206f16ce6729b28531141472df92277c55b557"
     Request: _TypeAlias = Fibonacci_SendGoal_Request
@@ -186,6 +200,7 @@ class Fibonacci_SendGoal(_Service[Fibonacci_SendGoal_Request, Fibonacci_SendGoal
 class Fibonacci_GetResult(_Service[Fibonacci_GetResult_Request, Fibonacci_GetResult_Response]):
     """The service example_interfaces/action/Fibonacci_GetResult."""
 
+    __module__ = _module("_fibonacci")
     _TYPE_NAME = "example_interfaces/action/Fibonacci_GetResult"
     _TYPE_HASH = "RIHS01_1b0de0d5d29dc955d92f546706568428632771db13ec84c15ec1c1a59f424a57"
     Request: _TypeAlias = Fibonacci_GetResult_Request
@@ -196,6 +211,7 @@ class Fibonacci_GetResult(_Service[Fibonacci_GetResult_Request, Fibonacci_GetRes
 class Fibonacci(_Action[Fibonacci_Goal, Fibonacci_Result, Fibonacci_Feedback, Fibonacci_FeedbackMessage, Fibonacci_GetResult_Response]):
     """The action example_interfaces/action/Fibonacci."""
 
+    __module__ = _module("_fibonacci")
     _TYPE_NAME = "example_interfaces/action/Fibonacci"
     _TYPE_HASH = "RIHS01_9508051da1ea4658de144b09bd0690ff3de52104683d847aed764d2915906f51"
     Goal: _TypeAlias = Fibonacci_Goal
@@ -205,6 +221,7 @@ class Fibonacci(_Action[Fibonacci_Goal, Fibonacci_Result, Fibonacci_Feedback, Fi
     class Impl:
         """The services and messages that carry the action."""
 
+        __module__ = _module("_fibonacci")
         SendGoalService: _TypeAlias = Fibonacci_SendGoal
         GetResultService: _TypeAlias = Fibonacci_GetResult
         FeedbackMessage: _TypeAlias = Fibonacci_FeedbackMessage

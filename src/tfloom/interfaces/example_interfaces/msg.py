@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
@@ -10,10 +11,13 @@ if TYPE_CHECKING:
 
 __all__ = ["Bool", "Byte", "ByteMultiArray", "Char", "Empty", "Float32", "Float32MultiArray", "Float64", "Float64MultiArray", "Int16", "Int16MultiArray", "Int32", "Int32MultiArray", "Int64", "Int64MultiArray", "Int8", "Int8MultiArray", "MultiArrayDimension", "MultiArrayLayout", "String", "UInt16", "UInt16MultiArray", "UInt32", "UInt32MultiArray", "UInt64", "UInt64MultiArray", "UInt8", "UInt8MultiArray", "WString"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class Bool(_Message):
     """The message example_interfaces/msg/Bool."""
 
+    __module__ = _module("_bool")
     _TYPE_NAME = "example_interfaces/msg/Bool"
     _TYPE_HASH = "RIHS01_4765c142500f8fd4e1a32fb3edd7b7d9d822a16ec270445f5120e772c5f9aed5"
     _FIELDS = {"data": "bool"}
@@ -28,6 +32,7 @@ class Bool(_Message):
 class Byte(_Message):
     """The message example_interfaces/msg/Byte."""
 
+    __module__ = _module("_byte")
     _TYPE_NAME = "example_interfaces/msg/Byte"
     _TYPE_HASH = "RIHS01_f014e0424be54b8ba7c35490aea4198be92df1de4e88f4e19a2fbbce2e020bb9"
     _FIELDS = {"data": "byte"}
@@ -42,6 +47,7 @@ class Byte(_Message):
 class ByteMultiArray(_Message):
     """The message example_interfaces/msg/ByteMultiArray."""
 
+    __module__ = _module("_byte_multi_array")
     _TYPE_NAME = "example_interfaces/msg/ByteMultiArray"
     _TYPE_HASH = "RIHS01_257fc3429b3c4dd0aea678c234f543665d1144b396f82c7ee60fed151e1dace3"
     _FIELDS = {"layout": "example_interfaces/msg/MultiArrayLayout", "data": "byte[]"}
@@ -57,6 +63,7 @@ class ByteMultiArray(_Message):
 class Char(_Message):
     """The message example_interfaces/msg/Char."""
 
+    __module__ = _module("_char")
     _TYPE_NAME = "example_interfaces/msg/Char"
     _TYPE_HASH = "RIHS01_320dcd57e1183fb08463cc3ab50bf7e5ce0ecee39f64d15a9e9eeca3384c91a5"
     _FIELDS = {"data": "char"}
@@ -71,6 +78,7 @@ class Char(_Message):
 class Empty(_Message):
     """The message example_interfaces/msg/Empty."""
 
+    __module__ = _module("_empty")
     _TYPE_NAME = "example_interfaces/msg/Empty"
     _TYPE_HASH = "RIHS01_73c22a7341eeccf8ef504a991e60d4078223f0931a5d5d212800e7c978903c58"
     _FIELDS = {}
@@ -84,6 +92,7 @@ class Empty(_Message):
 class Float32(_Message):
     """The message example_interfaces/msg/Float32."""
 
+    __module__ = _module("_float32")
     _TYPE_NAME = "example_interfaces/msg/Float32"
     _TYPE_HASH = "RIHS01_6a112d9235f8e8088d7a2bc77cb955341ac0d5c9870bdc592651a4186bb246f3"
     _FIELDS = {"data": "float32"}
@@ -98,6 +107,7 @@ class Float32(_Message):
 class Float32MultiArray(_Message):
     """The message example_interfaces/msg/Float32MultiArray."""
 
+    __module__ = _module("_float32_multi_array")
     _TYPE_NAME = "example_interfaces/msg/Float32MultiArray"
     _TYPE_HASH = "RIHS01_8705278e8d206a9711133794ce6466281e9698138331c4b3d91e6cc9e9dfee26"
     _FIELDS = {"layout": "example_interfaces/msg/MultiArrayLayout", "data": "float32[]"}
@@ -116,6 +126,7 @@ class Float32MultiArray(_Message):
 class Float64(_Message):
     """The message example_interfaces/msg/Float64."""
 
+    __module__ = _module("_float64")
     _TYPE_NAME = "example_interfaces/msg/Float64"
     _TYPE_HASH = "RIHS01_74c137b7930c26339425a95fcfab441199bc41e0e572d3a0c9e95badd72b50da"
     _FIELDS = {"data": "float64"}
@@ -130,6 +141,7 @@ class Float64(_Message):
 class Float64MultiArray(_Message):
     """The message example_interfaces/msg/Float64MultiArray."""
 
+    __module__ = _module("_float64_multi_array")
     _TYPE_NAME = "example_interfaces/msg/Float64MultiArray"
     _TYPE_HASH = "RIHS01_62a0985e7920b7bc489d1392f08c06ba0080fff5b8eaa09b27dcac122f50ad95"
     _FIELDS = {"layout": "example_interfaces/msg/MultiArrayLayout", "data": "float64[]"}
@@ -148,6 +160,7 @@ class Float64MultiArray(_Message):
 class Int16(_Message):
     """The message example_interfaces/msg/Int16."""
 
+    __module__ = _module("_int16")
     _TYPE_NAME = "example_interfaces/msg/Int16"
     _TYPE_HASH = "RIHS01_332d94306732e4e35da38e5ae744ff35bbdaeca300908dc43488d3a844687cd6"
     _FIELDS = {"data": "int16"}
@@ -162,6 +175,7 @@ class Int16(_Message):
 class Int16MultiArray(_Message):
     """The message example_interfaces/msg/Int16MultiArray."""
 
+    __module__ = _module("_int16_multi_array")
     _TYPE_NAME = "example_interfaces/msg/Int16MultiArray"
     _TYPE_HASH = "RIHS01_d663e739410479619bfb7b9b94b0a764998acffadb8b7f5b200affa87b7ffdd2"
     _FIELDS = {"layout": "example_interfaces/msg/MultiArrayLayout", "data": "int16[]"}
@@ -180,6 +194,7 @@ class Int16MultiArray(_Message):
 class Int32(_Message):
     """The message example_interfaces/msg/Int32."""
 
+    __module__ = _module("_int32")
     _TYPE_NAME = "example_interfaces/msg/Int32"
     _TYPE_HASH = "RIHS01_5cd04cd7f3adb9d6c6064c316047b24c76622eb89144f300b536d657fd55e652"
     _FIELDS = {"data": "int32"}
@@ -194,6 +209,7 @@ class Int32(_Message):
 class Int32MultiArray(_Message):
     """The message example_interfaces/msg/Int32MultiArray."""
 
+    __module__ = _module("_int32_multi_array")
     _TYPE_NAME = "example_interfaces/msg/Int32MultiArray"
     _TYPE_HASH = "RIHS01_b347aff8e38e2ce3f7f4023db7922d2d4abb9d593b03c40b1427640c26595bfa"
     _FIELDS = {"layout": "example_interfaces/msg/MultiArrayLayout", "data": "int32[]"}
@@ -212,6 +228,7 @@ class Int32MultiArray(_Message):
 class Int64(_Message):
     """The message example_interfaces/msg/Int64."""
 
+    __module__ = _module("_int64")
     _TYPE_NAME = "example_interfaces/msg/Int64"
     _TYPE_HASH = "RIHS01_1b3b9a6502f560d079520c73c685a9550e5a1838d2cefd537fe0aba75a3639a0"
     _FIELDS = {"data": "int64"}
@@ -226,6 +243,7 @@ class Int64(_Message):
 class Int64MultiArray(_Message):
     """The message example_interfaces/msg/Int64MultiArray."""
 
+    __module__ = _module("_int64_multi_array")
     _TYPE_NAME = "example_interfaces/msg/Int64MultiArray"
     _TYPE_HASH = "RIHS01_ebce42c0d2b81bc5309deb0b2d83e30236aeb4899aea3cc7ddd18787af39c94a"
     _FIELDS = {"layout": "example_interfaces/msg/MultiArrayLayout", "data": "int64[]"}
@@ -244,6 +262,7 @@ class Int64MultiArray(_Message):
 class Int8(_Message):
     """The message example_interfaces/msg/Int8."""
 
+    __module__ = _module("_int8")
     _TYPE_NAME = "example_interfaces/msg/Int8"
     _TYPE_HASH = "RIHS01_2e9ef643d84ff37840fe787d1269aa06268960e294f4a0f5eb1e9d4eb21cbb57"
     _FIELDS = {"data": "int8"}
@@ -258,6 +277,7 @@ class Int8(_Message):
 class Int8MultiArray(_Message):
     """The message example_interfaces/msg/Int8MultiArray."""
 
+    __module__ = _module("_int8_multi_array")
     _TYPE_NAME = "example_interfaces/msg/Int8MultiArray"
     _TYPE_HASH = "RIHS01_6d26932aefc0e5c0c473613376338609bac9925e3527dc4e8fab6b6783b6d680"
     _FIELDS = {"layout": "example_interfaces/msg/MultiArrayLayout", "data": "int8[]"}
@@ -276,6 +296,7 @@ class Int8MultiArray(_Message):
 class MultiArrayDimension(_Message):
     """The message example_interfaces/msg/MultiArrayDimension."""
 
+    __module__ = _module("_multi_array_dimension")
     _TYPE_NAME = "example_interfaces/msg/MultiArrayDimension"
     _TYPE_HASH = "RIHS01_a785cb9839e177e3eb760260139a919fec87821edc3314c592f2725abbf0bfcd"
     _FIELDS = {"label": "string", "size": "uint32", "stride": "uint32"}
@@ -292,6 +313,7 @@ class MultiArrayDimension(_Message):
 class MultiArrayLayout(_Message):
     """The message example_interfaces/msg/MultiArrayLayout."""
 
+    __module__ = _module("_multi_array_layout")
     _TYPE_NAME = "example_interfaces/msg/MultiArrayLayout"
     _TYPE_HASH = "RIHS01_ba42ea30074e5826a1e91f70f3660dda2996937169487f877fc20a8a402e2c27"
     _FIELDS = {"dim": "example_interfaces/msg/MultiArrayDimension[]", "data_offset": "uint32"}
@@ -307,6 +329,7 @@ class MultiArrayLayout(_Message):
 class String(_Message):
     """The message example_interfaces/msg/String."""
 
+    __module__ = _module("_string")
     _TYPE_NAME = "example_interfaces/msg/String"
     _TYPE_HASH = "RIHS01_5509d866a579951f2fc6c19577c32605ba16f308cae7b498341d79536d4eb06b"
     _FIELDS = {"data": "string"}
@@ -321,6 +344,7 @@ class String(_Message):
 class UInt16(_Message):
     """The message example_interfaces/msg/UInt16."""
 
+    __module__ = _module("_u_int16")
     _TYPE_NAME = "example_interfaces/msg/UInt16"
     _TYPE_HASH = "RIHS01_e123d0a691fa0ce58b682f1a4eee55137dd3f20c81665f0c556f53596c7fb377"
     _FIELDS = {"data": "uint16"}
@@ -335,6 +359,7 @@ class UInt16(_Message):
 class UInt16MultiArray(_Message):
     """The message example_interfaces/msg/UInt16MultiArray."""
 
+    __module__ = _module("_u_int16_multi_array")
     _TYPE_NAME = "example_interfaces/msg/UInt16MultiArray"
     _TYPE_HASH = "RIHS01_507f6456c1965ef6eab8a9cfa8860bd484e1b7039b4c4ea2c75c648182fceade"
     _FIELDS = {"layout": "example_interfaces/msg/MultiArrayLayout", "data": "uint16[]"}
@@ -353,6 +378,7 @@ class UInt16MultiArray(_Message):
 class UInt32(_Message):
     """The message example_interfaces/msg/UInt32."""
 
+    __module__ = _module("_u_int32")
     _TYPE_NAME = "example_interfaces/msg/UInt32"
     _TYPE_HASH = "RIHS01_e86cccba586f30c16498f3ccd3550a764b255239a6142be3a4d7a2fa9a43515c"
     _FIELDS = {"data": "uint32"}
@@ -367,6 +393,7 @@ class UInt32(_Message):
 class UInt32MultiArray(_Message):
     """The message example_interfaces/msg/UInt32MultiArray."""
 
+    __module__ = _module("_u_int32_multi_array")
     _TYPE_NAME = "example_interfaces/msg/UInt32MultiArray"
     _TYPE_HASH = "RIHS01_0683176c523a116c76141c6d4abd150dbff492b72185f1260ce38a18a35aafcf"
     _FIELDS = {"layout": "example_interfaces/msg/MultiArrayLayout", "data": "uint32[]"}
@@ -385,6 +412,7 @@ class UInt32MultiArray(_Message):
 class UInt64(_Message):
     """The message example_interfaces/msg/UInt64."""
 
+    __module__ = _module("_u_int64")
     _TYPE_NAME = "example_interfaces/msg/UInt64"
     _TYPE_HASH = "RIHS01_6a3f8548c5818b7add62dd6cbbd840fd1ab17fbf9d73cad6690557b7326d8908"
     _FIELDS = {"data": "uint64"}
@@ -399,6 +427,7 @@ class UInt64(_Message):
 class UInt64MultiArray(_Message):
     """The message example_interfaces/msg/UInt64MultiArray."""
 
+    __module__ = _module("_u_int64_multi_array")
     _TYPE_NAME = "example_interfaces/msg/UInt64MultiArray"
     _TYPE_HASH = "RIHS01_c05a348bd887aac76a947c901f67f93bf9a7fa14b28dce02eb495dadeb8842e4"
     _FIELDS = {"layout": "example_interfaces/msg/MultiArrayLayout", "data": "uint64[]"}
@@ -417,6 +446,7 @@ class UInt64MultiArray(_Message):
 class UInt8(_Message):
     """The message example_interfaces/msg/UInt8."""
 
+    __module__ = _module("_u_int8")
     _TYPE_NAME = "example_interfaces/msg/UInt8"
     _TYPE_HASH = "RIHS01_9255b6d0dd98f5b573afbff223131279b788ac45cf051fb462c12dd9a30f4061"
     _FIELDS = {"data": "uint8"}
@@ -431,6 +461,7 @@ class UInt8(_Message):
 class UInt8MultiArray(_Message):
     """The message example_interfaces/msg/UInt8MultiArray."""
 
+    __module__ = _module("_u_int8_multi_array")
     _TYPE_NAME = "example_interfaces/msg/UInt8MultiArray"
     _TYPE_HASH = "RIHS01_7a49ef5ed9b7182488303b4027d54719ba7266e776bd446dac30e79b56fb0a71"
     _FIELDS = {"layout": "example_interfaces/msg/MultiArrayLayout", "data": "uint8[]"}
@@ -449,6 +480,7 @@ class UInt8MultiArray(_Message):
 class WString(_Message):
     """The message example_interfaces/msg/WString."""
 
+    __module__ = _module("_w_string")
     _TYPE_NAME = "example_interfaces/msg/WString"
     _TYPE_HASH = "RIHS01_32033e06d9dfe5468c5d6e1dc8b7a23c8910bad071cfd4e151a951d580e68dd8"
     _FIELDS = {"data": "wstring"}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 from tfloom.rosidl.service import Service as _Service
 
@@ -12,10 +13,13 @@ if TYPE_CHECKING:
 
 __all__ = ["AddTwoInts", "AddTwoInts_Event", "AddTwoInts_Request", "AddTwoInts_Response", "SetBool", "SetBool_Event", "SetBool_Request", "SetBool_Response", "Trigger", "Trigger_Event", "Trigger_Request", "Trigger_Response"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class AddTwoInts_Request(_Message):
     """The message example_interfaces/srv/AddTwoInts_Request."""
 
+    __module__ = _module("_add_two_ints")
     _TYPE_NAME = "example_interfaces/srv/AddTwoInts_Request"
     _TYPE_HASH = "RIHS01_000c5fd92d6b2e1a05949348f584d6d652adea1e92d691792011ac2273508302"
     _FIELDS = {"a": "int64", "b": "int64"}
@@ -31,6 +35,7 @@ class AddTwoInts_Request(_Message):
 class AddTwoInts_Response(_Message):
     """The message example_interfaces/srv/AddTwoInts_Response."""
 
+    __module__ = _module("_add_two_ints")
     _TYPE_NAME = "example_interfaces/srv/AddTwoInts_Response"
     _TYPE_HASH = "RIHS01_de5c030d4af33cba2749310b249737b631594703f9300495f48bffb2b44dcc2f"
     _FIELDS = {"sum": "int64"}
@@ -45,6 +50,7 @@ class AddTwoInts_Response(_Message):
 class AddTwoInts_Event(_Message):
     """The message example_interfaces/srv/AddTwoInts_Event."""
 
+    __module__ = _module("_add_two_ints")
     _TYPE_NAME = "example_interfaces/srv/AddTwoInts_Event"
     _TYPE_HASH = "RIHS01_32c1d140259c71e5c355115942bcb31df98b4330e4d906b1b75ccb1c9b3ce6c8"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "example_interfaces/srv/AddTwoInts_Request[<=1]", "response": "example_interfaces/srv/AddTwoInts_Response[<=1]"}
@@ -61,6 +67,7 @@ class AddTwoInts_Event(_Message):
 class AddTwoInts(_Service[AddTwoInts_Request, AddTwoInts_Response]):
     """The service example_interfaces/srv/AddTwoInts."""
 
+    __module__ = _module("_add_two_ints")
     _TYPE_NAME = "example_interfaces/srv/AddTwoInts"
     _TYPE_HASH = "RIHS01_e118de6bf5eeb66a2491b5bda11202e7b68f198d6f67922cf30364858239c81a"
     Request: _TypeAlias = AddTwoInts_Request
@@ -71,6 +78,7 @@ class AddTwoInts(_Service[AddTwoInts_Request, AddTwoInts_Response]):
 class SetBool_Request(_Message):
     """The message example_interfaces/srv/SetBool_Request."""
 
+    __module__ = _module("_set_bool")
     _TYPE_NAME = "example_interfaces/srv/SetBool_Request"
     _TYPE_HASH = "RIHS01_db31a9146de9f58c3196ef92ebc43abc460199adfa57ece51550f37544c4ee58"
     _FIELDS = {"data": "bool"}
@@ -85,6 +93,7 @@ class SetBool_Request(_Message):
 class SetBool_Response(_Message):
     """The message example_interfaces/srv/SetBool_Response."""
 
+    __module__ = _module("_set_bool")
     _TYPE_NAME = "example_interfaces/srv/SetBool_Response"
     _TYPE_HASH = "RIHS01_fd35d6974b0ede7fad127f600619719eb7caf8b0ff8b02a4a5a103900479a619"
     _FIELDS = {"success": "bool", "message": "string"}
@@ -100,6 +109,7 @@ class SetBool_Response(_Message):
 class SetBool_Event(_Message):
     """The message example_interfaces/srv/SetBool_Event."""
 
+    __module__ = _module("_set_bool")
     _TYPE_NAME = "example_interfaces/srv/SetBool_Event"
     _TYPE_HASH = "RIHS01_0272d5150675582af790e0fbff2bb40112f61fcc62651ffff02074ec98b4dd2c"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "example_interfaces/srv/SetBool_Request[<=1]", "response": "example_interfaces/srv/SetBool_Response[<=1]"}
@@ -116,6 +126,7 @@ class SetBool_Event(_Message):
 class SetBool(_Service[SetBool_Request, SetBool_Response]):
     """The service example_interfaces/srv/SetBool."""
 
+    __module__ = _module("_set_bool")
     _TYPE_NAME = "example_interfaces/srv/SetBool"
     _TYPE_HASH = "RIHS01_a69782e5631b12e15c8e218410de1685bbf13e382718295adad14037a24afbe8"
     Request: _TypeAlias = SetBool_Request
@@ -126,6 +137,7 @@ class SetBool(_Service[SetBool_Request, SetBool_Response]):
 class Trigger_Request(_Message):
     """The message example_interfaces/srv/Trigger_Request."""
 
+    __module__ = _module("_trigger")
     _TYPE_NAME = "example_interfaces/srv/Trigger_Request"
     _TYPE_HASH = "RIHS01_2521571bb7fb4de94da045720b069b2859084c689ee27382f48414ebf4dd3a8d"
     _FIELDS = {}
@@ -139,6 +151,7 @@ class Trigger_Request(_Message):
 class Trigger_Response(_Message):
     """The message example_interfaces/srv/Trigger_Response."""
 
+    __module__ = _module("_trigger")
     _TYPE_NAME = "example_interfaces/srv/Trigger_Response"
     _TYPE_HASH = "RIHS01_3faa1e36b834f5705a7e9aa990c4720c082f0630bf28abedf315cc69f01dc8fc"
     _FIELDS = {"success": "bool", "message": "string"}
@@ -154,6 +167,7 @@ class Trigger_Response(_Message):
 class Trigger_Event(_Message):
     """The message example_interfaces/srv/Trigger_Event."""
 
+    __module__ = _module("_trigger")
     _TYPE_NAME = "example_interfaces/srv/Trigger_Event"
     _TYPE_HASH = "RIHS01_37216e82646e85e9dacb76811000fc4c5e303dd4ef29b4151c189a3fa734296f"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "example_interfaces/srv/Trigger_Request[<=1]", "response": "example_interfaces/srv/Trigger_Response[<=1]"}
@@ -170,6 +184,7 @@ class Trigger_Event(_Message):
 class Trigger(_Service[Trigger_Request, Trigger_Response]):
     """The service example_interfaces/srv/Trigger."""
 
+    __module__ = _module("_trigger")
     _TYPE_NAME = "example_interfaces/srv/Trigger"
     _TYPE_HASH = "RIHS01_cfeeee47f8105dd7685e4c92d46d4074669cb1c477402be1dea37486542a69e0"
     Request: _TypeAlias = Trigger_Request

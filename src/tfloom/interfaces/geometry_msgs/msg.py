@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
@@ -12,10 +13,13 @@ if TYPE_CHECKING:
 
 __all__ = ["Accel", "AccelStamped", "AccelWithCovariance", "AccelWithCovarianceStamped", "Inertia", "InertiaStamped", "Point", "Point32", "PointStamped", "Polygon", "PolygonInstance", "PolygonInstanceStamped", "PolygonStamped", "Pose", "Pose2D", "PoseArray", "PoseStamped", "PoseWithCovariance", "PoseWithCovarianceStamped", "Quaternion", "QuaternionStamped", "Transform", "TransformStamped", "Twist", "TwistStamped", "TwistWithCovariance", "TwistWithCovarianceStamped", "Vector3", "Vector3Stamped", "VelocityStamped", "Wrench", "WrenchStamped"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class Accel(_Message):
     """An acceleration."""
 
+    __module__ = _module("_accel")
     _TYPE_NAME = "geometry_msgs/msg/Accel"
     _TYPE_HASH = "RIHS01_dc448243ded9b1fcbcca24aba0c22f013dae06c354ba2d849571c0a2a3f57ca0"
     _FIELDS = {"linear": "geometry_msgs/msg/Vector3", "angular": "geometry_msgs/msg/Vector3"}
@@ -33,6 +37,7 @@ class Accel(_Message):
 class AccelStamped(_Message):
     """The message geometry_msgs/msg/AccelStamped."""
 
+    __module__ = _module("_accel_stamped")
     _TYPE_NAME = "geometry_msgs/msg/AccelStamped"
     _TYPE_HASH = "RIHS01_ef1df9eabae0a708cc049a061ebcddc4e2a5f745730100ba680e086a9698b165"
     _FIELDS = {"header": "std_msgs/msg/Header", "accel": "geometry_msgs/msg/Accel"}
@@ -48,6 +53,7 @@ class AccelStamped(_Message):
 class AccelWithCovariance(_Message):
     """The message geometry_msgs/msg/AccelWithCovariance."""
 
+    __module__ = _module("_accel_with_covariance")
     _TYPE_NAME = "geometry_msgs/msg/AccelWithCovariance"
     _TYPE_HASH = "RIHS01_230d51bd53bc36f260574e73b42941cefe44684753480b6fc330c032c5db5997"
     _FIELDS = {"accel": "geometry_msgs/msg/Accel", "covariance": "float64[36]"}
@@ -67,6 +73,7 @@ class AccelWithCovariance(_Message):
 class AccelWithCovarianceStamped(_Message):
     """The message geometry_msgs/msg/AccelWithCovarianceStamped."""
 
+    __module__ = _module("_accel_with_covariance_stamped")
     _TYPE_NAME = "geometry_msgs/msg/AccelWithCovarianceStamped"
     _TYPE_HASH = "RIHS01_61c9ad8928e71dd95ce791b2f02809ee2a0bbcc42cd0e4047fd00a822a08e444"
     _FIELDS = {"header": "std_msgs/msg/Header", "accel": "geometry_msgs/msg/AccelWithCovariance"}
@@ -82,6 +89,7 @@ class AccelWithCovarianceStamped(_Message):
 class Inertia(_Message):
     """Mass, centre of mass and inertia tensor of a body."""
 
+    __module__ = _module("_inertia")
     _TYPE_NAME = "geometry_msgs/msg/Inertia"
     _TYPE_HASH = "RIHS01_2ddd5dab5c347825ba2e56c895ddccfd0b8efe53ae931bf67f905529930b4bd7"
     _FIELDS = {"m": "float64", "com": "geometry_msgs/msg/Vector3", "ixx": "float64", "ixy": "float64", "ixz": "float64", "iyy": "float64", "iyz": "float64", "izz": "float64"}
@@ -106,6 +114,7 @@ class Inertia(_Message):
 class InertiaStamped(_Message):
     """The message geometry_msgs/msg/InertiaStamped."""
 
+    __module__ = _module("_inertia_stamped")
     _TYPE_NAME = "geometry_msgs/msg/InertiaStamped"
     _TYPE_HASH = "RIHS01_766be45976252babf7f9d8ac4ae7c912a7ceccf71035622529f27518b695aa09"
     _FIELDS = {"header": "std_msgs/msg/Header", "inertia": "geometry_msgs/msg/Inertia"}
@@ -121,6 +130,7 @@ class InertiaStamped(_Message):
 class Point(_Message):
     """A point [m]."""
 
+    __module__ = _module("_point")
     _TYPE_NAME = "geometry_msgs/msg/Point"
     _TYPE_HASH = "RIHS01_6963084842a9b04494d6b2941d11444708d892da2f4b09843b9c43f42a7f6881"
     _FIELDS = {"x": "float64", "y": "float64", "z": "float64"}
@@ -137,6 +147,7 @@ class Point(_Message):
 class Point32(_Message):
     """A point [m] in single precision, for large clouds."""
 
+    __module__ = _module("_point32")
     _TYPE_NAME = "geometry_msgs/msg/Point32"
     _TYPE_HASH = "RIHS01_2fc4db7cae16a4582c79a56b66173a8d48d52c7dc520ddc55a0d4bcf2a4bfdbc"
     _FIELDS = {"x": "float32", "y": "float32", "z": "float32"}
@@ -153,6 +164,7 @@ class Point32(_Message):
 class PointStamped(_Message):
     """The message geometry_msgs/msg/PointStamped."""
 
+    __module__ = _module("_point_stamped")
     _TYPE_NAME = "geometry_msgs/msg/PointStamped"
     _TYPE_HASH = "RIHS01_4c0296af86e01e562e9e0405d138a01537247580076c58ea38d7923ac1045897"
     _FIELDS = {"header": "std_msgs/msg/Header", "point": "geometry_msgs/msg/Point"}
@@ -168,6 +180,7 @@ class PointStamped(_Message):
 class Polygon(_Message):
     """The corners of a polygon; the last is connected to the first."""
 
+    __module__ = _module("_polygon")
     _TYPE_NAME = "geometry_msgs/msg/Polygon"
     _TYPE_HASH = "RIHS01_3782f9f0bf044964d692d6c017d705e37611afb1f0bf6a9dee248a7dda0f784a"
     _FIELDS = {"points": "geometry_msgs/msg/Point32[]"}
@@ -182,6 +195,7 @@ class Polygon(_Message):
 class PolygonInstance(_Message):
     """The message geometry_msgs/msg/PolygonInstance."""
 
+    __module__ = _module("_polygon_instance")
     _TYPE_NAME = "geometry_msgs/msg/PolygonInstance"
     _TYPE_HASH = "RIHS01_fa1cb3dc774329865258afef74f65b0553d487510c6d0f93ba38cc32d62ac0e5"
     _FIELDS = {"polygon": "geometry_msgs/msg/Polygon", "id": "int64"}
@@ -197,6 +211,7 @@ class PolygonInstance(_Message):
 class PolygonInstanceStamped(_Message):
     """The message geometry_msgs/msg/PolygonInstanceStamped."""
 
+    __module__ = _module("_polygon_instance_stamped")
     _TYPE_NAME = "geometry_msgs/msg/PolygonInstanceStamped"
     _TYPE_HASH = "RIHS01_802f37ea4398d7ce547936aab1fd278923716a13c63373887cd896957434ce2f"
     _FIELDS = {"header": "std_msgs/msg/Header", "polygon": "geometry_msgs/msg/PolygonInstance"}
@@ -212,6 +227,7 @@ class PolygonInstanceStamped(_Message):
 class PolygonStamped(_Message):
     """The message geometry_msgs/msg/PolygonStamped."""
 
+    __module__ = _module("_polygon_stamped")
     _TYPE_NAME = "geometry_msgs/msg/PolygonStamped"
     _TYPE_HASH = "RIHS01_b7cf07932f1523d4b4088075945c1a0141f7cd21da87cc940fc61652e9138b46"
     _FIELDS = {"header": "std_msgs/msg/Header", "polygon": "geometry_msgs/msg/Polygon"}
@@ -227,6 +243,7 @@ class PolygonStamped(_Message):
 class Pose(_Message):
     """A position and an orientation."""
 
+    __module__ = _module("_pose")
     _TYPE_NAME = "geometry_msgs/msg/Pose"
     _TYPE_HASH = "RIHS01_d501954e9476cea2996984e812054b68026ae0bfae789d9a10b23daf35cc90fa"
     _FIELDS = {"position": "geometry_msgs/msg/Point", "orientation": "geometry_msgs/msg/Quaternion"}
@@ -242,6 +259,7 @@ class Pose(_Message):
 class Pose2D(_Message):
     """A pose in the plane."""
 
+    __module__ = _module("_pose2_d")
     _TYPE_NAME = "geometry_msgs/msg/Pose2D"
     _TYPE_HASH = "RIHS01_d68efa5b46e70f7b16ca23085474fdac5a44b638783ec42f661da64da4724ccc"
     _FIELDS = {"x": "float64", "y": "float64", "theta": "float64"}
@@ -261,6 +279,7 @@ class Pose2D(_Message):
 class PoseArray(_Message):
     """The message geometry_msgs/msg/PoseArray."""
 
+    __module__ = _module("_pose_array")
     _TYPE_NAME = "geometry_msgs/msg/PoseArray"
     _TYPE_HASH = "RIHS01_af0cc36d190e104d546d168d6b39df04fa4b4ccecf59cb4c9ed328d3d5004aa0"
     _FIELDS = {"header": "std_msgs/msg/Header", "poses": "geometry_msgs/msg/Pose[]"}
@@ -276,6 +295,7 @@ class PoseArray(_Message):
 class PoseStamped(_Message):
     """A pose with its time and frame."""
 
+    __module__ = _module("_pose_stamped")
     _TYPE_NAME = "geometry_msgs/msg/PoseStamped"
     _TYPE_HASH = "RIHS01_10f3786d7d40fd2b54367835614bff85d4ad3b5dab62bf8bca0cc232d73b4cd8"
     _FIELDS = {"header": "std_msgs/msg/Header", "pose": "geometry_msgs/msg/Pose"}
@@ -291,6 +311,7 @@ class PoseStamped(_Message):
 class PoseWithCovariance(_Message):
     """A pose and its covariance."""
 
+    __module__ = _module("_pose_with_covariance")
     _TYPE_NAME = "geometry_msgs/msg/PoseWithCovariance"
     _TYPE_HASH = "RIHS01_9a7c0fd234b7f45c6098745ecccd773ca1085670e64107135397aee31c02e1bb"
     _FIELDS = {"pose": "geometry_msgs/msg/Pose", "covariance": "float64[36]"}
@@ -310,6 +331,7 @@ class PoseWithCovariance(_Message):
 class PoseWithCovarianceStamped(_Message):
     """The message geometry_msgs/msg/PoseWithCovarianceStamped."""
 
+    __module__ = _module("_pose_with_covariance_stamped")
     _TYPE_NAME = "geometry_msgs/msg/PoseWithCovarianceStamped"
     _TYPE_HASH = "RIHS01_26432f9803e43727d3c8f668d1fdb3c630f548af631e2f4e31382371bfea3b6e"
     _FIELDS = {"header": "std_msgs/msg/Header", "pose": "geometry_msgs/msg/PoseWithCovariance"}
@@ -325,6 +347,7 @@ class PoseWithCovarianceStamped(_Message):
 class Quaternion(_Message):
     """A rotation: a unit quaternion."""
 
+    __module__ = _module("_quaternion")
     _TYPE_NAME = "geometry_msgs/msg/Quaternion"
     _TYPE_HASH = "RIHS01_8a765f66778c8ff7c8ab94afcc590a2ed5325a1d9a076ffff38fbce36f458684"
     _FIELDS = {"x": "float64", "y": "float64", "z": "float64", "w": "float64"}
@@ -347,6 +370,7 @@ class Quaternion(_Message):
 class QuaternionStamped(_Message):
     """The message geometry_msgs/msg/QuaternionStamped."""
 
+    __module__ = _module("_quaternion_stamped")
     _TYPE_NAME = "geometry_msgs/msg/QuaternionStamped"
     _TYPE_HASH = "RIHS01_381add86c6c3160644d228ca342182c7fd6c7fab11c7a85ad817a9cc22dbac6e"
     _FIELDS = {"header": "std_msgs/msg/Header", "quaternion": "geometry_msgs/msg/Quaternion"}
@@ -362,6 +386,7 @@ class QuaternionStamped(_Message):
 class Transform(_Message):
     """Transforms points from the child frame to the parent frame: rotation first, then translation."""
 
+    __module__ = _module("_transform")
     _TYPE_NAME = "geometry_msgs/msg/Transform"
     _TYPE_HASH = "RIHS01_beb83fbe698636351461f6f35d1abb20010c43d55374d81bd041f1ba2581fddc"
     _FIELDS = {"translation": "geometry_msgs/msg/Vector3", "rotation": "geometry_msgs/msg/Quaternion"}
@@ -378,6 +403,7 @@ class Transform(_Message):
 class TransformStamped(_Message):
     """The transform from `child_frame_id` to `header.frame_id` at the time of the header."""
 
+    __module__ = _module("_transform_stamped")
     _TYPE_NAME = "geometry_msgs/msg/TransformStamped"
     _TYPE_HASH = "RIHS01_0a241f87d04668d94099cbb5ba11691d5ad32c2f29682e4eb5653424bd275206"
     _FIELDS = {"header": "std_msgs/msg/Header", "child_frame_id": "string", "transform": "geometry_msgs/msg/Transform"}
@@ -394,6 +420,7 @@ class TransformStamped(_Message):
 class Twist(_Message):
     """A velocity."""
 
+    __module__ = _module("_twist")
     _TYPE_NAME = "geometry_msgs/msg/Twist"
     _TYPE_HASH = "RIHS01_9c45bf16fe0983d80e3cfe750d6835843d265a9a6c46bd2e609fcddde6fb8d2a"
     _FIELDS = {"linear": "geometry_msgs/msg/Vector3", "angular": "geometry_msgs/msg/Vector3"}
@@ -411,6 +438,7 @@ class Twist(_Message):
 class TwistStamped(_Message):
     """The message geometry_msgs/msg/TwistStamped."""
 
+    __module__ = _module("_twist_stamped")
     _TYPE_NAME = "geometry_msgs/msg/TwistStamped"
     _TYPE_HASH = "RIHS01_5f0fcd4f81d5d06ad9b4c4c63e3ea51b82d6ae4d0558f1d475229b1121db6f64"
     _FIELDS = {"header": "std_msgs/msg/Header", "twist": "geometry_msgs/msg/Twist"}
@@ -426,6 +454,7 @@ class TwistStamped(_Message):
 class TwistWithCovariance(_Message):
     """A velocity and its covariance."""
 
+    __module__ = _module("_twist_with_covariance")
     _TYPE_NAME = "geometry_msgs/msg/TwistWithCovariance"
     _TYPE_HASH = "RIHS01_49f574f033f095d8b6cd1beaca5ca7925e296e84af1716d16c89d38b059c8c18"
     _FIELDS = {"twist": "geometry_msgs/msg/Twist", "covariance": "float64[36]"}
@@ -445,6 +474,7 @@ class TwistWithCovariance(_Message):
 class TwistWithCovarianceStamped(_Message):
     """The message geometry_msgs/msg/TwistWithCovarianceStamped."""
 
+    __module__ = _module("_twist_with_covariance_stamped")
     _TYPE_NAME = "geometry_msgs/msg/TwistWithCovarianceStamped"
     _TYPE_HASH = "RIHS01_77b67434531e6529b7a0091357b186b6ebdb17fd9ffd3e0c7ce9d3fb11a44563"
     _FIELDS = {"header": "std_msgs/msg/Header", "twist": "geometry_msgs/msg/TwistWithCovariance"}
@@ -460,6 +490,7 @@ class TwistWithCovarianceStamped(_Message):
 class Vector3(_Message):
     """A direction or a displacement, without a position."""
 
+    __module__ = _module("_vector3")
     _TYPE_NAME = "geometry_msgs/msg/Vector3"
     _TYPE_HASH = "RIHS01_cc12fe83e4c02719f1ce8070bfd14aecd40f75a96696a67a2a1f37f7dbb0765d"
     _FIELDS = {"x": "float64", "y": "float64", "z": "float64"}
@@ -476,6 +507,7 @@ class Vector3(_Message):
 class Vector3Stamped(_Message):
     """The message geometry_msgs/msg/Vector3Stamped."""
 
+    __module__ = _module("_vector3_stamped")
     _TYPE_NAME = "geometry_msgs/msg/Vector3Stamped"
     _TYPE_HASH = "RIHS01_d4829622288cbb443886e7ea94ea5671a3b1be6bab4ad04224432a65f7d7887a"
     _FIELDS = {"header": "std_msgs/msg/Header", "vector": "geometry_msgs/msg/Vector3"}
@@ -491,6 +523,7 @@ class Vector3Stamped(_Message):
 class VelocityStamped(_Message):
     """The message geometry_msgs/msg/VelocityStamped."""
 
+    __module__ = _module("_velocity_stamped")
     _TYPE_NAME = "geometry_msgs/msg/VelocityStamped"
     _TYPE_HASH = "RIHS01_55e7196186c8dbe4375278d7f1ac050dd8c9bacade1cf3eef8460fa667bd2457"
     _FIELDS = {"header": "std_msgs/msg/Header", "body_frame_id": "string", "reference_frame_id": "string", "velocity": "geometry_msgs/msg/Twist"}
@@ -508,6 +541,7 @@ class VelocityStamped(_Message):
 class Wrench(_Message):
     """A force and a torque."""
 
+    __module__ = _module("_wrench")
     _TYPE_NAME = "geometry_msgs/msg/Wrench"
     _TYPE_HASH = "RIHS01_018e8519d57c16adbe97c9fe1460ef21fec7e31bc541de3d653a35895677ce52"
     _FIELDS = {"force": "geometry_msgs/msg/Vector3", "torque": "geometry_msgs/msg/Vector3"}
@@ -525,6 +559,7 @@ class Wrench(_Message):
 class WrenchStamped(_Message):
     """The message geometry_msgs/msg/WrenchStamped."""
 
+    __module__ = _module("_wrench_stamped")
     _TYPE_NAME = "geometry_msgs/msg/WrenchStamped"
     _TYPE_HASH = "RIHS01_8dc3deaf06b2ab281f9f9a742a8961c328ca7cec16e3fd6586d3a5c83fa78f77"
     _FIELDS = {"header": "std_msgs/msg/Header", "wrench": "geometry_msgs/msg/Wrench"}

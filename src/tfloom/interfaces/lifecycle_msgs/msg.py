@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
 
 __all__ = ["State", "Transition", "TransitionDescription", "TransitionEvent"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class State(_Message):
     """The message lifecycle_msgs/msg/State."""
 
+    __module__ = _module("_state")
     _TYPE_NAME = "lifecycle_msgs/msg/State"
     _TYPE_HASH = "RIHS01_dd2d02b82f3ebc858e53c431b1e6e91f3ffc71436fc81d0715214ac6ee2107a0"
     _FIELDS = {"id": "uint8", "label": "string"}
@@ -38,6 +42,7 @@ class State(_Message):
 class Transition(_Message):
     """The message lifecycle_msgs/msg/Transition."""
 
+    __module__ = _module("_transition")
     _TYPE_NAME = "lifecycle_msgs/msg/Transition"
     _TYPE_HASH = "RIHS01_c65d7b31ea134cba4f54fc867b817979be799f7452035cd35fac9b7421fb3424"
     _FIELDS = {"id": "uint8", "label": "string"}
@@ -83,6 +88,7 @@ class Transition(_Message):
 class TransitionDescription(_Message):
     """The message lifecycle_msgs/msg/TransitionDescription."""
 
+    __module__ = _module("_transition_description")
     _TYPE_NAME = "lifecycle_msgs/msg/TransitionDescription"
     _TYPE_HASH = "RIHS01_c5f1cd4bb1ad2ba0e3329d4ac7015c52a674a72c1faf7974c37a33f4f6048b28"
     _FIELDS = {"transition": "lifecycle_msgs/msg/Transition", "start_state": "lifecycle_msgs/msg/State", "goal_state": "lifecycle_msgs/msg/State"}
@@ -99,6 +105,7 @@ class TransitionDescription(_Message):
 class TransitionEvent(_Message):
     """The message lifecycle_msgs/msg/TransitionEvent."""
 
+    __module__ = _module("_transition_event")
     _TYPE_NAME = "lifecycle_msgs/msg/TransitionEvent"
     _TYPE_HASH = "RIHS01_d5f8873a2f0146498f812d7885c7327ce27e463d36811d8792f35ee38c0d6c38"
     _FIELDS = {"timestamp": "uint64", "transition": "lifecycle_msgs/msg/Transition", "start_state": "lifecycle_msgs/msg/State", "goal_state": "lifecycle_msgs/msg/State"}

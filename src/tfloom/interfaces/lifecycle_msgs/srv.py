@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 from tfloom.rosidl.service import Service as _Service
 
@@ -13,10 +14,13 @@ if TYPE_CHECKING:
 
 __all__ = ["ChangeState", "ChangeState_Event", "ChangeState_Request", "ChangeState_Response", "GetAvailableStates", "GetAvailableStates_Event", "GetAvailableStates_Request", "GetAvailableStates_Response", "GetAvailableTransitions", "GetAvailableTransitions_Event", "GetAvailableTransitions_Request", "GetAvailableTransitions_Response", "GetState", "GetState_Event", "GetState_Request", "GetState_Response"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class ChangeState_Request(_Message):
     """The message lifecycle_msgs/srv/ChangeState_Request."""
 
+    __module__ = _module("_change_state")
     _TYPE_NAME = "lifecycle_msgs/srv/ChangeState_Request"
     _TYPE_HASH = "RIHS01_d74c6f524e14cade7b67e7297190360ed749264af300524fc1456f27cc2a553a"
     _FIELDS = {"transition": "lifecycle_msgs/msg/Transition"}
@@ -31,6 +35,7 @@ class ChangeState_Request(_Message):
 class ChangeState_Response(_Message):
     """The message lifecycle_msgs/srv/ChangeState_Response."""
 
+    __module__ = _module("_change_state")
     _TYPE_NAME = "lifecycle_msgs/srv/ChangeState_Response"
     _TYPE_HASH = "RIHS01_e1ddfed0271fefe63767aa71561926e4d9eac0f1ddf9e71a8873eb46b36deac2"
     _FIELDS = {"success": "bool"}
@@ -45,6 +50,7 @@ class ChangeState_Response(_Message):
 class ChangeState_Event(_Message):
     """The message lifecycle_msgs/srv/ChangeState_Event."""
 
+    __module__ = _module("_change_state")
     _TYPE_NAME = "lifecycle_msgs/srv/ChangeState_Event"
     _TYPE_HASH = "RIHS01_bf7f355aca8762a7a51df02eaf4a51024255d15b31b1b68bf0a099673c2709bc"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "lifecycle_msgs/srv/ChangeState_Request[<=1]", "response": "lifecycle_msgs/srv/ChangeState_Response[<=1]"}
@@ -61,6 +67,7 @@ class ChangeState_Event(_Message):
 class ChangeState(_Service[ChangeState_Request, ChangeState_Response]):
     """The service lifecycle_msgs/srv/ChangeState."""
 
+    __module__ = _module("_change_state")
     _TYPE_NAME = "lifecycle_msgs/srv/ChangeState"
     _TYPE_HASH = "RIHS01_356fe34f0475a43acf54542013af4167b0e729f77ea22ffb045c6ad8e20668e5"
     Request: _TypeAlias = ChangeState_Request
@@ -71,6 +78,7 @@ class ChangeState(_Service[ChangeState_Request, ChangeState_Response]):
 class GetAvailableStates_Request(_Message):
     """The message lifecycle_msgs/srv/GetAvailableStates_Request."""
 
+    __module__ = _module("_get_available_states")
     _TYPE_NAME = "lifecycle_msgs/srv/GetAvailableStates_Request"
     _TYPE_HASH = "RIHS01_c2c0c12de6023822f284929577d4ca2862e0501150010966e8a90b632e4424de"
     _FIELDS = {}
@@ -84,6 +92,7 @@ class GetAvailableStates_Request(_Message):
 class GetAvailableStates_Response(_Message):
     """The message lifecycle_msgs/srv/GetAvailableStates_Response."""
 
+    __module__ = _module("_get_available_states")
     _TYPE_NAME = "lifecycle_msgs/srv/GetAvailableStates_Response"
     _TYPE_HASH = "RIHS01_223e0dd5bb8a847ebb9532adaf8b5e2a97e6e68e79faeaabd81a45fb32925bd1"
     _FIELDS = {"available_states": "lifecycle_msgs/msg/State[]"}
@@ -98,6 +107,7 @@ class GetAvailableStates_Response(_Message):
 class GetAvailableStates_Event(_Message):
     """The message lifecycle_msgs/srv/GetAvailableStates_Event."""
 
+    __module__ = _module("_get_available_states")
     _TYPE_NAME = "lifecycle_msgs/srv/GetAvailableStates_Event"
     _TYPE_HASH = "RIHS01_4211b77ace9f7061a6109f184cafc1bf0d5e9af0ae690715b92e23c6ced4c45f"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "lifecycle_msgs/srv/GetAvailableStates_Request[<=1]", "response": "lifecycle_msgs/srv/GetAvailableStates_Response[<=1]"}
@@ -114,6 +124,7 @@ class GetAvailableStates_Event(_Message):
 class GetAvailableStates(_Service[GetAvailableStates_Request, GetAvailableStates_Response]):
     """The service lifecycle_msgs/srv/GetAvailableStates."""
 
+    __module__ = _module("_get_available_states")
     _TYPE_NAME = "lifecycle_msgs/srv/GetAvailableStates"
     _TYPE_HASH = "RIHS01_00a07d79d2207d71e81a8cbc1880e5d924cc16d4688ea8e8e06e443dc8f8aa1d"
     Request: _TypeAlias = GetAvailableStates_Request
@@ -124,6 +135,7 @@ class GetAvailableStates(_Service[GetAvailableStates_Request, GetAvailableStates
 class GetAvailableTransitions_Request(_Message):
     """The message lifecycle_msgs/srv/GetAvailableTransitions_Request."""
 
+    __module__ = _module("_get_available_transitions")
     _TYPE_NAME = "lifecycle_msgs/srv/GetAvailableTransitions_Request"
     _TYPE_HASH = "RIHS01_52a73c0b5d7489bee0df6ddb0aec45c41289d223ff225b58fe11d859ac8109a6"
     _FIELDS = {}
@@ -137,6 +149,7 @@ class GetAvailableTransitions_Request(_Message):
 class GetAvailableTransitions_Response(_Message):
     """The message lifecycle_msgs/srv/GetAvailableTransitions_Response."""
 
+    __module__ = _module("_get_available_transitions")
     _TYPE_NAME = "lifecycle_msgs/srv/GetAvailableTransitions_Response"
     _TYPE_HASH = "RIHS01_4711339461aadf02bcfff797a198de911f885074bd3f2fe9f7b677ef87f0741c"
     _FIELDS = {"available_transitions": "lifecycle_msgs/msg/TransitionDescription[]"}
@@ -151,6 +164,7 @@ class GetAvailableTransitions_Response(_Message):
 class GetAvailableTransitions_Event(_Message):
     """The message lifecycle_msgs/srv/GetAvailableTransitions_Event."""
 
+    __module__ = _module("_get_available_transitions")
     _TYPE_NAME = "lifecycle_msgs/srv/GetAvailableTransitions_Event"
     _TYPE_HASH = "RIHS01_188e7de007993da873cc247d52906151b38346fdb72a4cc5f78c407c3b5b370f"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "lifecycle_msgs/srv/GetAvailableTransitions_Request[<=1]", "response": "lifecycle_msgs/srv/GetAvailableTransitions_Response[<=1]"}
@@ -167,6 +181,7 @@ class GetAvailableTransitions_Event(_Message):
 class GetAvailableTransitions(_Service[GetAvailableTransitions_Request, GetAvailableTransitions_Response]):
     """The service lifecycle_msgs/srv/GetAvailableTransitions."""
 
+    __module__ = _module("_get_available_transitions")
     _TYPE_NAME = "lifecycle_msgs/srv/GetAvailableTransitions"
     _TYPE_HASH = "RIHS01_59b7ecefce0982a8a844b9f2c4f14764c1c4543cc55e72924e2aa4adad83e9bc"
     Request: _TypeAlias = GetAvailableTransitions_Request
@@ -177,6 +192,7 @@ class GetAvailableTransitions(_Service[GetAvailableTransitions_Request, GetAvail
 class GetState_Request(_Message):
     """The message lifecycle_msgs/srv/GetState_Request."""
 
+    __module__ = _module("_get_state")
     _TYPE_NAME = "lifecycle_msgs/srv/GetState_Request"
     _TYPE_HASH = "RIHS01_77a9c844e7975f15bc2221e8bbebafc4d118afb78c7f7071eef91f83f940f2f6"
     _FIELDS = {}
@@ -190,6 +206,7 @@ class GetState_Request(_Message):
 class GetState_Response(_Message):
     """The message lifecycle_msgs/srv/GetState_Response."""
 
+    __module__ = _module("_get_state")
     _TYPE_NAME = "lifecycle_msgs/srv/GetState_Response"
     _TYPE_HASH = "RIHS01_fe249babab472e42cb5653b5d6a6b0c42a003b0fdfb84851aea3fde08760b4f5"
     _FIELDS = {"current_state": "lifecycle_msgs/msg/State"}
@@ -204,6 +221,7 @@ class GetState_Response(_Message):
 class GetState_Event(_Message):
     """The message lifecycle_msgs/srv/GetState_Event."""
 
+    __module__ = _module("_get_state")
     _TYPE_NAME = "lifecycle_msgs/srv/GetState_Event"
     _TYPE_HASH = "RIHS01_4ac077d336db33726a95700398b95c34f326ecd27162b3f85cd7f85b4a55a75a"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "lifecycle_msgs/srv/GetState_Request[<=1]", "response": "lifecycle_msgs/srv/GetState_Response[<=1]"}
@@ -220,6 +238,7 @@ class GetState_Event(_Message):
 class GetState(_Service[GetState_Request, GetState_Response]):
     """The service lifecycle_msgs/srv/GetState."""
 
+    __module__ = _module("_get_state")
     _TYPE_NAME = "lifecycle_msgs/srv/GetState"
     _TYPE_HASH = "RIHS01_800a0a5aae599782b02932de0caf563f6dc4e7e94b794eadde075ba2cbef9795"
     Request: _TypeAlias = GetState_Request

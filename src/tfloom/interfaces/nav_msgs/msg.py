@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
@@ -19,10 +20,13 @@ if TYPE_CHECKING:
 
 __all__ = ["GridCells", "MapMetaData", "OccupancyGrid", "Odometry", "Path"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class GridCells(_Message):
     """The message nav_msgs/msg/GridCells."""
 
+    __module__ = _module("_grid_cells")
     _TYPE_NAME = "nav_msgs/msg/GridCells"
     _TYPE_HASH = "RIHS01_bb99c2f5d0a04750745a81ec6a8147aa373cce5bd17c8cd6507f2413354a6933"
     _FIELDS = {"header": "std_msgs/msg/Header", "cell_width": "float32", "cell_height": "float32", "cells": "geometry_msgs/msg/Point[]"}
@@ -40,6 +44,7 @@ class GridCells(_Message):
 class MapMetaData(_Message):
     """Size, resolution and position of a map."""
 
+    __module__ = _module("_map_meta_data")
     _TYPE_NAME = "nav_msgs/msg/MapMetaData"
     _TYPE_HASH = "RIHS01_2772d4b2000ef2b35dbaeb80fd3946c1369f817fb4f75677d916d27c17d763c8"
     _FIELDS = {"map_load_time": "builtin_interfaces/msg/Time", "resolution": "float32", "width": "uint32", "height": "uint32", "origin": "geometry_msgs/msg/Pose"}
@@ -62,6 +67,7 @@ class MapMetaData(_Message):
 class OccupancyGrid(_Message):
     """A map of cells, row by row from the origin."""
 
+    __module__ = _module("_occupancy_grid")
     _TYPE_NAME = "nav_msgs/msg/OccupancyGrid"
     _TYPE_HASH = "RIHS01_8d348150c12913a31ee0ec170fbf25089e4745d17035792a1ba94d6f0bc0cfc7"
     _FIELDS = {"header": "std_msgs/msg/Header", "info": "nav_msgs/msg/MapMetaData", "data": "int8[]"}
@@ -82,6 +88,7 @@ class OccupancyGrid(_Message):
 class Odometry(_Message):
     """Pose in the frame of the header, velocity in the child frame."""
 
+    __module__ = _module("_odometry")
     _TYPE_NAME = "nav_msgs/msg/Odometry"
     _TYPE_HASH = "RIHS01_3cc97dc7fb7502f8714462c526d369e35b603cfc34d946e3f2eda2766dfec6e0"
     _FIELDS = {"header": "std_msgs/msg/Header", "child_frame_id": "string", "pose": "geometry_msgs/msg/PoseWithCovariance", "twist": "geometry_msgs/msg/TwistWithCovariance"}
@@ -99,6 +106,7 @@ class Odometry(_Message):
 class Path(_Message):
     """A path: poses in order."""
 
+    __module__ = _module("_path")
     _TYPE_NAME = "nav_msgs/msg/Path"
     _TYPE_HASH = "RIHS01_1957a5bb3cee5da65c4e52e52b65a93df227efce4c20f8458b36e73066ca334b"
     _FIELDS = {"header": "std_msgs/msg/Header", "poses": "geometry_msgs/msg/PoseStamped[]"}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 from tfloom.rosidl.service import Service as _Service
 
@@ -14,10 +15,13 @@ if TYPE_CHECKING:
 
 __all__ = ["GetMap", "GetMap_Event", "GetMap_Request", "GetMap_Response", "GetPlan", "GetPlan_Event", "GetPlan_Request", "GetPlan_Response", "LoadMap", "LoadMap_Event", "LoadMap_Request", "LoadMap_Response", "SetMap", "SetMap_Event", "SetMap_Request", "SetMap_Response"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class GetMap_Request(_Message):
     """The message nav_msgs/srv/GetMap_Request."""
 
+    __module__ = _module("_get_map")
     _TYPE_NAME = "nav_msgs/srv/GetMap_Request"
     _TYPE_HASH = "RIHS01_b531e302f1bd6a81f8a5e03453266c378b1f711b4296000c1c0f53a40e00a7c4"
     _FIELDS = {}
@@ -31,6 +35,7 @@ class GetMap_Request(_Message):
 class GetMap_Response(_Message):
     """The message nav_msgs/srv/GetMap_Response."""
 
+    __module__ = _module("_get_map")
     _TYPE_NAME = "nav_msgs/srv/GetMap_Response"
     _TYPE_HASH = "RIHS01_45246f7a2ff0cbfa46e13865d4b95929ebb6d2846d1b85a20ad51030f4690dc2"
     _FIELDS = {"map": "nav_msgs/msg/OccupancyGrid"}
@@ -45,6 +50,7 @@ class GetMap_Response(_Message):
 class GetMap_Event(_Message):
     """The message nav_msgs/srv/GetMap_Event."""
 
+    __module__ = _module("_get_map")
     _TYPE_NAME = "nav_msgs/srv/GetMap_Event"
     _TYPE_HASH = "RIHS01_a7ccc266ea4796564e253156024ef4e829dd3e3c424fed3b11e3118aab3971d7"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav_msgs/srv/GetMap_Request[<=1]", "response": "nav_msgs/srv/GetMap_Response[<=1]"}
@@ -61,6 +67,7 @@ class GetMap_Event(_Message):
 class GetMap(_Service[GetMap_Request, GetMap_Response]):
     """The service nav_msgs/srv/GetMap."""
 
+    __module__ = _module("_get_map")
     _TYPE_NAME = "nav_msgs/srv/GetMap"
     _TYPE_HASH = "RIHS01_c8ae77c9995b3554b5ba80e4d4d443f970ac65143102a1d893ec24fc07b31147"
     Request: _TypeAlias = GetMap_Request
@@ -71,6 +78,7 @@ class GetMap(_Service[GetMap_Request, GetMap_Response]):
 class GetPlan_Request(_Message):
     """The message nav_msgs/srv/GetPlan_Request."""
 
+    __module__ = _module("_get_plan")
     _TYPE_NAME = "nav_msgs/srv/GetPlan_Request"
     _TYPE_HASH = "RIHS01_f1bb9fab287948b4432a4a7e4f529e7ea6269cd06269ee8fcb911fdb4acd23c3"
     _FIELDS = {"start": "geometry_msgs/msg/PoseStamped", "goal": "geometry_msgs/msg/PoseStamped", "tolerance": "float32"}
@@ -87,6 +95,7 @@ class GetPlan_Request(_Message):
 class GetPlan_Response(_Message):
     """The message nav_msgs/srv/GetPlan_Response."""
 
+    __module__ = _module("_get_plan")
     _TYPE_NAME = "nav_msgs/srv/GetPlan_Response"
     _TYPE_HASH = "RIHS01_30a947cd360777929073296c368c591dc2117a89c15b7a975a6faa0a901836fd"
     _FIELDS = {"plan": "nav_msgs/msg/Path"}
@@ -101,6 +110,7 @@ class GetPlan_Response(_Message):
 class GetPlan_Event(_Message):
     """The message nav_msgs/srv/GetPlan_Event."""
 
+    __module__ = _module("_get_plan")
     _TYPE_NAME = "nav_msgs/srv/GetPlan_Event"
     _TYPE_HASH = "RIHS01_2550c2e32e7ee24d4806e10847958e1fc37e2631a63dd83f5512fa02ac0cdda5"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav_msgs/srv/GetPlan_Request[<=1]", "response": "nav_msgs/srv/GetPlan_Response[<=1]"}
@@ -117,6 +127,7 @@ class GetPlan_Event(_Message):
 class GetPlan(_Service[GetPlan_Request, GetPlan_Response]):
     """The service nav_msgs/srv/GetPlan."""
 
+    __module__ = _module("_get_plan")
     _TYPE_NAME = "nav_msgs/srv/GetPlan"
     _TYPE_HASH = "RIHS01_234f7aff100f5edb8150366601687b027bcdc253db47decb88fff846193fe5e8"
     Request: _TypeAlias = GetPlan_Request
@@ -127,6 +138,7 @@ class GetPlan(_Service[GetPlan_Request, GetPlan_Response]):
 class LoadMap_Request(_Message):
     """The message nav_msgs/srv/LoadMap_Request."""
 
+    __module__ = _module("_load_map")
     _TYPE_NAME = "nav_msgs/srv/LoadMap_Request"
     _TYPE_HASH = "RIHS01_0f8fe3aac433c977d7c2f8b57ab1c3a17677e24880d76919b69e4208e99f5132"
     _FIELDS = {"map_url": "string"}
@@ -141,6 +153,7 @@ class LoadMap_Request(_Message):
 class LoadMap_Response(_Message):
     """The message nav_msgs/srv/LoadMap_Response."""
 
+    __module__ = _module("_load_map")
     _TYPE_NAME = "nav_msgs/srv/LoadMap_Response"
     _TYPE_HASH = "RIHS01_e7970ddf9f58e10d34b5eae6d2baca31b2b3e2f2fe6d082b3aae2a5f92777b2a"
     _FIELDS = {"map": "nav_msgs/msg/OccupancyGrid", "result": "uint8"}
@@ -161,6 +174,7 @@ class LoadMap_Response(_Message):
 class LoadMap_Event(_Message):
     """The message nav_msgs/srv/LoadMap_Event."""
 
+    __module__ = _module("_load_map")
     _TYPE_NAME = "nav_msgs/srv/LoadMap_Event"
     _TYPE_HASH = "RIHS01_a7907dcbaf7a052cc96c8c716992591dc006ad26ee2841329a7e06a4a33339c7"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav_msgs/srv/LoadMap_Request[<=1]", "response": "nav_msgs/srv/LoadMap_Response[<=1]"}
@@ -177,6 +191,7 @@ class LoadMap_Event(_Message):
 class LoadMap(_Service[LoadMap_Request, LoadMap_Response]):
     """The service nav_msgs/srv/LoadMap."""
 
+    __module__ = _module("_load_map")
     _TYPE_NAME = "nav_msgs/srv/LoadMap"
     _TYPE_HASH = "RIHS01_1a192ac56c40fed2767dac26f0b371785372276bd465c902676d2dca135aae5a"
     Request: _TypeAlias = LoadMap_Request
@@ -187,6 +202,7 @@ class LoadMap(_Service[LoadMap_Request, LoadMap_Response]):
 class SetMap_Request(_Message):
     """The message nav_msgs/srv/SetMap_Request."""
 
+    __module__ = _module("_set_map")
     _TYPE_NAME = "nav_msgs/srv/SetMap_Request"
     _TYPE_HASH = "RIHS01_5a83a0c20af4d79248fc3287524bf358b603fb5a05818b5ec85b50fa6e5d0266"
     _FIELDS = {"map": "nav_msgs/msg/OccupancyGrid", "initial_pose": "geometry_msgs/msg/PoseWithCovarianceStamped"}
@@ -202,6 +218,7 @@ class SetMap_Request(_Message):
 class SetMap_Response(_Message):
     """The message nav_msgs/srv/SetMap_Response."""
 
+    __module__ = _module("_set_map")
     _TYPE_NAME = "nav_msgs/srv/SetMap_Response"
     _TYPE_HASH = "RIHS01_e7251879322c7b12285b9c191d68d27495b6dede051f3cd79b0bf334147b7375"
     _FIELDS = {"success": "bool"}
@@ -216,6 +233,7 @@ class SetMap_Response(_Message):
 class SetMap_Event(_Message):
     """The message nav_msgs/srv/SetMap_Event."""
 
+    __module__ = _module("_set_map")
     _TYPE_NAME = "nav_msgs/srv/SetMap_Event"
     _TYPE_HASH = "RIHS01_68371c7e20b5f04c60581c63c676a033f4530beb507dbb88732cdd5750d60d7f"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav_msgs/srv/SetMap_Request[<=1]", "response": "nav_msgs/srv/SetMap_Response[<=1]"}
@@ -232,6 +250,7 @@ class SetMap_Event(_Message):
 class SetMap(_Service[SetMap_Request, SetMap_Response]):
     """The service nav_msgs/srv/SetMap."""
 
+    __module__ = _module("_set_map")
     _TYPE_NAME = "nav_msgs/srv/SetMap"
     _TYPE_HASH = "RIHS01_5e11a5b2ca53d8ae85b666a019f16c9904ebc787828f1f566c4e048a1ddedfb4"
     Request: _TypeAlias = SetMap_Request

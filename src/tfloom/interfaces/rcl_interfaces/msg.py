@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
@@ -12,10 +13,13 @@ if TYPE_CHECKING:
 
 __all__ = ["FloatingPointRange", "IntegerRange", "ListParametersResult", "Log", "LoggerLevel", "Parameter", "ParameterDescriptor", "ParameterEvent", "ParameterEventDescriptors", "ParameterType", "ParameterValue", "SetLoggerLevelsResult", "SetParametersResult"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class FloatingPointRange(_Message):
     """The message rcl_interfaces/msg/FloatingPointRange."""
 
+    __module__ = _module("_floating_point_range")
     _TYPE_NAME = "rcl_interfaces/msg/FloatingPointRange"
     _TYPE_HASH = "RIHS01_e6af23a23c177fee5f3075c8b1e435162a9b63c863d78c06017460b49684262d"
     _FIELDS = {"from_value": "float64", "to_value": "float64", "step": "float64"}
@@ -32,6 +36,7 @@ class FloatingPointRange(_Message):
 class IntegerRange(_Message):
     """The message rcl_interfaces/msg/IntegerRange."""
 
+    __module__ = _module("_integer_range")
     _TYPE_NAME = "rcl_interfaces/msg/IntegerRange"
     _TYPE_HASH = "RIHS01_f7b7fdc0f65f07702e099218e13288c3963bcb9345bde78b560e6cd19800fc5a"
     _FIELDS = {"from_value": "int64", "to_value": "int64", "step": "uint64"}
@@ -48,6 +53,7 @@ class IntegerRange(_Message):
 class ListParametersResult(_Message):
     """The message rcl_interfaces/msg/ListParametersResult."""
 
+    __module__ = _module("_list_parameters_result")
     _TYPE_NAME = "rcl_interfaces/msg/ListParametersResult"
     _TYPE_HASH = "RIHS01_237ae3428413dcbcfb452b510c42355f3a2b021dc091afa3e18526d57022f1cd"
     _FIELDS = {"names": "string[]", "prefixes": "string[]"}
@@ -63,6 +69,7 @@ class ListParametersResult(_Message):
 class Log(_Message):
     """A log record."""
 
+    __module__ = _module("_log")
     _TYPE_NAME = "rcl_interfaces/msg/Log"
     _TYPE_HASH = "RIHS01_e28ce254ca8abc06abf92773b74602cdbf116ed34fbaf294fb9f81da9f318eac"
     _FIELDS = {"stamp": "builtin_interfaces/msg/Time", "level": "uint8", "name": "string", "msg": "string", "file": "string", "function": "string", "line": "uint32"}
@@ -90,6 +97,7 @@ class Log(_Message):
 class LoggerLevel(_Message):
     """The message rcl_interfaces/msg/LoggerLevel."""
 
+    __module__ = _module("_logger_level")
     _TYPE_NAME = "rcl_interfaces/msg/LoggerLevel"
     _TYPE_HASH = "RIHS01_95785cc42f048ab4f395af65035aeaf2181d8e1c7a44edb8ad4558445fdb43c0"
     _FIELDS = {"name": "string", "level": "uint32"}
@@ -111,6 +119,7 @@ class LoggerLevel(_Message):
 class Parameter(_Message):
     """The message rcl_interfaces/msg/Parameter."""
 
+    __module__ = _module("_parameter")
     _TYPE_NAME = "rcl_interfaces/msg/Parameter"
     _TYPE_HASH = "RIHS01_ddfe6442cffc462317adb5c92536a7b6dd55858c5c3e1e328165a6b73c2831af"
     _FIELDS = {"name": "string", "value": "rcl_interfaces/msg/ParameterValue"}
@@ -126,6 +135,7 @@ class Parameter(_Message):
 class ParameterDescriptor(_Message):
     """The message rcl_interfaces/msg/ParameterDescriptor."""
 
+    __module__ = _module("_parameter_descriptor")
     _TYPE_NAME = "rcl_interfaces/msg/ParameterDescriptor"
     _TYPE_HASH = "RIHS01_52175dbfda6c51153101d33d2a9da05743f66f02d5ab2ca9ec4709b46b73d704"
     _FIELDS = {"name": "string", "type": "uint8", "description": "string", "additional_constraints": "string", "read_only": "bool", "dynamic_typing": "bool", "floating_point_range": "rcl_interfaces/msg/FloatingPointRange[<=1]", "integer_range": "rcl_interfaces/msg/IntegerRange[<=1]"}
@@ -150,6 +160,7 @@ class ParameterDescriptor(_Message):
 class ParameterEvent(_Message):
     """Changes of a node's parameters."""
 
+    __module__ = _module("_parameter_event")
     _TYPE_NAME = "rcl_interfaces/msg/ParameterEvent"
     _TYPE_HASH = "RIHS01_043e627780fcad87a22d225bc2a037361dba713fca6a6b9f4b869a5aa0393204"
     _FIELDS = {"stamp": "builtin_interfaces/msg/Time", "node": "string", "new_parameters": "rcl_interfaces/msg/Parameter[]", "changed_parameters": "rcl_interfaces/msg/Parameter[]", "deleted_parameters": "rcl_interfaces/msg/Parameter[]"}
@@ -168,6 +179,7 @@ class ParameterEvent(_Message):
 class ParameterEventDescriptors(_Message):
     """The message rcl_interfaces/msg/ParameterEventDescriptors."""
 
+    __module__ = _module("_parameter_event_descriptors")
     _TYPE_NAME = "rcl_interfaces/msg/ParameterEventDescriptors"
     _TYPE_HASH = "RIHS01_456f90915d72ef69379e702ef3ba2a115098ff677eab9c0080fa11239c6b147e"
     _FIELDS = {"new_parameters": "rcl_interfaces/msg/ParameterDescriptor[]", "changed_parameters": "rcl_interfaces/msg/ParameterDescriptor[]", "deleted_parameters": "rcl_interfaces/msg/ParameterDescriptor[]"}
@@ -184,6 +196,7 @@ class ParameterEventDescriptors(_Message):
 class ParameterType(_Message):
     """The message rcl_interfaces/msg/ParameterType."""
 
+    __module__ = _module("_parameter_type")
     _TYPE_NAME = "rcl_interfaces/msg/ParameterType"
     _TYPE_HASH = "RIHS01_df29ed057a834862187be24dd187d981790ff3ea6502f4cd27b432cbc42c6d46"
     _FIELDS = {}
@@ -207,6 +220,7 @@ class ParameterType(_Message):
 class ParameterValue(_Message):
     """A value of one of several types: `type` selects the field."""
 
+    __module__ = _module("_parameter_value")
     _TYPE_NAME = "rcl_interfaces/msg/ParameterValue"
     _TYPE_HASH = "RIHS01_115fc089a387e23c7ecd3525c9189c379109119d6ab82e8dfbde0fdf6a7f9b68"
     _FIELDS = {"type": "uint8", "bool_value": "bool", "integer_value": "int64", "double_value": "float64", "string_value": "string", "byte_array_value": "byte[]", "bool_array_value": "bool[]", "integer_array_value": "int64[]", "double_array_value": "float64[]", "string_array_value": "string[]"}
@@ -236,6 +250,7 @@ class ParameterValue(_Message):
 class SetLoggerLevelsResult(_Message):
     """The message rcl_interfaces/msg/SetLoggerLevelsResult."""
 
+    __module__ = _module("_set_logger_levels_result")
     _TYPE_NAME = "rcl_interfaces/msg/SetLoggerLevelsResult"
     _TYPE_HASH = "RIHS01_9316e5e679a5b72d2dd7fd80c539bae9e106fa0890a06dc5da3a8177a3ff6909"
     _FIELDS = {"successful": "bool", "reason": "string"}
@@ -251,6 +266,7 @@ class SetLoggerLevelsResult(_Message):
 class SetParametersResult(_Message):
     """The message rcl_interfaces/msg/SetParametersResult."""
 
+    __module__ = _module("_set_parameters_result")
     _TYPE_NAME = "rcl_interfaces/msg/SetParametersResult"
     _TYPE_HASH = "RIHS01_cfcc0fb0371ee5159b403960ef4300f8f9d2f1fd6117c8666b7f9654d528a9b1"
     _FIELDS = {"successful": "bool", "reason": "string"}

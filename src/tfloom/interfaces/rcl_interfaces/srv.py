@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 from tfloom.rosidl.service import Service as _Service
 
@@ -22,10 +23,13 @@ if TYPE_CHECKING:
 
 __all__ = ["DescribeParameters", "DescribeParameters_Event", "DescribeParameters_Request", "DescribeParameters_Response", "GetLoggerLevels", "GetLoggerLevels_Event", "GetLoggerLevels_Request", "GetLoggerLevels_Response", "GetParameterTypes", "GetParameterTypes_Event", "GetParameterTypes_Request", "GetParameterTypes_Response", "GetParameters", "GetParameters_Event", "GetParameters_Request", "GetParameters_Response", "ListParameters", "ListParameters_Event", "ListParameters_Request", "ListParameters_Response", "SetLoggerLevels", "SetLoggerLevels_Event", "SetLoggerLevels_Request", "SetLoggerLevels_Response", "SetParameters", "SetParametersAtomically", "SetParametersAtomically_Event", "SetParametersAtomically_Request", "SetParametersAtomically_Response", "SetParameters_Event", "SetParameters_Request", "SetParameters_Response"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class DescribeParameters_Request(_Message):
     """The message rcl_interfaces/srv/DescribeParameters_Request."""
 
+    __module__ = _module("_describe_parameters")
     _TYPE_NAME = "rcl_interfaces/srv/DescribeParameters_Request"
     _TYPE_HASH = "RIHS01_05dd1c2bc87dec2627105c8070d6f9725c781a4f2ab852975bf105462b82b644"
     _FIELDS = {"names": "string[]"}
@@ -40,6 +44,7 @@ class DescribeParameters_Request(_Message):
 class DescribeParameters_Response(_Message):
     """The message rcl_interfaces/srv/DescribeParameters_Response."""
 
+    __module__ = _module("_describe_parameters")
     _TYPE_NAME = "rcl_interfaces/srv/DescribeParameters_Response"
     _TYPE_HASH = "RIHS01_ad6747319613c6131589e062e095b469a46cc764f7d0f12a001a49e6cd893995"
     _FIELDS = {"descriptors": "rcl_interfaces/msg/ParameterDescriptor[]"}
@@ -54,6 +59,7 @@ class DescribeParameters_Response(_Message):
 class DescribeParameters_Event(_Message):
     """The message rcl_interfaces/srv/DescribeParameters_Event."""
 
+    __module__ = _module("_describe_parameters")
     _TYPE_NAME = "rcl_interfaces/srv/DescribeParameters_Event"
     _TYPE_HASH = "RIHS01_3deba64c035093033c690184834441551a53128ea2539f71f2596fbc4ed9de43"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "rcl_interfaces/srv/DescribeParameters_Request[<=1]", "response": "rcl_interfaces/srv/DescribeParameters_Response[<=1]"}
@@ -70,6 +76,7 @@ class DescribeParameters_Event(_Message):
 class DescribeParameters(_Service[DescribeParameters_Request, DescribeParameters_Response]):
     """The service rcl_interfaces/srv/DescribeParameters."""
 
+    __module__ = _module("_describe_parameters")
     _TYPE_NAME = "rcl_interfaces/srv/DescribeParameters"
     _TYPE_HASH = "RIHS01_845b484d71eb0673dae682f2e3ba3c4851a65a3dcfb97bddd82c5b57e91e4cff"
     Request: _TypeAlias = DescribeParameters_Request
@@ -80,6 +87,7 @@ class DescribeParameters(_Service[DescribeParameters_Request, DescribeParameters
 class GetLoggerLevels_Request(_Message):
     """The message rcl_interfaces/srv/GetLoggerLevels_Request."""
 
+    __module__ = _module("_get_logger_levels")
     _TYPE_NAME = "rcl_interfaces/srv/GetLoggerLevels_Request"
     _TYPE_HASH = "RIHS01_490ace424a5f5b14cb4e1e95030d7fe366d8df0fd9fe4d03b44d6009504fd2cc"
     _FIELDS = {"names": "string[]"}
@@ -94,6 +102,7 @@ class GetLoggerLevels_Request(_Message):
 class GetLoggerLevels_Response(_Message):
     """The message rcl_interfaces/srv/GetLoggerLevels_Response."""
 
+    __module__ = _module("_get_logger_levels")
     _TYPE_NAME = "rcl_interfaces/srv/GetLoggerLevels_Response"
     _TYPE_HASH = "RIHS01_228685d350911d213047abe756f5bf566d2f76b359c4e9fac16e5ef652aff910"
     _FIELDS = {"levels": "rcl_interfaces/msg/LoggerLevel[]"}
@@ -108,6 +117,7 @@ class GetLoggerLevels_Response(_Message):
 class GetLoggerLevels_Event(_Message):
     """The message rcl_interfaces/srv/GetLoggerLevels_Event."""
 
+    __module__ = _module("_get_logger_levels")
     _TYPE_NAME = "rcl_interfaces/srv/GetLoggerLevels_Event"
     _TYPE_HASH = "RIHS01_c835a586d832cb17c01c512f8ffd449fd5384f5bd33fb44d76329d875d1f0875"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "rcl_interfaces/srv/GetLoggerLevels_Request[<=1]", "response": "rcl_interfaces/srv/GetLoggerLevels_Response[<=1]"}
@@ -124,6 +134,7 @@ class GetLoggerLevels_Event(_Message):
 class GetLoggerLevels(_Service[GetLoggerLevels_Request, GetLoggerLevels_Response]):
     """The service rcl_interfaces/srv/GetLoggerLevels."""
 
+    __module__ = _module("_get_logger_levels")
     _TYPE_NAME = "rcl_interfaces/srv/GetLoggerLevels"
     _TYPE_HASH = "RIHS01_03bf1bebd0d6514c7ed0ba7c5e08dc9f2f39c759fe99e1e30ea4157d7674f72d"
     Request: _TypeAlias = GetLoggerLevels_Request
@@ -134,6 +145,7 @@ class GetLoggerLevels(_Service[GetLoggerLevels_Request, GetLoggerLevels_Response
 class GetParameterTypes_Request(_Message):
     """The message rcl_interfaces/srv/GetParameterTypes_Request."""
 
+    __module__ = _module("_get_parameter_types")
     _TYPE_NAME = "rcl_interfaces/srv/GetParameterTypes_Request"
     _TYPE_HASH = "RIHS01_87d7ec5ef545d4daa289d500025d31fb2437bc8b8365ca367161c4dac4be33fd"
     _FIELDS = {"names": "string[]"}
@@ -148,6 +160,7 @@ class GetParameterTypes_Request(_Message):
 class GetParameterTypes_Response(_Message):
     """The message rcl_interfaces/srv/GetParameterTypes_Response."""
 
+    __module__ = _module("_get_parameter_types")
     _TYPE_NAME = "rcl_interfaces/srv/GetParameterTypes_Response"
     _TYPE_HASH = "RIHS01_ac1335dce67c478e669434f6ac2fbff34fcd529580f272d3006785ba8b54e47f"
     _FIELDS = {"types": "uint8[]"}
@@ -165,6 +178,7 @@ class GetParameterTypes_Response(_Message):
 class GetParameterTypes_Event(_Message):
     """The message rcl_interfaces/srv/GetParameterTypes_Event."""
 
+    __module__ = _module("_get_parameter_types")
     _TYPE_NAME = "rcl_interfaces/srv/GetParameterTypes_Event"
     _TYPE_HASH = "RIHS01_9516adca0cc885d46a59c2362fb8eb5f4906b046518266f8c645b454b0dddc60"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "rcl_interfaces/srv/GetParameterTypes_Request[<=1]", "response": "rcl_interfaces/srv/GetParameterTypes_Response[<=1]"}
@@ -181,6 +195,7 @@ class GetParameterTypes_Event(_Message):
 class GetParameterTypes(_Service[GetParameterTypes_Request, GetParameterTypes_Response]):
     """The service rcl_interfaces/srv/GetParameterTypes."""
 
+    __module__ = _module("_get_parameter_types")
     _TYPE_NAME = "rcl_interfaces/srv/GetParameterTypes"
     _TYPE_HASH = "RIHS01_da199c878688b3e530bdfe3ca8f74cb9fa0c303101e980a9e8f260e25e1c80ca"
     Request: _TypeAlias = GetParameterTypes_Request
@@ -191,6 +206,7 @@ class GetParameterTypes(_Service[GetParameterTypes_Request, GetParameterTypes_Re
 class GetParameters_Request(_Message):
     """The message rcl_interfaces/srv/GetParameters_Request."""
 
+    __module__ = _module("_get_parameters")
     _TYPE_NAME = "rcl_interfaces/srv/GetParameters_Request"
     _TYPE_HASH = "RIHS01_135a9e1c3d7cebef792f6687d7ddf99949b21a0bd9a320d863a9110a3f5cf4d6"
     _FIELDS = {"names": "string[]"}
@@ -205,6 +221,7 @@ class GetParameters_Request(_Message):
 class GetParameters_Response(_Message):
     """The message rcl_interfaces/srv/GetParameters_Response."""
 
+    __module__ = _module("_get_parameters")
     _TYPE_NAME = "rcl_interfaces/srv/GetParameters_Response"
     _TYPE_HASH = "RIHS01_9fa773b46e39cc5d02db6224d8fd520bb9caeeffc2b27c96c1e59431baba9f2a"
     _FIELDS = {"values": "rcl_interfaces/msg/ParameterValue[]"}
@@ -219,6 +236,7 @@ class GetParameters_Response(_Message):
 class GetParameters_Event(_Message):
     """The message rcl_interfaces/srv/GetParameters_Event."""
 
+    __module__ = _module("_get_parameters")
     _TYPE_NAME = "rcl_interfaces/srv/GetParameters_Event"
     _TYPE_HASH = "RIHS01_84eeb9247b09067c35bd8750d5c8555b700e394a616737c4624f15ae02e64c4d"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "rcl_interfaces/srv/GetParameters_Request[<=1]", "response": "rcl_interfaces/srv/GetParameters_Response[<=1]"}
@@ -235,6 +253,7 @@ class GetParameters_Event(_Message):
 class GetParameters(_Service[GetParameters_Request, GetParameters_Response]):
     """The service rcl_interfaces/srv/GetParameters."""
 
+    __module__ = _module("_get_parameters")
     _TYPE_NAME = "rcl_interfaces/srv/GetParameters"
     _TYPE_HASH = "RIHS01_bf9803d5c74cf989a5de3e0c2e99444599a627c7ff75f97b8c05b01003675cbc"
     Request: _TypeAlias = GetParameters_Request
@@ -245,6 +264,7 @@ class GetParameters(_Service[GetParameters_Request, GetParameters_Response]):
 class ListParameters_Request(_Message):
     """The message rcl_interfaces/srv/ListParameters_Request."""
 
+    __module__ = _module("_list_parameters")
     _TYPE_NAME = "rcl_interfaces/srv/ListParameters_Request"
     _TYPE_HASH = "RIHS01_a1b0b5d6b967a5b8ac5bc8563c3ea678f349e312a6a4967227c5a96bc5ce38df"
     _FIELDS = {"prefixes": "string[]", "depth": "uint64"}
@@ -261,6 +281,7 @@ class ListParameters_Request(_Message):
 class ListParameters_Response(_Message):
     """The message rcl_interfaces/srv/ListParameters_Response."""
 
+    __module__ = _module("_list_parameters")
     _TYPE_NAME = "rcl_interfaces/srv/ListParameters_Response"
     _TYPE_HASH = "RIHS01_31b937b82de3612426be79f231e386259f97e8dc843e3f2845288b4bfa296bdd"
     _FIELDS = {"result": "rcl_interfaces/msg/ListParametersResult"}
@@ -275,6 +296,7 @@ class ListParameters_Response(_Message):
 class ListParameters_Event(_Message):
     """The message rcl_interfaces/srv/ListParameters_Event."""
 
+    __module__ = _module("_list_parameters")
     _TYPE_NAME = "rcl_interfaces/srv/ListParameters_Event"
     _TYPE_HASH = "RIHS01_89c5b5aaf68ec925ae9bbc5569ee21de82959b4d1496dbd498792ad825b9b292"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "rcl_interfaces/srv/ListParameters_Request[<=1]", "response": "rcl_interfaces/srv/ListParameters_Response[<=1]"}
@@ -291,6 +313,7 @@ class ListParameters_Event(_Message):
 class ListParameters(_Service[ListParameters_Request, ListParameters_Response]):
     """The service rcl_interfaces/srv/ListParameters."""
 
+    __module__ = _module("_list_parameters")
     _TYPE_NAME = "rcl_interfaces/srv/ListParameters"
     _TYPE_HASH = "RIHS01_3e6062bfbb27bfb8730d4cef2558221f51a11646d78e7bb30a1e83afac3aad9d"
     Request: _TypeAlias = ListParameters_Request
@@ -301,6 +324,7 @@ class ListParameters(_Service[ListParameters_Request, ListParameters_Response]):
 class SetLoggerLevels_Request(_Message):
     """The message rcl_interfaces/srv/SetLoggerLevels_Request."""
 
+    __module__ = _module("_set_logger_levels")
     _TYPE_NAME = "rcl_interfaces/srv/SetLoggerLevels_Request"
     _TYPE_HASH = "RIHS01_4e7768e0f4c749205f35bc05449f83fad18c42de52c16b1934d66c2f68ffd862"
     _FIELDS = {"levels": "rcl_interfaces/msg/LoggerLevel[]"}
@@ -315,6 +339,7 @@ class SetLoggerLevels_Request(_Message):
 class SetLoggerLevels_Response(_Message):
     """The message rcl_interfaces/srv/SetLoggerLevels_Response."""
 
+    __module__ = _module("_set_logger_levels")
     _TYPE_NAME = "rcl_interfaces/srv/SetLoggerLevels_Response"
     _TYPE_HASH = "RIHS01_ba51739027e57cb9120015737f4618579684047d862b2b16a76bc399d987d6d3"
     _FIELDS = {"results": "rcl_interfaces/msg/SetLoggerLevelsResult[]"}
@@ -329,6 +354,7 @@ class SetLoggerLevels_Response(_Message):
 class SetLoggerLevels_Event(_Message):
     """The message rcl_interfaces/srv/SetLoggerLevels_Event."""
 
+    __module__ = _module("_set_logger_levels")
     _TYPE_NAME = "rcl_interfaces/srv/SetLoggerLevels_Event"
     _TYPE_HASH = "RIHS01_ce7d563c54edbff5addfea9ae8f8bcb7ba755673cdc0761064ec0d4adf18b6d9"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "rcl_interfaces/srv/SetLoggerLevels_Request[<=1]", "response": "rcl_interfaces/srv/SetLoggerLevels_Response[<=1]"}
@@ -345,6 +371,7 @@ class SetLoggerLevels_Event(_Message):
 class SetLoggerLevels(_Service[SetLoggerLevels_Request, SetLoggerLevels_Response]):
     """The service rcl_interfaces/srv/SetLoggerLevels."""
 
+    __module__ = _module("_set_logger_levels")
     _TYPE_NAME = "rcl_interfaces/srv/SetLoggerLevels"
     _TYPE_HASH = "RIHS01_3ff86cb4e91fbf9abae15c234ecc874448de6ece8e193401c077cf116e4f6d78"
     Request: _TypeAlias = SetLoggerLevels_Request
@@ -355,6 +382,7 @@ class SetLoggerLevels(_Service[SetLoggerLevels_Request, SetLoggerLevels_Response
 class SetParameters_Request(_Message):
     """The message rcl_interfaces/srv/SetParameters_Request."""
 
+    __module__ = _module("_set_parameters")
     _TYPE_NAME = "rcl_interfaces/srv/SetParameters_Request"
     _TYPE_HASH = "RIHS01_130d46386b7e84ea9ecf60608a4d83cbe5e5cb7c6cc5b712b7a4e3a6c254e932"
     _FIELDS = {"parameters": "rcl_interfaces/msg/Parameter[]"}
@@ -369,6 +397,7 @@ class SetParameters_Request(_Message):
 class SetParameters_Response(_Message):
     """The message rcl_interfaces/srv/SetParameters_Response."""
 
+    __module__ = _module("_set_parameters")
     _TYPE_NAME = "rcl_interfaces/srv/SetParameters_Response"
     _TYPE_HASH = "RIHS01_7a0e8140a0b8d98308fa81a5403a766e610af29a239caf54b7553227906fc266"
     _FIELDS = {"results": "rcl_interfaces/msg/SetParametersResult[]"}
@@ -383,6 +412,7 @@ class SetParameters_Response(_Message):
 class SetParameters_Event(_Message):
     """The message rcl_interfaces/srv/SetParameters_Event."""
 
+    __module__ = _module("_set_parameters")
     _TYPE_NAME = "rcl_interfaces/srv/SetParameters_Event"
     _TYPE_HASH = "RIHS01_5060f52369bcff7f9dbd6eca21ee521859e471e71b33a8a8df26d5236fe54a80"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "rcl_interfaces/srv/SetParameters_Request[<=1]", "response": "rcl_interfaces/srv/SetParameters_Response[<=1]"}
@@ -399,6 +429,7 @@ class SetParameters_Event(_Message):
 class SetParameters(_Service[SetParameters_Request, SetParameters_Response]):
     """The service rcl_interfaces/srv/SetParameters."""
 
+    __module__ = _module("_set_parameters")
     _TYPE_NAME = "rcl_interfaces/srv/SetParameters"
     _TYPE_HASH = "RIHS01_56eed9a67e169f9cb6c1f987bc88f868c14a8fc9f743a263bc734c154015d7e0"
     Request: _TypeAlias = SetParameters_Request
@@ -409,6 +440,7 @@ class SetParameters(_Service[SetParameters_Request, SetParameters_Response]):
 class SetParametersAtomically_Request(_Message):
     """The message rcl_interfaces/srv/SetParametersAtomically_Request."""
 
+    __module__ = _module("_set_parameters_atomically")
     _TYPE_NAME = "rcl_interfaces/srv/SetParametersAtomically_Request"
     _TYPE_HASH = "RIHS01_db0bd950ed5ed867a0e90b225e44dea382d762c0762ff3e0ee842190042a59e5"
     _FIELDS = {"parameters": "rcl_interfaces/msg/Parameter[]"}
@@ -423,6 +455,7 @@ class SetParametersAtomically_Request(_Message):
 class SetParametersAtomically_Response(_Message):
     """The message rcl_interfaces/srv/SetParametersAtomically_Response."""
 
+    __module__ = _module("_set_parameters_atomically")
     _TYPE_NAME = "rcl_interfaces/srv/SetParametersAtomically_Response"
     _TYPE_HASH = "RIHS01_31b1a38c5b0b9d893ee24da45f69638f4561c78461d82d52750f429b534502b8"
     _FIELDS = {"result": "rcl_interfaces/msg/SetParametersResult"}
@@ -437,6 +470,7 @@ class SetParametersAtomically_Response(_Message):
 class SetParametersAtomically_Event(_Message):
     """The message rcl_interfaces/srv/SetParametersAtomically_Event."""
 
+    __module__ = _module("_set_parameters_atomically")
     _TYPE_NAME = "rcl_interfaces/srv/SetParametersAtomically_Event"
     _TYPE_HASH = "RIHS01_42fc0821e6e8fcff2b150cefc7d8269f0ce65139e1dc715b15267a4bcf63a189"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "rcl_interfaces/srv/SetParametersAtomically_Request[<=1]", "response": "rcl_interfaces/srv/SetParametersAtomically_Response[<=1]"}
@@ -453,6 +487,7 @@ class SetParametersAtomically_Event(_Message):
 class SetParametersAtomically(_Service[SetParametersAtomically_Request, SetParametersAtomically_Response]):
     """The service rcl_interfaces/srv/SetParametersAtomically."""
 
+    __module__ = _module("_set_parameters_atomically")
     _TYPE_NAME = "rcl_interfaces/srv/SetParametersAtomically"
     _TYPE_HASH = "RIHS01_0e192ef259c07fc3c07a13191d27002222e65e00ccec653ca05e856f79285fcd"
     Request: _TypeAlias = SetParametersAtomically_Request

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
@@ -10,10 +11,13 @@ if TYPE_CHECKING:
 
 __all__ = ["Gid", "NodeEntitiesInfo", "ParticipantEntitiesInfo"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class Gid(_Message):
     """The id of a participant, a writer or a reader."""
 
+    __module__ = _module("_gid")
     _TYPE_NAME = "rmw_dds_common/msg/Gid"
     _TYPE_HASH = "RIHS01_ab6f21cfbb0a6dbb837161e1110c2051a2850ed9f9c53944d7115d9bcebedf71"
     _FIELDS = {"data": "char[16]"}
@@ -31,6 +35,7 @@ class Gid(_Message):
 class NodeEntitiesInfo(_Message):
     """The writers and readers of a node."""
 
+    __module__ = _module("_node_entities_info")
     _TYPE_NAME = "rmw_dds_common/msg/NodeEntitiesInfo"
     _TYPE_HASH = "RIHS01_8ffef65ee2d088c63b1e8fcd31e800ba9fc8dbe0ee15ca60d1676de5218087a7"
     _FIELDS = {"node_namespace": "string<=256", "node_name": "string<=256", "reader_gid_seq": "rmw_dds_common/msg/Gid[]", "writer_gid_seq": "rmw_dds_common/msg/Gid[]"}
@@ -48,6 +53,7 @@ class NodeEntitiesInfo(_Message):
 class ParticipantEntitiesInfo(_Message):
     """The nodes of a participant."""
 
+    __module__ = _module("_participant_entities_info")
     _TYPE_NAME = "rmw_dds_common/msg/ParticipantEntitiesInfo"
     _TYPE_HASH = "RIHS01_91a0593bacdcc50ea9bdcf849a938b128412cc1ea821245c663bcd26f83c295e"
     _FIELDS = {"gid": "rmw_dds_common/msg/Gid", "node_entities_info_seq": "rmw_dds_common/msg/NodeEntitiesInfo[]"}

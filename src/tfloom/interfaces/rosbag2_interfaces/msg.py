@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
 
 __all__ = ["ReadSplitEvent", "WriteSplitEvent"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class ReadSplitEvent(_Message):
     """Full path of the file that was read to its end and closed."""
 
+    __module__ = _module("_read_split_event")
     _TYPE_NAME = "rosbag2_interfaces/msg/ReadSplitEvent"
     _TYPE_HASH = "RIHS01_0439d996516a82065c51466f7e80b41563b523adb4d94f801fe5cd5221ef170e"
     _FIELDS = {"closed_file": "string", "opened_file": "string"}
@@ -27,6 +31,7 @@ class ReadSplitEvent(_Message):
 class WriteSplitEvent(_Message):
     """Full path of the file that was completed and closed."""
 
+    __module__ = _module("_write_split_event")
     _TYPE_NAME = "rosbag2_interfaces/msg/WriteSplitEvent"
     _TYPE_HASH = "RIHS01_5ef58f7106a5cff8f5a794028c18117ee21015850ddcc567df449f41932960f8"
     _FIELDS = {"closed_file": "string", "opened_file": "string"}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 from tfloom.rosidl.service import Service as _Service
 
@@ -13,10 +14,13 @@ if TYPE_CHECKING:
 
 __all__ = ["Burst", "Burst_Event", "Burst_Request", "Burst_Response", "GetRate", "GetRate_Event", "GetRate_Request", "GetRate_Response", "IsPaused", "IsPaused_Event", "IsPaused_Request", "IsPaused_Response", "Pause", "Pause_Event", "Pause_Request", "Pause_Response", "Play", "PlayNext", "PlayNext_Event", "PlayNext_Request", "PlayNext_Response", "Play_Event", "Play_Request", "Play_Response", "Resume", "Resume_Event", "Resume_Request", "Resume_Response", "Seek", "Seek_Event", "Seek_Request", "Seek_Response", "SetRate", "SetRate_Event", "SetRate_Request", "SetRate_Response", "Snapshot", "Snapshot_Event", "Snapshot_Request", "Snapshot_Response", "SplitBagfile", "SplitBagfile_Event", "SplitBagfile_Request", "SplitBagfile_Response", "Stop", "Stop_Event", "Stop_Request", "Stop_Response", "TogglePaused", "TogglePaused_Event", "TogglePaused_Request", "TogglePaused_Response"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class Burst_Request(_Message):
     """How many messages to publish at once; 0: all of the bag."""
 
+    __module__ = _module("_burst")
     _TYPE_NAME = "rosbag2_interfaces/srv/Burst_Request"
     _TYPE_HASH = "RIHS01_df1559ec51bcc50327983ec73a89b5d619b6c43dd7a950e5612022bbfbcebdde"
     _FIELDS = {"num_messages": "uint64"}
@@ -31,6 +35,7 @@ class Burst_Request(_Message):
 class Burst_Response(_Message):
     """How many were published."""
 
+    __module__ = _module("_burst")
     _TYPE_NAME = "rosbag2_interfaces/srv/Burst_Response"
     _TYPE_HASH = "RIHS01_4719b7f8deb6bab5b7b7d087fdeda63cc903a9503863e0726d930f8d87df6285"
     _FIELDS = {"actually_burst": "uint64"}
@@ -45,6 +50,7 @@ class Burst_Response(_Message):
 class Burst_Event(_Message):
     """The message rosbag2_interfaces/srv/Burst_Event."""
 
+    __module__ = _module("_burst")
     _TYPE_NAME = "rosbag2_interfaces/srv/Burst_Event"
     _TYPE_HASH = "RIHS01_a040ca9535a79c471b2d7f29b5e7a8ee77833acd70c73a716c7ca270be9bb5cc"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "rosbag2_interfaces/srv/Burst_Request[<=1]", "response": "rosbag2_interfaces/srv/Burst_Response[<=1]"}
@@ -61,6 +67,7 @@ class Burst_Event(_Message):
 class Burst(_Service[Burst_Request, Burst_Response]):
     """The service rosbag2_interfaces/srv/Burst."""
 
+    __module__ = _module("_burst")
     _TYPE_NAME = "rosbag2_interfaces/srv/Burst"
     _TYPE_HASH = "RIHS01_3cba361b055bbec262593fcb727aeb9fb6d096f70b50e6cd9b548b63296f2380"
     Request: _TypeAlias = Burst_Request
@@ -71,6 +78,7 @@ class Burst(_Service[Burst_Request, Burst_Response]):
 class GetRate_Request(_Message):
     """The message rosbag2_interfaces/srv/GetRate_Request."""
 
+    __module__ = _module("_get_rate")
     _TYPE_NAME = "rosbag2_interfaces/srv/GetRate_Request"
     _TYPE_HASH = "RIHS01_7d0acffdc3e2a0f609192ffe06e3f62b245ae870b2bed40f5aca14e90f70f2b8"
     _FIELDS = {}
@@ -84,6 +92,7 @@ class GetRate_Request(_Message):
 class GetRate_Response(_Message):
     """The message rosbag2_interfaces/srv/GetRate_Response."""
 
+    __module__ = _module("_get_rate")
     _TYPE_NAME = "rosbag2_interfaces/srv/GetRate_Response"
     _TYPE_HASH = "RIHS01_94ed8749aa8f38b835d0d8c080549f48182174bcebf2ab8c1effabdd0fe200c9"
     _FIELDS = {"rate": "float64"}
@@ -98,6 +107,7 @@ class GetRate_Response(_Message):
 class GetRate_Event(_Message):
     """The message rosbag2_interfaces/srv/GetRate_Event."""
 
+    __module__ = _module("_get_rate")
     _TYPE_NAME = "rosbag2_interfaces/srv/GetRate_Event"
     _TYPE_HASH = "RIHS01_1cbf47a4c0e15f96a179ade2ba4ce88e9e7a2e65cf71532542e57418ee8b6463"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "rosbag2_interfaces/srv/GetRate_Request[<=1]", "response": "rosbag2_interfaces/srv/GetRate_Response[<=1]"}
@@ -114,6 +124,7 @@ class GetRate_Event(_Message):
 class GetRate(_Service[GetRate_Request, GetRate_Response]):
     """The service rosbag2_interfaces/srv/GetRate."""
 
+    __module__ = _module("_get_rate")
     _TYPE_NAME = "rosbag2_interfaces/srv/GetRate"
     _TYPE_HASH = "RIHS01_c4f24894657b45b0cca8c720ce039924cfa1a5b8baa7d1ffd94881812d8700eb"
     Request: _TypeAlias = GetRate_Request
@@ -124,6 +135,7 @@ class GetRate(_Service[GetRate_Request, GetRate_Response]):
 class IsPaused_Request(_Message):
     """The message rosbag2_interfaces/srv/IsPaused_Request."""
 
+    __module__ = _module("_is_paused")
     _TYPE_NAME = "rosbag2_interfaces/srv/IsPaused_Request"
     _TYPE_HASH = "RIHS01_9ef3b23785d1cf8409fccd055c3d88e6423169b9e4eebd5c2113996db8a6e4bc"
     _FIELDS = {}
@@ -137,6 +149,7 @@ class IsPaused_Request(_Message):
 class IsPaused_Response(_Message):
     """The message rosbag2_interfaces/srv/IsPaused_Response."""
 
+    __module__ = _module("_is_paused")
     _TYPE_NAME = "rosbag2_interfaces/srv/IsPaused_Response"
     _TYPE_HASH = "RIHS01_245fc5f694b47fafac3c3a6ef8e412771153af28f86ac1a6e3acee60f9d01de8"
     _FIELDS = {"paused": "bool"}
@@ -151,6 +164,7 @@ class IsPaused_Response(_Message):
 class IsPaused_Event(_Message):
     """The message rosbag2_interfaces/srv/IsPaused_Event."""
 
+    __module__ = _module("_is_paused")
     _TYPE_NAME = "rosbag2_interfaces/srv/IsPaused_Event"
     _TYPE_HASH = "RIHS01_dd35ad78b4edcdc7766c8e48fe03975da3ff1d5c96a17b9125cfa7d708c11cba"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "rosbag2_interfaces/srv/IsPaused_Request[<=1]", "response": "rosbag2_interfaces/srv/IsPaused_Response[<=1]"}
@@ -167,6 +181,7 @@ class IsPaused_Event(_Message):
 class IsPaused(_Service[IsPaused_Request, IsPaused_Response]):
     """The service rosbag2_interfaces/srv/IsPaused."""
 
+    __module__ = _module("_is_paused")
     _TYPE_NAME = "rosbag2_interfaces/srv/IsPaused"
     _TYPE_HASH = "RIHS01_c4d007c4a9ca1a76729d96b81c20db85b88b454eee371c0d8afe3aa31b899a40"
     Request: _TypeAlias = IsPaused_Request
@@ -177,6 +192,7 @@ class IsPaused(_Service[IsPaused_Request, IsPaused_Response]):
 class Pause_Request(_Message):
     """The message rosbag2_interfaces/srv/Pause_Request."""
 
+    __module__ = _module("_pause")
     _TYPE_NAME = "rosbag2_interfaces/srv/Pause_Request"
     _TYPE_HASH = "RIHS01_281bb2694f33f986b925c21fd9981c80cc5f5147bd5ec42d87525f1986c9e466"
     _FIELDS = {}
@@ -190,6 +206,7 @@ class Pause_Request(_Message):
 class Pause_Response(_Message):
     """The message rosbag2_interfaces/srv/Pause_Response."""
 
+    __module__ = _module("_pause")
     _TYPE_NAME = "rosbag2_interfaces/srv/Pause_Response"
     _TYPE_HASH = "RIHS01_6d7e31f48308bceaeaf78f6b75d6c7900bff88363706ac820e5649e6593b66ed"
     _FIELDS = {}
@@ -203,6 +220,7 @@ class Pause_Response(_Message):
 class Pause_Event(_Message):
     """The message rosbag2_interfaces/srv/Pause_Event."""
 
+    __module__ = _module("_pause")
     _TYPE_NAME = "rosbag2_interfaces/srv/Pause_Event"
     _TYPE_HASH = "RIHS01_0c8c11a07d8d856a10e8750474f5dc4dfee15db4b9164176defd8912609d349e"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "rosbag2_interfaces/srv/Pause_Request[<=1]", "response": "rosbag2_interfaces/srv/Pause_Response[<=1]"}
@@ -219,6 +237,7 @@ class Pause_Event(_Message):
 class Pause(_Service[Pause_Request, Pause_Response]):
     """The service rosbag2_interfaces/srv/Pause."""
 
+    __module__ = _module("_pause")
     _TYPE_NAME = "rosbag2_interfaces/srv/Pause"
     _TYPE_HASH = "RIHS01_b101e6aaf344c37f1405f5a1f484fee1c7d2acc61c6f04aeb636e9ab3f51a497"
     Request: _TypeAlias = Pause_Request
@@ -229,6 +248,7 @@ class Pause(_Service[Pause_Request, Pause_Response]):
 class Play_Request(_Message):
     """Where playback starts, counted from the start of the bag."""
 
+    __module__ = _module("_play")
     _TYPE_NAME = "rosbag2_interfaces/srv/Play_Request"
     _TYPE_HASH = "RIHS01_39c4aa78517b0d95a9361dd0a735a38dd3a4b87be5163914406de8f05c4060b4"
     _FIELDS = {"start_offset": "builtin_interfaces/msg/Time", "playback_duration": "builtin_interfaces/msg/Duration", "playback_until_timestamp": "builtin_interfaces/msg/Time"}
@@ -245,6 +265,7 @@ class Play_Request(_Message):
 class Play_Response(_Message):
     """Whether playback has started."""
 
+    __module__ = _module("_play")
     _TYPE_NAME = "rosbag2_interfaces/srv/Play_Response"
     _TYPE_HASH = "RIHS01_3c1d6006f1ecb3812090df0cff367927f59f8cd0733b425f548c8f6eaf3c0321"
     _FIELDS = {"success": "bool"}
@@ -259,6 +280,7 @@ class Play_Response(_Message):
 class Play_Event(_Message):
     """The message rosbag2_interfaces/srv/Play_Event."""
 
+    __module__ = _module("_play")
     _TYPE_NAME = "rosbag2_interfaces/srv/Play_Event"
     _TYPE_HASH = "RIHS01_db24feb7025a77b2b09f6c8a4824fc4b99a5b1ed9b00d9738ea9a640b19c7850"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "rosbag2_interfaces/srv/Play_Request[<=1]", "response": "rosbag2_interfaces/srv/Play_Response[<=1]"}
@@ -275,6 +297,7 @@ class Play_Event(_Message):
 class Play(_Service[Play_Request, Play_Response]):
     """The service rosbag2_interfaces/srv/Play."""
 
+    __module__ = _module("_play")
     _TYPE_NAME = "rosbag2_interfaces/srv/Play"
     _TYPE_HASH = "RIHS01_e87b287e52219f5f32127c876a0688c537b8a5762612f33b8e740c3b89d19d2b"
     Request: _TypeAlias = Play_Request
@@ -285,6 +308,7 @@ class Play(_Service[Play_Request, Play_Response]):
 class PlayNext_Request(_Message):
     """The message rosbag2_interfaces/srv/PlayNext_Request."""
 
+    __module__ = _module("_play_next")
     _TYPE_NAME = "rosbag2_interfaces/srv/PlayNext_Request"
     _TYPE_HASH = "RIHS01_10706411ae955640d84ffb56391bbb480c5a17af5443dd61e631c03ed659cf90"
     _FIELDS = {}
@@ -298,6 +322,7 @@ class PlayNext_Request(_Message):
 class PlayNext_Response(_Message):
     """Whether a message was published; only while playback is paused."""
 
+    __module__ = _module("_play_next")
     _TYPE_NAME = "rosbag2_interfaces/srv/PlayNext_Response"
     _TYPE_HASH = "RIHS01_3b3a1090b37438553eadea1180bf448b12092bdeda84e47e3ad811cc0e9da02b"
     _FIELDS = {"success": "bool"}
@@ -312,6 +337,7 @@ class PlayNext_Response(_Message):
 class PlayNext_Event(_Message):
     """The message rosbag2_interfaces/srv/PlayNext_Event."""
 
+    __module__ = _module("_play_next")
     _TYPE_NAME = "rosbag2_interfaces/srv/PlayNext_Event"
     _TYPE_HASH = "RIHS01_b47cd458b4b9f5cb32c76d4b0100619f9360f7d9594a34df1cb64eb524b84cfa"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "rosbag2_interfaces/srv/PlayNext_Request[<=1]", "response": "rosbag2_interfaces/srv/PlayNext_Response[<=1]"}
@@ -328,6 +354,7 @@ class PlayNext_Event(_Message):
 class PlayNext(_Service[PlayNext_Request, PlayNext_Response]):
     """The service rosbag2_interfaces/srv/PlayNext."""
 
+    __module__ = _module("_play_next")
     _TYPE_NAME = "rosbag2_interfaces/srv/PlayNext"
     _TYPE_HASH = "RIHS01_2b397d59555ce383e6af4b4e43142934ad4b208bd7da01409d472f1fa481d45b"
     Request: _TypeAlias = PlayNext_Request
@@ -338,6 +365,7 @@ class PlayNext(_Service[PlayNext_Request, PlayNext_Response]):
 class Resume_Request(_Message):
     """The message rosbag2_interfaces/srv/Resume_Request."""
 
+    __module__ = _module("_resume")
     _TYPE_NAME = "rosbag2_interfaces/srv/Resume_Request"
     _TYPE_HASH = "RIHS01_fb988aa8fefd54ec0e79a58a51aa06101e0bcb1668dc38bbc0b4e02d6df274d9"
     _FIELDS = {}
@@ -351,6 +379,7 @@ class Resume_Request(_Message):
 class Resume_Response(_Message):
     """The message rosbag2_interfaces/srv/Resume_Response."""
 
+    __module__ = _module("_resume")
     _TYPE_NAME = "rosbag2_interfaces/srv/Resume_Response"
     _TYPE_HASH = "RIHS01_9df430ac47b3d942f08c1603418243b6457bef5ede37593d75d8d40edc543381"
     _FIELDS = {}
@@ -364,6 +393,7 @@ class Resume_Response(_Message):
 class Resume_Event(_Message):
     """The message rosbag2_interfaces/srv/Resume_Event."""
 
+    __module__ = _module("_resume")
     _TYPE_NAME = "rosbag2_interfaces/srv/Resume_Event"
     _TYPE_HASH = "RIHS01_64d2babc068065d4a38c2e7fce7b74adb0ff9ec22274d94a5ea73d4b01a32785"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "rosbag2_interfaces/srv/Resume_Request[<=1]", "response": "rosbag2_interfaces/srv/Resume_Response[<=1]"}
@@ -380,6 +410,7 @@ class Resume_Event(_Message):
 class Resume(_Service[Resume_Request, Resume_Response]):
     """The service rosbag2_interfaces/srv/Resume."""
 
+    __module__ = _module("_resume")
     _TYPE_NAME = "rosbag2_interfaces/srv/Resume"
     _TYPE_HASH = "RIHS01_fb4a116a8bdfc09c4c9f48df3b295d1f546053b4bb145bcbd4c92e7eef9896b8"
     Request: _TypeAlias = Resume_Request
@@ -390,6 +421,7 @@ class Resume(_Service[Resume_Request, Resume_Response]):
 class Seek_Request(_Message):
     """Stamp in the bag."""
 
+    __module__ = _module("_seek")
     _TYPE_NAME = "rosbag2_interfaces/srv/Seek_Request"
     _TYPE_HASH = "RIHS01_9083eb4e68b18e1523bd04fe5a1d8ea29a17decbf5f9022aee4d14e450580776"
     _FIELDS = {"time": "builtin_interfaces/msg/Time"}
@@ -404,6 +436,7 @@ class Seek_Request(_Message):
 class Seek_Response(_Message):
     """Whether the stamp is in the bag."""
 
+    __module__ = _module("_seek")
     _TYPE_NAME = "rosbag2_interfaces/srv/Seek_Response"
     _TYPE_HASH = "RIHS01_173c2de943541f1998b379e41bd5cd6fdb97fcccd5557548c974cbb1fbb473f0"
     _FIELDS = {"success": "bool"}
@@ -418,6 +451,7 @@ class Seek_Response(_Message):
 class Seek_Event(_Message):
     """The message rosbag2_interfaces/srv/Seek_Event."""
 
+    __module__ = _module("_seek")
     _TYPE_NAME = "rosbag2_interfaces/srv/Seek_Event"
     _TYPE_HASH = "RIHS01_52349f1d432e5365ec13de3ebce3b1f83e68b1b2d14c880fa99c9e4f4ab8a496"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "rosbag2_interfaces/srv/Seek_Request[<=1]", "response": "rosbag2_interfaces/srv/Seek_Response[<=1]"}
@@ -434,6 +468,7 @@ class Seek_Event(_Message):
 class Seek(_Service[Seek_Request, Seek_Response]):
     """The service rosbag2_interfaces/srv/Seek."""
 
+    __module__ = _module("_seek")
     _TYPE_NAME = "rosbag2_interfaces/srv/Seek"
     _TYPE_HASH = "RIHS01_6e9b6b38c44f111e36e43903da565fb2775ab0f0e69c02169a5fb0f130b23eb4"
     Request: _TypeAlias = Seek_Request
@@ -444,6 +479,7 @@ class Seek(_Service[Seek_Request, Seek_Response]):
 class SetRate_Request(_Message):
     """The message rosbag2_interfaces/srv/SetRate_Request."""
 
+    __module__ = _module("_set_rate")
     _TYPE_NAME = "rosbag2_interfaces/srv/SetRate_Request"
     _TYPE_HASH = "RIHS01_a1c707f5a5e8fcc52976d7a6f50402ef48a3f298c1279a9aaccc956fa5b89a71"
     _FIELDS = {"rate": "float64"}
@@ -458,6 +494,7 @@ class SetRate_Request(_Message):
 class SetRate_Response(_Message):
     """Whether the rate is positive and was set."""
 
+    __module__ = _module("_set_rate")
     _TYPE_NAME = "rosbag2_interfaces/srv/SetRate_Response"
     _TYPE_HASH = "RIHS01_aa9635da63df53fcf447d5401749e81d42f64c600dc9e484f5eeea6dd8dd04f9"
     _FIELDS = {"success": "bool"}
@@ -472,6 +509,7 @@ class SetRate_Response(_Message):
 class SetRate_Event(_Message):
     """The message rosbag2_interfaces/srv/SetRate_Event."""
 
+    __module__ = _module("_set_rate")
     _TYPE_NAME = "rosbag2_interfaces/srv/SetRate_Event"
     _TYPE_HASH = "RIHS01_8504f0d458344e4bf8e565d1beefa22c14dd799c9ab558da36d71c8fd9e8ad05"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "rosbag2_interfaces/srv/SetRate_Request[<=1]", "response": "rosbag2_interfaces/srv/SetRate_Response[<=1]"}
@@ -488,6 +526,7 @@ class SetRate_Event(_Message):
 class SetRate(_Service[SetRate_Request, SetRate_Response]):
     """The service rosbag2_interfaces/srv/SetRate."""
 
+    __module__ = _module("_set_rate")
     _TYPE_NAME = "rosbag2_interfaces/srv/SetRate"
     _TYPE_HASH = "RIHS01_571e1d5335cc99a8e4132c46e4ea9bf873e85c39f23d375146cb7d249d939629"
     Request: _TypeAlias = SetRate_Request
@@ -498,6 +537,7 @@ class SetRate(_Service[SetRate_Request, SetRate_Response]):
 class Snapshot_Request(_Message):
     """The message rosbag2_interfaces/srv/Snapshot_Request."""
 
+    __module__ = _module("_snapshot")
     _TYPE_NAME = "rosbag2_interfaces/srv/Snapshot_Request"
     _TYPE_HASH = "RIHS01_337de25c6048a759f0097d9558b51c770e343480adf12c2f96493c5c3f87eb83"
     _FIELDS = {}
@@ -511,6 +551,7 @@ class Snapshot_Request(_Message):
 class Snapshot_Response(_Message):
     """Whether the cached messages were written."""
 
+    __module__ = _module("_snapshot")
     _TYPE_NAME = "rosbag2_interfaces/srv/Snapshot_Response"
     _TYPE_HASH = "RIHS01_056a95e36ce7880e74f6647e38257bac1fc7995b885043c0dc270b454214090b"
     _FIELDS = {"success": "bool"}
@@ -525,6 +566,7 @@ class Snapshot_Response(_Message):
 class Snapshot_Event(_Message):
     """The message rosbag2_interfaces/srv/Snapshot_Event."""
 
+    __module__ = _module("_snapshot")
     _TYPE_NAME = "rosbag2_interfaces/srv/Snapshot_Event"
     _TYPE_HASH = "RIHS01_44c10bab971029b9a1ede036f832c07eb86aae7e3363abeaf6c91041f506615f"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "rosbag2_interfaces/srv/Snapshot_Request[<=1]", "response": "rosbag2_interfaces/srv/Snapshot_Response[<=1]"}
@@ -541,6 +583,7 @@ class Snapshot_Event(_Message):
 class Snapshot(_Service[Snapshot_Request, Snapshot_Response]):
     """The service rosbag2_interfaces/srv/Snapshot."""
 
+    __module__ = _module("_snapshot")
     _TYPE_NAME = "rosbag2_interfaces/srv/Snapshot"
     _TYPE_HASH = "RIHS01_0c8bc7656ce18075ff42f2b2296726cbf9b3bb2690289993f1eb99acb9290dcc"
     Request: _TypeAlias = Snapshot_Request
@@ -551,6 +594,7 @@ class Snapshot(_Service[Snapshot_Request, Snapshot_Response]):
 class SplitBagfile_Request(_Message):
     """The message rosbag2_interfaces/srv/SplitBagfile_Request."""
 
+    __module__ = _module("_split_bagfile")
     _TYPE_NAME = "rosbag2_interfaces/srv/SplitBagfile_Request"
     _TYPE_HASH = "RIHS01_9918ae60556a6e2acce55c52f4755aa0d52ac69300aa7dac283b56008f271bdc"
     _FIELDS = {}
@@ -564,6 +608,7 @@ class SplitBagfile_Request(_Message):
 class SplitBagfile_Response(_Message):
     """The message rosbag2_interfaces/srv/SplitBagfile_Response."""
 
+    __module__ = _module("_split_bagfile")
     _TYPE_NAME = "rosbag2_interfaces/srv/SplitBagfile_Response"
     _TYPE_HASH = "RIHS01_a3da7835052da434e306631df08cc3efb919f82610f23d9b382795a464a23867"
     _FIELDS = {}
@@ -577,6 +622,7 @@ class SplitBagfile_Response(_Message):
 class SplitBagfile_Event(_Message):
     """The message rosbag2_interfaces/srv/SplitBagfile_Event."""
 
+    __module__ = _module("_split_bagfile")
     _TYPE_NAME = "rosbag2_interfaces/srv/SplitBagfile_Event"
     _TYPE_HASH = "RIHS01_c26e13becb7b5de4c043691ae12c47f32eee81ccd9200c5980755436cf8dead4"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "rosbag2_interfaces/srv/SplitBagfile_Request[<=1]", "response": "rosbag2_interfaces/srv/SplitBagfile_Response[<=1]"}
@@ -593,6 +639,7 @@ class SplitBagfile_Event(_Message):
 class SplitBagfile(_Service[SplitBagfile_Request, SplitBagfile_Response]):
     """The service rosbag2_interfaces/srv/SplitBagfile."""
 
+    __module__ = _module("_split_bagfile")
     _TYPE_NAME = "rosbag2_interfaces/srv/SplitBagfile"
     _TYPE_HASH = "RIHS01_7e617148bb4bcd1feffcffea546caf0c23de6a1f94201625a4167f73bc8cea15"
     Request: _TypeAlias = SplitBagfile_Request
@@ -603,6 +650,7 @@ class SplitBagfile(_Service[SplitBagfile_Request, SplitBagfile_Response]):
 class Stop_Request(_Message):
     """The message rosbag2_interfaces/srv/Stop_Request."""
 
+    __module__ = _module("_stop")
     _TYPE_NAME = "rosbag2_interfaces/srv/Stop_Request"
     _TYPE_HASH = "RIHS01_2ba13fee320757e55d4c44f1de0a13e6bb4511968a2aec7f015436e1e137674e"
     _FIELDS = {}
@@ -616,6 +664,7 @@ class Stop_Request(_Message):
 class Stop_Response(_Message):
     """The message rosbag2_interfaces/srv/Stop_Response."""
 
+    __module__ = _module("_stop")
     _TYPE_NAME = "rosbag2_interfaces/srv/Stop_Response"
     _TYPE_HASH = "RIHS01_a5fb4f19fae6b772ca835ee2b5a814b5fa2e8b65d2a3670157028420f89fbdc8"
     _FIELDS = {}
@@ -629,6 +678,7 @@ class Stop_Response(_Message):
 class Stop_Event(_Message):
     """The message rosbag2_interfaces/srv/Stop_Event."""
 
+    __module__ = _module("_stop")
     _TYPE_NAME = "rosbag2_interfaces/srv/Stop_Event"
     _TYPE_HASH = "RIHS01_5c900004e8163829053976553c6192dd9b3bd25eab90b4d209b33f2f368a0b2e"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "rosbag2_interfaces/srv/Stop_Request[<=1]", "response": "rosbag2_interfaces/srv/Stop_Response[<=1]"}
@@ -645,6 +695,7 @@ class Stop_Event(_Message):
 class Stop(_Service[Stop_Request, Stop_Response]):
     """The service rosbag2_interfaces/srv/Stop."""
 
+    __module__ = _module("_stop")
     _TYPE_NAME = "rosbag2_interfaces/srv/Stop"
     _TYPE_HASH = "RIHS01_668ca94eac65895275ec6d59de0206e522deebe199d9978ffc5ddbaa84a3401e"
     Request: _TypeAlias = Stop_Request
@@ -655,6 +706,7 @@ class Stop(_Service[Stop_Request, Stop_Response]):
 class TogglePaused_Request(_Message):
     """The message rosbag2_interfaces/srv/TogglePaused_Request."""
 
+    __module__ = _module("_toggle_paused")
     _TYPE_NAME = "rosbag2_interfaces/srv/TogglePaused_Request"
     _TYPE_HASH = "RIHS01_c263e8697ae95135bb33065d4c04a2a64cbdc19f4dbe36fef7fbff08dc57b100"
     _FIELDS = {}
@@ -668,6 +720,7 @@ class TogglePaused_Request(_Message):
 class TogglePaused_Response(_Message):
     """The message rosbag2_interfaces/srv/TogglePaused_Response."""
 
+    __module__ = _module("_toggle_paused")
     _TYPE_NAME = "rosbag2_interfaces/srv/TogglePaused_Response"
     _TYPE_HASH = "RIHS01_8eca86811a9c507bf6af991d96913de239bb7b20a0f4322167954da5c4f46e7b"
     _FIELDS = {}
@@ -681,6 +734,7 @@ class TogglePaused_Response(_Message):
 class TogglePaused_Event(_Message):
     """The message rosbag2_interfaces/srv/TogglePaused_Event."""
 
+    __module__ = _module("_toggle_paused")
     _TYPE_NAME = "rosbag2_interfaces/srv/TogglePaused_Event"
     _TYPE_HASH = "RIHS01_ddc2fd08a0e579f81e8ef34f05595415ed7277e286a0713e672a9bccea75c67b"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "rosbag2_interfaces/srv/TogglePaused_Request[<=1]", "response": "rosbag2_interfaces/srv/TogglePaused_Response[<=1]"}
@@ -697,6 +751,7 @@ class TogglePaused_Event(_Message):
 class TogglePaused(_Service[TogglePaused_Request, TogglePaused_Response]):
     """The service rosbag2_interfaces/srv/TogglePaused."""
 
+    __module__ = _module("_toggle_paused")
     _TYPE_NAME = "rosbag2_interfaces/srv/TogglePaused"
     _TYPE_HASH = "RIHS01_c4382ba5856616caf3fb7b3ecffd0eb244015814861263ccc8241b2f6c9463ae"
     Request: _TypeAlias = TogglePaused_Request

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
@@ -10,10 +11,13 @@ if TYPE_CHECKING:
 
 __all__ = ["Clock"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class Clock(_Message):
     """Simulated time."""
 
+    __module__ = _module("_clock")
     _TYPE_NAME = "rosgraph_msgs/msg/Clock"
     _TYPE_HASH = "RIHS01_692f7a66e93a3c83e71765d033b60349ba68023a8c689a79e48078bcb5c58564"
     _FIELDS = {"clock": "builtin_interfaces/msg/Time"}

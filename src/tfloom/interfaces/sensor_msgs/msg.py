@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
@@ -14,10 +15,13 @@ if TYPE_CHECKING:
 
 __all__ = ["BatteryState", "CameraInfo", "ChannelFloat32", "CompressedImage", "FluidPressure", "Illuminance", "Image", "Imu", "JointState", "Joy", "JoyFeedback", "JoyFeedbackArray", "LaserEcho", "LaserScan", "MagneticField", "MultiDOFJointState", "MultiEchoLaserScan", "NavSatFix", "NavSatStatus", "PointCloud", "PointCloud2", "PointField", "Range", "RegionOfInterest", "RelativeHumidity", "Temperature", "TimeReference"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class BatteryState(_Message):
     """The state of a battery; NaN where something is not measured."""
 
+    __module__ = _module("_battery_state")
     _TYPE_NAME = "sensor_msgs/msg/BatteryState"
     _TYPE_HASH = "RIHS01_4bee5dfce981c98faa6828b868307a0a73f992ed0789f374ee96c8f840e69741"
     _FIELDS = {"header": "std_msgs/msg/Header", "voltage": "float32", "temperature": "float32", "current": "float32", "charge": "float32", "capacity": "float32", "design_capacity": "float32", "percentage": "float32", "power_supply_status": "uint8", "power_supply_health": "uint8", "power_supply_technology": "uint8", "present": "bool", "cell_voltage": "float32[]", "cell_temperature": "float32[]", "location": "string", "serial_number": "string"}
@@ -83,6 +87,7 @@ class BatteryState(_Message):
 class CameraInfo(_Message):
     """A camera's calibration."""
 
+    __module__ = _module("_camera_info")
     _TYPE_NAME = "sensor_msgs/msg/CameraInfo"
     _TYPE_HASH = "RIHS01_b3dfd68ff46c9d56c80fd3bd4ed22c7a4ddce8c8348f2f59c299e73118e7e275"
     _FIELDS = {"header": "std_msgs/msg/Header", "height": "uint32", "width": "uint32", "distortion_model": "string", "d": "float64[]", "k": "float64[9]", "r": "float64[9]", "p": "float64[12]", "binning_x": "uint32", "binning_y": "uint32", "roi": "sensor_msgs/msg/RegionOfInterest"}
@@ -123,6 +128,7 @@ class CameraInfo(_Message):
 class ChannelFloat32(_Message):
     """The message sensor_msgs/msg/ChannelFloat32."""
 
+    __module__ = _module("_channel_float32")
     _TYPE_NAME = "sensor_msgs/msg/ChannelFloat32"
     _TYPE_HASH = "RIHS01_92665437ddf39346f4ba39ee32e648390605b633cc077d40f4bd4d7b58af6cd4"
     _FIELDS = {"name": "string", "values": "float32[]"}
@@ -141,6 +147,7 @@ class ChannelFloat32(_Message):
 class CompressedImage(_Message):
     """A compressed image: the content of a file of the given format."""
 
+    __module__ = _module("_compressed_image")
     _TYPE_NAME = "sensor_msgs/msg/CompressedImage"
     _TYPE_HASH = "RIHS01_15640771531571185e2efc8a100baf923961a4d15d5569652e6cb6691e8e371a"
     _FIELDS = {"header": "std_msgs/msg/Header", "format": "string", "data": "uint8[]"}
@@ -160,6 +167,7 @@ class CompressedImage(_Message):
 class FluidPressure(_Message):
     """An absolute pressure."""
 
+    __module__ = _module("_fluid_pressure")
     _TYPE_NAME = "sensor_msgs/msg/FluidPressure"
     _TYPE_HASH = "RIHS01_22dfb2b145a0bd5a31a1ac3882a1b32148b51d9b2f3bab250290d66f3595bc32"
     _FIELDS = {"header": "std_msgs/msg/Header", "fluid_pressure": "float64", "variance": "float64"}
@@ -177,6 +185,7 @@ class FluidPressure(_Message):
 class Illuminance(_Message):
     """The message sensor_msgs/msg/Illuminance."""
 
+    __module__ = _module("_illuminance")
     _TYPE_NAME = "sensor_msgs/msg/Illuminance"
     _TYPE_HASH = "RIHS01_b954b25f452fcf81a91c9c2a7e3b3fd85c4c873d452aecb3cfd8fd1da732a22d"
     _FIELDS = {"header": "std_msgs/msg/Header", "illuminance": "float64", "variance": "float64"}
@@ -193,6 +202,7 @@ class Illuminance(_Message):
 class Image(_Message):
     """Pixels, row by row."""
 
+    __module__ = _module("_image")
     _TYPE_NAME = "sensor_msgs/msg/Image"
     _TYPE_HASH = "RIHS01_d31d41a9a4c4bc8eae9be757b0beed306564f7526c88ea6a4588fb9582527d47"
     _FIELDS = {"header": "std_msgs/msg/Header", "height": "uint32", "width": "uint32", "encoding": "string", "is_bigendian": "uint8", "step": "uint32", "data": "uint8[]"}
@@ -219,6 +229,7 @@ class Image(_Message):
 class Imu(_Message):
     """Data of an inertial measurement unit; a covariance with first element -1: no such measurement."""
 
+    __module__ = _module("_imu")
     _TYPE_NAME = "sensor_msgs/msg/Imu"
     _TYPE_HASH = "RIHS01_7d9a00ff131080897a5ec7e26e315954b8eae3353c3f995c55faf71574000b5b"
     _FIELDS = {"header": "std_msgs/msg/Header", "orientation": "geometry_msgs/msg/Quaternion", "orientation_covariance": "float64[9]", "angular_velocity": "geometry_msgs/msg/Vector3", "angular_velocity_covariance": "float64[9]", "linear_acceleration": "geometry_msgs/msg/Vector3", "linear_acceleration_covariance": "float64[9]"}
@@ -253,6 +264,7 @@ class Imu(_Message):
 class JointState(_Message):
     """Positions, velocities and efforts of joints; each array is empty or as long as `name`."""
 
+    __module__ = _module("_joint_state")
     _TYPE_NAME = "sensor_msgs/msg/JointState"
     _TYPE_HASH = "RIHS01_a13ee3a330e346c9d87b5aa18d24e11690752bd33a0350f11c5882bc9179260e"
     _FIELDS = {"header": "std_msgs/msg/Header", "name": "string[]", "position": "float64[]", "velocity": "float64[]", "effort": "float64[]"}
@@ -283,6 +295,7 @@ class JointState(_Message):
 class Joy(_Message):
     """Axes from -1 to 1 and buttons of 0 or 1."""
 
+    __module__ = _module("_joy")
     _TYPE_NAME = "sensor_msgs/msg/Joy"
     _TYPE_HASH = "RIHS01_0d356c79cad3401e35ffeb75a96a96e08be3ef896b8b83841d73e890989372c5"
     _FIELDS = {"header": "std_msgs/msg/Header", "axes": "float32[]", "buttons": "int32[]"}
@@ -305,6 +318,7 @@ class Joy(_Message):
 class JoyFeedback(_Message):
     """The message sensor_msgs/msg/JoyFeedback."""
 
+    __module__ = _module("_joy_feedback")
     _TYPE_NAME = "sensor_msgs/msg/JoyFeedback"
     _TYPE_HASH = "RIHS01_231dd362f71d6fc08272770d07120ad5fe5874ce2dbac70109b28986834290cd"
     _FIELDS = {"type": "uint8", "id": "uint8", "intensity": "float32"}
@@ -324,6 +338,7 @@ class JoyFeedback(_Message):
 class JoyFeedbackArray(_Message):
     """The message sensor_msgs/msg/JoyFeedbackArray."""
 
+    __module__ = _module("_joy_feedback_array")
     _TYPE_NAME = "sensor_msgs/msg/JoyFeedbackArray"
     _TYPE_HASH = "RIHS01_3287c32e1b688cae04555e465443df3cca7dae76ee4ebf85c4658d585037bcaa"
     _FIELDS = {"array": "sensor_msgs/msg/JoyFeedback[]"}
@@ -338,6 +353,7 @@ class JoyFeedbackArray(_Message):
 class LaserEcho(_Message):
     """The message sensor_msgs/msg/LaserEcho."""
 
+    __module__ = _module("_laser_echo")
     _TYPE_NAME = "sensor_msgs/msg/LaserEcho"
     _TYPE_HASH = "RIHS01_0fbc05a0db7d37fe52c0f0375356db55da0046f7ef5bd27ca6b34bd0582bc952"
     _FIELDS = {"echoes": "float32[]"}
@@ -355,6 +371,7 @@ class LaserEcho(_Message):
 class LaserScan(_Message):
     """One sweep of a planar laser."""
 
+    __module__ = _module("_laser_scan")
     _TYPE_NAME = "sensor_msgs/msg/LaserScan"
     _TYPE_HASH = "RIHS01_64c191398013af96509d518dac71d5164f9382553fce5c1f8cca5be7924bd828"
     _FIELDS = {"header": "std_msgs/msg/Header", "angle_min": "float32", "angle_max": "float32", "angle_increment": "float32", "time_increment": "float32", "scan_time": "float32", "range_min": "float32", "range_max": "float32", "ranges": "float32[]", "intensities": "float32[]"}
@@ -392,6 +409,7 @@ class LaserScan(_Message):
 class MagneticField(_Message):
     """A magnetic field."""
 
+    __module__ = _module("_magnetic_field")
     _TYPE_NAME = "sensor_msgs/msg/MagneticField"
     _TYPE_HASH = "RIHS01_e80f32f56a20486c9923008fc1a1db07bbb273cbbf6a5b3bfa00835ee00e4dff"
     _FIELDS = {"header": "std_msgs/msg/Header", "magnetic_field": "geometry_msgs/msg/Vector3", "magnetic_field_covariance": "float64[9]"}
@@ -412,6 +430,7 @@ class MagneticField(_Message):
 class MultiDOFJointState(_Message):
     """The message sensor_msgs/msg/MultiDOFJointState."""
 
+    __module__ = _module("_multi_dof_joint_state")
     _TYPE_NAME = "sensor_msgs/msg/MultiDOFJointState"
     _TYPE_HASH = "RIHS01_4d4ded702cfba7ff3ec783835c1a1425f75e53939a430ff355d1fee4b3bbc40b"
     _FIELDS = {"header": "std_msgs/msg/Header", "joint_names": "string[]", "transforms": "geometry_msgs/msg/Transform[]", "twist": "geometry_msgs/msg/Twist[]", "wrench": "geometry_msgs/msg/Wrench[]"}
@@ -430,6 +449,7 @@ class MultiDOFJointState(_Message):
 class MultiEchoLaserScan(_Message):
     """The message sensor_msgs/msg/MultiEchoLaserScan."""
 
+    __module__ = _module("_multi_echo_laser_scan")
     _TYPE_NAME = "sensor_msgs/msg/MultiEchoLaserScan"
     _TYPE_HASH = "RIHS01_ba5eac341cd5bbb2701527aa4568e8baec172b69cadb9a1945d6f149d087ee48"
     _FIELDS = {"header": "std_msgs/msg/Header", "angle_min": "float32", "angle_max": "float32", "angle_increment": "float32", "time_increment": "float32", "scan_time": "float32", "range_min": "float32", "range_max": "float32", "ranges": "sensor_msgs/msg/LaserEcho[]", "intensities": "sensor_msgs/msg/LaserEcho[]"}
@@ -453,6 +473,7 @@ class MultiEchoLaserScan(_Message):
 class NavSatFix(_Message):
     """A position from satellites (WGS 84)."""
 
+    __module__ = _module("_nav_sat_fix")
     _TYPE_NAME = "sensor_msgs/msg/NavSatFix"
     _TYPE_HASH = "RIHS01_62223ab3fe210a15976021da7afddc9e200dc9ec75231c1b6a557fc598a65404"
     _FIELDS = {"header": "std_msgs/msg/Header", "status": "sensor_msgs/msg/NavSatStatus", "latitude": "float64", "longitude": "float64", "altitude": "float64", "position_covariance": "float64[9]", "position_covariance_type": "uint8"}
@@ -484,6 +505,7 @@ class NavSatFix(_Message):
 class NavSatStatus(_Message):
     """The message sensor_msgs/msg/NavSatStatus."""
 
+    __module__ = _module("_nav_sat_status")
     _TYPE_NAME = "sensor_msgs/msg/NavSatStatus"
     _TYPE_HASH = "RIHS01_d1ed3befa628e09571bd273b888ba1c1fd187c9a5e0006b385d7e5e9095a3204"
     _FIELDS = {"status": "int8", "service": "uint16"}
@@ -511,6 +533,7 @@ class NavSatStatus(_Message):
 class PointCloud(_Message):
     """The message sensor_msgs/msg/PointCloud."""
 
+    __module__ = _module("_point_cloud")
     _TYPE_NAME = "sensor_msgs/msg/PointCloud"
     _TYPE_HASH = "RIHS01_614593df71d3c2b9bd4604a71b750fd218f0d65c045ea988b713719455a65b3b"
     _FIELDS = {"header": "std_msgs/msg/Header", "points": "geometry_msgs/msg/Point32[]", "channels": "sensor_msgs/msg/ChannelFloat32[]"}
@@ -527,6 +550,7 @@ class PointCloud(_Message):
 class PointCloud2(_Message):
     """Points in rows, with fields of any layout."""
 
+    __module__ = _module("_point_cloud2")
     _TYPE_NAME = "sensor_msgs/msg/PointCloud2"
     _TYPE_HASH = "RIHS01_9198cabf7da3796ae6fe19c4cb3bdd3525492988c70522628af5daa124bae2b5"
     _FIELDS = {"header": "std_msgs/msg/Header", "height": "uint32", "width": "uint32", "fields": "sensor_msgs/msg/PointField[]", "is_bigendian": "bool", "point_step": "uint32", "row_step": "uint32", "data": "uint8[]", "is_dense": "bool"}
@@ -557,6 +581,7 @@ class PointCloud2(_Message):
 class PointField(_Message):
     """Layout of one field of a point: offset, type and count."""
 
+    __module__ = _module("_point_field")
     _TYPE_NAME = "sensor_msgs/msg/PointField"
     _TYPE_HASH = "RIHS01_5c6a4750728c2bcfbbf7037225b20b02d4429634732146b742dee1726637ef01"
     _FIELDS = {"name": "string", "offset": "uint32", "datatype": "uint8", "count": "uint32"}
@@ -584,6 +609,7 @@ class PointField(_Message):
 class Range(_Message):
     """One distance measurement within a cone."""
 
+    __module__ = _module("_range")
     _TYPE_NAME = "sensor_msgs/msg/Range"
     _TYPE_HASH = "RIHS01_b42b62562e93cbfe9d42b82fe5994dfa3d63d7d5c90a317981703f7388adff3a"
     _FIELDS = {"header": "std_msgs/msg/Header", "radiation_type": "uint8", "field_of_view": "float32", "min_range": "float32", "max_range": "float32", "range": "float32", "variance": "float32"}
@@ -610,6 +636,7 @@ class Range(_Message):
 class RegionOfInterest(_Message):
     """The message sensor_msgs/msg/RegionOfInterest."""
 
+    __module__ = _module("_region_of_interest")
     _TYPE_NAME = "sensor_msgs/msg/RegionOfInterest"
     _TYPE_HASH = "RIHS01_ad16bcba5f9131dcdba6fbded19f726f5440e3c513b4fb586dd3027eeed8abb1"
     _FIELDS = {"x_offset": "uint32", "y_offset": "uint32", "height": "uint32", "width": "uint32", "do_rectify": "bool"}
@@ -628,6 +655,7 @@ class RegionOfInterest(_Message):
 class RelativeHumidity(_Message):
     """The message sensor_msgs/msg/RelativeHumidity."""
 
+    __module__ = _module("_relative_humidity")
     _TYPE_NAME = "sensor_msgs/msg/RelativeHumidity"
     _TYPE_HASH = "RIHS01_8687c99b4fb393cb2e545e407b5ea7fd0b5d8960bcd849a0f86c544740138839"
     _FIELDS = {"header": "std_msgs/msg/Header", "relative_humidity": "float64", "variance": "float64"}
@@ -644,6 +672,7 @@ class RelativeHumidity(_Message):
 class Temperature(_Message):
     """A temperature."""
 
+    __module__ = _module("_temperature")
     _TYPE_NAME = "sensor_msgs/msg/Temperature"
     _TYPE_HASH = "RIHS01_72514a14126ab9f8a9abec974c78e5610a367b59db5da355ff1fb982d5bad4b8"
     _FIELDS = {"header": "std_msgs/msg/Header", "temperature": "float64", "variance": "float64"}
@@ -661,6 +690,7 @@ class Temperature(_Message):
 class TimeReference(_Message):
     """The message sensor_msgs/msg/TimeReference."""
 
+    __module__ = _module("_time_reference")
     _TYPE_NAME = "sensor_msgs/msg/TimeReference"
     _TYPE_HASH = "RIHS01_dd66e84cf40bbb5d5a40472e6ecf2675a031334d4c426abdb2ad41801a8efc99"
     _FIELDS = {"header": "std_msgs/msg/Header", "time_ref": "builtin_interfaces/msg/Time", "source": "string"}

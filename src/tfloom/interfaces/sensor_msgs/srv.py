@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 from tfloom.rosidl.service import Service as _Service
 
@@ -13,10 +14,13 @@ if TYPE_CHECKING:
 
 __all__ = ["SetCameraInfo", "SetCameraInfo_Event", "SetCameraInfo_Request", "SetCameraInfo_Response"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class SetCameraInfo_Request(_Message):
     """The message sensor_msgs/srv/SetCameraInfo_Request."""
 
+    __module__ = _module("_set_camera_info")
     _TYPE_NAME = "sensor_msgs/srv/SetCameraInfo_Request"
     _TYPE_HASH = "RIHS01_27dc5497730fdb6930e66cb879c210e31a83022acc5bbc999f24f55286029f87"
     _FIELDS = {"camera_info": "sensor_msgs/msg/CameraInfo"}
@@ -31,6 +35,7 @@ class SetCameraInfo_Request(_Message):
 class SetCameraInfo_Response(_Message):
     """The message sensor_msgs/srv/SetCameraInfo_Response."""
 
+    __module__ = _module("_set_camera_info")
     _TYPE_NAME = "sensor_msgs/srv/SetCameraInfo_Response"
     _TYPE_HASH = "RIHS01_4db6d7df20cdcdc05430945e76fa58e1eab1285c15f31d26fad76e2c1b10299c"
     _FIELDS = {"success": "bool", "status_message": "string"}
@@ -46,6 +51,7 @@ class SetCameraInfo_Response(_Message):
 class SetCameraInfo_Event(_Message):
     """The message sensor_msgs/srv/SetCameraInfo_Event."""
 
+    __module__ = _module("_set_camera_info")
     _TYPE_NAME = "sensor_msgs/srv/SetCameraInfo_Event"
     _TYPE_HASH = "RIHS01_e3b4e21ddd26871166e6ae7f342856dfcd3ac033c7eac99db6bfe515fba3d693"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "sensor_msgs/srv/SetCameraInfo_Request[<=1]", "response": "sensor_msgs/srv/SetCameraInfo_Response[<=1]"}
@@ -62,6 +68,7 @@ class SetCameraInfo_Event(_Message):
 class SetCameraInfo(_Service[SetCameraInfo_Request, SetCameraInfo_Response]):
     """The service sensor_msgs/srv/SetCameraInfo."""
 
+    __module__ = _module("_set_camera_info")
     _TYPE_NAME = "sensor_msgs/srv/SetCameraInfo"
     _TYPE_HASH = "RIHS01_a10cca5d33dc637c8d49db50ab288701a3592bb9cd854f2f16a0659613b68984"
     Request: _TypeAlias = SetCameraInfo_Request

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
@@ -11,10 +12,13 @@ if TYPE_CHECKING:
 
 __all__ = ["ServiceEventInfo"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class ServiceEventInfo(_Message):
     """The client of a service call, and the step of the call."""
 
+    __module__ = _module("_service_event_info")
     _TYPE_NAME = "service_msgs/msg/ServiceEventInfo"
     _TYPE_HASH = "RIHS01_41bcbbe07a75c9b52bc96bfd5c24d7f0fc0a08c0cb7921b3373c5732345a6f45"
     _FIELDS = {"event_type": "uint8", "stamp": "builtin_interfaces/msg/Time", "client_gid": "char[16]", "sequence_number": "int64"}

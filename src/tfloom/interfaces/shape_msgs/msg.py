@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
@@ -11,10 +12,13 @@ if TYPE_CHECKING:
 
 __all__ = ["Mesh", "MeshTriangle", "Plane", "SolidPrimitive"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class Mesh(_Message):
     """The message shape_msgs/msg/Mesh."""
 
+    __module__ = _module("_mesh")
     _TYPE_NAME = "shape_msgs/msg/Mesh"
     _TYPE_HASH = "RIHS01_f2150b82d8ee7e8bc3f396a2b158aefb4b9a5510a474be271ba1268aebb55289"
     _FIELDS = {"triangles": "shape_msgs/msg/MeshTriangle[]", "vertices": "geometry_msgs/msg/Point[]"}
@@ -30,6 +34,7 @@ class Mesh(_Message):
 class MeshTriangle(_Message):
     """The message shape_msgs/msg/MeshTriangle."""
 
+    __module__ = _module("_mesh_triangle")
     _TYPE_NAME = "shape_msgs/msg/MeshTriangle"
     _TYPE_HASH = "RIHS01_618e5c073eeb729e433ef6226e72c01d995c459fb7d76348c9700409a5020bd0"
     _FIELDS = {"vertex_indices": "uint32[3]"}
@@ -47,6 +52,7 @@ class MeshTriangle(_Message):
 class Plane(_Message):
     """The plane a x + b y + c z + d = 0."""
 
+    __module__ = _module("_plane")
     _TYPE_NAME = "shape_msgs/msg/Plane"
     _TYPE_HASH = "RIHS01_dfbfe8314689c850615d4a727af017e9aa86c10e369a606c8c851ef8f16c58c8"
     _FIELDS = {"coef": "float64[4]"}
@@ -64,6 +70,7 @@ class Plane(_Message):
 class SolidPrimitive(_Message):
     """A simple body; the constants are the indices of its dimensions."""
 
+    __module__ = _module("_solid_primitive")
     _TYPE_NAME = "shape_msgs/msg/SolidPrimitive"
     _TYPE_HASH = "RIHS01_2802a15190aadc3f496584df4b0b4c5824d8a0b31aaef839faa75bc34dda38ac"
     _FIELDS = {"type": "uint8", "dimensions": "float64[<=3]", "polygon": "geometry_msgs/msg/Polygon"}

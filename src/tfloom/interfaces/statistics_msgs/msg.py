@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
@@ -10,10 +11,13 @@ if TYPE_CHECKING:
 
 __all__ = ["MetricsMessage", "StatisticDataPoint", "StatisticDataType"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class MetricsMessage(_Message):
     """The message statistics_msgs/msg/MetricsMessage."""
 
+    __module__ = _module("_metrics_message")
     _TYPE_NAME = "statistics_msgs/msg/MetricsMessage"
     _TYPE_HASH = "RIHS01_36a67fb499fc2a11b8b9ff9ac735ed76e8d5a1f7775d6d5b97b625188ec68e20"
     _FIELDS = {"measurement_source_name": "string", "metrics_source": "string", "unit": "string", "window_start": "builtin_interfaces/msg/Time", "window_stop": "builtin_interfaces/msg/Time", "statistics": "statistics_msgs/msg/StatisticDataPoint[]"}
@@ -33,6 +37,7 @@ class MetricsMessage(_Message):
 class StatisticDataPoint(_Message):
     """The message statistics_msgs/msg/StatisticDataPoint."""
 
+    __module__ = _module("_statistic_data_point")
     _TYPE_NAME = "statistics_msgs/msg/StatisticDataPoint"
     _TYPE_HASH = "RIHS01_b7e61a407346ea912effb6954023d2d2c9adf8f7bc10f6cae576d350c445f6a5"
     _FIELDS = {"data_type": "uint8", "data": "float64"}
@@ -48,6 +53,7 @@ class StatisticDataPoint(_Message):
 class StatisticDataType(_Message):
     """The message statistics_msgs/msg/StatisticDataType."""
 
+    __module__ = _module("_statistic_data_type")
     _TYPE_NAME = "statistics_msgs/msg/StatisticDataType"
     _TYPE_HASH = "RIHS01_840d83bd5dc660e0c6e996f9e1ab80bec3c5a91976360a40d6cc579a37a8c959"
     _FIELDS = {}

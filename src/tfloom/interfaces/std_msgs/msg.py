@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
@@ -11,10 +12,13 @@ if TYPE_CHECKING:
 
 __all__ = ["Bool", "Byte", "ByteMultiArray", "Char", "ColorRGBA", "Empty", "Float32", "Float32MultiArray", "Float64", "Float64MultiArray", "Header", "Int16", "Int16MultiArray", "Int32", "Int32MultiArray", "Int64", "Int64MultiArray", "Int8", "Int8MultiArray", "MultiArrayDimension", "MultiArrayLayout", "String", "UInt16", "UInt16MultiArray", "UInt32", "UInt32MultiArray", "UInt64", "UInt64MultiArray", "UInt8", "UInt8MultiArray"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class Bool(_Message):
     """The message std_msgs/msg/Bool."""
 
+    __module__ = _module("_bool")
     _TYPE_NAME = "std_msgs/msg/Bool"
     _TYPE_HASH = "RIHS01_feb91e995ff9ebd09c0cb3d2aed18b11077585839fb5db80193b62d74528f6c9"
     _FIELDS = {"data": "bool"}
@@ -29,6 +33,7 @@ class Bool(_Message):
 class Byte(_Message):
     """The message std_msgs/msg/Byte."""
 
+    __module__ = _module("_byte")
     _TYPE_NAME = "std_msgs/msg/Byte"
     _TYPE_HASH = "RIHS01_41e1a3345f73fe93ede006da826a6ee274af23dd4653976ff249b0f44e3e798f"
     _FIELDS = {"data": "byte"}
@@ -43,6 +48,7 @@ class Byte(_Message):
 class ByteMultiArray(_Message):
     """The message std_msgs/msg/ByteMultiArray."""
 
+    __module__ = _module("_byte_multi_array")
     _TYPE_NAME = "std_msgs/msg/ByteMultiArray"
     _TYPE_HASH = "RIHS01_972fec7f50ab3c1d06783c228e79e8a9a509021708c511c059926261ada901d4"
     _FIELDS = {"layout": "std_msgs/msg/MultiArrayLayout", "data": "byte[]"}
@@ -58,6 +64,7 @@ class ByteMultiArray(_Message):
 class Char(_Message):
     """The message std_msgs/msg/Char."""
 
+    __module__ = _module("_char")
     _TYPE_NAME = "std_msgs/msg/Char"
     _TYPE_HASH = "RIHS01_3ad2d04dd29ba19d04b16659afa3ccaedd691914b02a64e82e252f2fa6a586a9"
     _FIELDS = {"data": "char"}
@@ -72,6 +79,7 @@ class Char(_Message):
 class ColorRGBA(_Message):
     """A colour, each part from 0 to 1."""
 
+    __module__ = _module("_color_rgba")
     _TYPE_NAME = "std_msgs/msg/ColorRGBA"
     _TYPE_HASH = "RIHS01_77a7a5b9ae477306097665106e0413ba74440245b1f3d0c6d6405fe5c7813fe8"
     _FIELDS = {"r": "float32", "g": "float32", "b": "float32", "a": "float32"}
@@ -89,6 +97,7 @@ class ColorRGBA(_Message):
 class Empty(_Message):
     """The message std_msgs/msg/Empty."""
 
+    __module__ = _module("_empty")
     _TYPE_NAME = "std_msgs/msg/Empty"
     _TYPE_HASH = "RIHS01_20b625256f32d5dbc0d04fee44f43c41e51c70d3502f84b4a08e7a9c26a96312"
     _FIELDS = {}
@@ -102,6 +111,7 @@ class Empty(_Message):
 class Float32(_Message):
     """The message std_msgs/msg/Float32."""
 
+    __module__ = _module("_float32")
     _TYPE_NAME = "std_msgs/msg/Float32"
     _TYPE_HASH = "RIHS01_7170d3d8f841f7be3172ce5f4f59f3a4d7f63b0447e8b33327601ad64d83d6e2"
     _FIELDS = {"data": "float32"}
@@ -116,6 +126,7 @@ class Float32(_Message):
 class Float32MultiArray(_Message):
     """The message std_msgs/msg/Float32MultiArray."""
 
+    __module__ = _module("_float32_multi_array")
     _TYPE_NAME = "std_msgs/msg/Float32MultiArray"
     _TYPE_HASH = "RIHS01_0599f6f85b4bfca379873a0b4375a0aca022156bd2d7021275d116ed1fa8bfe0"
     _FIELDS = {"layout": "std_msgs/msg/MultiArrayLayout", "data": "float32[]"}
@@ -134,6 +145,7 @@ class Float32MultiArray(_Message):
 class Float64(_Message):
     """The message std_msgs/msg/Float64."""
 
+    __module__ = _module("_float64")
     _TYPE_NAME = "std_msgs/msg/Float64"
     _TYPE_HASH = "RIHS01_705ba9c3d1a09df43737eb67095534de36fd426c0587779bda2bc51fe790182a"
     _FIELDS = {"data": "float64"}
@@ -148,6 +160,7 @@ class Float64(_Message):
 class Float64MultiArray(_Message):
     """The message std_msgs/msg/Float64MultiArray."""
 
+    __module__ = _module("_float64_multi_array")
     _TYPE_NAME = "std_msgs/msg/Float64MultiArray"
     _TYPE_HASH = "RIHS01_1025ddc6b9552d191f89ef1a8d2f60f3d373e28b283d8891ddcc974e8c55397f"
     _FIELDS = {"layout": "std_msgs/msg/MultiArrayLayout", "data": "float64[]"}
@@ -166,6 +179,7 @@ class Float64MultiArray(_Message):
 class Header(_Message):
     """Time of the data, and the frame in which it is expressed."""
 
+    __module__ = _module("_header")
     _TYPE_NAME = "std_msgs/msg/Header"
     _TYPE_HASH = "RIHS01_f49fb3ae2cf070f793645ff749683ac6b06203e41c891e17701b1cb597ce6a01"
     _FIELDS = {"stamp": "builtin_interfaces/msg/Time", "frame_id": "string"}
@@ -181,6 +195,7 @@ class Header(_Message):
 class Int16(_Message):
     """The message std_msgs/msg/Int16."""
 
+    __module__ = _module("_int16")
     _TYPE_NAME = "std_msgs/msg/Int16"
     _TYPE_HASH = "RIHS01_1dcc3464e47c288a55f943a389d337cdb06804de3f5cd7a266b0de718eee17e5"
     _FIELDS = {"data": "int16"}
@@ -195,6 +210,7 @@ class Int16(_Message):
 class Int16MultiArray(_Message):
     """The message std_msgs/msg/Int16MultiArray."""
 
+    __module__ = _module("_int16_multi_array")
     _TYPE_NAME = "std_msgs/msg/Int16MultiArray"
     _TYPE_HASH = "RIHS01_b58810e8e5b90fb19a5062469eb8409f5ab11a446d60de7157a1457e52a076ce"
     _FIELDS = {"layout": "std_msgs/msg/MultiArrayLayout", "data": "int16[]"}
@@ -213,6 +229,7 @@ class Int16MultiArray(_Message):
 class Int32(_Message):
     """The message std_msgs/msg/Int32."""
 
+    __module__ = _module("_int32")
     _TYPE_NAME = "std_msgs/msg/Int32"
     _TYPE_HASH = "RIHS01_b6578ded3c58c626cfe8d1a6fb6e04f706f97e9f03d2727c9ff4e74b1cef0deb"
     _FIELDS = {"data": "int32"}
@@ -227,6 +244,7 @@ class Int32(_Message):
 class Int32MultiArray(_Message):
     """The message std_msgs/msg/Int32MultiArray."""
 
+    __module__ = _module("_int32_multi_array")
     _TYPE_NAME = "std_msgs/msg/Int32MultiArray"
     _TYPE_HASH = "RIHS01_84a7346323525d1b4dfca899df3820f245e54009dac5a6b69217d14fdefd1701"
     _FIELDS = {"layout": "std_msgs/msg/MultiArrayLayout", "data": "int32[]"}
@@ -245,6 +263,7 @@ class Int32MultiArray(_Message):
 class Int64(_Message):
     """The message std_msgs/msg/Int64."""
 
+    __module__ = _module("_int64")
     _TYPE_NAME = "std_msgs/msg/Int64"
     _TYPE_HASH = "RIHS01_8cd1048c2f186b6bd9a92472dc1ce51723c0833a221e2b7aecfff111774f4b49"
     _FIELDS = {"data": "int64"}
@@ -259,6 +278,7 @@ class Int64(_Message):
 class Int64MultiArray(_Message):
     """The message std_msgs/msg/Int64MultiArray."""
 
+    __module__ = _module("_int64_multi_array")
     _TYPE_NAME = "std_msgs/msg/Int64MultiArray"
     _TYPE_HASH = "RIHS01_e60f9fe34d697f0939ad49d33158693c1277fbac0e2f04b7c2995dc21c89b422"
     _FIELDS = {"layout": "std_msgs/msg/MultiArrayLayout", "data": "int64[]"}
@@ -277,6 +297,7 @@ class Int64MultiArray(_Message):
 class Int8(_Message):
     """The message std_msgs/msg/Int8."""
 
+    __module__ = _module("_int8")
     _TYPE_NAME = "std_msgs/msg/Int8"
     _TYPE_HASH = "RIHS01_26525065a403d972cb672f0777e333f0c799ad444ae5fcd79e43d1e73bd0f440"
     _FIELDS = {"data": "int8"}
@@ -291,6 +312,7 @@ class Int8(_Message):
 class Int8MultiArray(_Message):
     """The message std_msgs/msg/Int8MultiArray."""
 
+    __module__ = _module("_int8_multi_array")
     _TYPE_NAME = "std_msgs/msg/Int8MultiArray"
     _TYPE_HASH = "RIHS01_f21998d4b492abd63330765d75d5831238d400740386f651f13a872a4d2188db"
     _FIELDS = {"layout": "std_msgs/msg/MultiArrayLayout", "data": "int8[]"}
@@ -309,6 +331,7 @@ class Int8MultiArray(_Message):
 class MultiArrayDimension(_Message):
     """The message std_msgs/msg/MultiArrayDimension."""
 
+    __module__ = _module("_multi_array_dimension")
     _TYPE_NAME = "std_msgs/msg/MultiArrayDimension"
     _TYPE_HASH = "RIHS01_5e773a60a4c7fc8a54985f307c7837aa2994252a126c301957a24e31282c9cbe"
     _FIELDS = {"label": "string", "size": "uint32", "stride": "uint32"}
@@ -325,6 +348,7 @@ class MultiArrayDimension(_Message):
 class MultiArrayLayout(_Message):
     """The message std_msgs/msg/MultiArrayLayout."""
 
+    __module__ = _module("_multi_array_layout")
     _TYPE_NAME = "std_msgs/msg/MultiArrayLayout"
     _TYPE_HASH = "RIHS01_4c66e6f78e740ac103a94cf63259f968e48c617e7699e829b63c21a5cb50dac6"
     _FIELDS = {"dim": "std_msgs/msg/MultiArrayDimension[]", "data_offset": "uint32"}
@@ -340,6 +364,7 @@ class MultiArrayLayout(_Message):
 class String(_Message):
     """The message std_msgs/msg/String."""
 
+    __module__ = _module("_string")
     _TYPE_NAME = "std_msgs/msg/String"
     _TYPE_HASH = "RIHS01_df668c740482bbd48fb39d76a70dfd4bd59db1288021743503259e948f6b1a18"
     _FIELDS = {"data": "string"}
@@ -354,6 +379,7 @@ class String(_Message):
 class UInt16(_Message):
     """The message std_msgs/msg/UInt16."""
 
+    __module__ = _module("_u_int16")
     _TYPE_NAME = "std_msgs/msg/UInt16"
     _TYPE_HASH = "RIHS01_08a406e4b022bc22e907f985d6a9e9dd1d4fbecae573549cf49350113e7757b1"
     _FIELDS = {"data": "uint16"}
@@ -368,6 +394,7 @@ class UInt16(_Message):
 class UInt16MultiArray(_Message):
     """The message std_msgs/msg/UInt16MultiArray."""
 
+    __module__ = _module("_u_int16_multi_array")
     _TYPE_NAME = "std_msgs/msg/UInt16MultiArray"
     _TYPE_HASH = "RIHS01_94fe73428ec63baecc774f8fb82406123e9291cf728f1b7c91caf5335129492b"
     _FIELDS = {"layout": "std_msgs/msg/MultiArrayLayout", "data": "uint16[]"}
@@ -386,6 +413,7 @@ class UInt16MultiArray(_Message):
 class UInt32(_Message):
     """The message std_msgs/msg/UInt32."""
 
+    __module__ = _module("_u_int32")
     _TYPE_NAME = "std_msgs/msg/UInt32"
     _TYPE_HASH = "RIHS01_a5c874829b752bc5fa190024b0ad76f578cc278271e855c7d02a818b3516fb4a"
     _FIELDS = {"data": "uint32"}
@@ -400,6 +428,7 @@ class UInt32(_Message):
 class UInt32MultiArray(_Message):
     """The message std_msgs/msg/UInt32MultiArray."""
 
+    __module__ = _module("_u_int32_multi_array")
     _TYPE_NAME = "std_msgs/msg/UInt32MultiArray"
     _TYPE_HASH = "RIHS01_6c2577c7ad3cbdcc2164a41c12f1d5ad314ea320f3fb1ee47e78019fe16bb5b0"
     _FIELDS = {"layout": "std_msgs/msg/MultiArrayLayout", "data": "uint32[]"}
@@ -418,6 +447,7 @@ class UInt32MultiArray(_Message):
 class UInt64(_Message):
     """The message std_msgs/msg/UInt64."""
 
+    __module__ = _module("_u_int64")
     _TYPE_NAME = "std_msgs/msg/UInt64"
     _TYPE_HASH = "RIHS01_fbdc52018fc13755dce18024d1a671c856aa8b4aaf63adfb095b608f98e8c943"
     _FIELDS = {"data": "uint64"}
@@ -432,6 +462,7 @@ class UInt64(_Message):
 class UInt64MultiArray(_Message):
     """The message std_msgs/msg/UInt64MultiArray."""
 
+    __module__ = _module("_u_int64_multi_array")
     _TYPE_NAME = "std_msgs/msg/UInt64MultiArray"
     _TYPE_HASH = "RIHS01_fc1c685c2f76bdc6983da025cb25d2db5fb5157b059e300f6d957d86f981b366"
     _FIELDS = {"layout": "std_msgs/msg/MultiArrayLayout", "data": "uint64[]"}
@@ -450,6 +481,7 @@ class UInt64MultiArray(_Message):
 class UInt8(_Message):
     """The message std_msgs/msg/UInt8."""
 
+    __module__ = _module("_u_int8")
     _TYPE_NAME = "std_msgs/msg/UInt8"
     _TYPE_HASH = "RIHS01_6138bd83d8c3569cb80a667db03cfc1629f529fee79d944c39c34e352e72f010"
     _FIELDS = {"data": "uint8"}
@@ -464,6 +496,7 @@ class UInt8(_Message):
 class UInt8MultiArray(_Message):
     """The message std_msgs/msg/UInt8MultiArray."""
 
+    __module__ = _module("_u_int8_multi_array")
     _TYPE_NAME = "std_msgs/msg/UInt8MultiArray"
     _TYPE_HASH = "RIHS01_5687e861b8d307a5e48b7515467ae7a5fc2daf805bd0ce6d8e9e604bade9f385"
     _FIELDS = {"layout": "std_msgs/msg/MultiArrayLayout", "data": "uint8[]"}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 from tfloom.rosidl.service import Service as _Service
 
@@ -12,10 +13,13 @@ if TYPE_CHECKING:
 
 __all__ = ["Empty", "Empty_Event", "Empty_Request", "Empty_Response", "SetBool", "SetBool_Event", "SetBool_Request", "SetBool_Response", "Trigger", "Trigger_Event", "Trigger_Request", "Trigger_Response"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class Empty_Request(_Message):
     """The message std_srvs/srv/Empty_Request."""
 
+    __module__ = _module("_empty")
     _TYPE_NAME = "std_srvs/srv/Empty_Request"
     _TYPE_HASH = "RIHS01_458eaf200a3f63d9cc53d19436edebc0c140ef4c93ca75d5bd4ce19fd7759e35"
     _FIELDS = {}
@@ -29,6 +33,7 @@ class Empty_Request(_Message):
 class Empty_Response(_Message):
     """The message std_srvs/srv/Empty_Response."""
 
+    __module__ = _module("_empty")
     _TYPE_NAME = "std_srvs/srv/Empty_Response"
     _TYPE_HASH = "RIHS01_0a2858b3f60df644a61d0fa44cfc923a3d3628e0ad9c8ad8534b1a2c92a413dc"
     _FIELDS = {}
@@ -42,6 +47,7 @@ class Empty_Response(_Message):
 class Empty_Event(_Message):
     """The message std_srvs/srv/Empty_Event."""
 
+    __module__ = _module("_empty")
     _TYPE_NAME = "std_srvs/srv/Empty_Event"
     _TYPE_HASH = "RIHS01_66fa7fcfb5f2bf04b9a8a55603318c5c402edfc4bd56bb0ed7b602990c29305a"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "std_srvs/srv/Empty_Request[<=1]", "response": "std_srvs/srv/Empty_Response[<=1]"}
@@ -58,6 +64,7 @@ class Empty_Event(_Message):
 class Empty(_Service[Empty_Request, Empty_Response]):
     """The service std_srvs/srv/Empty."""
 
+    __module__ = _module("_empty")
     _TYPE_NAME = "std_srvs/srv/Empty"
     _TYPE_HASH = "RIHS01_5888399dedec5ccc85ea6451949fd2c9f97bfdf963f9a588821639fcd31b5d19"
     Request: _TypeAlias = Empty_Request
@@ -68,6 +75,7 @@ class Empty(_Service[Empty_Request, Empty_Response]):
 class SetBool_Request(_Message):
     """The message std_srvs/srv/SetBool_Request."""
 
+    __module__ = _module("_set_bool")
     _TYPE_NAME = "std_srvs/srv/SetBool_Request"
     _TYPE_HASH = "RIHS01_c62fbb99d94e1b25e8ef9e109f9581956bb1b3361a45a4e5810c36a90d29932e"
     _FIELDS = {"data": "bool"}
@@ -82,6 +90,7 @@ class SetBool_Request(_Message):
 class SetBool_Response(_Message):
     """The message std_srvs/srv/SetBool_Response."""
 
+    __module__ = _module("_set_bool")
     _TYPE_NAME = "std_srvs/srv/SetBool_Response"
     _TYPE_HASH = "RIHS01_d0814e7f7b4880ab77e9c57426c7aa1562ab69f11eef8e2e968812f9cbd0b059"
     _FIELDS = {"success": "bool", "message": "string"}
@@ -97,6 +106,7 @@ class SetBool_Response(_Message):
 class SetBool_Event(_Message):
     """The message std_srvs/srv/SetBool_Event."""
 
+    __module__ = _module("_set_bool")
     _TYPE_NAME = "std_srvs/srv/SetBool_Event"
     _TYPE_HASH = "RIHS01_3c4c20015afb4303eafd347b1d6a786f171a89c814726961a9593ef10df878cf"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "std_srvs/srv/SetBool_Request[<=1]", "response": "std_srvs/srv/SetBool_Response[<=1]"}
@@ -113,6 +123,7 @@ class SetBool_Event(_Message):
 class SetBool(_Service[SetBool_Request, SetBool_Response]):
     """The service std_srvs/srv/SetBool."""
 
+    __module__ = _module("_set_bool")
     _TYPE_NAME = "std_srvs/srv/SetBool"
     _TYPE_HASH = "RIHS01_abe9e4bb6b41b40e6789712c00ec8871923e089af3f667a79992a428cff2da0a"
     Request: _TypeAlias = SetBool_Request
@@ -123,6 +134,7 @@ class SetBool(_Service[SetBool_Request, SetBool_Response]):
 class Trigger_Request(_Message):
     """The message std_srvs/srv/Trigger_Request."""
 
+    __module__ = _module("_trigger")
     _TYPE_NAME = "std_srvs/srv/Trigger_Request"
     _TYPE_HASH = "RIHS01_d010825374ce8918e72bfd826c82603e60f45419e932ea976f807b74a863a199"
     _FIELDS = {}
@@ -136,6 +148,7 @@ class Trigger_Request(_Message):
 class Trigger_Response(_Message):
     """The message std_srvs/srv/Trigger_Response."""
 
+    __module__ = _module("_trigger")
     _TYPE_NAME = "std_srvs/srv/Trigger_Response"
     _TYPE_HASH = "RIHS01_2d946c21e2fc3f1e9ca6986a8191d85fcc70097a8bb7771a053564bc47009cdf"
     _FIELDS = {"success": "bool", "message": "string"}
@@ -151,6 +164,7 @@ class Trigger_Response(_Message):
 class Trigger_Event(_Message):
     """The message std_srvs/srv/Trigger_Event."""
 
+    __module__ = _module("_trigger")
     _TYPE_NAME = "std_srvs/srv/Trigger_Event"
     _TYPE_HASH = "RIHS01_ec4a1d26b0575e61906890342aba9523a2360e9845857c5590fa6e23bc39e1c2"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "std_srvs/srv/Trigger_Request[<=1]", "response": "std_srvs/srv/Trigger_Response[<=1]"}
@@ -167,6 +181,7 @@ class Trigger_Event(_Message):
 class Trigger(_Service[Trigger_Request, Trigger_Response]):
     """The service std_srvs/srv/Trigger."""
 
+    __module__ = _module("_trigger")
     _TYPE_NAME = "std_srvs/srv/Trigger"
     _TYPE_HASH = "RIHS01_eeff2cd6fa5ad9d27cdf4dec64818317839b62f212a91e6b5304b634b2062c5f"
     Request: _TypeAlias = Trigger_Request

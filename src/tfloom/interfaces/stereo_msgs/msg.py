@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
@@ -11,10 +12,13 @@ if TYPE_CHECKING:
 
 __all__ = ["DisparityImage"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class DisparityImage(_Message):
     """The message stereo_msgs/msg/DisparityImage."""
 
+    __module__ = _module("_disparity_image")
     _TYPE_NAME = "stereo_msgs/msg/DisparityImage"
     _TYPE_HASH = "RIHS01_1ec1ff6b5bace919e4544a37f2d96ead9f81783701b7b7a4d97a09325ecf2711"
     _FIELDS = {"header": "std_msgs/msg/Header", "image": "sensor_msgs/msg/Image", "f": "float32", "t": "float32", "valid_window": "sensor_msgs/msg/RegionOfInterest", "min_disparity": "float32", "max_disparity": "float32", "delta_d": "float32"}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from tfloom.interfaces.action_msgs.msg import GoalStatusArray as _GoalStatusArray
 from tfloom.interfaces.action_msgs.srv import CancelGoal as _CancelGoal
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 from tfloom.rosidl.service import Action as _Action
 from tfloom.rosidl.service import Service as _Service
@@ -19,10 +20,13 @@ if TYPE_CHECKING:
 
 __all__ = ["LookupTransform", "LookupTransform_Feedback", "LookupTransform_FeedbackMessage", "LookupTransform_GetResult", "LookupTransform_GetResult_Event", "LookupTransform_GetResult_Request", "LookupTransform_GetResult_Response", "LookupTransform_Goal", "LookupTransform_Result", "LookupTransform_SendGoal", "LookupTransform_SendGoal_Event", "LookupTransform_SendGoal_Request", "LookupTransform_SendGoal_Response"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class LookupTransform_Goal(_Message):
     """The message tf2_msgs/action/LookupTransform_Goal."""
 
+    __module__ = _module("_lookup_transform")
     _TYPE_NAME = "tf2_msgs/action/LookupTransform_Goal"
     _TYPE_HASH = "RIHS01_815efc294ad17c813c6043cdde781ff55810d49da02ed07f9237dcd20e88d498"
     _FIELDS = {"target_frame": "string", "source_frame": "string", "source_time": "builtin_interfaces/msg/Time", "timeout": "builtin_interfaces/msg/Duration", "target_time": "builtin_interfaces/msg/Time", "fixed_frame": "string", "advanced": "bool"}
@@ -43,6 +47,7 @@ class LookupTransform_Goal(_Message):
 class LookupTransform_Result(_Message):
     """The message tf2_msgs/action/LookupTransform_Result."""
 
+    __module__ = _module("_lookup_transform")
     _TYPE_NAME = "tf2_msgs/action/LookupTransform_Result"
     _TYPE_HASH = "RIHS01_061d4423af5352ff5314c8effef8faab133991a78f1b2bcd1fecabad80871225"
     _FIELDS = {"transform": "geometry_msgs/msg/TransformStamped", "error": "tf2_msgs/msg/TF2Error"}
@@ -58,6 +63,7 @@ class LookupTransform_Result(_Message):
 class LookupTransform_Feedback(_Message):
     """The message tf2_msgs/action/LookupTransform_Feedback."""
 
+    __module__ = _module("_lookup_transform")
     _TYPE_NAME = "tf2_msgs/action/LookupTransform_Feedback"
     _TYPE_HASH = "RIHS01_2da0b02f990f04404ab8c98a2a68cf5bbc773ae747f96911f2d55499cfb51542"
     _FIELDS = {}
@@ -71,6 +77,7 @@ class LookupTransform_Feedback(_Message):
 class LookupTransform_SendGoal_Request(_Message):
     """The message tf2_msgs/action/LookupTransform_SendGoal_Request."""
 
+    __module__ = _module("_lookup_transform")
     _TYPE_NAME = "tf2_msgs/action/LookupTransform_SendGoal_Request"
     _TYPE_HASH = "RIHS01_eb1312eb7aab35e35c71bb87c2ba3a94747c5a6544ea32bb2b32b0f75775b8ca"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "goal": "tf2_msgs/action/LookupTransform_Goal"}
@@ -86,6 +93,7 @@ class LookupTransform_SendGoal_Request(_Message):
 class LookupTransform_SendGoal_Response(_Message):
     """The message tf2_msgs/action/LookupTransform_SendGoal_Response."""
 
+    __module__ = _module("_lookup_transform")
     _TYPE_NAME = "tf2_msgs/action/LookupTransform_SendGoal_Response"
     _TYPE_HASH = "RIHS01_c1ada93304793c08813657255e7bde2e40e2114aa634b702c3f8d4b72ae098bc"
     _FIELDS = {"accepted": "bool", "stamp": "builtin_interfaces/msg/Time"}
@@ -101,6 +109,7 @@ class LookupTransform_SendGoal_Response(_Message):
 class LookupTransform_SendGoal_Event(_Message):
     """The message tf2_msgs/action/LookupTransform_SendGoal_Event."""
 
+    __module__ = _module("_lookup_transform")
     _TYPE_NAME = "tf2_msgs/action/LookupTransform_SendGoal_Event"
     _TYPE_HASH = "RIHS01_5ab93d3d6c35b56390325099cb088c73bae176a39123f2f6dfe119582436acc5"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "tf2_msgs/action/LookupTransform_SendGoal_Request[<=1]", "response": "tf2_msgs/action/LookupTransform_SendGoal_Response[<=1]"}
@@ -117,6 +126,7 @@ class LookupTransform_SendGoal_Event(_Message):
 class LookupTransform_GetResult_Request(_Message):
     """The message tf2_msgs/action/LookupTransform_GetResult_Request."""
 
+    __module__ = _module("_lookup_transform")
     _TYPE_NAME = "tf2_msgs/action/LookupTransform_GetResult_Request"
     _TYPE_HASH = "RIHS01_148f9bdc01f98922d6fb2072cb64468b89c57c7825d9d83b932c183deaa4697d"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID"}
@@ -131,6 +141,7 @@ class LookupTransform_GetResult_Request(_Message):
 class LookupTransform_GetResult_Response(_Message):
     """The message tf2_msgs/action/LookupTransform_GetResult_Response."""
 
+    __module__ = _module("_lookup_transform")
     _TYPE_NAME = "tf2_msgs/action/LookupTransform_GetResult_Response"
     _TYPE_HASH = "RIHS01_954de3efc36b164c4d21116abdbdcc52746e454fd9c169b55d9cfd89e83d299d"
     _FIELDS = {"status": "int8", "result": "tf2_msgs/action/LookupTransform_Result"}
@@ -146,6 +157,7 @@ class LookupTransform_GetResult_Response(_Message):
 class LookupTransform_GetResult_Event(_Message):
     """The message tf2_msgs/action/LookupTransform_GetResult_Event."""
 
+    __module__ = _module("_lookup_transform")
     _TYPE_NAME = "tf2_msgs/action/LookupTransform_GetResult_Event"
     _TYPE_HASH = "RIHS01_3260115e0f6a676d621f191f85a72a0c82f9fcb1483965c1fbaaab0b1d651a9e"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "tf2_msgs/action/LookupTransform_GetResult_Request[<=1]", "response": "tf2_msgs/action/LookupTransform_GetResult_Response[<=1]"}
@@ -162,6 +174,7 @@ class LookupTransform_GetResult_Event(_Message):
 class LookupTransform_FeedbackMessage(_Message):
     """The message tf2_msgs/action/LookupTransform_FeedbackMessage."""
 
+    __module__ = _module("_lookup_transform")
     _TYPE_NAME = "tf2_msgs/action/LookupTransform_FeedbackMessage"
     _TYPE_HASH = "RIHS01_10cb89922dcb103e95c185d43e8a5efa3d38db996f733151a2f3e2ac133f4839"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "feedback": "tf2_msgs/action/LookupTransform_Feedback"}
@@ -177,6 +190,7 @@ class LookupTransform_FeedbackMessage(_Message):
 class LookupTransform_SendGoal(_Service[LookupTransform_SendGoal_Request, LookupTransform_SendGoal_Response]):
     """The service tf2_msgs/action/LookupTransform_SendGoal."""
 
+    __module__ = _module("_lookup_transform")
     _TYPE_NAME = "tf2_msgs/action/LookupTransform_SendGoal"
     _TYPE_HASH = "RIHS01_4646ff5706c86b04d0a1098d329951a9731a7517e16702905de6073cc72c8530"
     Request: _TypeAlias = LookupTransform_SendGoal_Request
@@ -187,6 +201,7 @@ class LookupTransform_SendGoal(_Service[LookupTransform_SendGoal_Request, Lookup
 class LookupTransform_GetResult(_Service[LookupTransform_GetResult_Request, LookupTransform_GetResult_Response]):
     """The service tf2_msgs/action/LookupTransform_GetResult."""
 
+    __module__ = _module("_lookup_transform")
     _TYPE_NAME = "tf2_msgs/action/LookupTransform_GetResult"
     _TYPE_HASH = "RIHS01_3cd1715751899e3167b5aec3e4ac194f7da9e8493a77285f9f6a4c914f5e8b24"
     Request: _TypeAlias = LookupTransform_GetResult_Request
@@ -197,6 +212,7 @@ class LookupTransform_GetResult(_Service[LookupTransform_GetResult_Request, Look
 class LookupTransform(_Action[LookupTransform_Goal, LookupTransform_Result, LookupTransform_Feedback, LookupTransform_FeedbackMessage, LookupTransform_GetResult_Response]):
     """The action tf2_msgs/action/LookupTransform."""
 
+    __module__ = _module("_lookup_transform")
     _TYPE_NAME = "tf2_msgs/action/LookupTransform"
     _TYPE_HASH = "RIHS01_0b8adf6bc0b5958879e3265b41a457e03558fe523890a81252c70eba97a82c5d"
     Goal: _TypeAlias = LookupTransform_Goal
@@ -206,6 +222,7 @@ class LookupTransform(_Action[LookupTransform_Goal, LookupTransform_Result, Look
     class Impl:
         """The services and messages that carry the action."""
 
+        __module__ = _module("_lookup_transform")
         SendGoalService: _TypeAlias = LookupTransform_SendGoal
         GetResultService: _TypeAlias = LookupTransform_GetResult
         FeedbackMessage: _TypeAlias = LookupTransform_FeedbackMessage

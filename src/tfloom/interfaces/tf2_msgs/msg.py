@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
@@ -10,10 +11,13 @@ if TYPE_CHECKING:
 
 __all__ = ["TF2Error", "TFMessage"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class TF2Error(_Message):
     """The message tf2_msgs/msg/TF2Error."""
 
+    __module__ = _module("_tf2_error")
     _TYPE_NAME = "tf2_msgs/msg/TF2Error"
     _TYPE_HASH = "RIHS01_db2485e7d6a0ec75bf087e058ee45df682acc3a621ca7780503d10aac141809a"
     _FIELDS = {"error": "uint8", "error_string": "string"}
@@ -36,6 +40,7 @@ class TF2Error(_Message):
 class TFMessage(_Message):
     """Transforms between frames, in any order."""
 
+    __module__ = _module("_tf_message")
     _TYPE_NAME = "tf2_msgs/msg/TFMessage"
     _TYPE_HASH = "RIHS01_e369d0f05a23ae52508854b66f6aa0437f3449d652e8cbf22d5abe85d020f087"
     _FIELDS = {"transforms": "geometry_msgs/msg/TransformStamped[]"}

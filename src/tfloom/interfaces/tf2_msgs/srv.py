@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 from tfloom.rosidl.service import Service as _Service
 
@@ -12,10 +13,13 @@ if TYPE_CHECKING:
 
 __all__ = ["FrameGraph", "FrameGraph_Event", "FrameGraph_Request", "FrameGraph_Response"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class FrameGraph_Request(_Message):
     """The message tf2_msgs/srv/FrameGraph_Request."""
 
+    __module__ = _module("_frame_graph")
     _TYPE_NAME = "tf2_msgs/srv/FrameGraph_Request"
     _TYPE_HASH = "RIHS01_4cc565da6b64726d0b0be1ce20f3a3a695679b841a79abfca2fcdc94f562b08d"
     _FIELDS = {}
@@ -29,6 +33,7 @@ class FrameGraph_Request(_Message):
 class FrameGraph_Response(_Message):
     """The message tf2_msgs/srv/FrameGraph_Response."""
 
+    __module__ = _module("_frame_graph")
     _TYPE_NAME = "tf2_msgs/srv/FrameGraph_Response"
     _TYPE_HASH = "RIHS01_e33d5473ce0fac04c66203779f2b719a9de0f8388b248852d3a47a019e62e36d"
     _FIELDS = {"frame_yaml": "string"}
@@ -43,6 +48,7 @@ class FrameGraph_Response(_Message):
 class FrameGraph_Event(_Message):
     """The message tf2_msgs/srv/FrameGraph_Event."""
 
+    __module__ = _module("_frame_graph")
     _TYPE_NAME = "tf2_msgs/srv/FrameGraph_Event"
     _TYPE_HASH = "RIHS01_97e5494f0af64046abdb3f1fc91a91f0a3ac7f1132dcfe32f350601227daa817"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "tf2_msgs/srv/FrameGraph_Request[<=1]", "response": "tf2_msgs/srv/FrameGraph_Response[<=1]"}
@@ -59,6 +65,7 @@ class FrameGraph_Event(_Message):
 class FrameGraph(_Service[FrameGraph_Request, FrameGraph_Response]):
     """The service tf2_msgs/srv/FrameGraph."""
 
+    __module__ = _module("_frame_graph")
     _TYPE_NAME = "tf2_msgs/srv/FrameGraph"
     _TYPE_HASH = "RIHS01_0d1fbc6222c018ba5f33822904a2fdd4063705289956d3fdde07cd8c50fe8067"
     Request: _TypeAlias = FrameGraph_Request

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
@@ -13,10 +14,13 @@ if TYPE_CHECKING:
 
 __all__ = ["JointTrajectory", "JointTrajectoryPoint", "MultiDOFJointTrajectory", "MultiDOFJointTrajectoryPoint"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class JointTrajectory(_Message):
     """The message trajectory_msgs/msg/JointTrajectory."""
 
+    __module__ = _module("_joint_trajectory")
     _TYPE_NAME = "trajectory_msgs/msg/JointTrajectory"
     _TYPE_HASH = "RIHS01_179b33eba59d676f6d967ac71fe35e7ca2f64b2f3928f4a018cec115e213796e"
     _FIELDS = {"header": "std_msgs/msg/Header", "joint_names": "string[]", "points": "trajectory_msgs/msg/JointTrajectoryPoint[]"}
@@ -33,6 +37,7 @@ class JointTrajectory(_Message):
 class JointTrajectoryPoint(_Message):
     """The message trajectory_msgs/msg/JointTrajectoryPoint."""
 
+    __module__ = _module("_joint_trajectory_point")
     _TYPE_NAME = "trajectory_msgs/msg/JointTrajectoryPoint"
     _TYPE_HASH = "RIHS01_de8907036d8bd45aac6f30cc9044a3d4a329c42cbf719aff7d95a584cfa532d7"
     _FIELDS = {"positions": "float64[]", "velocities": "float64[]", "accelerations": "float64[]", "effort": "float64[]", "time_from_start": "builtin_interfaces/msg/Duration"}
@@ -63,6 +68,7 @@ class JointTrajectoryPoint(_Message):
 class MultiDOFJointTrajectory(_Message):
     """The message trajectory_msgs/msg/MultiDOFJointTrajectory."""
 
+    __module__ = _module("_multi_dof_joint_trajectory")
     _TYPE_NAME = "trajectory_msgs/msg/MultiDOFJointTrajectory"
     _TYPE_HASH = "RIHS01_3a18fd095292a65cfde8833c72985a30af981f3ec44494655c6267262b443a4a"
     _FIELDS = {"header": "std_msgs/msg/Header", "joint_names": "string[]", "points": "trajectory_msgs/msg/MultiDOFJointTrajectoryPoint[]"}
@@ -79,6 +85,7 @@ class MultiDOFJointTrajectory(_Message):
 class MultiDOFJointTrajectoryPoint(_Message):
     """The message trajectory_msgs/msg/MultiDOFJointTrajectoryPoint."""
 
+    __module__ = _module("_multi_dof_joint_trajectory_point")
     _TYPE_NAME = "trajectory_msgs/msg/MultiDOFJointTrajectoryPoint"
     _TYPE_HASH = "RIHS01_6ada1085b5ee64eaa069b074968e69f0e27c8c5e6f5bb0586dd1c834ef0e32b8"
     _FIELDS = {"transforms": "geometry_msgs/msg/Transform[]", "velocities": "geometry_msgs/msg/Twist[]", "accelerations": "geometry_msgs/msg/Twist[]", "time_from_start": "builtin_interfaces/msg/Duration"}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from tfloom.interfaces.action_msgs.msg import GoalStatusArray as _GoalStatusArray
 from tfloom.interfaces.action_msgs.srv import CancelGoal as _CancelGoal
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 from tfloom.rosidl.service import Action as _Action
 from tfloom.rosidl.service import Service as _Service
@@ -17,10 +18,13 @@ if TYPE_CHECKING:
 
 __all__ = ["RotateAbsolute", "RotateAbsolute_Feedback", "RotateAbsolute_FeedbackMessage", "RotateAbsolute_GetResult", "RotateAbsolute_GetResult_Event", "RotateAbsolute_GetResult_Request", "RotateAbsolute_GetResult_Response", "RotateAbsolute_Goal", "RotateAbsolute_Result", "RotateAbsolute_SendGoal", "RotateAbsolute_SendGoal_Event", "RotateAbsolute_SendGoal_Request", "RotateAbsolute_SendGoal_Response"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class RotateAbsolute_Goal(_Message):
     """The message turtlesim/action/RotateAbsolute_Goal."""
 
+    __module__ = _module("_rotate_absolute")
     _TYPE_NAME = "turtlesim/action/RotateAbsolute_Goal"
     _TYPE_HASH = "RIHS01_87a85708e2e85bdd56e4c71f41ff36f4d60ad2318c4faff1f85f417d2040a600"
     _FIELDS = {"theta": "float32"}
@@ -36,6 +40,7 @@ class RotateAbsolute_Goal(_Message):
 class RotateAbsolute_Result(_Message):
     """The message turtlesim/action/RotateAbsolute_Result."""
 
+    __module__ = _module("_rotate_absolute")
     _TYPE_NAME = "turtlesim/action/RotateAbsolute_Result"
     _TYPE_HASH = "RIHS01_ebf1053164cbc1314956ebea419d429ba9d3236219308838a2c71b1610baf143"
     _FIELDS = {"delta": "float32"}
@@ -51,6 +56,7 @@ class RotateAbsolute_Result(_Message):
 class RotateAbsolute_Feedback(_Message):
     """The message turtlesim/action/RotateAbsolute_Feedback."""
 
+    __module__ = _module("_rotate_absolute")
     _TYPE_NAME = "turtlesim/action/RotateAbsolute_Feedback"
     _TYPE_HASH = "RIHS01_d422136ea4ba9ffe2af6b2e555da09acf7f318ad1e5df0169100e24ff4e235b7"
     _FIELDS = {"remaining": "float32"}
@@ -66,6 +72,7 @@ class RotateAbsolute_Feedback(_Message):
 class RotateAbsolute_SendGoal_Request(_Message):
     """The message turtlesim/action/RotateAbsolute_SendGoal_Request."""
 
+    __module__ = _module("_rotate_absolute")
     _TYPE_NAME = "turtlesim/action/RotateAbsolute_SendGoal_Request"
     _TYPE_HASH = "RIHS01_af76c8315e4339d5008eaa78fd8a13f3c3c7807655c94c4649757629f7d345e8"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "goal": "turtlesim/action/RotateAbsolute_Goal"}
@@ -81,6 +88,7 @@ class RotateAbsolute_SendGoal_Request(_Message):
 class RotateAbsolute_SendGoal_Response(_Message):
     """The message turtlesim/action/RotateAbsolute_SendGoal_Response."""
 
+    __module__ = _module("_rotate_absolute")
     _TYPE_NAME = "turtlesim/action/RotateAbsolute_SendGoal_Response"
     _TYPE_HASH = "RIHS01_ec4bbddf7edb0bb396496c99f8de2dd22b683d1ea05d13ea667f3d12207d87f3"
     _FIELDS = {"accepted": "bool", "stamp": "builtin_interfaces/msg/Time"}
@@ -96,6 +104,7 @@ class RotateAbsolute_SendGoal_Response(_Message):
 class RotateAbsolute_SendGoal_Event(_Message):
     """The message turtlesim/action/RotateAbsolute_SendGoal_Event."""
 
+    __module__ = _module("_rotate_absolute")
     _TYPE_NAME = "turtlesim/action/RotateAbsolute_SendGoal_Event"
     _TYPE_HASH = "RIHS01_977226eda9e57d3d3e0e8e585cf7db4ed77bc5c6a3820a9bcd33d74da5a79bf5"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "turtlesim/action/RotateAbsolute_SendGoal_Request[<=1]", "response": "turtlesim/action/RotateAbsolute_SendGoal_Response[<=1]"}
@@ -112,6 +121,7 @@ class RotateAbsolute_SendGoal_Event(_Message):
 class RotateAbsolute_GetResult_Request(_Message):
     """The message turtlesim/action/RotateAbsolute_GetResult_Request."""
 
+    __module__ = _module("_rotate_absolute")
     _TYPE_NAME = "turtlesim/action/RotateAbsolute_GetResult_Request"
     _TYPE_HASH = "RIHS01_66565fd4f8b59c7d98828d46b8c6ddb883974b946f75e05aa2b078078ca7bb4f"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID"}
@@ -126,6 +136,7 @@ class RotateAbsolute_GetResult_Request(_Message):
 class RotateAbsolute_GetResult_Response(_Message):
     """The message turtlesim/action/RotateAbsolute_GetResult_Response."""
 
+    __module__ = _module("_rotate_absolute")
     _TYPE_NAME = "turtlesim/action/RotateAbsolute_GetResult_Response"
     _TYPE_HASH = "RIHS01_e896981c8e809b26b00ce5fe1440f665d57ffcb02d6b882829b45445917e056b"
     _FIELDS = {"status": "int8", "result": "turtlesim/action/RotateAbsolute_Result"}
@@ -141,6 +152,7 @@ class RotateAbsolute_GetResult_Response(_Message):
 class RotateAbsolute_GetResult_Event(_Message):
     """The message turtlesim/action/RotateAbsolute_GetResult_Event."""
 
+    __module__ = _module("_rotate_absolute")
     _TYPE_NAME = "turtlesim/action/RotateAbsolute_GetResult_Event"
     _TYPE_HASH = "RIHS01_505ee95c2abf12984c034087ca60c839f6a0736fd23a876aae747fdbe4f3ac3d"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "turtlesim/action/RotateAbsolute_GetResult_Request[<=1]", "response": "turtlesim/action/RotateAbsolute_GetResult_Response[<=1]"}
@@ -157,6 +169,7 @@ class RotateAbsolute_GetResult_Event(_Message):
 class RotateAbsolute_FeedbackMessage(_Message):
     """The message turtlesim/action/RotateAbsolute_FeedbackMessage."""
 
+    __module__ = _module("_rotate_absolute")
     _TYPE_NAME = "turtlesim/action/RotateAbsolute_FeedbackMessage"
     _TYPE_HASH = "RIHS01_301a2a4ed96af28a40155e14dadf0c48eee5decaecd755be05ccda8144ca40b3"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "feedback": "turtlesim/action/RotateAbsolute_Feedback"}
@@ -172,6 +185,7 @@ class RotateAbsolute_FeedbackMessage(_Message):
 class RotateAbsolute_SendGoal(_Service[RotateAbsolute_SendGoal_Request, RotateAbsolute_SendGoal_Response]):
     """The service turtlesim/action/RotateAbsolute_SendGoal."""
 
+    __module__ = _module("_rotate_absolute")
     _TYPE_NAME = "turtlesim/action/RotateAbsolute_SendGoal"
     _TYPE_HASH = "RIHS01_0b9b876a15971456fbad2c7f0665c9879a41bb3fcba31a9015180a830f0ca84f"
     Request: _TypeAlias = RotateAbsolute_SendGoal_Request
@@ -182,6 +196,7 @@ class RotateAbsolute_SendGoal(_Service[RotateAbsolute_SendGoal_Request, RotateAb
 class RotateAbsolute_GetResult(_Service[RotateAbsolute_GetResult_Request, RotateAbsolute_GetResult_Response]):
     """The service turtlesim/action/RotateAbsolute_GetResult."""
 
+    __module__ = _module("_rotate_absolute")
     _TYPE_NAME = "turtlesim/action/RotateAbsolute_GetResult"
     _TYPE_HASH = "RIHS01_684206c4ffebeeab6f2134b42024d89cee3f496ad695eef4789ff0dc020c9f84"
     Request: _TypeAlias = RotateAbsolute_GetResult_Request
@@ -192,6 +207,7 @@ class RotateAbsolute_GetResult(_Service[RotateAbsolute_GetResult_Request, Rotate
 class RotateAbsolute(_Action[RotateAbsolute_Goal, RotateAbsolute_Result, RotateAbsolute_Feedback, RotateAbsolute_FeedbackMessage, RotateAbsolute_GetResult_Response]):
     """The action turtlesim/action/RotateAbsolute."""
 
+    __module__ = _module("_rotate_absolute")
     _TYPE_NAME = "turtlesim/action/RotateAbsolute"
     _TYPE_HASH = "RIHS01_08ba6dd83d976f1cb548edd1f75f16cf30cca624ce1410b6ce77f44b8a3c2895"
     Goal: _TypeAlias = RotateAbsolute_Goal
@@ -201,6 +217,7 @@ class RotateAbsolute(_Action[RotateAbsolute_Goal, RotateAbsolute_Result, RotateA
     class Impl:
         """The services and messages that carry the action."""
 
+        __module__ = _module("_rotate_absolute")
         SendGoalService: _TypeAlias = RotateAbsolute_SendGoal
         GetResultService: _TypeAlias = RotateAbsolute_GetResult
         FeedbackMessage: _TypeAlias = RotateAbsolute_FeedbackMessage

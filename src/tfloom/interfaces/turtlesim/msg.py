@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
 
 __all__ = ["Color", "Pose"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class Color(_Message):
     """The background colour at a turtle's position."""
 
+    __module__ = _module("_color")
     _TYPE_NAME = "turtlesim/msg/Color"
     _TYPE_HASH = "RIHS01_74492579ec0d734707aede0e742ab76c55ac50d3ff917381e5163624cb657fe5"
     _FIELDS = {"r": "uint8", "g": "uint8", "b": "uint8"}
@@ -28,6 +32,7 @@ class Color(_Message):
 class Pose(_Message):
     """Position, heading and speed of a turtle."""
 
+    __module__ = _module("_pose")
     _TYPE_NAME = "turtlesim/msg/Pose"
     _TYPE_HASH = "RIHS01_739beba26bcba6920404ba722b7b8321348512f92ea5be235c47251940dd8aa9"
     _FIELDS = {"x": "float32", "y": "float32", "theta": "float32", "linear_velocity": "float32", "angular_velocity": "float32"}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 from tfloom.rosidl.service import Service as _Service
 
@@ -12,10 +13,13 @@ if TYPE_CHECKING:
 
 __all__ = ["Kill", "Kill_Event", "Kill_Request", "Kill_Response", "SetPen", "SetPen_Event", "SetPen_Request", "SetPen_Response", "Spawn", "Spawn_Event", "Spawn_Request", "Spawn_Response", "TeleportAbsolute", "TeleportAbsolute_Event", "TeleportAbsolute_Request", "TeleportAbsolute_Response", "TeleportRelative", "TeleportRelative_Event", "TeleportRelative_Request", "TeleportRelative_Response"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class Kill_Request(_Message):
     """The message turtlesim/srv/Kill_Request."""
 
+    __module__ = _module("_kill")
     _TYPE_NAME = "turtlesim/srv/Kill_Request"
     _TYPE_HASH = "RIHS01_25ac62acb8ffb032d2c745d7e77bf954de0381f63ec1d9013ce8ce41fe954d7d"
     _FIELDS = {"name": "string"}
@@ -30,6 +34,7 @@ class Kill_Request(_Message):
 class Kill_Response(_Message):
     """The message turtlesim/srv/Kill_Response."""
 
+    __module__ = _module("_kill")
     _TYPE_NAME = "turtlesim/srv/Kill_Response"
     _TYPE_HASH = "RIHS01_4c9563c70a451c05f9fa130e21bb3a8e0497701e477ce8fe3a289b512ba7694a"
     _FIELDS = {}
@@ -43,6 +48,7 @@ class Kill_Response(_Message):
 class Kill_Event(_Message):
     """The message turtlesim/srv/Kill_Event."""
 
+    __module__ = _module("_kill")
     _TYPE_NAME = "turtlesim/srv/Kill_Event"
     _TYPE_HASH = "RIHS01_e7109aa0ce6150134a312d4adecc728ac4edcbf243810ce1481acc28fabf39a8"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "turtlesim/srv/Kill_Request[<=1]", "response": "turtlesim/srv/Kill_Response[<=1]"}
@@ -59,6 +65,7 @@ class Kill_Event(_Message):
 class Kill(_Service[Kill_Request, Kill_Response]):
     """The service turtlesim/srv/Kill."""
 
+    __module__ = _module("_kill")
     _TYPE_NAME = "turtlesim/srv/Kill"
     _TYPE_HASH = "RIHS01_81c7c9131a0802f384e515fbd04867f8da57abaa83ee3a0ec76e39091e54bbc3"
     Request: _TypeAlias = Kill_Request
@@ -69,6 +76,7 @@ class Kill(_Service[Kill_Request, Kill_Response]):
 class SetPen_Request(_Message):
     """The message turtlesim/srv/SetPen_Request."""
 
+    __module__ = _module("_set_pen")
     _TYPE_NAME = "turtlesim/srv/SetPen_Request"
     _TYPE_HASH = "RIHS01_5cbcdbf56593f3ff08d043d5f1ee5f78aa6a1980c70b1c5b77be1d873ea77a13"
     _FIELDS = {"r": "uint8", "g": "uint8", "b": "uint8", "width": "uint8", "off": "uint8"}
@@ -87,6 +95,7 @@ class SetPen_Request(_Message):
 class SetPen_Response(_Message):
     """The message turtlesim/srv/SetPen_Response."""
 
+    __module__ = _module("_set_pen")
     _TYPE_NAME = "turtlesim/srv/SetPen_Response"
     _TYPE_HASH = "RIHS01_c0ffeef16eb31f6d08143c64811292eaaec00142636f6a74a2901dbadd3fac33"
     _FIELDS = {}
@@ -100,6 +109,7 @@ class SetPen_Response(_Message):
 class SetPen_Event(_Message):
     """The message turtlesim/srv/SetPen_Event."""
 
+    __module__ = _module("_set_pen")
     _TYPE_NAME = "turtlesim/srv/SetPen_Event"
     _TYPE_HASH = "RIHS01_1f29f6fe154a36065b2169c020237d60ea6d51bc77effd630f9dc543ac05cfe2"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "turtlesim/srv/SetPen_Request[<=1]", "response": "turtlesim/srv/SetPen_Response[<=1]"}
@@ -116,6 +126,7 @@ class SetPen_Event(_Message):
 class SetPen(_Service[SetPen_Request, SetPen_Response]):
     """The service turtlesim/srv/SetPen."""
 
+    __module__ = _module("_set_pen")
     _TYPE_NAME = "turtlesim/srv/SetPen"
     _TYPE_HASH = "RIHS01_45ca246c7258172a89a58856037d6b4489eb46a18f1d8ee1988c018ef46fcfce"
     Request: _TypeAlias = SetPen_Request
@@ -126,6 +137,7 @@ class SetPen(_Service[SetPen_Request, SetPen_Response]):
 class Spawn_Request(_Message):
     """The message turtlesim/srv/Spawn_Request."""
 
+    __module__ = _module("_spawn")
     _TYPE_NAME = "turtlesim/srv/Spawn_Request"
     _TYPE_HASH = "RIHS01_1e6ade2639543952ce3471ce7df5a75ec62040cebe60fca7c49be96cab87e47c"
     _FIELDS = {"x": "float32", "y": "float32", "theta": "float32", "name": "string"}
@@ -144,6 +156,7 @@ class Spawn_Request(_Message):
 class Spawn_Response(_Message):
     """The message turtlesim/srv/Spawn_Response."""
 
+    __module__ = _module("_spawn")
     _TYPE_NAME = "turtlesim/srv/Spawn_Response"
     _TYPE_HASH = "RIHS01_be5ddd6e34ad37a97f4092ba04693f8384b3b20ebdf7cc48860a39aedece8055"
     _FIELDS = {"name": "string"}
@@ -158,6 +171,7 @@ class Spawn_Response(_Message):
 class Spawn_Event(_Message):
     """The message turtlesim/srv/Spawn_Event."""
 
+    __module__ = _module("_spawn")
     _TYPE_NAME = "turtlesim/srv/Spawn_Event"
     _TYPE_HASH = "RIHS01_f94cc84d7779e9674f6c7b9f0bd85c49aafe37d9fa020731e508168356d01ec1"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "turtlesim/srv/Spawn_Request[<=1]", "response": "turtlesim/srv/Spawn_Response[<=1]"}
@@ -174,6 +188,7 @@ class Spawn_Event(_Message):
 class Spawn(_Service[Spawn_Request, Spawn_Response]):
     """The service turtlesim/srv/Spawn."""
 
+    __module__ = _module("_spawn")
     _TYPE_NAME = "turtlesim/srv/Spawn"
     _TYPE_HASH = "RIHS01_a71be24836f772debd6187dc8618cc47700d2602c7a3e2228bad67a8f5fd27b4"
     Request: _TypeAlias = Spawn_Request
@@ -184,6 +199,7 @@ class Spawn(_Service[Spawn_Request, Spawn_Response]):
 class TeleportAbsolute_Request(_Message):
     """The message turtlesim/srv/TeleportAbsolute_Request."""
 
+    __module__ = _module("_teleport_absolute")
     _TYPE_NAME = "turtlesim/srv/TeleportAbsolute_Request"
     _TYPE_HASH = "RIHS01_58d48636db76e81df84575760b00de7208b37020ef592ad9bacb09dd284b2d53"
     _FIELDS = {"x": "float32", "y": "float32", "theta": "float32"}
@@ -201,6 +217,7 @@ class TeleportAbsolute_Request(_Message):
 class TeleportAbsolute_Response(_Message):
     """The message turtlesim/srv/TeleportAbsolute_Response."""
 
+    __module__ = _module("_teleport_absolute")
     _TYPE_NAME = "turtlesim/srv/TeleportAbsolute_Response"
     _TYPE_HASH = "RIHS01_e956d2db15a1af19c3ae7967c2cc8546a736b70c4a3078fc408dbb52b0df522e"
     _FIELDS = {}
@@ -214,6 +231,7 @@ class TeleportAbsolute_Response(_Message):
 class TeleportAbsolute_Event(_Message):
     """The message turtlesim/srv/TeleportAbsolute_Event."""
 
+    __module__ = _module("_teleport_absolute")
     _TYPE_NAME = "turtlesim/srv/TeleportAbsolute_Event"
     _TYPE_HASH = "RIHS01_fd03dd24708133d5079d98402d27181269571b325621715ac801b10532c98569"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "turtlesim/srv/TeleportAbsolute_Request[<=1]", "response": "turtlesim/srv/TeleportAbsolute_Response[<=1]"}
@@ -230,6 +248,7 @@ class TeleportAbsolute_Event(_Message):
 class TeleportAbsolute(_Service[TeleportAbsolute_Request, TeleportAbsolute_Response]):
     """The service turtlesim/srv/TeleportAbsolute."""
 
+    __module__ = _module("_teleport_absolute")
     _TYPE_NAME = "turtlesim/srv/TeleportAbsolute"
     _TYPE_HASH = "RIHS01_139aa0f215e25dc085067f070adb3ef65cf3c92d201f5cb750d51ca9322166b6"
     Request: _TypeAlias = TeleportAbsolute_Request
@@ -240,6 +259,7 @@ class TeleportAbsolute(_Service[TeleportAbsolute_Request, TeleportAbsolute_Respo
 class TeleportRelative_Request(_Message):
     """The message turtlesim/srv/TeleportRelative_Request."""
 
+    __module__ = _module("_teleport_relative")
     _TYPE_NAME = "turtlesim/srv/TeleportRelative_Request"
     _TYPE_HASH = "RIHS01_bf5cd36d9adab1a6597e00f8310a46082cbbf4dfca80f4a391be1bdc0dfadf33"
     _FIELDS = {"linear": "float32", "angular": "float32"}
@@ -257,6 +277,7 @@ class TeleportRelative_Request(_Message):
 class TeleportRelative_Response(_Message):
     """The message turtlesim/srv/TeleportRelative_Response."""
 
+    __module__ = _module("_teleport_relative")
     _TYPE_NAME = "turtlesim/srv/TeleportRelative_Response"
     _TYPE_HASH = "RIHS01_f129fd5803847785c3f078de5a5d900f251c894da35e75efa1b1033ec54f9b0b"
     _FIELDS = {}
@@ -270,6 +291,7 @@ class TeleportRelative_Response(_Message):
 class TeleportRelative_Event(_Message):
     """The message turtlesim/srv/TeleportRelative_Event."""
 
+    __module__ = _module("_teleport_relative")
     _TYPE_NAME = "turtlesim/srv/TeleportRelative_Event"
     _TYPE_HASH = "RIHS01_96248de36b04ab239645acab98a57cfe6ecce50f7ea474ec3bddfcb5b6953664"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "turtlesim/srv/TeleportRelative_Request[<=1]", "response": "turtlesim/srv/TeleportRelative_Response[<=1]"}
@@ -286,6 +308,7 @@ class TeleportRelative_Event(_Message):
 class TeleportRelative(_Service[TeleportRelative_Request, TeleportRelative_Response]):
     """The service turtlesim/srv/TeleportRelative."""
 
+    __module__ = _module("_teleport_relative")
     _TYPE_NAME = "turtlesim/srv/TeleportRelative"
     _TYPE_HASH = "RIHS01_6e9e54cb05e1a789f982bf8c93d27fc899cee099746c4ea8c7cb64e8a90297d6"
     Request: _TypeAlias = TeleportRelative_Request

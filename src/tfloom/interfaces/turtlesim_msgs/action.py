@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from tfloom.interfaces.action_msgs.msg import GoalStatusArray as _GoalStatusArray
 from tfloom.interfaces.action_msgs.srv import CancelGoal as _CancelGoal
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 from tfloom.rosidl.service import Action as _Action
 from tfloom.rosidl.service import Service as _Service
@@ -17,10 +18,13 @@ if TYPE_CHECKING:
 
 __all__ = ["RotateAbsolute", "RotateAbsolute_Feedback", "RotateAbsolute_FeedbackMessage", "RotateAbsolute_GetResult", "RotateAbsolute_GetResult_Event", "RotateAbsolute_GetResult_Request", "RotateAbsolute_GetResult_Response", "RotateAbsolute_Goal", "RotateAbsolute_Result", "RotateAbsolute_SendGoal", "RotateAbsolute_SendGoal_Event", "RotateAbsolute_SendGoal_Request", "RotateAbsolute_SendGoal_Response"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class RotateAbsolute_Goal(_Message):
     """The message turtlesim_msgs/action/RotateAbsolute_Goal."""
 
+    __module__ = _module("_rotate_absolute")
     _TYPE_NAME = "turtlesim_msgs/action/RotateAbsolute_Goal"
     _TYPE_HASH = "RIHS01_fd5e33ea83e08981c70c771972b70bd9b8fc70c6dcc4220f7af9bedde3322208"
     _FIELDS = {"theta": "float32"}
@@ -36,6 +40,7 @@ class RotateAbsolute_Goal(_Message):
 class RotateAbsolute_Result(_Message):
     """The message turtlesim_msgs/action/RotateAbsolute_Result."""
 
+    __module__ = _module("_rotate_absolute")
     _TYPE_NAME = "turtlesim_msgs/action/RotateAbsolute_Result"
     _TYPE_HASH = "RIHS01_5ed906c975a8755df7f9bfb5677839187d8deccfe8d24ef322aeafbe5d31aab2"
     _FIELDS = {"delta": "float32"}
@@ -51,6 +56,7 @@ class RotateAbsolute_Result(_Message):
 class RotateAbsolute_Feedback(_Message):
     """The message turtlesim_msgs/action/RotateAbsolute_Feedback."""
 
+    __module__ = _module("_rotate_absolute")
     _TYPE_NAME = "turtlesim_msgs/action/RotateAbsolute_Feedback"
     _TYPE_HASH = "RIHS01_723543631aa0eb39a542d5d1a99972b4111db0640add8466ba6673f4f52289d8"
     _FIELDS = {"remaining": "float32"}
@@ -66,6 +72,7 @@ class RotateAbsolute_Feedback(_Message):
 class RotateAbsolute_SendGoal_Request(_Message):
     """The message turtlesim_msgs/action/RotateAbsolute_SendGoal_Request."""
 
+    __module__ = _module("_rotate_absolute")
     _TYPE_NAME = "turtlesim_msgs/action/RotateAbsolute_SendGoal_Request"
     _TYPE_HASH = "RIHS01_9367b1fe39a0185483576a14d5d467bcfabd771ae4c493a42a00d01d35b0fbde"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "goal": "turtlesim_msgs/action/RotateAbsolute_Goal"}
@@ -81,6 +88,7 @@ class RotateAbsolute_SendGoal_Request(_Message):
 class RotateAbsolute_SendGoal_Response(_Message):
     """The message turtlesim_msgs/action/RotateAbsolute_SendGoal_Response."""
 
+    __module__ = _module("_rotate_absolute")
     _TYPE_NAME = "turtlesim_msgs/action/RotateAbsolute_SendGoal_Response"
     _TYPE_HASH = "RIHS01_7d8bf70acfef5b46a372455f1878d51fe2278ffd4c5c99bcca4c6c4490721a64"
     _FIELDS = {"accepted": "bool", "stamp": "builtin_interfaces/msg/Time"}
@@ -96,6 +104,7 @@ class RotateAbsolute_SendGoal_Response(_Message):
 class RotateAbsolute_SendGoal_Event(_Message):
     """The message turtlesim_msgs/action/RotateAbsolute_SendGoal_Event."""
 
+    __module__ = _module("_rotate_absolute")
     _TYPE_NAME = "turtlesim_msgs/action/RotateAbsolute_SendGoal_Event"
     _TYPE_HASH = "RIHS01_ad0e9810d681663abccd4d8c98815460f8e35429a45c6923ea05fe360750e589"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "turtlesim_msgs/action/RotateAbsolute_SendGoal_Request[<=1]", "response": "turtlesim_msgs/action/RotateAbsolute_SendGoal_Response[<=1]"}
@@ -112,6 +121,7 @@ class RotateAbsolute_SendGoal_Event(_Message):
 class RotateAbsolute_GetResult_Request(_Message):
     """The message turtlesim_msgs/action/RotateAbsolute_GetResult_Request."""
 
+    __module__ = _module("_rotate_absolute")
     _TYPE_NAME = "turtlesim_msgs/action/RotateAbsolute_GetResult_Request"
     _TYPE_HASH = "RIHS01_efccd5921a60b310f4478c72671a377435e2cbed479b9c515a8b3d855f0ed672"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID"}
@@ -126,6 +136,7 @@ class RotateAbsolute_GetResult_Request(_Message):
 class RotateAbsolute_GetResult_Response(_Message):
     """The message turtlesim_msgs/action/RotateAbsolute_GetResult_Response."""
 
+    __module__ = _module("_rotate_absolute")
     _TYPE_NAME = "turtlesim_msgs/action/RotateAbsolute_GetResult_Response"
     _TYPE_HASH = "RIHS01_507ee2311b20d79b9a692bf4a445d09a575ea48cf3b032adc2cf050c0bf344e1"
     _FIELDS = {"status": "int8", "result": "turtlesim_msgs/action/RotateAbsolute_Result"}
@@ -141,6 +152,7 @@ class RotateAbsolute_GetResult_Response(_Message):
 class RotateAbsolute_GetResult_Event(_Message):
     """The message turtlesim_msgs/action/RotateAbsolute_GetResult_Event."""
 
+    __module__ = _module("_rotate_absolute")
     _TYPE_NAME = "turtlesim_msgs/action/RotateAbsolute_GetResult_Event"
     _TYPE_HASH = "RIHS01_4e34014b751bda9b34b921bfd0f242c31a91a5ebf378a99704d39f552e034a08"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "turtlesim_msgs/action/RotateAbsolute_GetResult_Request[<=1]", "response": "turtlesim_msgs/action/RotateAbsolute_GetResult_Response[<=1]"}
@@ -157,6 +169,7 @@ class RotateAbsolute_GetResult_Event(_Message):
 class RotateAbsolute_FeedbackMessage(_Message):
     """The message turtlesim_msgs/action/RotateAbsolute_FeedbackMessage."""
 
+    __module__ = _module("_rotate_absolute")
     _TYPE_NAME = "turtlesim_msgs/action/RotateAbsolute_FeedbackMessage"
     _TYPE_HASH = "RIHS01_bef10993e1ee82b35f99f7e390bac1e6cc64e2a3090536887832e122aa71f1b5"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "feedback": "turtlesim_msgs/action/RotateAbsolute_Feedback"}
@@ -172,6 +185,7 @@ class RotateAbsolute_FeedbackMessage(_Message):
 class RotateAbsolute_SendGoal(_Service[RotateAbsolute_SendGoal_Request, RotateAbsolute_SendGoal_Response]):
     """The service turtlesim_msgs/action/RotateAbsolute_SendGoal."""
 
+    __module__ = _module("_rotate_absolute")
     _TYPE_NAME = "turtlesim_msgs/action/RotateAbsolute_SendGoal"
     _TYPE_HASH = "RIHS01_3d5d3cfcbb721f88038eaedcd4af95565360a82b36f1983e3a6c7448d2d18fbe"
     Request: _TypeAlias = RotateAbsolute_SendGoal_Request
@@ -182,6 +196,7 @@ class RotateAbsolute_SendGoal(_Service[RotateAbsolute_SendGoal_Request, RotateAb
 class RotateAbsolute_GetResult(_Service[RotateAbsolute_GetResult_Request, RotateAbsolute_GetResult_Response]):
     """The service turtlesim_msgs/action/RotateAbsolute_GetResult."""
 
+    __module__ = _module("_rotate_absolute")
     _TYPE_NAME = "turtlesim_msgs/action/RotateAbsolute_GetResult"
     _TYPE_HASH = "RIHS01_f96fd02477be2a47122fca142e960d407b24850c6eac72047872ba764473c4ef"
     Request: _TypeAlias = RotateAbsolute_GetResult_Request
@@ -192,6 +207,7 @@ class RotateAbsolute_GetResult(_Service[RotateAbsolute_GetResult_Request, Rotate
 class RotateAbsolute(_Action[RotateAbsolute_Goal, RotateAbsolute_Result, RotateAbsolute_Feedback, RotateAbsolute_FeedbackMessage, RotateAbsolute_GetResult_Response]):
     """The action turtlesim_msgs/action/RotateAbsolute."""
 
+    __module__ = _module("_rotate_absolute")
     _TYPE_NAME = "turtlesim_msgs/action/RotateAbsolute"
     _TYPE_HASH = "RIHS01_18617e6b742158766b7a9a14938f06be93e499368904e91955b75e8bcc1b0fcf"
     Goal: _TypeAlias = RotateAbsolute_Goal
@@ -201,6 +217,7 @@ class RotateAbsolute(_Action[RotateAbsolute_Goal, RotateAbsolute_Result, RotateA
     class Impl:
         """The services and messages that carry the action."""
 
+        __module__ = _module("_rotate_absolute")
         SendGoalService: _TypeAlias = RotateAbsolute_SendGoal
         GetResultService: _TypeAlias = RotateAbsolute_GetResult
         FeedbackMessage: _TypeAlias = RotateAbsolute_FeedbackMessage

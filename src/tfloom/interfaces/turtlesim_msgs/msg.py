@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
 
 __all__ = ["Color", "Pose"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class Color(_Message):
     """The background colour at a turtle's position."""
 
+    __module__ = _module("_color")
     _TYPE_NAME = "turtlesim_msgs/msg/Color"
     _TYPE_HASH = "RIHS01_f5b5666da8f19d47420026187389c750b66998436878dd631ae83498059a59e2"
     _FIELDS = {"r": "uint8", "g": "uint8", "b": "uint8"}
@@ -28,6 +32,7 @@ class Color(_Message):
 class Pose(_Message):
     """Position, heading and speed of a turtle."""
 
+    __module__ = _module("_pose")
     _TYPE_NAME = "turtlesim_msgs/msg/Pose"
     _TYPE_HASH = "RIHS01_37b07ace09a0ed2c5b774b1410dec972dfd1d292de5656ebc2b075ac646e09c8"
     _FIELDS = {"x": "float32", "y": "float32", "theta": "float32", "linear_velocity": "float32", "angular_velocity": "float32"}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 from tfloom.rosidl.service import Service as _Service
 
@@ -12,10 +13,13 @@ if TYPE_CHECKING:
 
 __all__ = ["Kill", "Kill_Event", "Kill_Request", "Kill_Response", "SetPen", "SetPen_Event", "SetPen_Request", "SetPen_Response", "Spawn", "Spawn_Event", "Spawn_Request", "Spawn_Response", "TeleportAbsolute", "TeleportAbsolute_Event", "TeleportAbsolute_Request", "TeleportAbsolute_Response", "TeleportRelative", "TeleportRelative_Event", "TeleportRelative_Request", "TeleportRelative_Response"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class Kill_Request(_Message):
     """The message turtlesim_msgs/srv/Kill_Request."""
 
+    __module__ = _module("_kill")
     _TYPE_NAME = "turtlesim_msgs/srv/Kill_Request"
     _TYPE_HASH = "RIHS01_ed890d315a07259ddcc7e90291712d70b00b1a528178f07d0d8add6e44df762e"
     _FIELDS = {"name": "string"}
@@ -30,6 +34,7 @@ class Kill_Request(_Message):
 class Kill_Response(_Message):
     """The message turtlesim_msgs/srv/Kill_Response."""
 
+    __module__ = _module("_kill")
     _TYPE_NAME = "turtlesim_msgs/srv/Kill_Response"
     _TYPE_HASH = "RIHS01_e66c92a907b0a31b45d7f69d1e8f92b32150a4c4914694461c5f853a0bbe7b09"
     _FIELDS = {}
@@ -43,6 +48,7 @@ class Kill_Response(_Message):
 class Kill_Event(_Message):
     """The message turtlesim_msgs/srv/Kill_Event."""
 
+    __module__ = _module("_kill")
     _TYPE_NAME = "turtlesim_msgs/srv/Kill_Event"
     _TYPE_HASH = "RIHS01_37922840de6b0a952964c36866bdd72e3e00a5fd2e665ec68225283e6606034f"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "turtlesim_msgs/srv/Kill_Request[<=1]", "response": "turtlesim_msgs/srv/Kill_Response[<=1]"}
@@ -59,6 +65,7 @@ class Kill_Event(_Message):
 class Kill(_Service[Kill_Request, Kill_Response]):
     """The service turtlesim_msgs/srv/Kill."""
 
+    __module__ = _module("_kill")
     _TYPE_NAME = "turtlesim_msgs/srv/Kill"
     _TYPE_HASH = "RIHS01_8dd58248926d8137dc17c84b8203ea4fda6ff74b1ef4a407a6a32faaab4e7eb0"
     Request: _TypeAlias = Kill_Request
@@ -69,6 +76,7 @@ class Kill(_Service[Kill_Request, Kill_Response]):
 class SetPen_Request(_Message):
     """The message turtlesim_msgs/srv/SetPen_Request."""
 
+    __module__ = _module("_set_pen")
     _TYPE_NAME = "turtlesim_msgs/srv/SetPen_Request"
     _TYPE_HASH = "RIHS01_f5b69a5de97b15ce692d3e7d248022516be9b951db82cec8066b92c5b9f04019"
     _FIELDS = {"r": "uint8", "g": "uint8", "b": "uint8", "width": "uint8", "off": "uint8"}
@@ -87,6 +95,7 @@ class SetPen_Request(_Message):
 class SetPen_Response(_Message):
     """The message turtlesim_msgs/srv/SetPen_Response."""
 
+    __module__ = _module("_set_pen")
     _TYPE_NAME = "turtlesim_msgs/srv/SetPen_Response"
     _TYPE_HASH = "RIHS01_4f5632338b4e216c05a34026de6275e9191c4d549dcb3015fb25648ee20796de"
     _FIELDS = {}
@@ -100,6 +109,7 @@ class SetPen_Response(_Message):
 class SetPen_Event(_Message):
     """The message turtlesim_msgs/srv/SetPen_Event."""
 
+    __module__ = _module("_set_pen")
     _TYPE_NAME = "turtlesim_msgs/srv/SetPen_Event"
     _TYPE_HASH = "RIHS01_c0fd78c38cfa4a141326df1a5318293a117edd43649f4706fdaa2014cec7c02d"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "turtlesim_msgs/srv/SetPen_Request[<=1]", "response": "turtlesim_msgs/srv/SetPen_Response[<=1]"}
@@ -116,6 +126,7 @@ class SetPen_Event(_Message):
 class SetPen(_Service[SetPen_Request, SetPen_Response]):
     """The service turtlesim_msgs/srv/SetPen."""
 
+    __module__ = _module("_set_pen")
     _TYPE_NAME = "turtlesim_msgs/srv/SetPen"
     _TYPE_HASH = "RIHS01_9d5465611d8822f9ded80bfff0f697bb1046c2e2ca428502c38cb2bfff241325"
     Request: _TypeAlias = SetPen_Request
@@ -126,6 +137,7 @@ class SetPen(_Service[SetPen_Request, SetPen_Response]):
 class Spawn_Request(_Message):
     """The message turtlesim_msgs/srv/Spawn_Request."""
 
+    __module__ = _module("_spawn")
     _TYPE_NAME = "turtlesim_msgs/srv/Spawn_Request"
     _TYPE_HASH = "RIHS01_f1c85cfdae55164190e25034ec31f830936de5e7e6c0b20d1ebbfee2deeb2b39"
     _FIELDS = {"x": "float32", "y": "float32", "theta": "float32", "name": "string"}
@@ -144,6 +156,7 @@ class Spawn_Request(_Message):
 class Spawn_Response(_Message):
     """The message turtlesim_msgs/srv/Spawn_Response."""
 
+    __module__ = _module("_spawn")
     _TYPE_NAME = "turtlesim_msgs/srv/Spawn_Response"
     _TYPE_HASH = "RIHS01_add40fd4f4892878498f6fe01af629b171fbf2b76fcc4f473e8f9b65be3735bb"
     _FIELDS = {"name": "string"}
@@ -158,6 +171,7 @@ class Spawn_Response(_Message):
 class Spawn_Event(_Message):
     """The message turtlesim_msgs/srv/Spawn_Event."""
 
+    __module__ = _module("_spawn")
     _TYPE_NAME = "turtlesim_msgs/srv/Spawn_Event"
     _TYPE_HASH = "RIHS01_cc953f0cf1e0cc3fb911d0c3e2c045a5631c21b3e239628e795751f11832468c"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "turtlesim_msgs/srv/Spawn_Request[<=1]", "response": "turtlesim_msgs/srv/Spawn_Response[<=1]"}
@@ -174,6 +188,7 @@ class Spawn_Event(_Message):
 class Spawn(_Service[Spawn_Request, Spawn_Response]):
     """The service turtlesim_msgs/srv/Spawn."""
 
+    __module__ = _module("_spawn")
     _TYPE_NAME = "turtlesim_msgs/srv/Spawn"
     _TYPE_HASH = "RIHS01_1538b7b668cce0074f0ca9fa992bdeb6979bda1f722fc7ea33ca47b408aa32e9"
     Request: _TypeAlias = Spawn_Request
@@ -184,6 +199,7 @@ class Spawn(_Service[Spawn_Request, Spawn_Response]):
 class TeleportAbsolute_Request(_Message):
     """The message turtlesim_msgs/srv/TeleportAbsolute_Request."""
 
+    __module__ = _module("_teleport_absolute")
     _TYPE_NAME = "turtlesim_msgs/srv/TeleportAbsolute_Request"
     _TYPE_HASH = "RIHS01_342b1b8f43a73130bf1d148c0d4543fb7e8ae1fc79dabed02e7acfe4c6da376d"
     _FIELDS = {"x": "float32", "y": "float32", "theta": "float32"}
@@ -201,6 +217,7 @@ class TeleportAbsolute_Request(_Message):
 class TeleportAbsolute_Response(_Message):
     """The message turtlesim_msgs/srv/TeleportAbsolute_Response."""
 
+    __module__ = _module("_teleport_absolute")
     _TYPE_NAME = "turtlesim_msgs/srv/TeleportAbsolute_Response"
     _TYPE_HASH = "RIHS01_4833b6c087856ff19a17dac8790ebe8a0837594d798a4d54d132c9a6b01b2a67"
     _FIELDS = {}
@@ -214,6 +231,7 @@ class TeleportAbsolute_Response(_Message):
 class TeleportAbsolute_Event(_Message):
     """The message turtlesim_msgs/srv/TeleportAbsolute_Event."""
 
+    __module__ = _module("_teleport_absolute")
     _TYPE_NAME = "turtlesim_msgs/srv/TeleportAbsolute_Event"
     _TYPE_HASH = "RIHS01_08f36c09051788cb5d4008c3b8b2b8d2dc6f10414eb52aa20e0b66ef51e90a62"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "turtlesim_msgs/srv/TeleportAbsolute_Request[<=1]", "response": "turtlesim_msgs/srv/TeleportAbsolute_Response[<=1]"}
@@ -230,6 +248,7 @@ class TeleportAbsolute_Event(_Message):
 class TeleportAbsolute(_Service[TeleportAbsolute_Request, TeleportAbsolute_Response]):
     """The service turtlesim_msgs/srv/TeleportAbsolute."""
 
+    __module__ = _module("_teleport_absolute")
     _TYPE_NAME = "turtlesim_msgs/srv/TeleportAbsolute"
     _TYPE_HASH = "RIHS01_bd9ecb11b762865429dff079c4c296c97b751c4ec968f8d1893292c86d3d1b7c"
     Request: _TypeAlias = TeleportAbsolute_Request
@@ -240,6 +259,7 @@ class TeleportAbsolute(_Service[TeleportAbsolute_Request, TeleportAbsolute_Respo
 class TeleportRelative_Request(_Message):
     """The message turtlesim_msgs/srv/TeleportRelative_Request."""
 
+    __module__ = _module("_teleport_relative")
     _TYPE_NAME = "turtlesim_msgs/srv/TeleportRelative_Request"
     _TYPE_HASH = "RIHS01_d3e37a8a6114392942ebb81907d612dbfc8f2b19a0a7bb8a51a7bf739c0d7966"
     _FIELDS = {"linear": "float32", "angular": "float32"}
@@ -257,6 +277,7 @@ class TeleportRelative_Request(_Message):
 class TeleportRelative_Response(_Message):
     """The message turtlesim_msgs/srv/TeleportRelative_Response."""
 
+    __module__ = _module("_teleport_relative")
     _TYPE_NAME = "turtlesim_msgs/srv/TeleportRelative_Response"
     _TYPE_HASH = "RIHS01_c18d9b3171562f297ca81b2854819d7540c1c137f1677a25db1c019d08d89e6a"
     _FIELDS = {}
@@ -270,6 +291,7 @@ class TeleportRelative_Response(_Message):
 class TeleportRelative_Event(_Message):
     """The message turtlesim_msgs/srv/TeleportRelative_Event."""
 
+    __module__ = _module("_teleport_relative")
     _TYPE_NAME = "turtlesim_msgs/srv/TeleportRelative_Event"
     _TYPE_HASH = "RIHS01_b7355417371414f6ef759c625ed1affde90e97f4a3da9b461974840a327377fa"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "turtlesim_msgs/srv/TeleportRelative_Request[<=1]", "response": "turtlesim_msgs/srv/TeleportRelative_Response[<=1]"}
@@ -286,6 +308,7 @@ class TeleportRelative_Event(_Message):
 class TeleportRelative(_Service[TeleportRelative_Request, TeleportRelative_Response]):
     """The service turtlesim_msgs/srv/TeleportRelative."""
 
+    __module__ = _module("_teleport_relative")
     _TYPE_NAME = "turtlesim_msgs/srv/TeleportRelative"
     _TYPE_HASH = "RIHS01_8f51764645d3ceae8555544bd8207c8d714958d98e519a3c950a2f85c4431b43"
     Request: _TypeAlias = TeleportRelative_Request

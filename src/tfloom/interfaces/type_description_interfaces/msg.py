@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
@@ -10,10 +11,13 @@ if TYPE_CHECKING:
 
 __all__ = ["Field", "FieldType", "IndividualTypeDescription", "KeyValue", "TypeDescription", "TypeSource"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class Field(_Message):
     """The message type_description_interfaces/msg/Field."""
 
+    __module__ = _module("_field")
     _TYPE_NAME = "type_description_interfaces/msg/Field"
     _TYPE_HASH = "RIHS01_c0b01379cd4226281285ccaf6be46653968f855f7c5e41614ff5d7a854efef7c"
     _FIELDS = {"name": "string", "type": "type_description_interfaces/msg/FieldType", "default_value": "string"}
@@ -30,6 +34,7 @@ class Field(_Message):
 class FieldType(_Message):
     """The message type_description_interfaces/msg/FieldType."""
 
+    __module__ = _module("_field_type")
     _TYPE_NAME = "type_description_interfaces/msg/FieldType"
     _TYPE_HASH = "RIHS01_a70b6dd919645a03a3586f7f821defbc886ea3e531a1d95cc0f380a3973ccaa6"
     _FIELDS = {"type_id": "uint8", "capacity": "uint64", "string_capacity": "uint64", "nested_type_name": "string<=255"}
@@ -138,6 +143,7 @@ class FieldType(_Message):
 class IndividualTypeDescription(_Message):
     """The message type_description_interfaces/msg/IndividualTypeDescription."""
 
+    __module__ = _module("_individual_type_description")
     _TYPE_NAME = "type_description_interfaces/msg/IndividualTypeDescription"
     _TYPE_HASH = "RIHS01_55c827d86c3c141bdd318fe6c22e11190e4d3b37c8f4f9751a084aa05ce96560"
     _FIELDS = {"type_name": "string<=255", "fields": "type_description_interfaces/msg/Field[]"}
@@ -153,6 +159,7 @@ class IndividualTypeDescription(_Message):
 class KeyValue(_Message):
     """The message type_description_interfaces/msg/KeyValue."""
 
+    __module__ = _module("_key_value")
     _TYPE_NAME = "type_description_interfaces/msg/KeyValue"
     _TYPE_HASH = "RIHS01_274fe56bf14f33c7512e34c646a37579ee36779f745f049a9760763e817f0c42"
     _FIELDS = {"key": "string", "value": "string"}
@@ -168,6 +175,7 @@ class KeyValue(_Message):
 class TypeDescription(_Message):
     """The message type_description_interfaces/msg/TypeDescription."""
 
+    __module__ = _module("_type_description")
     _TYPE_NAME = "type_description_interfaces/msg/TypeDescription"
     _TYPE_HASH = "RIHS01_739f2508c9fa3a6f330913ff5b9d25fb74159a077da71e1087f51a60c12a080b"
     _FIELDS = {"type_description": "type_description_interfaces/msg/IndividualTypeDescription", "referenced_type_descriptions": "type_description_interfaces/msg/IndividualTypeDescription[]"}
@@ -183,6 +191,7 @@ class TypeDescription(_Message):
 class TypeSource(_Message):
     """The message type_description_interfaces/msg/TypeSource."""
 
+    __module__ = _module("_type_source")
     _TYPE_NAME = "type_description_interfaces/msg/TypeSource"
     _TYPE_HASH = "RIHS01_faeaec7596c04ecf5b6e99ad225e4c7cbb997ad5435f793526fb3984d011aae5"
     _FIELDS = {"type_name": "string", "encoding": "string", "raw_file_contents": "string"}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 from tfloom.rosidl.service import Service as _Service
 
@@ -14,10 +15,13 @@ if TYPE_CHECKING:
 
 __all__ = ["GetTypeDescription", "GetTypeDescription_Event", "GetTypeDescription_Request", "GetTypeDescription_Response"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class GetTypeDescription_Request(_Message):
     """The message type_description_interfaces/srv/GetTypeDescription_Request."""
 
+    __module__ = _module("_get_type_description")
     _TYPE_NAME = "type_description_interfaces/srv/GetTypeDescription_Request"
     _TYPE_HASH = "RIHS01_470f56ccbcf13d55c78c8b735fb12da03e639e5acded994426c89d94778d9e28"
     _FIELDS = {"type_name": "string", "type_hash": "string", "include_type_sources": "bool"}
@@ -36,6 +40,7 @@ class GetTypeDescription_Request(_Message):
 class GetTypeDescription_Response(_Message):
     """The message type_description_interfaces/srv/GetTypeDescription_Response."""
 
+    __module__ = _module("_get_type_description")
     _TYPE_NAME = "type_description_interfaces/srv/GetTypeDescription_Response"
     _TYPE_HASH = "RIHS01_648c49d976240861a482f961c5621ddd0d2135d8cce6f297a76d4f6376d93b75"
     _FIELDS = {"successful": "bool", "failure_reason": "string", "type_description": "type_description_interfaces/msg/TypeDescription", "type_sources": "type_description_interfaces/msg/TypeSource[]", "extra_information": "type_description_interfaces/msg/KeyValue[]"}
@@ -54,6 +59,7 @@ class GetTypeDescription_Response(_Message):
 class GetTypeDescription_Event(_Message):
     """The message type_description_interfaces/srv/GetTypeDescription_Event."""
 
+    __module__ = _module("_get_type_description")
     _TYPE_NAME = "type_description_interfaces/srv/GetTypeDescription_Event"
     _TYPE_HASH = "RIHS01_491e3350e7a0b11918fb16a523cf01a22d76fdaa53c43b52164fea14aabb5612"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "type_description_interfaces/srv/GetTypeDescription_Request[<=1]", "response": "type_description_interfaces/srv/GetTypeDescription_Response[<=1]"}
@@ -70,6 +76,7 @@ class GetTypeDescription_Event(_Message):
 class GetTypeDescription(_Service[GetTypeDescription_Request, GetTypeDescription_Response]):
     """The service type_description_interfaces/srv/GetTypeDescription."""
 
+    __module__ = _module("_get_type_description")
     _TYPE_NAME = "type_description_interfaces/srv/GetTypeDescription"
     _TYPE_HASH = "RIHS01_69b9c19c1021405984cc60dbbb1edceb147a6538b411d812ba6afabeed962cd5"
     Request: _TypeAlias = GetTypeDescription_Request

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
@@ -10,10 +11,13 @@ if TYPE_CHECKING:
 
 __all__ = ["UUID"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class UUID(_Message):
     """A universally unique id (RFC 4122)."""
 
+    __module__ = _module("_uuid")
     _TYPE_NAME = "unique_identifier_msgs/msg/UUID"
     _TYPE_HASH = "RIHS01_1b8e8aca958cbea28fe6ef60bf6c19b683c97a9ef60bb34752067d0f2f7ab437"
     _FIELDS = {"uuid": "uint8[16]"}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
@@ -14,10 +15,13 @@ if TYPE_CHECKING:
 
 __all__ = ["ImageMarker", "InteractiveMarker", "InteractiveMarkerControl", "InteractiveMarkerFeedback", "InteractiveMarkerInit", "InteractiveMarkerPose", "InteractiveMarkerUpdate", "Marker", "MarkerArray", "MenuEntry", "MeshFile", "UVCoordinate"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class ImageMarker(_Message):
     """The message visualization_msgs/msg/ImageMarker."""
 
+    __module__ = _module("_image_marker")
     _TYPE_NAME = "visualization_msgs/msg/ImageMarker"
     _TYPE_HASH = "RIHS01_603152491ef2331c200a5305230d31f6e8704875944b388da0f547c415d11836"
     _FIELDS = {"header": "std_msgs/msg/Header", "ns": "string", "id": "int32", "type": "int32", "action": "int32", "position": "geometry_msgs/msg/Point", "scale": "float32", "outline_color": "std_msgs/msg/ColorRGBA", "filled": "uint8", "fill_color": "std_msgs/msg/ColorRGBA", "lifetime": "builtin_interfaces/msg/Duration", "points": "geometry_msgs/msg/Point[]", "outline_colors": "std_msgs/msg/ColorRGBA[]"}
@@ -51,6 +55,7 @@ class ImageMarker(_Message):
 class InteractiveMarker(_Message):
     """The message visualization_msgs/msg/InteractiveMarker."""
 
+    __module__ = _module("_interactive_marker")
     _TYPE_NAME = "visualization_msgs/msg/InteractiveMarker"
     _TYPE_HASH = "RIHS01_3d5b51448b51d73b0f395b94d259edd3a5d269ae9f7d9fd5cceb9ae4b72be346"
     _FIELDS = {"header": "std_msgs/msg/Header", "pose": "geometry_msgs/msg/Pose", "name": "string", "description": "string", "scale": "float32", "menu_entries": "visualization_msgs/msg/MenuEntry[]", "controls": "visualization_msgs/msg/InteractiveMarkerControl[]"}
@@ -71,6 +76,7 @@ class InteractiveMarker(_Message):
 class InteractiveMarkerControl(_Message):
     """The message visualization_msgs/msg/InteractiveMarkerControl."""
 
+    __module__ = _module("_interactive_marker_control")
     _TYPE_NAME = "visualization_msgs/msg/InteractiveMarkerControl"
     _TYPE_HASH = "RIHS01_60e2fa36344f5f4791b24a809542a18bffd555f563550d4b22b3bbfc31ec0ed5"
     _FIELDS = {"name": "string", "orientation": "geometry_msgs/msg/Quaternion", "orientation_mode": "uint8", "interaction_mode": "uint8", "always_visible": "bool", "markers": "visualization_msgs/msg/Marker[]", "independent_marker_orientation": "bool", "description": "string"}
@@ -105,6 +111,7 @@ class InteractiveMarkerControl(_Message):
 class InteractiveMarkerFeedback(_Message):
     """The message visualization_msgs/msg/InteractiveMarkerFeedback."""
 
+    __module__ = _module("_interactive_marker_feedback")
     _TYPE_NAME = "visualization_msgs/msg/InteractiveMarkerFeedback"
     _TYPE_HASH = "RIHS01_6cc48741df9f05d19ba7d9ea3101e9fcd1309c9d6bda3c55668ba607492f725e"
     _FIELDS = {"header": "std_msgs/msg/Header", "client_id": "string", "marker_name": "string", "control_name": "string", "event_type": "uint8", "pose": "geometry_msgs/msg/Pose", "menu_entry_id": "uint32", "mouse_point": "geometry_msgs/msg/Point", "mouse_point_valid": "bool"}
@@ -133,6 +140,7 @@ class InteractiveMarkerFeedback(_Message):
 class InteractiveMarkerInit(_Message):
     """The message visualization_msgs/msg/InteractiveMarkerInit."""
 
+    __module__ = _module("_interactive_marker_init")
     _TYPE_NAME = "visualization_msgs/msg/InteractiveMarkerInit"
     _TYPE_HASH = "RIHS01_23fda1b3373b154d9d6408dd7b9f8129b2a2b76b905ee421e8c4109d8bf71f78"
     _FIELDS = {"server_id": "string", "seq_num": "uint64", "markers": "visualization_msgs/msg/InteractiveMarker[]"}
@@ -149,6 +157,7 @@ class InteractiveMarkerInit(_Message):
 class InteractiveMarkerPose(_Message):
     """The message visualization_msgs/msg/InteractiveMarkerPose."""
 
+    __module__ = _module("_interactive_marker_pose")
     _TYPE_NAME = "visualization_msgs/msg/InteractiveMarkerPose"
     _TYPE_HASH = "RIHS01_c60e9a4407d5f709a63e0fe9caea324aee08fe717cd090209ebe35012ce7cb66"
     _FIELDS = {"header": "std_msgs/msg/Header", "pose": "geometry_msgs/msg/Pose", "name": "string"}
@@ -165,6 +174,7 @@ class InteractiveMarkerPose(_Message):
 class InteractiveMarkerUpdate(_Message):
     """The message visualization_msgs/msg/InteractiveMarkerUpdate."""
 
+    __module__ = _module("_interactive_marker_update")
     _TYPE_NAME = "visualization_msgs/msg/InteractiveMarkerUpdate"
     _TYPE_HASH = "RIHS01_0a8b000c4fd4d50876ac716a7de018911599a2f015795388e956a2ca8b0c54f0"
     _FIELDS = {"server_id": "string", "seq_num": "uint64", "type": "uint8", "markers": "visualization_msgs/msg/InteractiveMarker[]", "poses": "visualization_msgs/msg/InteractiveMarkerPose[]", "erases": "string[]"}
@@ -186,6 +196,7 @@ class InteractiveMarkerUpdate(_Message):
 class Marker(_Message):
     """A shape to display."""
 
+    __module__ = _module("_marker")
     _TYPE_NAME = "visualization_msgs/msg/Marker"
     _TYPE_HASH = "RIHS01_45b13ccf791f225962bf74e746f9644518855d783a6f42ba0cc14fde2b4f3ce0"
     _FIELDS = {"header": "std_msgs/msg/Header", "ns": "string", "id": "int32", "type": "int32", "action": "int32", "pose": "geometry_msgs/msg/Pose", "scale": "geometry_msgs/msg/Vector3", "color": "std_msgs/msg/ColorRGBA", "lifetime": "builtin_interfaces/msg/Duration", "frame_locked": "bool", "points": "geometry_msgs/msg/Point[]", "colors": "std_msgs/msg/ColorRGBA[]", "texture_resource": "string", "texture": "sensor_msgs/msg/CompressedImage", "uv_coordinates": "visualization_msgs/msg/UVCoordinate[]", "text": "string", "mesh_resource": "string", "mesh_file": "visualization_msgs/msg/MeshFile", "mesh_use_embedded_materials": "bool"}
@@ -237,6 +248,7 @@ class Marker(_Message):
 class MarkerArray(_Message):
     """The message visualization_msgs/msg/MarkerArray."""
 
+    __module__ = _module("_marker_array")
     _TYPE_NAME = "visualization_msgs/msg/MarkerArray"
     _TYPE_HASH = "RIHS01_86cb8800b6fb05b5eff1abd7a56f62a5641d3ae9a1c29e78e67e704f1d067dcf"
     _FIELDS = {"markers": "visualization_msgs/msg/Marker[]"}
@@ -251,6 +263,7 @@ class MarkerArray(_Message):
 class MenuEntry(_Message):
     """The message visualization_msgs/msg/MenuEntry."""
 
+    __module__ = _module("_menu_entry")
     _TYPE_NAME = "visualization_msgs/msg/MenuEntry"
     _TYPE_HASH = "RIHS01_22170c387c70fd4236232ec902de8604e72ff027342c7c0f28ad9f68c64c51d6"
     _FIELDS = {"id": "uint32", "parent_id": "uint32", "title": "string", "command": "string", "command_type": "uint8"}
@@ -272,6 +285,7 @@ class MenuEntry(_Message):
 class MeshFile(_Message):
     """The message visualization_msgs/msg/MeshFile."""
 
+    __module__ = _module("_mesh_file")
     _TYPE_NAME = "visualization_msgs/msg/MeshFile"
     _TYPE_HASH = "RIHS01_7710ece15a148fb7c9b546364cfb215bb06098087bd6394fe5b73a493508f8c4"
     _FIELDS = {"filename": "string", "data": "uint8[]"}
@@ -290,6 +304,7 @@ class MeshFile(_Message):
 class UVCoordinate(_Message):
     """The message visualization_msgs/msg/UVCoordinate."""
 
+    __module__ = _module("_uv_coordinate")
     _TYPE_NAME = "visualization_msgs/msg/UVCoordinate"
     _TYPE_HASH = "RIHS01_f27f7ed21fe360c6066944f856b801a0c0d1e94e815b6886444b42d90b196a26"
     _FIELDS = {"u": "float32", "v": "float32"}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 from tfloom.rosidl.service import Service as _Service
 
@@ -13,10 +14,13 @@ if TYPE_CHECKING:
 
 __all__ = ["GetInteractiveMarkers", "GetInteractiveMarkers_Event", "GetInteractiveMarkers_Request", "GetInteractiveMarkers_Response"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class GetInteractiveMarkers_Request(_Message):
     """The message visualization_msgs/srv/GetInteractiveMarkers_Request."""
 
+    __module__ = _module("_get_interactive_markers")
     _TYPE_NAME = "visualization_msgs/srv/GetInteractiveMarkers_Request"
     _TYPE_HASH = "RIHS01_7fa7e0830e3cbe9c15927a29fdc09fedcd9a86757e375f29ce6b0744cb0b6905"
     _FIELDS = {}
@@ -30,6 +34,7 @@ class GetInteractiveMarkers_Request(_Message):
 class GetInteractiveMarkers_Response(_Message):
     """The message visualization_msgs/srv/GetInteractiveMarkers_Response."""
 
+    __module__ = _module("_get_interactive_markers")
     _TYPE_NAME = "visualization_msgs/srv/GetInteractiveMarkers_Response"
     _TYPE_HASH = "RIHS01_414620cf7471b5469b159989af34edd1ed9276be592e43d1b7544204f4177302"
     _FIELDS = {"sequence_number": "uint64", "markers": "visualization_msgs/msg/InteractiveMarker[]"}
@@ -45,6 +50,7 @@ class GetInteractiveMarkers_Response(_Message):
 class GetInteractiveMarkers_Event(_Message):
     """The message visualization_msgs/srv/GetInteractiveMarkers_Event."""
 
+    __module__ = _module("_get_interactive_markers")
     _TYPE_NAME = "visualization_msgs/srv/GetInteractiveMarkers_Event"
     _TYPE_HASH = "RIHS01_4f89243e7571b9563464f4349ceb14a60808a9a0b6f72944dbdfffd6427da2f4"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "visualization_msgs/srv/GetInteractiveMarkers_Request[<=1]", "response": "visualization_msgs/srv/GetInteractiveMarkers_Response[<=1]"}
@@ -61,6 +67,7 @@ class GetInteractiveMarkers_Event(_Message):
 class GetInteractiveMarkers(_Service[GetInteractiveMarkers_Request, GetInteractiveMarkers_Response]):
     """The service visualization_msgs/srv/GetInteractiveMarkers."""
 
+    __module__ = _module("_get_interactive_markers")
     _TYPE_NAME = "visualization_msgs/srv/GetInteractiveMarkers"
     _TYPE_HASH = "RIHS01_bfdfaa861f4a8422b4ec3bd02c6681e4a45a83bdc2913d8facdf923d8ad1376a"
     Request: _TypeAlias = GetInteractiveMarkers_Request

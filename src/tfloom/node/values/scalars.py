@@ -82,7 +82,7 @@ def _construct(node: Any) -> Any:
         return [byte for item in items for byte in item] if is_bytes else items
     if node.tag == _BINARY:
         return _bytes(node.value)
-    if node.style is not None or node.tag == "!!str":
+    if node.style is not None:
         return node.value
     return parse_scalar(node.value)
 

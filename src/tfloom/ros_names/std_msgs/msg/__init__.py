@@ -2,3 +2,40 @@
 
 from tfloom.interfaces.std_msgs.msg import *
 from tfloom.interfaces.std_msgs.msg import __all__
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from std_msgs.msg import _bool as _bool
+    from std_msgs.msg import _byte as _byte
+    from std_msgs.msg import _byte_multi_array as _byte_multi_array
+    from std_msgs.msg import _char as _char
+    from std_msgs.msg import _color_rgba as _color_rgba
+    from std_msgs.msg import _empty as _empty
+    from std_msgs.msg import _float32 as _float32
+    from std_msgs.msg import _float32_multi_array as _float32_multi_array
+    from std_msgs.msg import _float64 as _float64
+    from std_msgs.msg import _float64_multi_array as _float64_multi_array
+    from std_msgs.msg import _header as _header
+    from std_msgs.msg import _int16 as _int16
+    from std_msgs.msg import _int16_multi_array as _int16_multi_array
+    from std_msgs.msg import _int32 as _int32
+    from std_msgs.msg import _int32_multi_array as _int32_multi_array
+    from std_msgs.msg import _int64 as _int64
+    from std_msgs.msg import _int64_multi_array as _int64_multi_array
+    from std_msgs.msg import _int8 as _int8
+    from std_msgs.msg import _int8_multi_array as _int8_multi_array
+    from std_msgs.msg import _multi_array_dimension as _multi_array_dimension
+    from std_msgs.msg import _multi_array_layout as _multi_array_layout
+    from std_msgs.msg import _string as _string
+    from std_msgs.msg import _u_int16 as _u_int16
+    from std_msgs.msg import _u_int16_multi_array as _u_int16_multi_array
+    from std_msgs.msg import _u_int32 as _u_int32
+    from std_msgs.msg import _u_int32_multi_array as _u_int32_multi_array
+    from std_msgs.msg import _u_int64 as _u_int64
+    from std_msgs.msg import _u_int64_multi_array as _u_int64_multi_array
+    from std_msgs.msg import _u_int8 as _u_int8
+    from std_msgs.msg import _u_int8_multi_array as _u_int8_multi_array
+else:
+    from tfloom.ros_modules import submodules
+
+    __getattr__ = submodules("std_msgs.msg")

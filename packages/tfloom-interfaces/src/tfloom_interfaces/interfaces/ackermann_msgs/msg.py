@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
@@ -10,10 +11,13 @@ if TYPE_CHECKING:
 
 __all__ = ["AckermannDrive", "AckermannDriveStamped"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class AckermannDrive(_Message):
     """The message ackermann_msgs/msg/AckermannDrive."""
 
+    __module__ = _module("_ackermann_drive")
     _TYPE_NAME = "ackermann_msgs/msg/AckermannDrive"
     _TYPE_HASH = "RIHS01_acf287a224a947dd1b0b87d6d76cdb73f497b0237b8fc73be2173b2ebbb82c99"
     _FIELDS = {"steering_angle": "float32", "steering_angle_velocity": "float32", "speed": "float32", "acceleration": "float32", "jerk": "float32"}
@@ -32,6 +36,7 @@ class AckermannDrive(_Message):
 class AckermannDriveStamped(_Message):
     """The message ackermann_msgs/msg/AckermannDriveStamped."""
 
+    __module__ = _module("_ackermann_drive_stamped")
     _TYPE_NAME = "ackermann_msgs/msg/AckermannDriveStamped"
     _TYPE_HASH = "RIHS01_48ca7612a08d3bb72744fd98b71b7cf2ea24c6ad50fa4e1aa0bbad963c90d8cf"
     _FIELDS = {"header": "std_msgs/msg/Header", "drive": "ackermann_msgs/msg/AckermannDrive"}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from tfloom.interfaces.action_msgs.msg import GoalStatusArray as _GoalStatusArray
 from tfloom.interfaces.action_msgs.srv import CancelGoal as _CancelGoal
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 from tfloom.rosidl.service import Action as _Action
 from tfloom.rosidl.service import Service as _Service
@@ -18,10 +19,13 @@ if TYPE_CHECKING:
 
 __all__ = ["Fibonacci", "Fibonacci_Feedback", "Fibonacci_FeedbackMessage", "Fibonacci_GetResult", "Fibonacci_GetResult_Event", "Fibonacci_GetResult_Request", "Fibonacci_GetResult_Response", "Fibonacci_Goal", "Fibonacci_Result", "Fibonacci_SendGoal", "Fibonacci_SendGoal_Event", "Fibonacci_SendGoal_Request", "Fibonacci_SendGoal_Response"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class Fibonacci_Goal(_Message):
     """The message action_tutorials_interfaces/action/Fibonacci_Goal."""
 
+    __module__ = _module("_fibonacci")
     _TYPE_NAME = "action_tutorials_interfaces/action/Fibonacci_Goal"
     _TYPE_HASH = "RIHS01_1777164fa0531c60597c89fa7f70d22944bb360df049a77689100b1360c43960"
     _FIELDS = {"order": "int32"}
@@ -36,6 +40,7 @@ class Fibonacci_Goal(_Message):
 class Fibonacci_Result(_Message):
     """The message action_tutorials_interfaces/action/Fibonacci_Result."""
 
+    __module__ = _module("_fibonacci")
     _TYPE_NAME = "action_tutorials_interfaces/action/Fibonacci_Result"
     _TYPE_HASH = "RIHS01_6158c1af5630cccfabec7f0c4b75a11fa39e313a4231d8eae6e5ce921c739ab0"
     _FIELDS = {"sequence": "int32[]"}
@@ -53,6 +58,7 @@ class Fibonacci_Result(_Message):
 class Fibonacci_Feedback(_Message):
     """The message action_tutorials_interfaces/action/Fibonacci_Feedback."""
 
+    __module__ = _module("_fibonacci")
     _TYPE_NAME = "action_tutorials_interfaces/action/Fibonacci_Feedback"
     _TYPE_HASH = "RIHS01_e852234f7e7085fc3e14da27175b5b56a59463eea51e9146e8da58a5115f5f3d"
     _FIELDS = {"partial_sequence": "int32[]"}
@@ -70,6 +76,7 @@ class Fibonacci_Feedback(_Message):
 class Fibonacci_SendGoal_Request(_Message):
     """The message action_tutorials_interfaces/action/Fibonacci_SendGoal_Request."""
 
+    __module__ = _module("_fibonacci")
     _TYPE_NAME = "action_tutorials_interfaces/action/Fibonacci_SendGoal_Request"
     _TYPE_HASH = "RIHS01_cf867fa8462d62fc5436ec5605ff7894053a03a856d4bbaaef97808389ded602"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "goal": "action_tutorials_interfaces/action/Fibonacci_Goal"}
@@ -85,6 +92,7 @@ class Fibonacci_SendGoal_Request(_Message):
 class Fibonacci_SendGoal_Response(_Message):
     """The message action_tutorials_interfaces/action/Fibonacci_SendGoal_Response."""
 
+    __module__ = _module("_fibonacci")
     _TYPE_NAME = "action_tutorials_interfaces/action/Fibonacci_SendGoal_Response"
     _TYPE_HASH = "RIHS01_7fbc4b8abac3cd2a14e146c4b635ecee917cb7ffcad38868d8afa4a31115b542"
     _FIELDS = {"accepted": "bool", "stamp": "builtin_interfaces/msg/Time"}
@@ -100,6 +108,7 @@ class Fibonacci_SendGoal_Response(_Message):
 class Fibonacci_SendGoal_Event(_Message):
     """The message action_tutorials_interfaces/action/Fibonacci_SendGoal_Event."""
 
+    __module__ = _module("_fibonacci")
     _TYPE_NAME = "action_tutorials_interfaces/action/Fibonacci_SendGoal_Event"
     _TYPE_HASH = "RIHS01_5b678059c34ec92067418f6fb8a2c0b10c97c95be90222184b48a803012db255"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "action_tutorials_interfaces/action/Fibonacci_SendGoal_Request[<=1]", "response": "action_tutorials_interfaces/action/Fibonacci_SendGoal_Response[<=1]"}
@@ -116,6 +125,7 @@ class Fibonacci_SendGoal_Event(_Message):
 class Fibonacci_GetResult_Request(_Message):
     """The message action_tutorials_interfaces/action/Fibonacci_GetResult_Request."""
 
+    __module__ = _module("_fibonacci")
     _TYPE_NAME = "action_tutorials_interfaces/action/Fibonacci_GetResult_Request"
     _TYPE_HASH = "RIHS01_b200a8bd0b94170de44d257a5147443fb863c3e608fcda16399e090018b1af0d"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID"}
@@ -130,6 +140,7 @@ class Fibonacci_GetResult_Request(_Message):
 class Fibonacci_GetResult_Response(_Message):
     """The message action_tutorials_interfaces/action/Fibonacci_GetResult_Response."""
 
+    __module__ = _module("_fibonacci")
     _TYPE_NAME = "action_tutorials_interfaces/action/Fibonacci_GetResult_Response"
     _TYPE_HASH = "RIHS01_b3385a6fc65e215c75cd72821baaf303335df6ead7c7be343d2f2ff94bdf29b6"
     _FIELDS = {"status": "int8", "result": "action_tutorials_interfaces/action/Fibonacci_Result"}
@@ -145,6 +156,7 @@ class Fibonacci_GetResult_Response(_Message):
 class Fibonacci_GetResult_Event(_Message):
     """The message action_tutorials_interfaces/action/Fibonacci_GetResult_Event."""
 
+    __module__ = _module("_fibonacci")
     _TYPE_NAME = "action_tutorials_interfaces/action/Fibonacci_GetResult_Event"
     _TYPE_HASH = "RIHS01_70baad1de4eba7676689a38b35ab35f93d6520269c22175764bf04a2abc31cc6"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "action_tutorials_interfaces/action/Fibonacci_GetResult_Request[<=1]", "response": "action_tutorials_interfaces/action/Fibonacci_GetResult_Response[<=1]"}
@@ -161,6 +173,7 @@ class Fibonacci_GetResult_Event(_Message):
 class Fibonacci_FeedbackMessage(_Message):
     """The message action_tutorials_interfaces/action/Fibonacci_FeedbackMessage."""
 
+    __module__ = _module("_fibonacci")
     _TYPE_NAME = "action_tutorials_interfaces/action/Fibonacci_FeedbackMessage"
     _TYPE_HASH = "RIHS01_50fc26b9cac313652ecbeab3adf9b5414d59fd4d4d5f9058ddcc7525169927f1"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "feedback": "action_tutorials_interfaces/action/Fibonacci_Feedback"}
@@ -176,6 +189,7 @@ class Fibonacci_FeedbackMessage(_Message):
 class Fibonacci_SendGoal(_Service[Fibonacci_SendGoal_Request, Fibonacci_SendGoal_Response]):
     """The service action_tutorials_interfaces/action/Fibonacci_SendGoal."""
 
+    __module__ = _module("_fibonacci")
     _TYPE_NAME = "action_tutorials_interfaces/action/Fibonacci_SendGoal"
     _TYPE_HASH = "RIHS01_a0603060ed69fe2dfbd1a6f3b982a1749957ef346e4a4d2b311a05e305ec37bb"
     Request: _TypeAlias = Fibonacci_SendGoal_Request
@@ -186,6 +200,7 @@ class Fibonacci_SendGoal(_Service[Fibonacci_SendGoal_Request, Fibonacci_SendGoal
 class Fibonacci_GetResult(_Service[Fibonacci_GetResult_Request, Fibonacci_GetResult_Response]):
     """The service action_tutorials_interfaces/action/Fibonacci_GetResult."""
 
+    __module__ = _module("_fibonacci")
     _TYPE_NAME = "action_tutorials_interfaces/action/Fibonacci_GetResult"
     _TYPE_HASH = "RIHS01_8b47e383f1e31f6d8df6417ab54957e7d5ea24dad315646ad711ac3fdea81d58"
     Request: _TypeAlias = Fibonacci_GetResult_Request
@@ -196,6 +211,7 @@ class Fibonacci_GetResult(_Service[Fibonacci_GetResult_Request, Fibonacci_GetRes
 class Fibonacci(_Action[Fibonacci_Goal, Fibonacci_Result, Fibonacci_Feedback, Fibonacci_FeedbackMessage, Fibonacci_GetResult_Response]):
     """The action action_tutorials_interfaces/action/Fibonacci."""
 
+    __module__ = _module("_fibonacci")
     _TYPE_NAME = "action_tutorials_interfaces/action/Fibonacci"
     _TYPE_HASH = "RIHS01_525d2c3c8a3979003645ffa01186e360347194550426993cad2fb950058ab5a0"
     Goal: _TypeAlias = Fibonacci_Goal
@@ -205,6 +221,7 @@ class Fibonacci(_Action[Fibonacci_Goal, Fibonacci_Result, Fibonacci_Feedback, Fi
     class Impl:
         """The services and messages that carry the action."""
 
+        __module__ = _module("_fibonacci")
         SendGoalService: _TypeAlias = Fibonacci_SendGoal
         GetResultService: _TypeAlias = Fibonacci_GetResult
         FeedbackMessage: _TypeAlias = Fibonacci_FeedbackMessage

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from tfloom.interfaces.action_msgs.msg import GoalStatusArray as _GoalStatusArray
 from tfloom.interfaces.action_msgs.srv import CancelGoal as _CancelGoal
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 from tfloom.rosidl.service import Action as _Action
 from tfloom.rosidl.service import Service as _Service
@@ -32,10 +33,13 @@ if TYPE_CHECKING:
 
 __all__ = ["ExecuteMotionPrimitiveSequence", "ExecuteMotionPrimitiveSequence_Feedback", "ExecuteMotionPrimitiveSequence_FeedbackMessage", "ExecuteMotionPrimitiveSequence_GetResult", "ExecuteMotionPrimitiveSequence_GetResult_Event", "ExecuteMotionPrimitiveSequence_GetResult_Request", "ExecuteMotionPrimitiveSequence_GetResult_Response", "ExecuteMotionPrimitiveSequence_Goal", "ExecuteMotionPrimitiveSequence_Result", "ExecuteMotionPrimitiveSequence_SendGoal", "ExecuteMotionPrimitiveSequence_SendGoal_Event", "ExecuteMotionPrimitiveSequence_SendGoal_Request", "ExecuteMotionPrimitiveSequence_SendGoal_Response", "FollowJointTrajectory", "FollowJointTrajectory_Feedback", "FollowJointTrajectory_FeedbackMessage", "FollowJointTrajectory_GetResult", "FollowJointTrajectory_GetResult_Event", "FollowJointTrajectory_GetResult_Request", "FollowJointTrajectory_GetResult_Response", "FollowJointTrajectory_Goal", "FollowJointTrajectory_Result", "FollowJointTrajectory_SendGoal", "FollowJointTrajectory_SendGoal_Event", "FollowJointTrajectory_SendGoal_Request", "FollowJointTrajectory_SendGoal_Response", "GripperCommand", "GripperCommand_Feedback", "GripperCommand_FeedbackMessage", "GripperCommand_GetResult", "GripperCommand_GetResult_Event", "GripperCommand_GetResult_Request", "GripperCommand_GetResult_Response", "GripperCommand_Goal", "GripperCommand_Result", "GripperCommand_SendGoal", "GripperCommand_SendGoal_Event", "GripperCommand_SendGoal_Request", "GripperCommand_SendGoal_Response", "JointTrajectory", "JointTrajectory_Feedback", "JointTrajectory_FeedbackMessage", "JointTrajectory_GetResult", "JointTrajectory_GetResult_Event", "JointTrajectory_GetResult_Request", "JointTrajectory_GetResult_Response", "JointTrajectory_Goal", "JointTrajectory_Result", "JointTrajectory_SendGoal", "JointTrajectory_SendGoal_Event", "JointTrajectory_SendGoal_Request", "JointTrajectory_SendGoal_Response", "ParallelGripperCommand", "ParallelGripperCommand_Feedback", "ParallelGripperCommand_FeedbackMessage", "ParallelGripperCommand_GetResult", "ParallelGripperCommand_GetResult_Event", "ParallelGripperCommand_GetResult_Request", "ParallelGripperCommand_GetResult_Response", "ParallelGripperCommand_Goal", "ParallelGripperCommand_Result", "ParallelGripperCommand_SendGoal", "ParallelGripperCommand_SendGoal_Event", "ParallelGripperCommand_SendGoal_Request", "ParallelGripperCommand_SendGoal_Response", "PointHead", "PointHead_Feedback", "PointHead_FeedbackMessage", "PointHead_GetResult", "PointHead_GetResult_Event", "PointHead_GetResult_Request", "PointHead_GetResult_Response", "PointHead_Goal", "PointHead_Result", "PointHead_SendGoal", "PointHead_SendGoal_Event", "PointHead_SendGoal_Request", "PointHead_SendGoal_Response", "SingleJointPosition", "SingleJointPosition_Feedback", "SingleJointPosition_FeedbackMessage", "SingleJointPosition_GetResult", "SingleJointPosition_GetResult_Event", "SingleJointPosition_GetResult_Request", "SingleJointPosition_GetResult_Response", "SingleJointPosition_Goal", "SingleJointPosition_Result", "SingleJointPosition_SendGoal", "SingleJointPosition_SendGoal_Event", "SingleJointPosition_SendGoal_Request", "SingleJointPosition_SendGoal_Response"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class ExecuteMotionPrimitiveSequence_Goal(_Message):
     """The message control_msgs/action/ExecuteMotionPrimitiveSequence_Goal."""
 
+    __module__ = _module("_execute_motion_primitive_sequence")
     _TYPE_NAME = "control_msgs/action/ExecuteMotionPrimitiveSequence_Goal"
     _TYPE_HASH = "RIHS01_f117234a263c02ed55f3799a4a548351293b382b5c155c24a6036548e5d846c6"
     _FIELDS = {"trajectory": "control_msgs/msg/MotionPrimitiveSequence"}
@@ -50,6 +54,7 @@ class ExecuteMotionPrimitiveSequence_Goal(_Message):
 class ExecuteMotionPrimitiveSequence_Result(_Message):
     """The message control_msgs/action/ExecuteMotionPrimitiveSequence_Result."""
 
+    __module__ = _module("_execute_motion_primitive_sequence")
     _TYPE_NAME = "control_msgs/action/ExecuteMotionPrimitiveSequence_Result"
     _TYPE_HASH = "RIHS01_c95cbaeaf3f35474f731a9ab323ed03878978f3c54f907332970b786c03f6049"
     _FIELDS = {"error_code": "int32", "error_string": "string"}
@@ -68,6 +73,7 @@ class ExecuteMotionPrimitiveSequence_Result(_Message):
 class ExecuteMotionPrimitiveSequence_Feedback(_Message):
     """The message control_msgs/action/ExecuteMotionPrimitiveSequence_Feedback."""
 
+    __module__ = _module("_execute_motion_primitive_sequence")
     _TYPE_NAME = "control_msgs/action/ExecuteMotionPrimitiveSequence_Feedback"
     _TYPE_HASH = "RIHS01_39b91431692e626682a9adfbb5d694c9b3a1fd24d963772977e91c71218bf64f"
     _FIELDS = {"current_primitive_index": "uint8"}
@@ -82,6 +88,7 @@ class ExecuteMotionPrimitiveSequence_Feedback(_Message):
 class ExecuteMotionPrimitiveSequence_SendGoal_Request(_Message):
     """The message control_msgs/action/ExecuteMotionPrimitiveSequence_SendGoal_Request."""
 
+    __module__ = _module("_execute_motion_primitive_sequence")
     _TYPE_NAME = "control_msgs/action/ExecuteMotionPrimitiveSequence_SendGoal_Request"
     _TYPE_HASH = "RIHS01_5894c214e0ffad21ec7af3b45a019bb831830e97ccfca420f536ae921a22c10e"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "goal": "control_msgs/action/ExecuteMotionPrimitiveSequence_Goal"}
@@ -97,6 +104,7 @@ class ExecuteMotionPrimitiveSequence_SendGoal_Request(_Message):
 class ExecuteMotionPrimitiveSequence_SendGoal_Response(_Message):
     """The message control_msgs/action/ExecuteMotionPrimitiveSequence_SendGoal_Response."""
 
+    __module__ = _module("_execute_motion_primitive_sequence")
     _TYPE_NAME = "control_msgs/action/ExecuteMotionPrimitiveSequence_SendGoal_Response"
     _TYPE_HASH = "RIHS01_2cb2c89c18baee7fe05afaaccded7ec9e7f17d9138ccdcf90a5bc72a78f4a389"
     _FIELDS = {"accepted": "bool", "stamp": "builtin_interfaces/msg/Time"}
@@ -112,6 +120,7 @@ class ExecuteMotionPrimitiveSequence_SendGoal_Response(_Message):
 class ExecuteMotionPrimitiveSequence_SendGoal_Event(_Message):
     """The message control_msgs/action/ExecuteMotionPrimitiveSequence_SendGoal_Event."""
 
+    __module__ = _module("_execute_motion_primitive_sequence")
     _TYPE_NAME = "control_msgs/action/ExecuteMotionPrimitiveSequence_SendGoal_Event"
     _TYPE_HASH = "RIHS01_4e5b1f473930d223f7ab3a7aa16613b32034497fe8a05bec6b0b201bc969f5f7"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "control_msgs/action/ExecuteMotionPrimitiveSequence_SendGoal_Request[<=1]", "response": "control_msgs/action/ExecuteMotionPrimitiveSequence_SendGoal_Response[<=1]"}
@@ -128,6 +137,7 @@ class ExecuteMotionPrimitiveSequence_SendGoal_Event(_Message):
 class ExecuteMotionPrimitiveSequence_GetResult_Request(_Message):
     """The message control_msgs/action/ExecuteMotionPrimitiveSequence_GetResult_Request."""
 
+    __module__ = _module("_execute_motion_primitive_sequence")
     _TYPE_NAME = "control_msgs/action/ExecuteMotionPrimitiveSequence_GetResult_Request"
     _TYPE_HASH = "RIHS01_efdc16e757e57a0b3162c6898994cf9841633851852719d6b2f7f8c6d297f697"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID"}
@@ -142,6 +152,7 @@ class ExecuteMotionPrimitiveSequence_GetResult_Request(_Message):
 class ExecuteMotionPrimitiveSequence_GetResult_Response(_Message):
     """The message control_msgs/action/ExecuteMotionPrimitiveSequence_GetResult_Response."""
 
+    __module__ = _module("_execute_motion_primitive_sequence")
     _TYPE_NAME = "control_msgs/action/ExecuteMotionPrimitiveSequence_GetResult_Response"
     _TYPE_HASH = "RIHS01_ef024ab5dcf7abe71584739c52e89d8f17747115faf2807c3a8c2c337f2afe8e"
     _FIELDS = {"status": "int8", "result": "control_msgs/action/ExecuteMotionPrimitiveSequence_Result"}
@@ -157,6 +168,7 @@ class ExecuteMotionPrimitiveSequence_GetResult_Response(_Message):
 class ExecuteMotionPrimitiveSequence_GetResult_Event(_Message):
     """The message control_msgs/action/ExecuteMotionPrimitiveSequence_GetResult_Event."""
 
+    __module__ = _module("_execute_motion_primitive_sequence")
     _TYPE_NAME = "control_msgs/action/ExecuteMotionPrimitiveSequence_GetResult_Event"
     _TYPE_HASH = "RIHS01_65b07c8deb32244ba624ff061964ebb948403e32d63800fe5adf00d927fad439"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "control_msgs/action/ExecuteMotionPrimitiveSequence_GetResult_Request[<=1]", "response": "control_msgs/action/ExecuteMotionPrimitiveSequence_GetResult_Response[<=1]"}
@@ -173,6 +185,7 @@ class ExecuteMotionPrimitiveSequence_GetResult_Event(_Message):
 class ExecuteMotionPrimitiveSequence_FeedbackMessage(_Message):
     """The message control_msgs/action/ExecuteMotionPrimitiveSequence_FeedbackMessage."""
 
+    __module__ = _module("_execute_motion_primitive_sequence")
     _TYPE_NAME = "control_msgs/action/ExecuteMotionPrimitiveSequence_FeedbackMessage"
     _TYPE_HASH = "RIHS01_fe133adadc2e74dc78d399f8c858801ce942c54d9d09fbaa6f7c77c19b0ab118"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "feedback": "control_msgs/action/ExecuteMotionPrimitiveSequence_Feedback"}
@@ -188,6 +201,7 @@ class ExecuteMotionPrimitiveSequence_FeedbackMessage(_Message):
 class ExecuteMotionPrimitiveSequence_SendGoal(_Service[ExecuteMotionPrimitiveSequence_SendGoal_Request, ExecuteMotionPrimitiveSequence_SendGoal_Response]):
     """The service control_msgs/action/ExecuteMotionPrimitiveSequence_SendGoal."""
 
+    __module__ = _module("_execute_motion_primitive_sequence")
     _TYPE_NAME = "control_msgs/action/ExecuteMotionPrimitiveSequence_SendGoal"
     _TYPE_HASH = "RIHS01_ac0418442941bb65e18db8631680fbfdab90cebf86c1088073f3a854b0db1ee6"
     Request: _TypeAlias = ExecuteMotionPrimitiveSequence_SendGoal_Request
@@ -198,6 +212,7 @@ class ExecuteMotionPrimitiveSequence_SendGoal(_Service[ExecuteMotionPrimitiveSeq
 class ExecuteMotionPrimitiveSequence_GetResult(_Service[ExecuteMotionPrimitiveSequence_GetResult_Request, ExecuteMotionPrimitiveSequence_GetResult_Response]):
     """The service control_msgs/action/ExecuteMotionPrimitiveSequence_GetResult."""
 
+    __module__ = _module("_execute_motion_primitive_sequence")
     _TYPE_NAME = "control_msgs/action/ExecuteMotionPrimitiveSequence_GetResult"
     _TYPE_HASH = "RIHS01_52330c082c4ddbd8b8119264e184b5bf3ddfb5443cec53191ccbd123d8baa0d5"
     Request: _TypeAlias = ExecuteMotionPrimitiveSequence_GetResult_Request
@@ -208,6 +223,7 @@ class ExecuteMotionPrimitiveSequence_GetResult(_Service[ExecuteMotionPrimitiveSe
 class ExecuteMotionPrimitiveSequence(_Action[ExecuteMotionPrimitiveSequence_Goal, ExecuteMotionPrimitiveSequence_Result, ExecuteMotionPrimitiveSequence_Feedback, ExecuteMotionPrimitiveSequence_FeedbackMessage, ExecuteMotionPrimitiveSequence_GetResult_Response]):
     """The action control_msgs/action/ExecuteMotionPrimitiveSequence."""
 
+    __module__ = _module("_execute_motion_primitive_sequence")
     _TYPE_NAME = "control_msgs/action/ExecuteMotionPrimitiveSequence"
     _TYPE_HASH = "RIHS01_e3a57ab17377b5921790c8c8dd6e130436aecaf2c91369f48954827ecb9b45b2"
     Goal: _TypeAlias = ExecuteMotionPrimitiveSequence_Goal
@@ -217,6 +233,7 @@ class ExecuteMotionPrimitiveSequence(_Action[ExecuteMotionPrimitiveSequence_Goal
     class Impl:
         """The services and messages that carry the action."""
 
+        __module__ = _module("_execute_motion_primitive_sequence")
         SendGoalService: _TypeAlias = ExecuteMotionPrimitiveSequence_SendGoal
         GetResultService: _TypeAlias = ExecuteMotionPrimitiveSequence_GetResult
         FeedbackMessage: _TypeAlias = ExecuteMotionPrimitiveSequence_FeedbackMessage
@@ -227,6 +244,7 @@ class ExecuteMotionPrimitiveSequence(_Action[ExecuteMotionPrimitiveSequence_Goal
 class FollowJointTrajectory_Goal(_Message):
     """The message control_msgs/action/FollowJointTrajectory_Goal."""
 
+    __module__ = _module("_follow_joint_trajectory")
     _TYPE_NAME = "control_msgs/action/FollowJointTrajectory_Goal"
     _TYPE_HASH = "RIHS01_8a9060704b269608f5a340934cc26e66869dd14bdac29e2e7fd9ec8b9882d205"
     _FIELDS = {"trajectory": "trajectory_msgs/msg/JointTrajectory", "multi_dof_trajectory": "trajectory_msgs/msg/MultiDOFJointTrajectory", "path_tolerance": "control_msgs/msg/JointTolerance[]", "component_path_tolerance": "control_msgs/msg/JointComponentTolerance[]", "goal_tolerance": "control_msgs/msg/JointTolerance[]", "component_goal_tolerance": "control_msgs/msg/JointComponentTolerance[]", "goal_time_tolerance": "builtin_interfaces/msg/Duration"}
@@ -247,6 +265,7 @@ class FollowJointTrajectory_Goal(_Message):
 class FollowJointTrajectory_Result(_Message):
     """The message control_msgs/action/FollowJointTrajectory_Result."""
 
+    __module__ = _module("_follow_joint_trajectory")
     _TYPE_NAME = "control_msgs/action/FollowJointTrajectory_Result"
     _TYPE_HASH = "RIHS01_8002e99ed2c14c6faa522f2a93c26d744c5982f254f9e98ff9c6f19789bdb220"
     _FIELDS = {"error_code": "int32", "error_string": "string"}
@@ -268,6 +287,7 @@ class FollowJointTrajectory_Result(_Message):
 class FollowJointTrajectory_Feedback(_Message):
     """The message control_msgs/action/FollowJointTrajectory_Feedback."""
 
+    __module__ = _module("_follow_joint_trajectory")
     _TYPE_NAME = "control_msgs/action/FollowJointTrajectory_Feedback"
     _TYPE_HASH = "RIHS01_3fd0aaecf71725121ae1ff7f01098a5e0da581e672be18a6b2c286cb43d96b49"
     _FIELDS = {"header": "std_msgs/msg/Header", "joint_names": "string[]", "desired": "trajectory_msgs/msg/JointTrajectoryPoint", "actual": "trajectory_msgs/msg/JointTrajectoryPoint", "error": "trajectory_msgs/msg/JointTrajectoryPoint", "multi_dof_joint_names": "string[]", "multi_dof_desired": "trajectory_msgs/msg/MultiDOFJointTrajectoryPoint", "multi_dof_actual": "trajectory_msgs/msg/MultiDOFJointTrajectoryPoint", "multi_dof_error": "trajectory_msgs/msg/MultiDOFJointTrajectoryPoint"}
@@ -290,6 +310,7 @@ class FollowJointTrajectory_Feedback(_Message):
 class FollowJointTrajectory_SendGoal_Request(_Message):
     """The message control_msgs/action/FollowJointTrajectory_SendGoal_Request."""
 
+    __module__ = _module("_follow_joint_trajectory")
     _TYPE_NAME = "control_msgs/action/FollowJointTrajectory_SendGoal_Request"
     _TYPE_HASH = "RIHS01_179c93691f1f6d1d115881ff88c3917b7cc6eac2ba4bf56766cc7c4389e19ef1"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "goal": "control_msgs/action/FollowJointTrajectory_Goal"}
@@ -305,6 +326,7 @@ class FollowJointTrajectory_SendGoal_Request(_Message):
 class FollowJointTrajectory_SendGoal_Response(_Message):
     """The message control_msgs/action/FollowJointTrajectory_SendGoal_Response."""
 
+    __module__ = _module("_follow_joint_trajectory")
     _TYPE_NAME = "control_msgs/action/FollowJointTrajectory_SendGoal_Response"
     _TYPE_HASH = "RIHS01_e6a48ba740ae254500129a877f0b071be8663a115da1a539b74599cc97921fbf"
     _FIELDS = {"accepted": "bool", "stamp": "builtin_interfaces/msg/Time"}
@@ -320,6 +342,7 @@ class FollowJointTrajectory_SendGoal_Response(_Message):
 class FollowJointTrajectory_SendGoal_Event(_Message):
     """The message control_msgs/action/FollowJointTrajectory_SendGoal_Event."""
 
+    __module__ = _module("_follow_joint_trajectory")
     _TYPE_NAME = "control_msgs/action/FollowJointTrajectory_SendGoal_Event"
     _TYPE_HASH = "RIHS01_906dd566308db02673c73c654f69bdd84738589629c1bc2841ddb49059ed1c6f"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "control_msgs/action/FollowJointTrajectory_SendGoal_Request[<=1]", "response": "control_msgs/action/FollowJointTrajectory_SendGoal_Response[<=1]"}
@@ -336,6 +359,7 @@ class FollowJointTrajectory_SendGoal_Event(_Message):
 class FollowJointTrajectory_GetResult_Request(_Message):
     """The message control_msgs/action/FollowJointTrajectory_GetResult_Request."""
 
+    __module__ = _module("_follow_joint_trajectory")
     _TYPE_NAME = "control_msgs/action/FollowJointTrajectory_GetResult_Request"
     _TYPE_HASH = "RIHS01_ecf7ea8463d3beec7084bca75216d0b01b87b6e1e4e09679bb26093041efcbe9"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID"}
@@ -350,6 +374,7 @@ class FollowJointTrajectory_GetResult_Request(_Message):
 class FollowJointTrajectory_GetResult_Response(_Message):
     """The message control_msgs/action/FollowJointTrajectory_GetResult_Response."""
 
+    __module__ = _module("_follow_joint_trajectory")
     _TYPE_NAME = "control_msgs/action/FollowJointTrajectory_GetResult_Response"
     _TYPE_HASH = "RIHS01_08eefbaa146ce02ba45898d5e99160afd6c4c54a30d159aee0f2ca6035b1580f"
     _FIELDS = {"status": "int8", "result": "control_msgs/action/FollowJointTrajectory_Result"}
@@ -365,6 +390,7 @@ class FollowJointTrajectory_GetResult_Response(_Message):
 class FollowJointTrajectory_GetResult_Event(_Message):
     """The message control_msgs/action/FollowJointTrajectory_GetResult_Event."""
 
+    __module__ = _module("_follow_joint_trajectory")
     _TYPE_NAME = "control_msgs/action/FollowJointTrajectory_GetResult_Event"
     _TYPE_HASH = "RIHS01_43161a489e52daaa5bbc2fa74f73f1804d099574fcf8f819170807d75472662a"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "control_msgs/action/FollowJointTrajectory_GetResult_Request[<=1]", "response": "control_msgs/action/FollowJointTrajectory_GetResult_Response[<=1]"}
@@ -381,6 +407,7 @@ class FollowJointTrajectory_GetResult_Event(_Message):
 class FollowJointTrajectory_FeedbackMessage(_Message):
     """The message control_msgs/action/FollowJointTrajectory_FeedbackMessage."""
 
+    __module__ = _module("_follow_joint_trajectory")
     _TYPE_NAME = "control_msgs/action/FollowJointTrajectory_FeedbackMessage"
     _TYPE_HASH = "RIHS01_80398fcb9674a79081a9906e2ccf0c804dd7cb15e22e362e606ee87186beab71"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "feedback": "control_msgs/action/FollowJointTrajectory_Feedback"}
@@ -396,6 +423,7 @@ class FollowJointTrajectory_FeedbackMessage(_Message):
 class FollowJointTrajectory_SendGoal(_Service[FollowJointTrajectory_SendGoal_Request, FollowJointTrajectory_SendGoal_Response]):
     """The service control_msgs/action/FollowJointTrajectory_SendGoal."""
 
+    __module__ = _module("_follow_joint_trajectory")
     _TYPE_NAME = "control_msgs/action/FollowJointTrajectory_SendGoal"
     _TYPE_HASH = "RIHS01_b13789dddc325a7a962825c45e28c77d37237ec129dd0c34dc5994562938c57f"
     Request: _TypeAlias = FollowJointTrajectory_SendGoal_Request
@@ -406,6 +434,7 @@ class FollowJointTrajectory_SendGoal(_Service[FollowJointTrajectory_SendGoal_Req
 class FollowJointTrajectory_GetResult(_Service[FollowJointTrajectory_GetResult_Request, FollowJointTrajectory_GetResult_Response]):
     """The service control_msgs/action/FollowJointTrajectory_GetResult."""
 
+    __module__ = _module("_follow_joint_trajectory")
     _TYPE_NAME = "control_msgs/action/FollowJointTrajectory_GetResult"
     _TYPE_HASH = "RIHS01_e3ceb38e3e1867c8dc0f46014df26e90eb93422f27e9e97f936e07f94be4bc8b"
     Request: _TypeAlias = FollowJointTrajectory_GetResult_Request
@@ -416,6 +445,7 @@ class FollowJointTrajectory_GetResult(_Service[FollowJointTrajectory_GetResult_R
 class FollowJointTrajectory(_Action[FollowJointTrajectory_Goal, FollowJointTrajectory_Result, FollowJointTrajectory_Feedback, FollowJointTrajectory_FeedbackMessage, FollowJointTrajectory_GetResult_Response]):
     """The action control_msgs/action/FollowJointTrajectory."""
 
+    __module__ = _module("_follow_joint_trajectory")
     _TYPE_NAME = "control_msgs/action/FollowJointTrajectory"
     _TYPE_HASH = "RIHS01_738ebcb7a2d7cfa42f9f1001cc99ce3a4383d1cfe508015d9be8485e4b1c66f6"
     Goal: _TypeAlias = FollowJointTrajectory_Goal
@@ -425,6 +455,7 @@ class FollowJointTrajectory(_Action[FollowJointTrajectory_Goal, FollowJointTraje
     class Impl:
         """The services and messages that carry the action."""
 
+        __module__ = _module("_follow_joint_trajectory")
         SendGoalService: _TypeAlias = FollowJointTrajectory_SendGoal
         GetResultService: _TypeAlias = FollowJointTrajectory_GetResult
         FeedbackMessage: _TypeAlias = FollowJointTrajectory_FeedbackMessage
@@ -435,6 +466,7 @@ class FollowJointTrajectory(_Action[FollowJointTrajectory_Goal, FollowJointTraje
 class GripperCommand_Goal(_Message):
     """The message control_msgs/action/GripperCommand_Goal."""
 
+    __module__ = _module("_gripper_command")
     _TYPE_NAME = "control_msgs/action/GripperCommand_Goal"
     _TYPE_HASH = "RIHS01_607d9f41eb241e1922e90f02125e87ae6bfb78f7f64a71dc92630263d01f8b6d"
     _FIELDS = {"command": "control_msgs/msg/GripperCommand"}
@@ -449,6 +481,7 @@ class GripperCommand_Goal(_Message):
 class GripperCommand_Result(_Message):
     """The message control_msgs/action/GripperCommand_Result."""
 
+    __module__ = _module("_gripper_command")
     _TYPE_NAME = "control_msgs/action/GripperCommand_Result"
     _TYPE_HASH = "RIHS01_bf512d5aa6a0e4fe4d8be22b2ec4a1973c3d250fa1f65e47450322c25c45c0a0"
     _FIELDS = {"position": "float64", "effort": "float64", "stalled": "bool", "reached_goal": "bool"}
@@ -466,6 +499,7 @@ class GripperCommand_Result(_Message):
 class GripperCommand_Feedback(_Message):
     """The message control_msgs/action/GripperCommand_Feedback."""
 
+    __module__ = _module("_gripper_command")
     _TYPE_NAME = "control_msgs/action/GripperCommand_Feedback"
     _TYPE_HASH = "RIHS01_8f7c520077bab528bb9161ee3b83c81eee1f8aecadb8922ce82c79d667a819c4"
     _FIELDS = {"position": "float64", "effort": "float64", "stalled": "bool", "reached_goal": "bool"}
@@ -483,6 +517,7 @@ class GripperCommand_Feedback(_Message):
 class GripperCommand_SendGoal_Request(_Message):
     """The message control_msgs/action/GripperCommand_SendGoal_Request."""
 
+    __module__ = _module("_gripper_command")
     _TYPE_NAME = "control_msgs/action/GripperCommand_SendGoal_Request"
     _TYPE_HASH = "RIHS01_1b869b7b4042272dc0f8ed65468c4e57c9e532ea5e53ce74fda0767eefbfa983"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "goal": "control_msgs/action/GripperCommand_Goal"}
@@ -498,6 +533,7 @@ class GripperCommand_SendGoal_Request(_Message):
 class GripperCommand_SendGoal_Response(_Message):
     """The message control_msgs/action/GripperCommand_SendGoal_Response."""
 
+    __module__ = _module("_gripper_command")
     _TYPE_NAME = "control_msgs/action/GripperCommand_SendGoal_Response"
     _TYPE_HASH = "RIHS01_0c8dda5e9d39ab5e3162b66e79b292a4258659ddfcf8722d39463f718b6c59bc"
     _FIELDS = {"accepted": "bool", "stamp": "builtin_interfaces/msg/Time"}
@@ -513,6 +549,7 @@ class GripperCommand_SendGoal_Response(_Message):
 class GripperCommand_SendGoal_Event(_Message):
     """The message control_msgs/action/GripperCommand_SendGoal_Event."""
 
+    __module__ = _module("_gripper_command")
     _TYPE_NAME = "control_msgs/action/GripperCommand_SendGoal_Event"
     _TYPE_HASH = "RIHS01_5c80eac98bcde7d64faf4b94f77ef69f12e442870dc1eba26d25b4681ef9ac0a"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "control_msgs/action/GripperCommand_SendGoal_Request[<=1]", "response": "control_msgs/action/GripperCommand_SendGoal_Response[<=1]"}
@@ -529,6 +566,7 @@ class GripperCommand_SendGoal_Event(_Message):
 class GripperCommand_GetResult_Request(_Message):
     """The message control_msgs/action/GripperCommand_GetResult_Request."""
 
+    __module__ = _module("_gripper_command")
     _TYPE_NAME = "control_msgs/action/GripperCommand_GetResult_Request"
     _TYPE_HASH = "RIHS01_1a3308da3acbc62cd8a3c823de80ba9e5f9b6bb6f6056d1ad6b29f5f285f97ae"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID"}
@@ -543,6 +581,7 @@ class GripperCommand_GetResult_Request(_Message):
 class GripperCommand_GetResult_Response(_Message):
     """The message control_msgs/action/GripperCommand_GetResult_Response."""
 
+    __module__ = _module("_gripper_command")
     _TYPE_NAME = "control_msgs/action/GripperCommand_GetResult_Response"
     _TYPE_HASH = "RIHS01_32ed5e1b5906767a3e9914dca4c4aed22529918f6c2360e6fb382363d4df4b45"
     _FIELDS = {"status": "int8", "result": "control_msgs/action/GripperCommand_Result"}
@@ -558,6 +597,7 @@ class GripperCommand_GetResult_Response(_Message):
 class GripperCommand_GetResult_Event(_Message):
     """The message control_msgs/action/GripperCommand_GetResult_Event."""
 
+    __module__ = _module("_gripper_command")
     _TYPE_NAME = "control_msgs/action/GripperCommand_GetResult_Event"
     _TYPE_HASH = "RIHS01_c6a1f7afeb87bf8b3165bd7b03ec0173ffada35f083a583144ab7ac96edc5a04"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "control_msgs/action/GripperCommand_GetResult_Request[<=1]", "response": "control_msgs/action/GripperCommand_GetResult_Response[<=1]"}
@@ -574,6 +614,7 @@ class GripperCommand_GetResult_Event(_Message):
 class GripperCommand_FeedbackMessage(_Message):
     """The message control_msgs/action/GripperCommand_FeedbackMessage."""
 
+    __module__ = _module("_gripper_command")
     _TYPE_NAME = "control_msgs/action/GripperCommand_FeedbackMessage"
     _TYPE_HASH = "RIHS01_392ff03fcd872f9dc2405cbeb2897fcf011ad9998458b6aa85c603b8a49e431d"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "feedback": "control_msgs/action/GripperCommand_Feedback"}
@@ -589,6 +630,7 @@ class GripperCommand_FeedbackMessage(_Message):
 class GripperCommand_SendGoal(_Service[GripperCommand_SendGoal_Request, GripperCommand_SendGoal_Response]):
     """The service control_msgs/action/GripperCommand_SendGoal."""
 
+    __module__ = _module("_gripper_command")
     _TYPE_NAME = "control_msgs/action/GripperCommand_SendGoal"
     _TYPE_HASH = "RIHS01_6bf8cc4ce80cd499e7dd3258c03c50c3fa6672b469ff8355339ef1df77fcd212"
     Request: _TypeAlias = GripperCommand_SendGoal_Request
@@ -599,6 +641,7 @@ class GripperCommand_SendGoal(_Service[GripperCommand_SendGoal_Request, GripperC
 class GripperCommand_GetResult(_Service[GripperCommand_GetResult_Request, GripperCommand_GetResult_Response]):
     """The service control_msgs/action/GripperCommand_GetResult."""
 
+    __module__ = _module("_gripper_command")
     _TYPE_NAME = "control_msgs/action/GripperCommand_GetResult"
     _TYPE_HASH = "RIHS01_7e60a7606063d4a2728d21badac099e68b734a196ac3ab42d1d4c668eb0bb3cd"
     Request: _TypeAlias = GripperCommand_GetResult_Request
@@ -609,6 +652,7 @@ class GripperCommand_GetResult(_Service[GripperCommand_GetResult_Request, Grippe
 class GripperCommand(_Action[GripperCommand_Goal, GripperCommand_Result, GripperCommand_Feedback, GripperCommand_FeedbackMessage, GripperCommand_GetResult_Response]):
     """The action control_msgs/action/GripperCommand."""
 
+    __module__ = _module("_gripper_command")
     _TYPE_NAME = "control_msgs/action/GripperCommand"
     _TYPE_HASH = "RIHS01_e17c0e644eccf14bea84a0a93e0977182872c2eb7873ca6694900059b46dbc84"
     Goal: _TypeAlias = GripperCommand_Goal
@@ -618,6 +662,7 @@ class GripperCommand(_Action[GripperCommand_Goal, GripperCommand_Result, Gripper
     class Impl:
         """The services and messages that carry the action."""
 
+        __module__ = _module("_gripper_command")
         SendGoalService: _TypeAlias = GripperCommand_SendGoal
         GetResultService: _TypeAlias = GripperCommand_GetResult
         FeedbackMessage: _TypeAlias = GripperCommand_FeedbackMessage
@@ -628,6 +673,7 @@ class GripperCommand(_Action[GripperCommand_Goal, GripperCommand_Result, Gripper
 class JointTrajectory_Goal(_Message):
     """The message control_msgs/action/JointTrajectory_Goal."""
 
+    __module__ = _module("_joint_trajectory")
     _TYPE_NAME = "control_msgs/action/JointTrajectory_Goal"
     _TYPE_HASH = "RIHS01_88a83973a92c92d1d77d65688c4782842c8efec61e2897161272ab166fc59583"
     _FIELDS = {"trajectory": "trajectory_msgs/msg/JointTrajectory"}
@@ -642,6 +688,7 @@ class JointTrajectory_Goal(_Message):
 class JointTrajectory_Result(_Message):
     """The message control_msgs/action/JointTrajectory_Result."""
 
+    __module__ = _module("_joint_trajectory")
     _TYPE_NAME = "control_msgs/action/JointTrajectory_Result"
     _TYPE_HASH = "RIHS01_8e857ce43c02c45be3a4192454bcdc7230cd7835c5ee8f4ebc2530b1e76101bc"
     _FIELDS = {}
@@ -655,6 +702,7 @@ class JointTrajectory_Result(_Message):
 class JointTrajectory_Feedback(_Message):
     """The message control_msgs/action/JointTrajectory_Feedback."""
 
+    __module__ = _module("_joint_trajectory")
     _TYPE_NAME = "control_msgs/action/JointTrajectory_Feedback"
     _TYPE_HASH = "RIHS01_a5042837e7b010c5baf7ec9ebaac3a339d1921ea65f73f549bdf7a5255f62bb1"
     _FIELDS = {}
@@ -668,6 +716,7 @@ class JointTrajectory_Feedback(_Message):
 class JointTrajectory_SendGoal_Request(_Message):
     """The message control_msgs/action/JointTrajectory_SendGoal_Request."""
 
+    __module__ = _module("_joint_trajectory")
     _TYPE_NAME = "control_msgs/action/JointTrajectory_SendGoal_Request"
     _TYPE_HASH = "RIHS01_c58a4bcf0a1136ab314a43ddefa5924b98874e1d08b4eb2a44aba9fda0103aaa"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "goal": "control_msgs/action/JointTrajectory_Goal"}
@@ -683,6 +732,7 @@ class JointTrajectory_SendGoal_Request(_Message):
 class JointTrajectory_SendGoal_Response(_Message):
     """The message control_msgs/action/JointTrajectory_SendGoal_Response."""
 
+    __module__ = _module("_joint_trajectory")
     _TYPE_NAME = "control_msgs/action/JointTrajectory_SendGoal_Response"
     _TYPE_HASH = "RIHS01_7a32ced8e0507d50e79593d81398d3e46a868e4ed8e9676dd377c62c86b4cbd2"
     _FIELDS = {"accepted": "bool", "stamp": "builtin_interfaces/msg/Time"}
@@ -698,6 +748,7 @@ class JointTrajectory_SendGoal_Response(_Message):
 class JointTrajectory_SendGoal_Event(_Message):
     """The message control_msgs/action/JointTrajectory_SendGoal_Event."""
 
+    __module__ = _module("_joint_trajectory")
     _TYPE_NAME = "control_msgs/action/JointTrajectory_SendGoal_Event"
     _TYPE_HASH = "RIHS01_9d296f840cb1063bfd6eaae7bf9cb5f07620fdff3dbb66f4c1266c5e4a42b622"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "control_msgs/action/JointTrajectory_SendGoal_Request[<=1]", "response": "control_msgs/action/JointTrajectory_SendGoal_Response[<=1]"}
@@ -714,6 +765,7 @@ class JointTrajectory_SendGoal_Event(_Message):
 class JointTrajectory_GetResult_Request(_Message):
     """The message control_msgs/action/JointTrajectory_GetResult_Request."""
 
+    __module__ = _module("_joint_trajectory")
     _TYPE_NAME = "control_msgs/action/JointTrajectory_GetResult_Request"
     _TYPE_HASH = "RIHS01_08493ba7d15c5d7840782614f3988edc56568e91a652edafce93c62e19508b7f"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID"}
@@ -728,6 +780,7 @@ class JointTrajectory_GetResult_Request(_Message):
 class JointTrajectory_GetResult_Response(_Message):
     """The message control_msgs/action/JointTrajectory_GetResult_Response."""
 
+    __module__ = _module("_joint_trajectory")
     _TYPE_NAME = "control_msgs/action/JointTrajectory_GetResult_Response"
     _TYPE_HASH = "RIHS01_1c22b1cafd7ea50f6755ffca8dd781fbfc49d4b05916d61ebc05895c1b7b35db"
     _FIELDS = {"status": "int8", "result": "control_msgs/action/JointTrajectory_Result"}
@@ -743,6 +796,7 @@ class JointTrajectory_GetResult_Response(_Message):
 class JointTrajectory_GetResult_Event(_Message):
     """The message control_msgs/action/JointTrajectory_GetResult_Event."""
 
+    __module__ = _module("_joint_trajectory")
     _TYPE_NAME = "control_msgs/action/JointTrajectory_GetResult_Event"
     _TYPE_HASH = "RIHS01_923057c280b569f8f1f4a21494978a34900ec2048f8e75d54948363ef6d9d3b4"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "control_msgs/action/JointTrajectory_GetResult_Request[<=1]", "response": "control_msgs/action/JointTrajectory_GetResult_Response[<=1]"}
@@ -759,6 +813,7 @@ class JointTrajectory_GetResult_Event(_Message):
 class JointTrajectory_FeedbackMessage(_Message):
     """The message control_msgs/action/JointTrajectory_FeedbackMessage."""
 
+    __module__ = _module("_joint_trajectory")
     _TYPE_NAME = "control_msgs/action/JointTrajectory_FeedbackMessage"
     _TYPE_HASH = "RIHS01_8c25808047bbc5f3a9168b85b0ded4b54b3d205942ba45b6c98178ce9fa1710b"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "feedback": "control_msgs/action/JointTrajectory_Feedback"}
@@ -774,6 +829,7 @@ class JointTrajectory_FeedbackMessage(_Message):
 class JointTrajectory_SendGoal(_Service[JointTrajectory_SendGoal_Request, JointTrajectory_SendGoal_Response]):
     """The service control_msgs/action/JointTrajectory_SendGoal."""
 
+    __module__ = _module("_joint_trajectory")
     _TYPE_NAME = "control_msgs/action/JointTrajectory_SendGoal"
     _TYPE_HASH = "RIHS01_778a01ff37b17173c00962144710f8c998f50956416d84e0c669ca0c5387ef46"
     Request: _TypeAlias = JointTrajectory_SendGoal_Request
@@ -784,6 +840,7 @@ class JointTrajectory_SendGoal(_Service[JointTrajectory_SendGoal_Request, JointT
 class JointTrajectory_GetResult(_Service[JointTrajectory_GetResult_Request, JointTrajectory_GetResult_Response]):
     """The service control_msgs/action/JointTrajectory_GetResult."""
 
+    __module__ = _module("_joint_trajectory")
     _TYPE_NAME = "control_msgs/action/JointTrajectory_GetResult"
     _TYPE_HASH = "RIHS01_f208b4c5901966845cf405b95da4ac611eb1c556f3b904c21ab9ded64d835fd4"
     Request: _TypeAlias = JointTrajectory_GetResult_Request
@@ -794,6 +851,7 @@ class JointTrajectory_GetResult(_Service[JointTrajectory_GetResult_Request, Join
 class JointTrajectory(_Action[JointTrajectory_Goal, JointTrajectory_Result, JointTrajectory_Feedback, JointTrajectory_FeedbackMessage, JointTrajectory_GetResult_Response]):
     """The action control_msgs/action/JointTrajectory."""
 
+    __module__ = _module("_joint_trajectory")
     _TYPE_NAME = "control_msgs/action/JointTrajectory"
     _TYPE_HASH = "RIHS01_8db0176d9778d501036234e238568b82af95ce3f69271592fbf9887ca9421380"
     Goal: _TypeAlias = JointTrajectory_Goal
@@ -803,6 +861,7 @@ class JointTrajectory(_Action[JointTrajectory_Goal, JointTrajectory_Result, Join
     class Impl:
         """The services and messages that carry the action."""
 
+        __module__ = _module("_joint_trajectory")
         SendGoalService: _TypeAlias = JointTrajectory_SendGoal
         GetResultService: _TypeAlias = JointTrajectory_GetResult
         FeedbackMessage: _TypeAlias = JointTrajectory_FeedbackMessage
@@ -813,6 +872,7 @@ class JointTrajectory(_Action[JointTrajectory_Goal, JointTrajectory_Result, Join
 class ParallelGripperCommand_Goal(_Message):
     """The message control_msgs/action/ParallelGripperCommand_Goal."""
 
+    __module__ = _module("_parallel_gripper_command")
     _TYPE_NAME = "control_msgs/action/ParallelGripperCommand_Goal"
     _TYPE_HASH = "RIHS01_412807b6b6acf2bf406fb0cf3b5c8f84286cd4e4d425734155aa1ff41caa0063"
     _FIELDS = {"command": "sensor_msgs/msg/JointState"}
@@ -827,6 +887,7 @@ class ParallelGripperCommand_Goal(_Message):
 class ParallelGripperCommand_Result(_Message):
     """The message control_msgs/action/ParallelGripperCommand_Result."""
 
+    __module__ = _module("_parallel_gripper_command")
     _TYPE_NAME = "control_msgs/action/ParallelGripperCommand_Result"
     _TYPE_HASH = "RIHS01_51acbcd62aa44097d3877c506eab1146856fa8768628ffbe102c1699152d2afa"
     _FIELDS = {"state": "sensor_msgs/msg/JointState", "stalled": "bool", "reached_goal": "bool"}
@@ -843,6 +904,7 @@ class ParallelGripperCommand_Result(_Message):
 class ParallelGripperCommand_Feedback(_Message):
     """The message control_msgs/action/ParallelGripperCommand_Feedback."""
 
+    __module__ = _module("_parallel_gripper_command")
     _TYPE_NAME = "control_msgs/action/ParallelGripperCommand_Feedback"
     _TYPE_HASH = "RIHS01_ed6f7c4e5aea7f960432663c0e762e001a0a1f5cc0130d126e60041412d0543c"
     _FIELDS = {"state": "sensor_msgs/msg/JointState"}
@@ -857,6 +919,7 @@ class ParallelGripperCommand_Feedback(_Message):
 class ParallelGripperCommand_SendGoal_Request(_Message):
     """The message control_msgs/action/ParallelGripperCommand_SendGoal_Request."""
 
+    __module__ = _module("_parallel_gripper_command")
     _TYPE_NAME = "control_msgs/action/ParallelGripperCommand_SendGoal_Request"
     _TYPE_HASH = "RIHS01_dc8e5d95c0e15af6f03ff237eb8cfdaac14cc2b09f51b363311e98ec0a8487a0"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "goal": "control_msgs/action/ParallelGripperCommand_Goal"}
@@ -872,6 +935,7 @@ class ParallelGripperCommand_SendGoal_Request(_Message):
 class ParallelGripperCommand_SendGoal_Response(_Message):
     """The message control_msgs/action/ParallelGripperCommand_SendGoal_Response."""
 
+    __module__ = _module("_parallel_gripper_command")
     _TYPE_NAME = "control_msgs/action/ParallelGripperCommand_SendGoal_Response"
     _TYPE_HASH = "RIHS01_613e4f060bff03b152eeaba1f8c6baa9d0309527b28b08bc9aae28ece7ef8b47"
     _FIELDS = {"accepted": "bool", "stamp": "builtin_interfaces/msg/Time"}
@@ -887,6 +951,7 @@ class ParallelGripperCommand_SendGoal_Response(_Message):
 class ParallelGripperCommand_SendGoal_Event(_Message):
     """The message control_msgs/action/ParallelGripperCommand_SendGoal_Event."""
 
+    __module__ = _module("_parallel_gripper_command")
     _TYPE_NAME = "control_msgs/action/ParallelGripperCommand_SendGoal_Event"
     _TYPE_HASH = "RIHS01_b6164adce06de27a3ebd924f198539baf7f929315c825b266c8827de4ca79384"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "control_msgs/action/ParallelGripperCommand_SendGoal_Request[<=1]", "response": "control_msgs/action/ParallelGripperCommand_SendGoal_Response[<=1]"}
@@ -903,6 +968,7 @@ class ParallelGripperCommand_SendGoal_Event(_Message):
 class ParallelGripperCommand_GetResult_Request(_Message):
     """The message control_msgs/action/ParallelGripperCommand_GetResult_Request."""
 
+    __module__ = _module("_parallel_gripper_command")
     _TYPE_NAME = "control_msgs/action/ParallelGripperCommand_GetResult_Request"
     _TYPE_HASH = "RIHS01_cea82415cadc3288fdfa8aaba509e9939732aaecac6edf9cb954e5a7161646ec"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID"}
@@ -917,6 +983,7 @@ class ParallelGripperCommand_GetResult_Request(_Message):
 class ParallelGripperCommand_GetResult_Response(_Message):
     """The message control_msgs/action/ParallelGripperCommand_GetResult_Response."""
 
+    __module__ = _module("_parallel_gripper_command")
     _TYPE_NAME = "control_msgs/action/ParallelGripperCommand_GetResult_Response"
     _TYPE_HASH = "RIHS01_c973b1bb9b454de1c3f38a2af9d45bc1930b809f746d6d6ec91bb3c783cb09eb"
     _FIELDS = {"status": "int8", "result": "control_msgs/action/ParallelGripperCommand_Result"}
@@ -932,6 +999,7 @@ class ParallelGripperCommand_GetResult_Response(_Message):
 class ParallelGripperCommand_GetResult_Event(_Message):
     """The message control_msgs/action/ParallelGripperCommand_GetResult_Event."""
 
+    __module__ = _module("_parallel_gripper_command")
     _TYPE_NAME = "control_msgs/action/ParallelGripperCommand_GetResult_Event"
     _TYPE_HASH = "RIHS01_bb81e07fe7a231c5de7b957f0384ea31600b8a808cf83e820e213b7216ebf12e"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "control_msgs/action/ParallelGripperCommand_GetResult_Request[<=1]", "response": "control_msgs/action/ParallelGripperCommand_GetResult_Response[<=1]"}
@@ -948,6 +1016,7 @@ class ParallelGripperCommand_GetResult_Event(_Message):
 class ParallelGripperCommand_FeedbackMessage(_Message):
     """The message control_msgs/action/ParallelGripperCommand_FeedbackMessage."""
 
+    __module__ = _module("_parallel_gripper_command")
     _TYPE_NAME = "control_msgs/action/ParallelGripperCommand_FeedbackMessage"
     _TYPE_HASH = "RIHS01_c61f4cf99d06c5a3e24bed17c2910bdf66a30d89461e2ac7b5fd538a34b022cc"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "feedback": "control_msgs/action/ParallelGripperCommand_Feedback"}
@@ -963,6 +1032,7 @@ class ParallelGripperCommand_FeedbackMessage(_Message):
 class ParallelGripperCommand_SendGoal(_Service[ParallelGripperCommand_SendGoal_Request, ParallelGripperCommand_SendGoal_Response]):
     """The service control_msgs/action/ParallelGripperCommand_SendGoal."""
 
+    __module__ = _module("_parallel_gripper_command")
     _TYPE_NAME = "control_msgs/action/ParallelGripperCommand_SendGoal"
     _TYPE_HASH = "RIHS01_567c37373fed1260adbe047415688c73e4f3e94b2e3982761ecc71fd63d710a7"
     Request: _TypeAlias = ParallelGripperCommand_SendGoal_Request
@@ -973,6 +1043,7 @@ class ParallelGripperCommand_SendGoal(_Service[ParallelGripperCommand_SendGoal_R
 class ParallelGripperCommand_GetResult(_Service[ParallelGripperCommand_GetResult_Request, ParallelGripperCommand_GetResult_Response]):
     """The service control_msgs/action/ParallelGripperCommand_GetResult."""
 
+    __module__ = _module("_parallel_gripper_command")
     _TYPE_NAME = "control_msgs/action/ParallelGripperCommand_GetResult"
     _TYPE_HASH = "RIHS01_e4c7f0e8a831ce5625ed20abcd13796406d945f92ebc7ad5972e0b0d29b381bd"
     Request: _TypeAlias = ParallelGripperCommand_GetResult_Request
@@ -983,6 +1054,7 @@ class ParallelGripperCommand_GetResult(_Service[ParallelGripperCommand_GetResult
 class ParallelGripperCommand(_Action[ParallelGripperCommand_Goal, ParallelGripperCommand_Result, ParallelGripperCommand_Feedback, ParallelGripperCommand_FeedbackMessage, ParallelGripperCommand_GetResult_Response]):
     """The action control_msgs/action/ParallelGripperCommand."""
 
+    __module__ = _module("_parallel_gripper_command")
     _TYPE_NAME = "control_msgs/action/ParallelGripperCommand"
     _TYPE_HASH = "RIHS01_adfd3c1ebe8abc38ebcc0e454b6423d291d4010dd5697d14eca5b9be4726ae18"
     Goal: _TypeAlias = ParallelGripperCommand_Goal
@@ -992,6 +1064,7 @@ class ParallelGripperCommand(_Action[ParallelGripperCommand_Goal, ParallelGrippe
     class Impl:
         """The services and messages that carry the action."""
 
+        __module__ = _module("_parallel_gripper_command")
         SendGoalService: _TypeAlias = ParallelGripperCommand_SendGoal
         GetResultService: _TypeAlias = ParallelGripperCommand_GetResult
         FeedbackMessage: _TypeAlias = ParallelGripperCommand_FeedbackMessage
@@ -1002,6 +1075,7 @@ class ParallelGripperCommand(_Action[ParallelGripperCommand_Goal, ParallelGrippe
 class PointHead_Goal(_Message):
     """The message control_msgs/action/PointHead_Goal."""
 
+    __module__ = _module("_point_head")
     _TYPE_NAME = "control_msgs/action/PointHead_Goal"
     _TYPE_HASH = "RIHS01_077883bf47f9442e4305e57fdd60c813115def08669e6b7b62d85795e6cfc0f9"
     _FIELDS = {"target": "geometry_msgs/msg/PointStamped", "pointing_axis": "geometry_msgs/msg/Vector3", "pointing_frame": "string", "min_duration": "builtin_interfaces/msg/Duration", "max_velocity": "float64"}
@@ -1020,6 +1094,7 @@ class PointHead_Goal(_Message):
 class PointHead_Result(_Message):
     """The message control_msgs/action/PointHead_Result."""
 
+    __module__ = _module("_point_head")
     _TYPE_NAME = "control_msgs/action/PointHead_Result"
     _TYPE_HASH = "RIHS01_76d221e8719cd8560d7fe478d8e18995fa595e812aa3f14fcef9c1802c350505"
     _FIELDS = {}
@@ -1033,6 +1108,7 @@ class PointHead_Result(_Message):
 class PointHead_Feedback(_Message):
     """The message control_msgs/action/PointHead_Feedback."""
 
+    __module__ = _module("_point_head")
     _TYPE_NAME = "control_msgs/action/PointHead_Feedback"
     _TYPE_HASH = "RIHS01_83a5dd2c902480c1d1106bbe9916f664d890bee78fd751c8580107939a485b15"
     _FIELDS = {"pointing_angle_error": "float64"}
@@ -1047,6 +1123,7 @@ class PointHead_Feedback(_Message):
 class PointHead_SendGoal_Request(_Message):
     """The message control_msgs/action/PointHead_SendGoal_Request."""
 
+    __module__ = _module("_point_head")
     _TYPE_NAME = "control_msgs/action/PointHead_SendGoal_Request"
     _TYPE_HASH = "RIHS01_ab0202bfd4eda8d7fd546e786acc4b079c4aa6d3ea43ea28f0090d6909092ed1"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "goal": "control_msgs/action/PointHead_Goal"}
@@ -1062,6 +1139,7 @@ class PointHead_SendGoal_Request(_Message):
 class PointHead_SendGoal_Response(_Message):
     """The message control_msgs/action/PointHead_SendGoal_Response."""
 
+    __module__ = _module("_point_head")
     _TYPE_NAME = "control_msgs/action/PointHead_SendGoal_Response"
     _TYPE_HASH = "RIHS01_44cd7c0e5a09712567e0dcecde578de05c710cc5e7252fe67c5528be41f1868d"
     _FIELDS = {"accepted": "bool", "stamp": "builtin_interfaces/msg/Time"}
@@ -1077,6 +1155,7 @@ class PointHead_SendGoal_Response(_Message):
 class PointHead_SendGoal_Event(_Message):
     """The message control_msgs/action/PointHead_SendGoal_Event."""
 
+    __module__ = _module("_point_head")
     _TYPE_NAME = "control_msgs/action/PointHead_SendGoal_Event"
     _TYPE_HASH = "RIHS01_17d5f8150aee003a0a75b632a72c5ee9a64571f29835fe8d9ad89ad0b3a51f10"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "control_msgs/action/PointHead_SendGoal_Request[<=1]", "response": "control_msgs/action/PointHead_SendGoal_Response[<=1]"}
@@ -1093,6 +1172,7 @@ class PointHead_SendGoal_Event(_Message):
 class PointHead_GetResult_Request(_Message):
     """The message control_msgs/action/PointHead_GetResult_Request."""
 
+    __module__ = _module("_point_head")
     _TYPE_NAME = "control_msgs/action/PointHead_GetResult_Request"
     _TYPE_HASH = "RIHS01_b1939232fdf857e5638813a805bf667a1a98e2c962e20705a0f4e4a99b3fc426"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID"}
@@ -1107,6 +1187,7 @@ class PointHead_GetResult_Request(_Message):
 class PointHead_GetResult_Response(_Message):
     """The message control_msgs/action/PointHead_GetResult_Response."""
 
+    __module__ = _module("_point_head")
     _TYPE_NAME = "control_msgs/action/PointHead_GetResult_Response"
     _TYPE_HASH = "RIHS01_50ecd93967c2ef332a4c89a3ba2e4627be87f0719c1f6a9445b4a2451769fe5f"
     _FIELDS = {"status": "int8", "result": "control_msgs/action/PointHead_Result"}
@@ -1122,6 +1203,7 @@ class PointHead_GetResult_Response(_Message):
 class PointHead_GetResult_Event(_Message):
     """The message control_msgs/action/PointHead_GetResult_Event."""
 
+    __module__ = _module("_point_head")
     _TYPE_NAME = "control_msgs/action/PointHead_GetResult_Event"
     _TYPE_HASH = "RIHS01_567de702e345941dbe4ab7d1ca092729271540ed47a33403f6019b92acc72bfd"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "control_msgs/action/PointHead_GetResult_Request[<=1]", "response": "control_msgs/action/PointHead_GetResult_Response[<=1]"}
@@ -1138,6 +1220,7 @@ class PointHead_GetResult_Event(_Message):
 class PointHead_FeedbackMessage(_Message):
     """The message control_msgs/action/PointHead_FeedbackMessage."""
 
+    __module__ = _module("_point_head")
     _TYPE_NAME = "control_msgs/action/PointHead_FeedbackMessage"
     _TYPE_HASH = "RIHS01_b1f724f986375e8f9cf96246c232cdb29362398ce352c645e2af8f99b28743f2"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "feedback": "control_msgs/action/PointHead_Feedback"}
@@ -1153,6 +1236,7 @@ class PointHead_FeedbackMessage(_Message):
 class PointHead_SendGoal(_Service[PointHead_SendGoal_Request, PointHead_SendGoal_Response]):
     """The service control_msgs/action/PointHead_SendGoal."""
 
+    __module__ = _module("_point_head")
     _TYPE_NAME = "control_msgs/action/PointHead_SendGoal"
     _TYPE_HASH = "RIHS01_48f533aa84588d8f2124fcb7ad42dc25b7a7c185cc51e9cc3329f1b1273b3423"
     Request: _TypeAlias = PointHead_SendGoal_Request
@@ -1163,6 +1247,7 @@ class PointHead_SendGoal(_Service[PointHead_SendGoal_Request, PointHead_SendGoal
 class PointHead_GetResult(_Service[PointHead_GetResult_Request, PointHead_GetResult_Response]):
     """The service control_msgs/action/PointHead_GetResult."""
 
+    __module__ = _module("_point_head")
     _TYPE_NAME = "control_msgs/action/PointHead_GetResult"
     _TYPE_HASH = "RIHS01_0b738bb41db0a12a00129d8ba5c1d7a2055cda2196057bef209a511b60bffb6c"
     Request: _TypeAlias = PointHead_GetResult_Request
@@ -1173,6 +1258,7 @@ class PointHead_GetResult(_Service[PointHead_GetResult_Request, PointHead_GetRes
 class PointHead(_Action[PointHead_Goal, PointHead_Result, PointHead_Feedback, PointHead_FeedbackMessage, PointHead_GetResult_Response]):
     """The action control_msgs/action/PointHead."""
 
+    __module__ = _module("_point_head")
     _TYPE_NAME = "control_msgs/action/PointHead"
     _TYPE_HASH = "RIHS01_7074c3bddad393f3db72da02a8bb0fe3d832c21447452694b496965bdbfc9cc1"
     Goal: _TypeAlias = PointHead_Goal
@@ -1182,6 +1268,7 @@ class PointHead(_Action[PointHead_Goal, PointHead_Result, PointHead_Feedback, Po
     class Impl:
         """The services and messages that carry the action."""
 
+        __module__ = _module("_point_head")
         SendGoalService: _TypeAlias = PointHead_SendGoal
         GetResultService: _TypeAlias = PointHead_GetResult
         FeedbackMessage: _TypeAlias = PointHead_FeedbackMessage
@@ -1192,6 +1279,7 @@ class PointHead(_Action[PointHead_Goal, PointHead_Result, PointHead_Feedback, Po
 class SingleJointPosition_Goal(_Message):
     """The message control_msgs/action/SingleJointPosition_Goal."""
 
+    __module__ = _module("_single_joint_position")
     _TYPE_NAME = "control_msgs/action/SingleJointPosition_Goal"
     _TYPE_HASH = "RIHS01_c434f6bb755396b6037c46761f492580e7121d17157ead1d58dfee174001cf79"
     _FIELDS = {"position": "float64", "min_duration": "builtin_interfaces/msg/Duration", "max_velocity": "float64"}
@@ -1208,6 +1296,7 @@ class SingleJointPosition_Goal(_Message):
 class SingleJointPosition_Result(_Message):
     """The message control_msgs/action/SingleJointPosition_Result."""
 
+    __module__ = _module("_single_joint_position")
     _TYPE_NAME = "control_msgs/action/SingleJointPosition_Result"
     _TYPE_HASH = "RIHS01_4fa10d555d539d00370b7114db3c3dddb182647e720c8c5faaf8e184822db14c"
     _FIELDS = {}
@@ -1221,6 +1310,7 @@ class SingleJointPosition_Result(_Message):
 class SingleJointPosition_Feedback(_Message):
     """The message control_msgs/action/SingleJointPosition_Feedback."""
 
+    __module__ = _module("_single_joint_position")
     _TYPE_NAME = "control_msgs/action/SingleJointPosition_Feedback"
     _TYPE_HASH = "RIHS01_b3eb28913208b01d2713c908067a803a975ef81a8b9431fd6b4639f2e91fc1fc"
     _FIELDS = {"header": "std_msgs/msg/Header", "position": "float64", "velocity": "float64", "error": "float64"}
@@ -1238,6 +1328,7 @@ class SingleJointPosition_Feedback(_Message):
 class SingleJointPosition_SendGoal_Request(_Message):
     """The message control_msgs/action/SingleJointPosition_SendGoal_Request."""
 
+    __module__ = _module("_single_joint_position")
     _TYPE_NAME = "control_msgs/action/SingleJointPosition_SendGoal_Request"
     _TYPE_HASH = "RIHS01_5ddd6989bdf3389df344904c69b041d2b7eec76dfbb9fad4f66cf3714a3f0806"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "goal": "control_msgs/action/SingleJointPosition_Goal"}
@@ -1253,6 +1344,7 @@ class SingleJointPosition_SendGoal_Request(_Message):
 class SingleJointPosition_SendGoal_Response(_Message):
     """The message control_msgs/action/SingleJointPosition_SendGoal_Response."""
 
+    __module__ = _module("_single_joint_position")
     _TYPE_NAME = "control_msgs/action/SingleJointPosition_SendGoal_Response"
     _TYPE_HASH = "RIHS01_bd3d63d72361e578cc2035b5b28db74b10e876db6050608589fc8f0b523f9839"
     _FIELDS = {"accepted": "bool", "stamp": "builtin_interfaces/msg/Time"}
@@ -1268,6 +1360,7 @@ class SingleJointPosition_SendGoal_Response(_Message):
 class SingleJointPosition_SendGoal_Event(_Message):
     """The message control_msgs/action/SingleJointPosition_SendGoal_Event."""
 
+    __module__ = _module("_single_joint_position")
     _TYPE_NAME = "control_msgs/action/SingleJointPosition_SendGoal_Event"
     _TYPE_HASH = "RIHS01_b5572c9dd92946f93c341f99327916689083117d0b35128603973a590ce73157"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "control_msgs/action/SingleJointPosition_SendGoal_Request[<=1]", "response": "control_msgs/action/SingleJointPosition_SendGoal_Response[<=1]"}
@@ -1284,6 +1377,7 @@ class SingleJointPosition_SendGoal_Event(_Message):
 class SingleJointPosition_GetResult_Request(_Message):
     """The message control_msgs/action/SingleJointPosition_GetResult_Request."""
 
+    __module__ = _module("_single_joint_position")
     _TYPE_NAME = "control_msgs/action/SingleJointPosition_GetResult_Request"
     _TYPE_HASH = "RIHS01_d2b87049687ebad79bebbd130e6913b690069fba19f19b4b4774754f969d1566"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID"}
@@ -1298,6 +1392,7 @@ class SingleJointPosition_GetResult_Request(_Message):
 class SingleJointPosition_GetResult_Response(_Message):
     """The message control_msgs/action/SingleJointPosition_GetResult_Response."""
 
+    __module__ = _module("_single_joint_position")
     _TYPE_NAME = "control_msgs/action/SingleJointPosition_GetResult_Response"
     _TYPE_HASH = "RIHS01_6475df69e4fbff1aa8dcd8d2825e03f6faa3c69f158c8fe1d058eb506d53ee9e"
     _FIELDS = {"status": "int8", "result": "control_msgs/action/SingleJointPosition_Result"}
@@ -1313,6 +1408,7 @@ class SingleJointPosition_GetResult_Response(_Message):
 class SingleJointPosition_GetResult_Event(_Message):
     """The message control_msgs/action/SingleJointPosition_GetResult_Event."""
 
+    __module__ = _module("_single_joint_position")
     _TYPE_NAME = "control_msgs/action/SingleJointPosition_GetResult_Event"
     _TYPE_HASH = "RIHS01_1e88998104ec861563219431e97580d3ed24ffc792bed4a9fe261a83e3954c3a"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "control_msgs/action/SingleJointPosition_GetResult_Request[<=1]", "response": "control_msgs/action/SingleJointPosition_GetResult_Response[<=1]"}
@@ -1329,6 +1425,7 @@ class SingleJointPosition_GetResult_Event(_Message):
 class SingleJointPosition_FeedbackMessage(_Message):
     """The message control_msgs/action/SingleJointPosition_FeedbackMessage."""
 
+    __module__ = _module("_single_joint_position")
     _TYPE_NAME = "control_msgs/action/SingleJointPosition_FeedbackMessage"
     _TYPE_HASH = "RIHS01_6da19eb420db90080a9bd9cac0041c865254b8e49cbe0d2b54c78e1814ed499b"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "feedback": "control_msgs/action/SingleJointPosition_Feedback"}
@@ -1344,6 +1441,7 @@ class SingleJointPosition_FeedbackMessage(_Message):
 class SingleJointPosition_SendGoal(_Service[SingleJointPosition_SendGoal_Request, SingleJointPosition_SendGoal_Response]):
     """The service control_msgs/action/SingleJointPosition_SendGoal."""
 
+    __module__ = _module("_single_joint_position")
     _TYPE_NAME = "control_msgs/action/SingleJointPosition_SendGoal"
     _TYPE_HASH = "RIHS01_abcf6f8acd1889a685cd6ac2e948284a8012a81d01e6af0d6a918c52d759ca47"
     Request: _TypeAlias = SingleJointPosition_SendGoal_Request
@@ -1354,6 +1452,7 @@ class SingleJointPosition_SendGoal(_Service[SingleJointPosition_SendGoal_Request
 class SingleJointPosition_GetResult(_Service[SingleJointPosition_GetResult_Request, SingleJointPosition_GetResult_Response]):
     """The service control_msgs/action/SingleJointPosition_GetResult."""
 
+    __module__ = _module("_single_joint_position")
     _TYPE_NAME = "control_msgs/action/SingleJointPosition_GetResult"
     _TYPE_HASH = "RIHS01_afe95c54e7c59cdb7e0d978bfafb908e3f1546975d540911a1768009d577351d"
     Request: _TypeAlias = SingleJointPosition_GetResult_Request
@@ -1364,6 +1463,7 @@ class SingleJointPosition_GetResult(_Service[SingleJointPosition_GetResult_Reque
 class SingleJointPosition(_Action[SingleJointPosition_Goal, SingleJointPosition_Result, SingleJointPosition_Feedback, SingleJointPosition_FeedbackMessage, SingleJointPosition_GetResult_Response]):
     """The action control_msgs/action/SingleJointPosition."""
 
+    __module__ = _module("_single_joint_position")
     _TYPE_NAME = "control_msgs/action/SingleJointPosition"
     _TYPE_HASH = "RIHS01_1b330d11638c0b1d3228cc80b1123e5b3db3d24592e95429812bf30056e3db7b"
     Goal: _TypeAlias = SingleJointPosition_Goal
@@ -1373,6 +1473,7 @@ class SingleJointPosition(_Action[SingleJointPosition_Goal, SingleJointPosition_
     class Impl:
         """The services and messages that carry the action."""
 
+        __module__ = _module("_single_joint_position")
         SendGoalService: _TypeAlias = SingleJointPosition_SendGoal
         GetResultService: _TypeAlias = SingleJointPosition_GetResult
         FeedbackMessage: _TypeAlias = SingleJointPosition_FeedbackMessage

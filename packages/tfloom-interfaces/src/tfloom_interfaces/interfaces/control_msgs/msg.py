@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
@@ -23,10 +24,13 @@ if TYPE_CHECKING:
 
 __all__ = ["AdmittanceControllerState", "BatteryStateArray", "DynamicInterfaceGroupValues", "DynamicInterfaceValues", "DynamicJointState", "Float64Values", "GripperCommand", "InterfaceValue", "JointComponentTolerance", "JointControllerState", "JointJog", "JointTolerance", "JointTrajectoryControllerState", "Keys", "MecanumDriveControllerState", "MotionArgument", "MotionPrimitive", "MotionPrimitiveSequence", "MultiDOFCommand", "MultiDOFStateStamped", "PidState", "SingleDOFState", "SingleDOFStateStamped", "SpeedScalingFactor", "SteeringControllerStatus", "VDA5050SafetyState"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class AdmittanceControllerState(_Message):
     """The message control_msgs/msg/AdmittanceControllerState."""
 
+    __module__ = _module("_admittance_controller_state")
     _TYPE_NAME = "control_msgs/msg/AdmittanceControllerState"
     _TYPE_HASH = "RIHS01_8a23c54184ba101c9a733a0a882001edae478c8c3ea37132f9aae1d82fad0b73"
     _FIELDS = {"mass": "std_msgs/msg/Float64MultiArray", "damping": "std_msgs/msg/Float64MultiArray", "stiffness": "std_msgs/msg/Float64MultiArray", "rot_base_control": "geometry_msgs/msg/Quaternion", "ref_trans_base_ft": "geometry_msgs/msg/TransformStamped", "selected_axes": "std_msgs/msg/Int8MultiArray", "ft_sensor_frame": "std_msgs/msg/String", "admittance_position": "geometry_msgs/msg/TransformStamped", "admittance_acceleration": "geometry_msgs/msg/TwistStamped", "admittance_velocity": "geometry_msgs/msg/TwistStamped", "wrench_base": "geometry_msgs/msg/WrenchStamped", "joint_state": "sensor_msgs/msg/JointState"}
@@ -52,6 +56,7 @@ class AdmittanceControllerState(_Message):
 class BatteryStateArray(_Message):
     """The message control_msgs/msg/BatteryStateArray."""
 
+    __module__ = _module("_battery_state_array")
     _TYPE_NAME = "control_msgs/msg/BatteryStateArray"
     _TYPE_HASH = "RIHS01_51ce72fa9e20d9bf19438c68725f360ba3daa51d8cd2b17fdf630c1aa8c4a3ce"
     _FIELDS = {"battery_states": "sensor_msgs/msg/BatteryState[]"}
@@ -66,6 +71,7 @@ class BatteryStateArray(_Message):
 class DynamicInterfaceGroupValues(_Message):
     """The message control_msgs/msg/DynamicInterfaceGroupValues."""
 
+    __module__ = _module("_dynamic_interface_group_values")
     _TYPE_NAME = "control_msgs/msg/DynamicInterfaceGroupValues"
     _TYPE_HASH = "RIHS01_0ebef56c55cdde46b4622f7e0a4dbf26fefbf0296205463e955047252b434cbc"
     _FIELDS = {"header": "std_msgs/msg/Header", "interface_groups": "string[]", "interface_values": "control_msgs/msg/InterfaceValue[]"}
@@ -82,6 +88,7 @@ class DynamicInterfaceGroupValues(_Message):
 class DynamicInterfaceValues(_Message):
     """The message control_msgs/msg/DynamicInterfaceValues."""
 
+    __module__ = _module("_dynamic_interface_values")
     _TYPE_NAME = "control_msgs/msg/DynamicInterfaceValues"
     _TYPE_HASH = "RIHS01_715f733fee51b15fa3b3b5f5ab89bd2c0e38999cc5641960b0bbb32da29d1b8e"
     _FIELDS = {"header": "std_msgs/msg/Header", "states": "control_msgs/msg/InterfaceValue", "commands": "control_msgs/msg/InterfaceValue"}
@@ -98,6 +105,7 @@ class DynamicInterfaceValues(_Message):
 class DynamicJointState(_Message):
     """The message control_msgs/msg/DynamicJointState."""
 
+    __module__ = _module("_dynamic_joint_state")
     _TYPE_NAME = "control_msgs/msg/DynamicJointState"
     _TYPE_HASH = "RIHS01_18024c98a62697680f581108eeed40b28fb4542fa0ac5a8e36f56c62b6813d26"
     _FIELDS = {"header": "std_msgs/msg/Header", "joint_names": "string[]", "interface_values": "control_msgs/msg/InterfaceValue[]"}
@@ -114,6 +122,7 @@ class DynamicJointState(_Message):
 class Float64Values(_Message):
     """The message control_msgs/msg/Float64Values."""
 
+    __module__ = _module("_float64_values")
     _TYPE_NAME = "control_msgs/msg/Float64Values"
     _TYPE_HASH = "RIHS01_ea84ee6911c0fad1cf103debf8bd65ac330dd5c94a316d861b78dd2617f8a92c"
     _FIELDS = {"header": "std_msgs/msg/Header", "values": "float64[]"}
@@ -132,6 +141,7 @@ class Float64Values(_Message):
 class GripperCommand(_Message):
     """The message control_msgs/msg/GripperCommand."""
 
+    __module__ = _module("_gripper_command")
     _TYPE_NAME = "control_msgs/msg/GripperCommand"
     _TYPE_HASH = "RIHS01_57eb8f326c9889ca8bb34ead82cc94cc09bf6bc5c3b6c09546dca3a00b589890"
     _FIELDS = {"position": "float64", "max_effort": "float64"}
@@ -147,6 +157,7 @@ class GripperCommand(_Message):
 class InterfaceValue(_Message):
     """The message control_msgs/msg/InterfaceValue."""
 
+    __module__ = _module("_interface_value")
     _TYPE_NAME = "control_msgs/msg/InterfaceValue"
     _TYPE_HASH = "RIHS01_74a12144ef6b7af67533195cb30f7f607d3301b66950208a72d280695f3e190c"
     _FIELDS = {"interface_names": "string[]", "values": "float64[]"}
@@ -165,6 +176,7 @@ class InterfaceValue(_Message):
 class JointComponentTolerance(_Message):
     """The message control_msgs/msg/JointComponentTolerance."""
 
+    __module__ = _module("_joint_component_tolerance")
     _TYPE_NAME = "control_msgs/msg/JointComponentTolerance"
     _TYPE_HASH = "RIHS01_739ea7566931944d33830fa10f1bf5e7a7fbdc3172bce7a7eaac642bd6e3ffa4"
     _FIELDS = {"joint_name": "string", "component": "uint16", "position": "float64", "velocity": "float64", "acceleration": "float64"}
@@ -188,6 +200,7 @@ class JointComponentTolerance(_Message):
 class JointControllerState(_Message):
     """The message control_msgs/msg/JointControllerState."""
 
+    __module__ = _module("_joint_controller_state")
     _TYPE_NAME = "control_msgs/msg/JointControllerState"
     _TYPE_HASH = "RIHS01_1f6ee64b3b1f1947951f34694f8e19a10ea32f34fe3552df26514f8b30976e90"
     _FIELDS = {"header": "std_msgs/msg/Header", "set_point": "float64", "process_value": "float64", "process_value_dot": "float64", "error": "float64", "time_step": "float64", "command": "float64", "p": "float64", "i": "float64", "d": "float64", "i_clamp": "float64", "antiwindup": "bool"}
@@ -213,6 +226,7 @@ class JointControllerState(_Message):
 class JointJog(_Message):
     """The message control_msgs/msg/JointJog."""
 
+    __module__ = _module("_joint_jog")
     _TYPE_NAME = "control_msgs/msg/JointJog"
     _TYPE_HASH = "RIHS01_ba249455a20f70168a1acb7bf43b776b72ff1f7eb5fc4cfea443f749e963c6e7"
     _FIELDS = {"header": "std_msgs/msg/Header", "joint_names": "string[]", "displacements": "float64[]", "velocities": "float64[]", "duration": "float64"}
@@ -237,6 +251,7 @@ class JointJog(_Message):
 class JointTolerance(_Message):
     """The message control_msgs/msg/JointTolerance."""
 
+    __module__ = _module("_joint_tolerance")
     _TYPE_NAME = "control_msgs/msg/JointTolerance"
     _TYPE_HASH = "RIHS01_c254f9cece0f3b733017b6990fd46d1326e25242d6b8844398c97d9a88e7d648"
     _FIELDS = {"name": "string", "position": "float64", "velocity": "float64", "acceleration": "float64"}
@@ -254,6 +269,7 @@ class JointTolerance(_Message):
 class JointTrajectoryControllerState(_Message):
     """The message control_msgs/msg/JointTrajectoryControllerState."""
 
+    __module__ = _module("_joint_trajectory_controller_state")
     _TYPE_NAME = "control_msgs/msg/JointTrajectoryControllerState"
     _TYPE_HASH = "RIHS01_51d8dd89cc624cbe9daaeeb4d80d6de9b86168ffdc3be41fefc0953e3c26e480"
     _FIELDS = {"header": "std_msgs/msg/Header", "joint_names": "string[]", "reference": "trajectory_msgs/msg/JointTrajectoryPoint", "feedback": "trajectory_msgs/msg/JointTrajectoryPoint", "error": "trajectory_msgs/msg/JointTrajectoryPoint", "output": "trajectory_msgs/msg/JointTrajectoryPoint", "multi_dof_joint_names": "string[]", "multi_dof_reference": "trajectory_msgs/msg/MultiDOFJointTrajectoryPoint", "multi_dof_feedback": "trajectory_msgs/msg/MultiDOFJointTrajectoryPoint", "multi_dof_error": "trajectory_msgs/msg/MultiDOFJointTrajectoryPoint", "multi_dof_output": "trajectory_msgs/msg/MultiDOFJointTrajectoryPoint", "speed_scaling_factor": "float64"}
@@ -279,6 +295,7 @@ class JointTrajectoryControllerState(_Message):
 class Keys(_Message):
     """The message control_msgs/msg/Keys."""
 
+    __module__ = _module("_keys")
     _TYPE_NAME = "control_msgs/msg/Keys"
     _TYPE_HASH = "RIHS01_b897c1e1a1ef079862dfa0c09b816901f3646caf37c32e04825cbc75c43f0828"
     _FIELDS = {"header": "std_msgs/msg/Header", "keys": "string[]"}
@@ -294,6 +311,7 @@ class Keys(_Message):
 class MecanumDriveControllerState(_Message):
     """The message control_msgs/msg/MecanumDriveControllerState."""
 
+    __module__ = _module("_mecanum_drive_controller_state")
     _TYPE_NAME = "control_msgs/msg/MecanumDriveControllerState"
     _TYPE_HASH = "RIHS01_c560d21a4484fd5f2c05896a11de3315f4c33535a203d3e8d62af4b6a9cd3355"
     _FIELDS = {"header": "std_msgs/msg/Header", "front_left_wheel_velocity": "float64", "back_left_wheel_velocity": "float64", "back_right_wheel_velocity": "float64", "front_right_wheel_velocity": "float64", "reference_velocity": "geometry_msgs/msg/Twist"}
@@ -313,6 +331,7 @@ class MecanumDriveControllerState(_Message):
 class MotionArgument(_Message):
     """The message control_msgs/msg/MotionArgument."""
 
+    __module__ = _module("_motion_argument")
     _TYPE_NAME = "control_msgs/msg/MotionArgument"
     _TYPE_HASH = "RIHS01_687b5ea43abbba3ab7c3a22d39c25d1eca0b71287aa097d93bc9d94d1d900b7b"
     _FIELDS = {"name": "string", "value": "float64"}
@@ -328,6 +347,7 @@ class MotionArgument(_Message):
 class MotionPrimitive(_Message):
     """The message control_msgs/msg/MotionPrimitive."""
 
+    __module__ = _module("_motion_primitive")
     _TYPE_NAME = "control_msgs/msg/MotionPrimitive"
     _TYPE_HASH = "RIHS01_04bc62c55472206d3b9719201a9f81e084a93d2a885056fc7c1d94db5fdb5ca5"
     _FIELDS = {"type": "int8", "blend_radius": "float64", "additional_arguments": "control_msgs/msg/MotionArgument[]", "poses": "geometry_msgs/msg/PoseStamped[]", "joint_positions": "float64[]"}
@@ -355,6 +375,7 @@ class MotionPrimitive(_Message):
 class MotionPrimitiveSequence(_Message):
     """The message control_msgs/msg/MotionPrimitiveSequence."""
 
+    __module__ = _module("_motion_primitive_sequence")
     _TYPE_NAME = "control_msgs/msg/MotionPrimitiveSequence"
     _TYPE_HASH = "RIHS01_91c33402c47df62886152255a68846f61699bb2a36d061b3bd1b3898e0f51523"
     _FIELDS = {"motions": "control_msgs/msg/MotionPrimitive[]"}
@@ -369,6 +390,7 @@ class MotionPrimitiveSequence(_Message):
 class MultiDOFCommand(_Message):
     """The message control_msgs/msg/MultiDOFCommand."""
 
+    __module__ = _module("_multi_dof_command")
     _TYPE_NAME = "control_msgs/msg/MultiDOFCommand"
     _TYPE_HASH = "RIHS01_033fb0fa1ffc63a872ca73c61a49ded83a22daa5cc3f074cc28949f73359e677"
     _FIELDS = {"dof_names": "string[]", "values": "float64[]", "values_dot": "float64[]"}
@@ -391,6 +413,7 @@ class MultiDOFCommand(_Message):
 class MultiDOFStateStamped(_Message):
     """The message control_msgs/msg/MultiDOFStateStamped."""
 
+    __module__ = _module("_multi_dof_state_stamped")
     _TYPE_NAME = "control_msgs/msg/MultiDOFStateStamped"
     _TYPE_HASH = "RIHS01_08e47e3e734a7d08131b57e14e9f740782f3bf9a1aadabd2a16b54d27e551f0a"
     _FIELDS = {"header": "std_msgs/msg/Header", "dof_states": "control_msgs/msg/SingleDOFState[]"}
@@ -406,6 +429,7 @@ class MultiDOFStateStamped(_Message):
 class PidState(_Message):
     """The message control_msgs/msg/PidState."""
 
+    __module__ = _module("_pid_state")
     _TYPE_NAME = "control_msgs/msg/PidState"
     _TYPE_HASH = "RIHS01_9ab329825048ab6152868c2d086fc19f5525ed2c6fec886f719577e1ae3a6acd"
     _FIELDS = {"header": "std_msgs/msg/Header", "timestep": "builtin_interfaces/msg/Duration", "error": "float64", "error_dot": "float64", "p_error": "float64", "i_error": "float64", "d_error": "float64", "p_term": "float64", "i_term": "float64", "d_term": "float64", "i_max": "float64", "i_min": "float64", "output": "float64"}
@@ -432,6 +456,7 @@ class PidState(_Message):
 class SingleDOFState(_Message):
     """The message control_msgs/msg/SingleDOFState."""
 
+    __module__ = _module("_single_dof_state")
     _TYPE_NAME = "control_msgs/msg/SingleDOFState"
     _TYPE_HASH = "RIHS01_fe8365f86265bddfefbd26698975a818bf024a1c267c8ce577cd366ef06d7163"
     _FIELDS = {"name": "string", "reference": "float64", "feedback": "float64", "feedback_dot": "float64", "error": "float64", "error_dot": "float64", "time_step": "float64", "output": "float64"}
@@ -453,6 +478,7 @@ class SingleDOFState(_Message):
 class SingleDOFStateStamped(_Message):
     """The message control_msgs/msg/SingleDOFStateStamped."""
 
+    __module__ = _module("_single_dof_state_stamped")
     _TYPE_NAME = "control_msgs/msg/SingleDOFStateStamped"
     _TYPE_HASH = "RIHS01_33859c01b46943f1458f83f2627249d34332b38e545c723ddbdabea2b6675af1"
     _FIELDS = {"header": "std_msgs/msg/Header", "dof_state": "control_msgs/msg/SingleDOFState"}
@@ -468,6 +494,7 @@ class SingleDOFStateStamped(_Message):
 class SpeedScalingFactor(_Message):
     """The message control_msgs/msg/SpeedScalingFactor."""
 
+    __module__ = _module("_speed_scaling_factor")
     _TYPE_NAME = "control_msgs/msg/SpeedScalingFactor"
     _TYPE_HASH = "RIHS01_0c240f349f2b74e33e8741f83e0f196ddeb6585923663876ed3c1f51f0566037"
     _FIELDS = {"factor": "float64"}
@@ -482,6 +509,7 @@ class SpeedScalingFactor(_Message):
 class SteeringControllerStatus(_Message):
     """The message control_msgs/msg/SteeringControllerStatus."""
 
+    __module__ = _module("_steering_controller_status")
     _TYPE_NAME = "control_msgs/msg/SteeringControllerStatus"
     _TYPE_HASH = "RIHS01_151ec2fabdfdf10cabe982ceab9fec8882c9efff0effc8d07ba7a1d404cf8143"
     _FIELDS = {"header": "std_msgs/msg/Header", "traction_wheels_position": "float64[]", "traction_wheels_velocity": "float64[]", "steer_positions": "float64[]", "linear_velocity_command": "float64[]", "steering_angle_command": "float64[]"}
@@ -516,6 +544,7 @@ class SteeringControllerStatus(_Message):
 class VDA5050SafetyState(_Message):
     """The message control_msgs/msg/VDA5050SafetyState."""
 
+    __module__ = _module("_vda5050_safety_state")
     _TYPE_NAME = "control_msgs/msg/VDA5050SafetyState"
     _TYPE_HASH = "RIHS01_7c7aa367aa9f12f1ed5bf56a0863633570fbb92498291233b60f156766e9b180"
     _FIELDS = {"e_stop": "string", "field_violation": "bool"}

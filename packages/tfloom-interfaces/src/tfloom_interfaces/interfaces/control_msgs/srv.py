@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 from tfloom.rosidl.service import Service as _Service
 
@@ -14,10 +15,13 @@ if TYPE_CHECKING:
 
 __all__ = ["QueryCalibrationState", "QueryCalibrationState_Event", "QueryCalibrationState_Request", "QueryCalibrationState_Response", "QueryTrajectoryState", "QueryTrajectoryState_Event", "QueryTrajectoryState_Request", "QueryTrajectoryState_Response", "SetOdometry", "SetOdometry_Event", "SetOdometry_Request", "SetOdometry_Response"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class QueryCalibrationState_Request(_Message):
     """The message control_msgs/srv/QueryCalibrationState_Request."""
 
+    __module__ = _module("_query_calibration_state")
     _TYPE_NAME = "control_msgs/srv/QueryCalibrationState_Request"
     _TYPE_HASH = "RIHS01_9f304f2b04a81a225a8af78011c1b43ea7c0e5f2f9be891e50a7304b01541ea4"
     _FIELDS = {}
@@ -31,6 +35,7 @@ class QueryCalibrationState_Request(_Message):
 class QueryCalibrationState_Response(_Message):
     """The message control_msgs/srv/QueryCalibrationState_Response."""
 
+    __module__ = _module("_query_calibration_state")
     _TYPE_NAME = "control_msgs/srv/QueryCalibrationState_Response"
     _TYPE_HASH = "RIHS01_3cd0e4833f9e0cda53599f7917ea6ad38a45569f046b6eb14e7c02bb24ad86c6"
     _FIELDS = {"is_calibrated": "bool"}
@@ -45,6 +50,7 @@ class QueryCalibrationState_Response(_Message):
 class QueryCalibrationState_Event(_Message):
     """The message control_msgs/srv/QueryCalibrationState_Event."""
 
+    __module__ = _module("_query_calibration_state")
     _TYPE_NAME = "control_msgs/srv/QueryCalibrationState_Event"
     _TYPE_HASH = "RIHS01_bc510f852c8eeb652b5598e13755048d1b9676f9f9f4c7c6374670c41d3cd656"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "control_msgs/srv/QueryCalibrationState_Request[<=1]", "response": "control_msgs/srv/QueryCalibrationState_Response[<=1]"}
@@ -61,6 +67,7 @@ class QueryCalibrationState_Event(_Message):
 class QueryCalibrationState(_Service[QueryCalibrationState_Request, QueryCalibrationState_Response]):
     """The service control_msgs/srv/QueryCalibrationState."""
 
+    __module__ = _module("_query_calibration_state")
     _TYPE_NAME = "control_msgs/srv/QueryCalibrationState"
     _TYPE_HASH = "RIHS01_c6b9d1fd88cba488075ee9fd7b69ea4ff6b12bcdd01afeb9c608dd6f8274de57"
     Request: _TypeAlias = QueryCalibrationState_Request
@@ -71,6 +78,7 @@ class QueryCalibrationState(_Service[QueryCalibrationState_Request, QueryCalibra
 class QueryTrajectoryState_Request(_Message):
     """The message control_msgs/srv/QueryTrajectoryState_Request."""
 
+    __module__ = _module("_query_trajectory_state")
     _TYPE_NAME = "control_msgs/srv/QueryTrajectoryState_Request"
     _TYPE_HASH = "RIHS01_ec3322824b7a1ee850e03ff951f48b10395cab62a5a5662da32000f8b06aa791"
     _FIELDS = {"time": "builtin_interfaces/msg/Time"}
@@ -85,6 +93,7 @@ class QueryTrajectoryState_Request(_Message):
 class QueryTrajectoryState_Response(_Message):
     """The message control_msgs/srv/QueryTrajectoryState_Response."""
 
+    __module__ = _module("_query_trajectory_state")
     _TYPE_NAME = "control_msgs/srv/QueryTrajectoryState_Response"
     _TYPE_HASH = "RIHS01_f7b920129b8d5841312bcb89e6275508e19b3735a371b2df6e417447a44ea5db"
     _FIELDS = {"success": "bool", "message": "string", "name": "string[]", "position": "float64[]", "velocity": "float64[]", "acceleration": "float64[]"}
@@ -113,6 +122,7 @@ class QueryTrajectoryState_Response(_Message):
 class QueryTrajectoryState_Event(_Message):
     """The message control_msgs/srv/QueryTrajectoryState_Event."""
 
+    __module__ = _module("_query_trajectory_state")
     _TYPE_NAME = "control_msgs/srv/QueryTrajectoryState_Event"
     _TYPE_HASH = "RIHS01_870daa472c1a56f22859cd73e9b008923ecf1e480156c4ddfc91edee98885474"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "control_msgs/srv/QueryTrajectoryState_Request[<=1]", "response": "control_msgs/srv/QueryTrajectoryState_Response[<=1]"}
@@ -129,6 +139,7 @@ class QueryTrajectoryState_Event(_Message):
 class QueryTrajectoryState(_Service[QueryTrajectoryState_Request, QueryTrajectoryState_Response]):
     """The service control_msgs/srv/QueryTrajectoryState."""
 
+    __module__ = _module("_query_trajectory_state")
     _TYPE_NAME = "control_msgs/srv/QueryTrajectoryState"
     _TYPE_HASH = "RIHS01_4a0935dffef18bc5b9e101c9d03d84e681ecd4cebd724b8f11fde008751a325a"
     Request: _TypeAlias = QueryTrajectoryState_Request
@@ -139,6 +150,7 @@ class QueryTrajectoryState(_Service[QueryTrajectoryState_Request, QueryTrajector
 class SetOdometry_Request(_Message):
     """The message control_msgs/srv/SetOdometry_Request."""
 
+    __module__ = _module("_set_odometry")
     _TYPE_NAME = "control_msgs/srv/SetOdometry_Request"
     _TYPE_HASH = "RIHS01_6300e1c1c8eb4ebbbc4176a32a51b72dc287f38929eea3174ad0129f871679f4"
     _FIELDS = {"x": "float64", "y": "float64", "z": "float64", "roll": "float64", "pitch": "float64", "yaw": "float64"}
@@ -158,6 +170,7 @@ class SetOdometry_Request(_Message):
 class SetOdometry_Response(_Message):
     """The message control_msgs/srv/SetOdometry_Response."""
 
+    __module__ = _module("_set_odometry")
     _TYPE_NAME = "control_msgs/srv/SetOdometry_Response"
     _TYPE_HASH = "RIHS01_e102ea4b988b481c5eeab5d8396efd0637a688d557c1e33b8d11723ddd45b616"
     _FIELDS = {"success": "bool", "message": "string"}
@@ -173,6 +186,7 @@ class SetOdometry_Response(_Message):
 class SetOdometry_Event(_Message):
     """The message control_msgs/srv/SetOdometry_Event."""
 
+    __module__ = _module("_set_odometry")
     _TYPE_NAME = "control_msgs/srv/SetOdometry_Event"
     _TYPE_HASH = "RIHS01_8da522faf9eb39c89de3c145279c1730337f38d9316754ed1e0e31a6f8bba710"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "control_msgs/srv/SetOdometry_Request[<=1]", "response": "control_msgs/srv/SetOdometry_Response[<=1]"}
@@ -189,6 +203,7 @@ class SetOdometry_Event(_Message):
 class SetOdometry(_Service[SetOdometry_Request, SetOdometry_Response]):
     """The service control_msgs/srv/SetOdometry."""
 
+    __module__ = _module("_set_odometry")
     _TYPE_NAME = "control_msgs/srv/SetOdometry"
     _TYPE_HASH = "RIHS01_cf3fe2bf6627a67b4883ba6e876a7b46cdd991417ece9f4f4dac5452fbfdea48"
     Request: _TypeAlias = SetOdometry_Request

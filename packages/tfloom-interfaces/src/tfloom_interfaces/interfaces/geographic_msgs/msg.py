@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
@@ -13,10 +14,13 @@ if TYPE_CHECKING:
 
 __all__ = ["BoundingBox", "GeoPath", "GeoPoint", "GeoPointStamped", "GeoPose", "GeoPoseStamped", "GeoPoseWithCovariance", "GeoPoseWithCovarianceStamped", "GeographicMap", "GeographicMapChanges", "KeyValue", "MapFeature", "RouteNetwork", "RoutePath", "RouteSegment", "WayPoint"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class BoundingBox(_Message):
     """The message geographic_msgs/msg/BoundingBox."""
 
+    __module__ = _module("_bounding_box")
     _TYPE_NAME = "geographic_msgs/msg/BoundingBox"
     _TYPE_HASH = "RIHS01_80a85827e595325bd0427f2fa1aa38b70f12d95640d1739db51fe020a407daa6"
     _FIELDS = {"min_pt": "geographic_msgs/msg/GeoPoint", "max_pt": "geographic_msgs/msg/GeoPoint"}
@@ -32,6 +36,7 @@ class BoundingBox(_Message):
 class GeoPath(_Message):
     """The message geographic_msgs/msg/GeoPath."""
 
+    __module__ = _module("_geo_path")
     _TYPE_NAME = "geographic_msgs/msg/GeoPath"
     _TYPE_HASH = "RIHS01_da06a03e5d5f28200cf0dc031155a9ceaf644e8615c4dcd1f04d689f86c064e3"
     _FIELDS = {"header": "std_msgs/msg/Header", "poses": "geographic_msgs/msg/GeoPoseStamped[]"}
@@ -47,6 +52,7 @@ class GeoPath(_Message):
 class GeoPoint(_Message):
     """The message geographic_msgs/msg/GeoPoint."""
 
+    __module__ = _module("_geo_point")
     _TYPE_NAME = "geographic_msgs/msg/GeoPoint"
     _TYPE_HASH = "RIHS01_602c647cf87bbe95a0231b459b5ac30051875d07c0c740b31ad7a8c4662b971e"
     _FIELDS = {"latitude": "float64", "longitude": "float64", "altitude": "float64"}
@@ -63,6 +69,7 @@ class GeoPoint(_Message):
 class GeoPointStamped(_Message):
     """The message geographic_msgs/msg/GeoPointStamped."""
 
+    __module__ = _module("_geo_point_stamped")
     _TYPE_NAME = "geographic_msgs/msg/GeoPointStamped"
     _TYPE_HASH = "RIHS01_ebe562b30db6fadf7b136d11c0c5bcccf393d24fa48874346bed64e58b6dedcf"
     _FIELDS = {"header": "std_msgs/msg/Header", "position": "geographic_msgs/msg/GeoPoint"}
@@ -78,6 +85,7 @@ class GeoPointStamped(_Message):
 class GeoPose(_Message):
     """The message geographic_msgs/msg/GeoPose."""
 
+    __module__ = _module("_geo_pose")
     _TYPE_NAME = "geographic_msgs/msg/GeoPose"
     _TYPE_HASH = "RIHS01_8052786d7663e225e38926f7d05716046c931572c25e557d4f70dca55b972626"
     _FIELDS = {"position": "geographic_msgs/msg/GeoPoint", "orientation": "geometry_msgs/msg/Quaternion"}
@@ -93,6 +101,7 @@ class GeoPose(_Message):
 class GeoPoseStamped(_Message):
     """The message geographic_msgs/msg/GeoPoseStamped."""
 
+    __module__ = _module("_geo_pose_stamped")
     _TYPE_NAME = "geographic_msgs/msg/GeoPoseStamped"
     _TYPE_HASH = "RIHS01_a8e603c050fa992a74283bb462a96fe9d2b151b7a67b14d77250ed7cb4ed96b7"
     _FIELDS = {"header": "std_msgs/msg/Header", "pose": "geographic_msgs/msg/GeoPose"}
@@ -108,6 +117,7 @@ class GeoPoseStamped(_Message):
 class GeoPoseWithCovariance(_Message):
     """The message geographic_msgs/msg/GeoPoseWithCovariance."""
 
+    __module__ = _module("_geo_pose_with_covariance")
     _TYPE_NAME = "geographic_msgs/msg/GeoPoseWithCovariance"
     _TYPE_HASH = "RIHS01_e5a071a4c061688377f825b777166e80c3e380aa9e41e1fac0695f54415ee474"
     _FIELDS = {"pose": "geographic_msgs/msg/GeoPose", "covariance": "float64[36]"}
@@ -126,6 +136,7 @@ class GeoPoseWithCovariance(_Message):
 class GeoPoseWithCovarianceStamped(_Message):
     """The message geographic_msgs/msg/GeoPoseWithCovarianceStamped."""
 
+    __module__ = _module("_geo_pose_with_covariance_stamped")
     _TYPE_NAME = "geographic_msgs/msg/GeoPoseWithCovarianceStamped"
     _TYPE_HASH = "RIHS01_e8e87d7bc02d092be564be3b6a2ca2302ff6997a82b996e4c6a9052b88e09aac"
     _FIELDS = {"header": "std_msgs/msg/Header", "pose": "geographic_msgs/msg/GeoPoseWithCovariance"}
@@ -141,6 +152,7 @@ class GeoPoseWithCovarianceStamped(_Message):
 class GeographicMap(_Message):
     """The message geographic_msgs/msg/GeographicMap."""
 
+    __module__ = _module("_geographic_map")
     _TYPE_NAME = "geographic_msgs/msg/GeographicMap"
     _TYPE_HASH = "RIHS01_faeade360ec39eef5736878d91041b90b6accf6c49e3165168504f8af91fb458"
     _FIELDS = {"header": "std_msgs/msg/Header", "id": "unique_identifier_msgs/msg/UUID", "bounds": "geographic_msgs/msg/BoundingBox", "points": "geographic_msgs/msg/WayPoint[]", "features": "geographic_msgs/msg/MapFeature[]", "props": "geographic_msgs/msg/KeyValue[]"}
@@ -160,6 +172,7 @@ class GeographicMap(_Message):
 class GeographicMapChanges(_Message):
     """The message geographic_msgs/msg/GeographicMapChanges."""
 
+    __module__ = _module("_geographic_map_changes")
     _TYPE_NAME = "geographic_msgs/msg/GeographicMapChanges"
     _TYPE_HASH = "RIHS01_ab15a12affd34c1393654fba10e98a2f55a5662a63c00930fd7cae3714fd6b28"
     _FIELDS = {"header": "std_msgs/msg/Header", "diffs": "geographic_msgs/msg/GeographicMap", "deletes": "unique_identifier_msgs/msg/UUID[]"}
@@ -176,6 +189,7 @@ class GeographicMapChanges(_Message):
 class KeyValue(_Message):
     """The message geographic_msgs/msg/KeyValue."""
 
+    __module__ = _module("_key_value")
     _TYPE_NAME = "geographic_msgs/msg/KeyValue"
     _TYPE_HASH = "RIHS01_7b60e465ab0a5d8108595762d05ee5f8c9da8b7ffed921d6f91262f384bee24b"
     _FIELDS = {"key": "string", "value": "string"}
@@ -191,6 +205,7 @@ class KeyValue(_Message):
 class MapFeature(_Message):
     """The message geographic_msgs/msg/MapFeature."""
 
+    __module__ = _module("_map_feature")
     _TYPE_NAME = "geographic_msgs/msg/MapFeature"
     _TYPE_HASH = "RIHS01_925101fc45bc3a1ac2fb3604fa91b79913722e44378421a1658649cbe0ba0454"
     _FIELDS = {"id": "unique_identifier_msgs/msg/UUID", "components": "unique_identifier_msgs/msg/UUID[]", "props": "geographic_msgs/msg/KeyValue[]"}
@@ -207,6 +222,7 @@ class MapFeature(_Message):
 class RouteNetwork(_Message):
     """The message geographic_msgs/msg/RouteNetwork."""
 
+    __module__ = _module("_route_network")
     _TYPE_NAME = "geographic_msgs/msg/RouteNetwork"
     _TYPE_HASH = "RIHS01_a59545219389a59cb70ba02c18b3b15448d681a1c9cd19f5e23a306acea6ffba"
     _FIELDS = {"header": "std_msgs/msg/Header", "id": "unique_identifier_msgs/msg/UUID", "bounds": "geographic_msgs/msg/BoundingBox", "points": "geographic_msgs/msg/WayPoint[]", "segments": "geographic_msgs/msg/RouteSegment[]", "props": "geographic_msgs/msg/KeyValue[]"}
@@ -226,6 +242,7 @@ class RouteNetwork(_Message):
 class RoutePath(_Message):
     """The message geographic_msgs/msg/RoutePath."""
 
+    __module__ = _module("_route_path")
     _TYPE_NAME = "geographic_msgs/msg/RoutePath"
     _TYPE_HASH = "RIHS01_e4b22c836b4d9a9e86f6977f4cc78db9a75697fe8e0a6b5371c51dcf7eaba3fe"
     _FIELDS = {"header": "std_msgs/msg/Header", "network": "unique_identifier_msgs/msg/UUID", "segments": "unique_identifier_msgs/msg/UUID[]", "props": "geographic_msgs/msg/KeyValue[]"}
@@ -243,6 +260,7 @@ class RoutePath(_Message):
 class RouteSegment(_Message):
     """The message geographic_msgs/msg/RouteSegment."""
 
+    __module__ = _module("_route_segment")
     _TYPE_NAME = "geographic_msgs/msg/RouteSegment"
     _TYPE_HASH = "RIHS01_c93d23babd3ce20de7190fd427c1eb5c0b9347ef43e1292c3437bf6aaa45ee57"
     _FIELDS = {"id": "unique_identifier_msgs/msg/UUID", "start": "unique_identifier_msgs/msg/UUID", "end": "unique_identifier_msgs/msg/UUID", "props": "geographic_msgs/msg/KeyValue[]"}
@@ -260,6 +278,7 @@ class RouteSegment(_Message):
 class WayPoint(_Message):
     """The message geographic_msgs/msg/WayPoint."""
 
+    __module__ = _module("_way_point")
     _TYPE_NAME = "geographic_msgs/msg/WayPoint"
     _TYPE_HASH = "RIHS01_af6f3c9c30db80cb8680f60ef40ec5e11c9d4b4d246aa664478988f509b96347"
     _FIELDS = {"id": "unique_identifier_msgs/msg/UUID", "position": "geographic_msgs/msg/GeoPoint", "props": "geographic_msgs/msg/KeyValue[]"}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 from tfloom.rosidl.service import Service as _Service
 
@@ -21,10 +22,13 @@ if TYPE_CHECKING:
 
 __all__ = ["GetGeoPath", "GetGeoPath_Event", "GetGeoPath_Request", "GetGeoPath_Response", "GetGeographicMap", "GetGeographicMap_Event", "GetGeographicMap_Request", "GetGeographicMap_Response", "GetRoutePlan", "GetRoutePlan_Event", "GetRoutePlan_Request", "GetRoutePlan_Response", "UpdateGeographicMap", "UpdateGeographicMap_Event", "UpdateGeographicMap_Request", "UpdateGeographicMap_Response"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class GetGeoPath_Request(_Message):
     """The message geographic_msgs/srv/GetGeoPath_Request."""
 
+    __module__ = _module("_get_geo_path")
     _TYPE_NAME = "geographic_msgs/srv/GetGeoPath_Request"
     _TYPE_HASH = "RIHS01_8811712609bb7e10bab5f04d54b98c6d1177e09edfe1cc15896c4f6602719da4"
     _FIELDS = {"start": "geographic_msgs/msg/GeoPoint", "goal": "geographic_msgs/msg/GeoPoint"}
@@ -40,6 +44,7 @@ class GetGeoPath_Request(_Message):
 class GetGeoPath_Response(_Message):
     """The message geographic_msgs/srv/GetGeoPath_Response."""
 
+    __module__ = _module("_get_geo_path")
     _TYPE_NAME = "geographic_msgs/srv/GetGeoPath_Response"
     _TYPE_HASH = "RIHS01_6b56fccb056ca7f50447b8099bc1d317c91387dac7b10062cfa23804eea1a4e7"
     _FIELDS = {"success": "bool", "status": "string", "plan": "geographic_msgs/msg/GeoPath", "network": "unique_identifier_msgs/msg/UUID", "start_seg": "unique_identifier_msgs/msg/UUID", "goal_seg": "unique_identifier_msgs/msg/UUID", "distance": "float64"}
@@ -60,6 +65,7 @@ class GetGeoPath_Response(_Message):
 class GetGeoPath_Event(_Message):
     """The message geographic_msgs/srv/GetGeoPath_Event."""
 
+    __module__ = _module("_get_geo_path")
     _TYPE_NAME = "geographic_msgs/srv/GetGeoPath_Event"
     _TYPE_HASH = "RIHS01_3e67151de98e8f7cc7cec45264210b9e14d6a2b1de3efbf3baee021e9cb96507"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "geographic_msgs/srv/GetGeoPath_Request[<=1]", "response": "geographic_msgs/srv/GetGeoPath_Response[<=1]"}
@@ -76,6 +82,7 @@ class GetGeoPath_Event(_Message):
 class GetGeoPath(_Service[GetGeoPath_Request, GetGeoPath_Response]):
     """The service geographic_msgs/srv/GetGeoPath."""
 
+    __module__ = _module("_get_geo_path")
     _TYPE_NAME = "geographic_msgs/srv/GetGeoPath"
     _TYPE_HASH = "RIHS01_e0c1a08df29cbfcbddfc0180362e4d15eda8c528896f99a15d81f6bb0b0aa5d8"
     Request: _TypeAlias = GetGeoPath_Request
@@ -86,6 +93,7 @@ class GetGeoPath(_Service[GetGeoPath_Request, GetGeoPath_Response]):
 class GetGeographicMap_Request(_Message):
     """The message geographic_msgs/srv/GetGeographicMap_Request."""
 
+    __module__ = _module("_get_geographic_map")
     _TYPE_NAME = "geographic_msgs/srv/GetGeographicMap_Request"
     _TYPE_HASH = "RIHS01_1429130e894587b295fa585409d38c08978aeff7c90cd71161e2ef06a80cdbd4"
     _FIELDS = {"url": "string", "bounds": "geographic_msgs/msg/BoundingBox"}
@@ -101,6 +109,7 @@ class GetGeographicMap_Request(_Message):
 class GetGeographicMap_Response(_Message):
     """The message geographic_msgs/srv/GetGeographicMap_Response."""
 
+    __module__ = _module("_get_geographic_map")
     _TYPE_NAME = "geographic_msgs/srv/GetGeographicMap_Response"
     _TYPE_HASH = "RIHS01_c53107b9085edaacd3169608f1aa1207075a3afea9c817e62546f1c2d8f560b4"
     _FIELDS = {"success": "bool", "status": "string", "map": "geographic_msgs/msg/GeographicMap"}
@@ -117,6 +126,7 @@ class GetGeographicMap_Response(_Message):
 class GetGeographicMap_Event(_Message):
     """The message geographic_msgs/srv/GetGeographicMap_Event."""
 
+    __module__ = _module("_get_geographic_map")
     _TYPE_NAME = "geographic_msgs/srv/GetGeographicMap_Event"
     _TYPE_HASH = "RIHS01_1b11d3417972afc07c1fda95e0c7d1a1990fdba3fff94ff751bc7d9d3f98d2a5"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "geographic_msgs/srv/GetGeographicMap_Request[<=1]", "response": "geographic_msgs/srv/GetGeographicMap_Response[<=1]"}
@@ -133,6 +143,7 @@ class GetGeographicMap_Event(_Message):
 class GetGeographicMap(_Service[GetGeographicMap_Request, GetGeographicMap_Response]):
     """The service geographic_msgs/srv/GetGeographicMap."""
 
+    __module__ = _module("_get_geographic_map")
     _TYPE_NAME = "geographic_msgs/srv/GetGeographicMap"
     _TYPE_HASH = "RIHS01_5bbe97489ec3161d313e125a49088ca995191eb18d3c167b3b630f2e9f221fc9"
     Request: _TypeAlias = GetGeographicMap_Request
@@ -143,6 +154,7 @@ class GetGeographicMap(_Service[GetGeographicMap_Request, GetGeographicMap_Respo
 class GetRoutePlan_Request(_Message):
     """The message geographic_msgs/srv/GetRoutePlan_Request."""
 
+    __module__ = _module("_get_route_plan")
     _TYPE_NAME = "geographic_msgs/srv/GetRoutePlan_Request"
     _TYPE_HASH = "RIHS01_f8ddbc3e0596572e0a35e4cc466defbf618ca52345c3daf48393c2b270011e88"
     _FIELDS = {"network": "unique_identifier_msgs/msg/UUID", "start": "unique_identifier_msgs/msg/UUID", "goal": "unique_identifier_msgs/msg/UUID"}
@@ -159,6 +171,7 @@ class GetRoutePlan_Request(_Message):
 class GetRoutePlan_Response(_Message):
     """The message geographic_msgs/srv/GetRoutePlan_Response."""
 
+    __module__ = _module("_get_route_plan")
     _TYPE_NAME = "geographic_msgs/srv/GetRoutePlan_Response"
     _TYPE_HASH = "RIHS01_5f07b9f98fffca3407b0a75a1369e0270b3fb0bb0cd06921efdb15f6e8f0172a"
     _FIELDS = {"success": "bool", "status": "string", "plan": "geographic_msgs/msg/RoutePath"}
@@ -175,6 +188,7 @@ class GetRoutePlan_Response(_Message):
 class GetRoutePlan_Event(_Message):
     """The message geographic_msgs/srv/GetRoutePlan_Event."""
 
+    __module__ = _module("_get_route_plan")
     _TYPE_NAME = "geographic_msgs/srv/GetRoutePlan_Event"
     _TYPE_HASH = "RIHS01_a53dc0104042fe787e87de653a7b3e6d21c2befa3584fad1fb60a05a192c4662"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "geographic_msgs/srv/GetRoutePlan_Request[<=1]", "response": "geographic_msgs/srv/GetRoutePlan_Response[<=1]"}
@@ -191,6 +205,7 @@ class GetRoutePlan_Event(_Message):
 class GetRoutePlan(_Service[GetRoutePlan_Request, GetRoutePlan_Response]):
     """The service geographic_msgs/srv/GetRoutePlan."""
 
+    __module__ = _module("_get_route_plan")
     _TYPE_NAME = "geographic_msgs/srv/GetRoutePlan"
     _TYPE_HASH = "RIHS01_1c08a73149a0ed4b8a9686cebcd71b3913efde16db34007c98ccd9b7517b8957"
     Request: _TypeAlias = GetRoutePlan_Request
@@ -201,6 +216,7 @@ class GetRoutePlan(_Service[GetRoutePlan_Request, GetRoutePlan_Response]):
 class UpdateGeographicMap_Request(_Message):
     """The message geographic_msgs/srv/UpdateGeographicMap_Request."""
 
+    __module__ = _module("_update_geographic_map")
     _TYPE_NAME = "geographic_msgs/srv/UpdateGeographicMap_Request"
     _TYPE_HASH = "RIHS01_a1329457bfaa245a8ce027d30a823c7300bacfa2ae34170fda39541f811d72dd"
     _FIELDS = {"updates": "geographic_msgs/msg/GeographicMapChanges"}
@@ -215,6 +231,7 @@ class UpdateGeographicMap_Request(_Message):
 class UpdateGeographicMap_Response(_Message):
     """The message geographic_msgs/srv/UpdateGeographicMap_Response."""
 
+    __module__ = _module("_update_geographic_map")
     _TYPE_NAME = "geographic_msgs/srv/UpdateGeographicMap_Response"
     _TYPE_HASH = "RIHS01_7c64830cb80f6afae8dc0d82beb18ae688130fb315ba4a84f3b4f91af8ca35b1"
     _FIELDS = {"success": "bool", "status": "string"}
@@ -230,6 +247,7 @@ class UpdateGeographicMap_Response(_Message):
 class UpdateGeographicMap_Event(_Message):
     """The message geographic_msgs/srv/UpdateGeographicMap_Event."""
 
+    __module__ = _module("_update_geographic_map")
     _TYPE_NAME = "geographic_msgs/srv/UpdateGeographicMap_Event"
     _TYPE_HASH = "RIHS01_709cd30139b92c30124e5992a75a39a17d4c3fe0a6576b67ca6e8fa2245e9c04"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "geographic_msgs/srv/UpdateGeographicMap_Request[<=1]", "response": "geographic_msgs/srv/UpdateGeographicMap_Response[<=1]"}
@@ -246,6 +264,7 @@ class UpdateGeographicMap_Event(_Message):
 class UpdateGeographicMap(_Service[UpdateGeographicMap_Request, UpdateGeographicMap_Response]):
     """The service geographic_msgs/srv/UpdateGeographicMap."""
 
+    __module__ = _module("_update_geographic_map")
     _TYPE_NAME = "geographic_msgs/srv/UpdateGeographicMap"
     _TYPE_HASH = "RIHS01_017e6eb2e5f7e6735c9900d270f3916f6750ccde03cdde3d04651946e464840a"
     Request: _TypeAlias = UpdateGeographicMap_Request

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
@@ -13,10 +14,13 @@ if TYPE_CHECKING:
 
 __all__ = ["OccupancyGridUpdate", "PointCloud2Update", "ProjectedMap", "ProjectedMapInfo"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class OccupancyGridUpdate(_Message):
     """The message map_msgs/msg/OccupancyGridUpdate."""
 
+    __module__ = _module("_occupancy_grid_update")
     _TYPE_NAME = "map_msgs/msg/OccupancyGridUpdate"
     _TYPE_HASH = "RIHS01_c4095b0be2e4363f8978a1570e0293ee093436f1e1c61d99b48502ac317025e8"
     _FIELDS = {"header": "std_msgs/msg/Header", "x": "int32", "y": "int32", "width": "uint32", "height": "uint32", "data": "int8[]"}
@@ -39,6 +43,7 @@ class OccupancyGridUpdate(_Message):
 class PointCloud2Update(_Message):
     """The message map_msgs/msg/PointCloud2Update."""
 
+    __module__ = _module("_point_cloud2_update")
     _TYPE_NAME = "map_msgs/msg/PointCloud2Update"
     _TYPE_HASH = "RIHS01_dc9ec6ad32c09174112325b72bef1b6c76b80abd842de43c66909215e521487c"
     _FIELDS = {"header": "std_msgs/msg/Header", "type": "uint32", "points": "sensor_msgs/msg/PointCloud2"}
@@ -57,6 +62,7 @@ class PointCloud2Update(_Message):
 class ProjectedMap(_Message):
     """The message map_msgs/msg/ProjectedMap."""
 
+    __module__ = _module("_projected_map")
     _TYPE_NAME = "map_msgs/msg/ProjectedMap"
     _TYPE_HASH = "RIHS01_97cc11d08fa5ccf35fa540abb50d9c415b8c3c3f1cefe5ac1198aa416749b563"
     _FIELDS = {"map": "nav_msgs/msg/OccupancyGrid", "min_z": "float64", "max_z": "float64"}
@@ -73,6 +79,7 @@ class ProjectedMap(_Message):
 class ProjectedMapInfo(_Message):
     """The message map_msgs/msg/ProjectedMapInfo."""
 
+    __module__ = _module("_projected_map_info")
     _TYPE_NAME = "map_msgs/msg/ProjectedMapInfo"
     _TYPE_HASH = "RIHS01_99f95792a7ed7a784566add925ce2ac13e61cdb14e1e6804ca8e3fe0a5baaf13"
     _FIELDS = {"frame_id": "string", "x": "float64", "y": "float64", "width": "float64", "height": "float64", "min_z": "float64", "max_z": "float64"}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 from tfloom.rosidl.service import Service as _Service
 
@@ -16,10 +17,13 @@ if TYPE_CHECKING:
 
 __all__ = ["GetMapROI", "GetMapROI_Event", "GetMapROI_Request", "GetMapROI_Response", "GetPointMap", "GetPointMapROI", "GetPointMapROI_Event", "GetPointMapROI_Request", "GetPointMapROI_Response", "GetPointMap_Event", "GetPointMap_Request", "GetPointMap_Response", "ProjectedMapsInfo", "ProjectedMapsInfo_Event", "ProjectedMapsInfo_Request", "ProjectedMapsInfo_Response", "SaveMap", "SaveMap_Event", "SaveMap_Request", "SaveMap_Response", "SetMapProjections", "SetMapProjections_Event", "SetMapProjections_Request", "SetMapProjections_Response"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class GetMapROI_Request(_Message):
     """The message map_msgs/srv/GetMapROI_Request."""
 
+    __module__ = _module("_get_map_roi")
     _TYPE_NAME = "map_msgs/srv/GetMapROI_Request"
     _TYPE_HASH = "RIHS01_29d1d618abcf6b88af1168e63584fe3419f3ec2c49a48eada9c73a13410e8ca9"
     _FIELDS = {"x": "float64", "y": "float64", "l_x": "float64", "l_y": "float64"}
@@ -37,6 +41,7 @@ class GetMapROI_Request(_Message):
 class GetMapROI_Response(_Message):
     """The message map_msgs/srv/GetMapROI_Response."""
 
+    __module__ = _module("_get_map_roi")
     _TYPE_NAME = "map_msgs/srv/GetMapROI_Response"
     _TYPE_HASH = "RIHS01_62f9199aa9db821390a97c8c8d31947662a231c0a3ed6be5fc0b5f2f6cebb424"
     _FIELDS = {"sub_map": "nav_msgs/msg/OccupancyGrid"}
@@ -51,6 +56,7 @@ class GetMapROI_Response(_Message):
 class GetMapROI_Event(_Message):
     """The message map_msgs/srv/GetMapROI_Event."""
 
+    __module__ = _module("_get_map_roi")
     _TYPE_NAME = "map_msgs/srv/GetMapROI_Event"
     _TYPE_HASH = "RIHS01_a166ff20fe43a5e044841f16de3c24f57cade41311710880bc798ad51b637293"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "map_msgs/srv/GetMapROI_Request[<=1]", "response": "map_msgs/srv/GetMapROI_Response[<=1]"}
@@ -67,6 +73,7 @@ class GetMapROI_Event(_Message):
 class GetMapROI(_Service[GetMapROI_Request, GetMapROI_Response]):
     """The service map_msgs/srv/GetMapROI."""
 
+    __module__ = _module("_get_map_roi")
     _TYPE_NAME = "map_msgs/srv/GetMapROI"
     _TYPE_HASH = "RIHS01_22e41ac30f96dc8d053cccee57fc45f9f43da197ee0c0f056a1ac192419e535f"
     Request: _TypeAlias = GetMapROI_Request
@@ -77,6 +84,7 @@ class GetMapROI(_Service[GetMapROI_Request, GetMapROI_Response]):
 class GetPointMap_Request(_Message):
     """The message map_msgs/srv/GetPointMap_Request."""
 
+    __module__ = _module("_get_point_map")
     _TYPE_NAME = "map_msgs/srv/GetPointMap_Request"
     _TYPE_HASH = "RIHS01_3ad35e3dcc5400d299308682625c1c119e9acfb03f71a1cb0836b981fabcc8a8"
     _FIELDS = {}
@@ -90,6 +98,7 @@ class GetPointMap_Request(_Message):
 class GetPointMap_Response(_Message):
     """The message map_msgs/srv/GetPointMap_Response."""
 
+    __module__ = _module("_get_point_map")
     _TYPE_NAME = "map_msgs/srv/GetPointMap_Response"
     _TYPE_HASH = "RIHS01_b5655e37bb261512e1cc9211116ee33ee6ca5d7001b16d246802fb65e29e49b1"
     _FIELDS = {"map": "sensor_msgs/msg/PointCloud2"}
@@ -104,6 +113,7 @@ class GetPointMap_Response(_Message):
 class GetPointMap_Event(_Message):
     """The message map_msgs/srv/GetPointMap_Event."""
 
+    __module__ = _module("_get_point_map")
     _TYPE_NAME = "map_msgs/srv/GetPointMap_Event"
     _TYPE_HASH = "RIHS01_0159b551264cacdd1e268d70faa976fedaa11a20ec561c05fe6ec1679f483f13"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "map_msgs/srv/GetPointMap_Request[<=1]", "response": "map_msgs/srv/GetPointMap_Response[<=1]"}
@@ -120,6 +130,7 @@ class GetPointMap_Event(_Message):
 class GetPointMap(_Service[GetPointMap_Request, GetPointMap_Response]):
     """The service map_msgs/srv/GetPointMap."""
 
+    __module__ = _module("_get_point_map")
     _TYPE_NAME = "map_msgs/srv/GetPointMap"
     _TYPE_HASH = "RIHS01_0328e4cefc6fde45480d52791ce6f0229025cb763e8e291e9781f5c718f27f08"
     Request: _TypeAlias = GetPointMap_Request
@@ -130,6 +141,7 @@ class GetPointMap(_Service[GetPointMap_Request, GetPointMap_Response]):
 class GetPointMapROI_Request(_Message):
     """The message map_msgs/srv/GetPointMapROI_Request."""
 
+    __module__ = _module("_get_point_map_roi")
     _TYPE_NAME = "map_msgs/srv/GetPointMapROI_Request"
     _TYPE_HASH = "RIHS01_b755a5eea90628494df638dbc84ab73704c84f76c584a2c60fdd7eac2862c6bc"
     _FIELDS = {"x": "float64", "y": "float64", "z": "float64", "r": "float64", "l_x": "float64", "l_y": "float64", "l_z": "float64"}
@@ -150,6 +162,7 @@ class GetPointMapROI_Request(_Message):
 class GetPointMapROI_Response(_Message):
     """The message map_msgs/srv/GetPointMapROI_Response."""
 
+    __module__ = _module("_get_point_map_roi")
     _TYPE_NAME = "map_msgs/srv/GetPointMapROI_Response"
     _TYPE_HASH = "RIHS01_f63da41174115aad7cdef699372edc966d027d99abc6062ee06a6ee0066e0cff"
     _FIELDS = {"sub_map": "sensor_msgs/msg/PointCloud2"}
@@ -164,6 +177,7 @@ class GetPointMapROI_Response(_Message):
 class GetPointMapROI_Event(_Message):
     """The message map_msgs/srv/GetPointMapROI_Event."""
 
+    __module__ = _module("_get_point_map_roi")
     _TYPE_NAME = "map_msgs/srv/GetPointMapROI_Event"
     _TYPE_HASH = "RIHS01_98f04007be238598d082d129a3b84fffe882260de65ff25cc30e343423a9748b"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "map_msgs/srv/GetPointMapROI_Request[<=1]", "response": "map_msgs/srv/GetPointMapROI_Response[<=1]"}
@@ -180,6 +194,7 @@ class GetPointMapROI_Event(_Message):
 class GetPointMapROI(_Service[GetPointMapROI_Request, GetPointMapROI_Response]):
     """The service map_msgs/srv/GetPointMapROI."""
 
+    __module__ = _module("_get_point_map_roi")
     _TYPE_NAME = "map_msgs/srv/GetPointMapROI"
     _TYPE_HASH = "RIHS01_c854569c8db605132dc382a4c1c33cd8235be5078317c442bf58168e3eb5841c"
     Request: _TypeAlias = GetPointMapROI_Request
@@ -190,6 +205,7 @@ class GetPointMapROI(_Service[GetPointMapROI_Request, GetPointMapROI_Response]):
 class ProjectedMapsInfo_Request(_Message):
     """The message map_msgs/srv/ProjectedMapsInfo_Request."""
 
+    __module__ = _module("_projected_maps_info")
     _TYPE_NAME = "map_msgs/srv/ProjectedMapsInfo_Request"
     _TYPE_HASH = "RIHS01_deaea19584a3e5d0a5b46c6e195b8c87466050cd4ed776bf8c2b5da803aa1bdc"
     _FIELDS = {"projected_maps_info": "map_msgs/msg/ProjectedMapInfo[]"}
@@ -204,6 +220,7 @@ class ProjectedMapsInfo_Request(_Message):
 class ProjectedMapsInfo_Response(_Message):
     """The message map_msgs/srv/ProjectedMapsInfo_Response."""
 
+    __module__ = _module("_projected_maps_info")
     _TYPE_NAME = "map_msgs/srv/ProjectedMapsInfo_Response"
     _TYPE_HASH = "RIHS01_f5e4169865543c3b905e05807015b55b7c1cc9109bd428a0e5a7c0b5659eb32e"
     _FIELDS = {}
@@ -217,6 +234,7 @@ class ProjectedMapsInfo_Response(_Message):
 class ProjectedMapsInfo_Event(_Message):
     """The message map_msgs/srv/ProjectedMapsInfo_Event."""
 
+    __module__ = _module("_projected_maps_info")
     _TYPE_NAME = "map_msgs/srv/ProjectedMapsInfo_Event"
     _TYPE_HASH = "RIHS01_dc07e60bc8093213e43d6943520d22a6df83348a6b594c287dacd6a864259f4a"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "map_msgs/srv/ProjectedMapsInfo_Request[<=1]", "response": "map_msgs/srv/ProjectedMapsInfo_Response[<=1]"}
@@ -233,6 +251,7 @@ class ProjectedMapsInfo_Event(_Message):
 class ProjectedMapsInfo(_Service[ProjectedMapsInfo_Request, ProjectedMapsInfo_Response]):
     """The service map_msgs/srv/ProjectedMapsInfo."""
 
+    __module__ = _module("_projected_maps_info")
     _TYPE_NAME = "map_msgs/srv/ProjectedMapsInfo"
     _TYPE_HASH = "RIHS01_3a44fc9f8314d0b70d757f7f176a914b85132bf5172b142706aaaebd83bb438b"
     Request: _TypeAlias = ProjectedMapsInfo_Request
@@ -243,6 +262,7 @@ class ProjectedMapsInfo(_Service[ProjectedMapsInfo_Request, ProjectedMapsInfo_Re
 class SaveMap_Request(_Message):
     """The message map_msgs/srv/SaveMap_Request."""
 
+    __module__ = _module("_save_map")
     _TYPE_NAME = "map_msgs/srv/SaveMap_Request"
     _TYPE_HASH = "RIHS01_aa613ab7c696191c189febb0b32cdf90a46579296c4eb058b1cbabac6b093b73"
     _FIELDS = {"filename": "std_msgs/msg/String"}
@@ -257,6 +277,7 @@ class SaveMap_Request(_Message):
 class SaveMap_Response(_Message):
     """The message map_msgs/srv/SaveMap_Response."""
 
+    __module__ = _module("_save_map")
     _TYPE_NAME = "map_msgs/srv/SaveMap_Response"
     _TYPE_HASH = "RIHS01_2bf07728df5f47e5f0efffc71c57e01c60de9497c51f6dd41e69ced3e9e95dd1"
     _FIELDS = {}
@@ -270,6 +291,7 @@ class SaveMap_Response(_Message):
 class SaveMap_Event(_Message):
     """The message map_msgs/srv/SaveMap_Event."""
 
+    __module__ = _module("_save_map")
     _TYPE_NAME = "map_msgs/srv/SaveMap_Event"
     _TYPE_HASH = "RIHS01_3ae5f5923cb5caf049af7430252a603b10e1639862bc64f8df67b808df4f6844"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "map_msgs/srv/SaveMap_Request[<=1]", "response": "map_msgs/srv/SaveMap_Response[<=1]"}
@@ -286,6 +308,7 @@ class SaveMap_Event(_Message):
 class SaveMap(_Service[SaveMap_Request, SaveMap_Response]):
     """The service map_msgs/srv/SaveMap."""
 
+    __module__ = _module("_save_map")
     _TYPE_NAME = "map_msgs/srv/SaveMap"
     _TYPE_HASH = "RIHS01_d4e7869dcd47387bf6a5a0bba4c6b1baf384ef713fdf419a01e78dc19a2d47c5"
     Request: _TypeAlias = SaveMap_Request
@@ -296,6 +319,7 @@ class SaveMap(_Service[SaveMap_Request, SaveMap_Response]):
 class SetMapProjections_Request(_Message):
     """The message map_msgs/srv/SetMapProjections_Request."""
 
+    __module__ = _module("_set_map_projections")
     _TYPE_NAME = "map_msgs/srv/SetMapProjections_Request"
     _TYPE_HASH = "RIHS01_0d1947442638c0d7657dad61143cca5d4e86dbaa05a04e831b82bae99a56b15e"
     _FIELDS = {}
@@ -309,6 +333,7 @@ class SetMapProjections_Request(_Message):
 class SetMapProjections_Response(_Message):
     """The message map_msgs/srv/SetMapProjections_Response."""
 
+    __module__ = _module("_set_map_projections")
     _TYPE_NAME = "map_msgs/srv/SetMapProjections_Response"
     _TYPE_HASH = "RIHS01_50d50aa14207960b137a3d7cec578442ad103dc5bc622d5275f3457e2591827a"
     _FIELDS = {"projected_maps_info": "map_msgs/msg/ProjectedMapInfo[]"}
@@ -323,6 +348,7 @@ class SetMapProjections_Response(_Message):
 class SetMapProjections_Event(_Message):
     """The message map_msgs/srv/SetMapProjections_Event."""
 
+    __module__ = _module("_set_map_projections")
     _TYPE_NAME = "map_msgs/srv/SetMapProjections_Event"
     _TYPE_HASH = "RIHS01_eef3a0a10d2635201d1cecf2799c39d603f92d757122ec8439672616ed1734f9"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "map_msgs/srv/SetMapProjections_Request[<=1]", "response": "map_msgs/srv/SetMapProjections_Response[<=1]"}
@@ -339,6 +365,7 @@ class SetMapProjections_Event(_Message):
 class SetMapProjections(_Service[SetMapProjections_Request, SetMapProjections_Response]):
     """The service map_msgs/srv/SetMapProjections."""
 
+    __module__ = _module("_set_map_projections")
     _TYPE_NAME = "map_msgs/srv/SetMapProjections"
     _TYPE_HASH = "RIHS01_85bd7e1f80ef0b8790e087cc38c7ebfb31bb472dcb2f9ed84f80ba6910b2b000"
     Request: _TypeAlias = SetMapProjections_Request

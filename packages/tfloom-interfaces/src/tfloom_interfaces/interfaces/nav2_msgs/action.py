@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from tfloom.interfaces.action_msgs.msg import GoalStatusArray as _GoalStatusArray
 from tfloom.interfaces.action_msgs.srv import CancelGoal as _CancelGoal
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 from tfloom.rosidl.service import Action as _Action
 from tfloom.rosidl.service import Service as _Service
@@ -23,10 +24,13 @@ if TYPE_CHECKING:
 
 __all__ = ["AssistedTeleop", "AssistedTeleop_Feedback", "AssistedTeleop_FeedbackMessage", "AssistedTeleop_GetResult", "AssistedTeleop_GetResult_Event", "AssistedTeleop_GetResult_Request", "AssistedTeleop_GetResult_Response", "AssistedTeleop_Goal", "AssistedTeleop_Result", "AssistedTeleop_SendGoal", "AssistedTeleop_SendGoal_Event", "AssistedTeleop_SendGoal_Request", "AssistedTeleop_SendGoal_Response", "BackUp", "BackUp_Feedback", "BackUp_FeedbackMessage", "BackUp_GetResult", "BackUp_GetResult_Event", "BackUp_GetResult_Request", "BackUp_GetResult_Response", "BackUp_Goal", "BackUp_Result", "BackUp_SendGoal", "BackUp_SendGoal_Event", "BackUp_SendGoal_Request", "BackUp_SendGoal_Response", "ComputeAndTrackRoute", "ComputeAndTrackRoute_Feedback", "ComputeAndTrackRoute_FeedbackMessage", "ComputeAndTrackRoute_GetResult", "ComputeAndTrackRoute_GetResult_Event", "ComputeAndTrackRoute_GetResult_Request", "ComputeAndTrackRoute_GetResult_Response", "ComputeAndTrackRoute_Goal", "ComputeAndTrackRoute_Result", "ComputeAndTrackRoute_SendGoal", "ComputeAndTrackRoute_SendGoal_Event", "ComputeAndTrackRoute_SendGoal_Request", "ComputeAndTrackRoute_SendGoal_Response", "ComputePathThroughPoses", "ComputePathThroughPoses_Feedback", "ComputePathThroughPoses_FeedbackMessage", "ComputePathThroughPoses_GetResult", "ComputePathThroughPoses_GetResult_Event", "ComputePathThroughPoses_GetResult_Request", "ComputePathThroughPoses_GetResult_Response", "ComputePathThroughPoses_Goal", "ComputePathThroughPoses_Result", "ComputePathThroughPoses_SendGoal", "ComputePathThroughPoses_SendGoal_Event", "ComputePathThroughPoses_SendGoal_Request", "ComputePathThroughPoses_SendGoal_Response", "ComputePathToPose", "ComputePathToPose_Feedback", "ComputePathToPose_FeedbackMessage", "ComputePathToPose_GetResult", "ComputePathToPose_GetResult_Event", "ComputePathToPose_GetResult_Request", "ComputePathToPose_GetResult_Response", "ComputePathToPose_Goal", "ComputePathToPose_Result", "ComputePathToPose_SendGoal", "ComputePathToPose_SendGoal_Event", "ComputePathToPose_SendGoal_Request", "ComputePathToPose_SendGoal_Response", "ComputeRoute", "ComputeRoute_Feedback", "ComputeRoute_FeedbackMessage", "ComputeRoute_GetResult", "ComputeRoute_GetResult_Event", "ComputeRoute_GetResult_Request", "ComputeRoute_GetResult_Response", "ComputeRoute_Goal", "ComputeRoute_Result", "ComputeRoute_SendGoal", "ComputeRoute_SendGoal_Event", "ComputeRoute_SendGoal_Request", "ComputeRoute_SendGoal_Response", "DockRobot", "DockRobot_Feedback", "DockRobot_FeedbackMessage", "DockRobot_GetResult", "DockRobot_GetResult_Event", "DockRobot_GetResult_Request", "DockRobot_GetResult_Response", "DockRobot_Goal", "DockRobot_Result", "DockRobot_SendGoal", "DockRobot_SendGoal_Event", "DockRobot_SendGoal_Request", "DockRobot_SendGoal_Response", "DriveOnHeading", "DriveOnHeading_Feedback", "DriveOnHeading_FeedbackMessage", "DriveOnHeading_GetResult", "DriveOnHeading_GetResult_Event", "DriveOnHeading_GetResult_Request", "DriveOnHeading_GetResult_Response", "DriveOnHeading_Goal", "DriveOnHeading_Result", "DriveOnHeading_SendGoal", "DriveOnHeading_SendGoal_Event", "DriveOnHeading_SendGoal_Request", "DriveOnHeading_SendGoal_Response", "DummyBehavior", "DummyBehavior_Feedback", "DummyBehavior_FeedbackMessage", "DummyBehavior_GetResult", "DummyBehavior_GetResult_Event", "DummyBehavior_GetResult_Request", "DummyBehavior_GetResult_Response", "DummyBehavior_Goal", "DummyBehavior_Result", "DummyBehavior_SendGoal", "DummyBehavior_SendGoal_Event", "DummyBehavior_SendGoal_Request", "DummyBehavior_SendGoal_Response", "FollowGPSWaypoints", "FollowGPSWaypoints_Feedback", "FollowGPSWaypoints_FeedbackMessage", "FollowGPSWaypoints_GetResult", "FollowGPSWaypoints_GetResult_Event", "FollowGPSWaypoints_GetResult_Request", "FollowGPSWaypoints_GetResult_Response", "FollowGPSWaypoints_Goal", "FollowGPSWaypoints_Result", "FollowGPSWaypoints_SendGoal", "FollowGPSWaypoints_SendGoal_Event", "FollowGPSWaypoints_SendGoal_Request", "FollowGPSWaypoints_SendGoal_Response", "FollowObject", "FollowObject_Feedback", "FollowObject_FeedbackMessage", "FollowObject_GetResult", "FollowObject_GetResult_Event", "FollowObject_GetResult_Request", "FollowObject_GetResult_Response", "FollowObject_Goal", "FollowObject_Result", "FollowObject_SendGoal", "FollowObject_SendGoal_Event", "FollowObject_SendGoal_Request", "FollowObject_SendGoal_Response", "FollowPath", "FollowPath_Feedback", "FollowPath_FeedbackMessage", "FollowPath_GetResult", "FollowPath_GetResult_Event", "FollowPath_GetResult_Request", "FollowPath_GetResult_Response", "FollowPath_Goal", "FollowPath_Result", "FollowPath_SendGoal", "FollowPath_SendGoal_Event", "FollowPath_SendGoal_Request", "FollowPath_SendGoal_Response", "FollowWaypoints", "FollowWaypoints_Feedback", "FollowWaypoints_FeedbackMessage", "FollowWaypoints_GetResult", "FollowWaypoints_GetResult_Event", "FollowWaypoints_GetResult_Request", "FollowWaypoints_GetResult_Response", "FollowWaypoints_Goal", "FollowWaypoints_Result", "FollowWaypoints_SendGoal", "FollowWaypoints_SendGoal_Event", "FollowWaypoints_SendGoal_Request", "FollowWaypoints_SendGoal_Response", "NavigateThroughPoses", "NavigateThroughPoses_Feedback", "NavigateThroughPoses_FeedbackMessage", "NavigateThroughPoses_GetResult", "NavigateThroughPoses_GetResult_Event", "NavigateThroughPoses_GetResult_Request", "NavigateThroughPoses_GetResult_Response", "NavigateThroughPoses_Goal", "NavigateThroughPoses_Result", "NavigateThroughPoses_SendGoal", "NavigateThroughPoses_SendGoal_Event", "NavigateThroughPoses_SendGoal_Request", "NavigateThroughPoses_SendGoal_Response", "NavigateToPose", "NavigateToPose_Feedback", "NavigateToPose_FeedbackMessage", "NavigateToPose_GetResult", "NavigateToPose_GetResult_Event", "NavigateToPose_GetResult_Request", "NavigateToPose_GetResult_Response", "NavigateToPose_Goal", "NavigateToPose_Result", "NavigateToPose_SendGoal", "NavigateToPose_SendGoal_Event", "NavigateToPose_SendGoal_Request", "NavigateToPose_SendGoal_Response", "SmoothPath", "SmoothPath_Feedback", "SmoothPath_FeedbackMessage", "SmoothPath_GetResult", "SmoothPath_GetResult_Event", "SmoothPath_GetResult_Request", "SmoothPath_GetResult_Response", "SmoothPath_Goal", "SmoothPath_Result", "SmoothPath_SendGoal", "SmoothPath_SendGoal_Event", "SmoothPath_SendGoal_Request", "SmoothPath_SendGoal_Response", "Spin", "Spin_Feedback", "Spin_FeedbackMessage", "Spin_GetResult", "Spin_GetResult_Event", "Spin_GetResult_Request", "Spin_GetResult_Response", "Spin_Goal", "Spin_Result", "Spin_SendGoal", "Spin_SendGoal_Event", "Spin_SendGoal_Request", "Spin_SendGoal_Response", "UndockRobot", "UndockRobot_Feedback", "UndockRobot_FeedbackMessage", "UndockRobot_GetResult", "UndockRobot_GetResult_Event", "UndockRobot_GetResult_Request", "UndockRobot_GetResult_Response", "UndockRobot_Goal", "UndockRobot_Result", "UndockRobot_SendGoal", "UndockRobot_SendGoal_Event", "UndockRobot_SendGoal_Request", "UndockRobot_SendGoal_Response", "Wait", "Wait_Feedback", "Wait_FeedbackMessage", "Wait_GetResult", "Wait_GetResult_Event", "Wait_GetResult_Request", "Wait_GetResult_Response", "Wait_Goal", "Wait_Result", "Wait_SendGoal", "Wait_SendGoal_Event", "Wait_SendGoal_Request", "Wait_SendGoal_Response"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class AssistedTeleop_Goal(_Message):
     """The message nav2_msgs/action/AssistedTeleop_Goal."""
 
+    __module__ = _module("_assisted_teleop")
     _TYPE_NAME = "nav2_msgs/action/AssistedTeleop_Goal"
     _TYPE_HASH = "RIHS01_7f15de2bf641884ed35558980c06bfb299fa509c3ee0f4f0a87c8a03ad4980f5"
     _FIELDS = {"time_allowance": "builtin_interfaces/msg/Duration"}
@@ -41,6 +45,7 @@ class AssistedTeleop_Goal(_Message):
 class AssistedTeleop_Result(_Message):
     """The message nav2_msgs/action/AssistedTeleop_Result."""
 
+    __module__ = _module("_assisted_teleop")
     _TYPE_NAME = "nav2_msgs/action/AssistedTeleop_Result"
     _TYPE_HASH = "RIHS01_94dc3582c30005fa65d2b5558c5046b2b5da199c07025af0fab2ddd3da46757c"
     _FIELDS = {"total_elapsed_time": "builtin_interfaces/msg/Duration", "error_code": "uint16", "error_msg": "string"}
@@ -61,6 +66,7 @@ class AssistedTeleop_Result(_Message):
 class AssistedTeleop_Feedback(_Message):
     """The message nav2_msgs/action/AssistedTeleop_Feedback."""
 
+    __module__ = _module("_assisted_teleop")
     _TYPE_NAME = "nav2_msgs/action/AssistedTeleop_Feedback"
     _TYPE_HASH = "RIHS01_f206973552e669e0573255ea6bcbddf8b356dcbeaf4ab21f6f76afd5859de989"
     _FIELDS = {"current_teleop_duration": "builtin_interfaces/msg/Duration"}
@@ -75,6 +81,7 @@ class AssistedTeleop_Feedback(_Message):
 class AssistedTeleop_SendGoal_Request(_Message):
     """The message nav2_msgs/action/AssistedTeleop_SendGoal_Request."""
 
+    __module__ = _module("_assisted_teleop")
     _TYPE_NAME = "nav2_msgs/action/AssistedTeleop_SendGoal_Request"
     _TYPE_HASH = "RIHS01_0b5af506173445f4eb1578dfe0de46996bfeacb0c89abdaa5d80f5bfd3658cd7"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "goal": "nav2_msgs/action/AssistedTeleop_Goal"}
@@ -90,6 +97,7 @@ class AssistedTeleop_SendGoal_Request(_Message):
 class AssistedTeleop_SendGoal_Response(_Message):
     """The message nav2_msgs/action/AssistedTeleop_SendGoal_Response."""
 
+    __module__ = _module("_assisted_teleop")
     _TYPE_NAME = "nav2_msgs/action/AssistedTeleop_SendGoal_Response"
     _TYPE_HASH = "RIHS01_7781e634117dedcc929ea1334a5654abec734078fe85c309aa50b4eb43e2064a"
     _FIELDS = {"accepted": "bool", "stamp": "builtin_interfaces/msg/Time"}
@@ -105,6 +113,7 @@ class AssistedTeleop_SendGoal_Response(_Message):
 class AssistedTeleop_SendGoal_Event(_Message):
     """The message nav2_msgs/action/AssistedTeleop_SendGoal_Event."""
 
+    __module__ = _module("_assisted_teleop")
     _TYPE_NAME = "nav2_msgs/action/AssistedTeleop_SendGoal_Event"
     _TYPE_HASH = "RIHS01_42952ec72d87394f5fafe4957ed7bc1321861433b283d1f8ffd93d40061edb63"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/AssistedTeleop_SendGoal_Request[<=1]", "response": "nav2_msgs/action/AssistedTeleop_SendGoal_Response[<=1]"}
@@ -121,6 +130,7 @@ class AssistedTeleop_SendGoal_Event(_Message):
 class AssistedTeleop_GetResult_Request(_Message):
     """The message nav2_msgs/action/AssistedTeleop_GetResult_Request."""
 
+    __module__ = _module("_assisted_teleop")
     _TYPE_NAME = "nav2_msgs/action/AssistedTeleop_GetResult_Request"
     _TYPE_HASH = "RIHS01_6c95017eb93b7d15ea1ec6f5575f1488e2b4c7ced30cab8267052043540e9499"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID"}
@@ -135,6 +145,7 @@ class AssistedTeleop_GetResult_Request(_Message):
 class AssistedTeleop_GetResult_Response(_Message):
     """The message nav2_msgs/action/AssistedTeleop_GetResult_Response."""
 
+    __module__ = _module("_assisted_teleop")
     _TYPE_NAME = "nav2_msgs/action/AssistedTeleop_GetResult_Response"
     _TYPE_HASH = "RIHS01_3435b909465181861e06624d40a4e2504fdc051e4c2c2710e71a1abded40b7b0"
     _FIELDS = {"status": "int8", "result": "nav2_msgs/action/AssistedTeleop_Result"}
@@ -150,6 +161,7 @@ class AssistedTeleop_GetResult_Response(_Message):
 class AssistedTeleop_GetResult_Event(_Message):
     """The message nav2_msgs/action/AssistedTeleop_GetResult_Event."""
 
+    __module__ = _module("_assisted_teleop")
     _TYPE_NAME = "nav2_msgs/action/AssistedTeleop_GetResult_Event"
     _TYPE_HASH = "RIHS01_598749b1689a29e4909a5374fc7132dcd545cf29f9cd282c0667f7d48dfe08a8"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/AssistedTeleop_GetResult_Request[<=1]", "response": "nav2_msgs/action/AssistedTeleop_GetResult_Response[<=1]"}
@@ -166,6 +178,7 @@ class AssistedTeleop_GetResult_Event(_Message):
 class AssistedTeleop_FeedbackMessage(_Message):
     """The message nav2_msgs/action/AssistedTeleop_FeedbackMessage."""
 
+    __module__ = _module("_assisted_teleop")
     _TYPE_NAME = "nav2_msgs/action/AssistedTeleop_FeedbackMessage"
     _TYPE_HASH = "RIHS01_440e6eff945d974df81e3aa2c7ee115aaa930deb218d8a04b853e8bf2d9c2df5"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "feedback": "nav2_msgs/action/AssistedTeleop_Feedback"}
@@ -181,6 +194,7 @@ class AssistedTeleop_FeedbackMessage(_Message):
 class AssistedTeleop_SendGoal(_Service[AssistedTeleop_SendGoal_Request, AssistedTeleop_SendGoal_Response]):
     """The service nav2_msgs/action/AssistedTeleop_SendGoal."""
 
+    __module__ = _module("_assisted_teleop")
     _TYPE_NAME = "nav2_msgs/action/AssistedTeleop_SendGoal"
     _TYPE_HASH = "RIHS01_b33119db4a7f19115ae145b7ca3a92e6c3e7767c3106da893da36639170a6b94"
     Request: _TypeAlias = AssistedTeleop_SendGoal_Request
@@ -191,6 +205,7 @@ class AssistedTeleop_SendGoal(_Service[AssistedTeleop_SendGoal_Request, Assisted
 class AssistedTeleop_GetResult(_Service[AssistedTeleop_GetResult_Request, AssistedTeleop_GetResult_Response]):
     """The service nav2_msgs/action/AssistedTeleop_GetResult."""
 
+    __module__ = _module("_assisted_teleop")
     _TYPE_NAME = "nav2_msgs/action/AssistedTeleop_GetResult"
     _TYPE_HASH = "RIHS01_dd682e460cf893ec1c2cd93caf1805b40b0c08c0cb462daa6c30865e157bb1b0"
     Request: _TypeAlias = AssistedTeleop_GetResult_Request
@@ -201,6 +216,7 @@ class AssistedTeleop_GetResult(_Service[AssistedTeleop_GetResult_Request, Assist
 class AssistedTeleop(_Action[AssistedTeleop_Goal, AssistedTeleop_Result, AssistedTeleop_Feedback, AssistedTeleop_FeedbackMessage, AssistedTeleop_GetResult_Response]):
     """The action nav2_msgs/action/AssistedTeleop."""
 
+    __module__ = _module("_assisted_teleop")
     _TYPE_NAME = "nav2_msgs/action/AssistedTeleop"
     _TYPE_HASH = "RIHS01_0db8dcd93f8f6072c806b47c8e09f6065e47261d9658db291c359b2a9854f8f4"
     Goal: _TypeAlias = AssistedTeleop_Goal
@@ -210,6 +226,7 @@ class AssistedTeleop(_Action[AssistedTeleop_Goal, AssistedTeleop_Result, Assiste
     class Impl:
         """The services and messages that carry the action."""
 
+        __module__ = _module("_assisted_teleop")
         SendGoalService: _TypeAlias = AssistedTeleop_SendGoal
         GetResultService: _TypeAlias = AssistedTeleop_GetResult
         FeedbackMessage: _TypeAlias = AssistedTeleop_FeedbackMessage
@@ -220,6 +237,7 @@ class AssistedTeleop(_Action[AssistedTeleop_Goal, AssistedTeleop_Result, Assiste
 class BackUp_Goal(_Message):
     """The message nav2_msgs/action/BackUp_Goal."""
 
+    __module__ = _module("_back_up")
     _TYPE_NAME = "nav2_msgs/action/BackUp_Goal"
     _TYPE_HASH = "RIHS01_55f0d0f5affeabe369b9ff934c2c0bfb9816faca93953a5bced119c038c42783"
     _FIELDS = {"target": "geometry_msgs/msg/Point", "speed": "float32", "time_allowance": "builtin_interfaces/msg/Duration"}
@@ -236,6 +254,7 @@ class BackUp_Goal(_Message):
 class BackUp_Result(_Message):
     """The message nav2_msgs/action/BackUp_Result."""
 
+    __module__ = _module("_back_up")
     _TYPE_NAME = "nav2_msgs/action/BackUp_Result"
     _TYPE_HASH = "RIHS01_5e66d3db3244f382ecb7be337d2f28135ad7a0e66429948520a2315d97fb3acd"
     _FIELDS = {"total_elapsed_time": "builtin_interfaces/msg/Duration", "error_code": "uint16", "error_msg": "string"}
@@ -258,6 +277,7 @@ class BackUp_Result(_Message):
 class BackUp_Feedback(_Message):
     """The message nav2_msgs/action/BackUp_Feedback."""
 
+    __module__ = _module("_back_up")
     _TYPE_NAME = "nav2_msgs/action/BackUp_Feedback"
     _TYPE_HASH = "RIHS01_859f0344e74b313985d5c7338fc9462fcce637f25ea97500355b39201dc5c8a1"
     _FIELDS = {"distance_traveled": "float32"}
@@ -272,6 +292,7 @@ class BackUp_Feedback(_Message):
 class BackUp_SendGoal_Request(_Message):
     """The message nav2_msgs/action/BackUp_SendGoal_Request."""
 
+    __module__ = _module("_back_up")
     _TYPE_NAME = "nav2_msgs/action/BackUp_SendGoal_Request"
     _TYPE_HASH = "RIHS01_79bcd42f3243d0a219e47130f84ff7d5a3a4c9f34700f893beb8a23eae6f68fe"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "goal": "nav2_msgs/action/BackUp_Goal"}
@@ -287,6 +308,7 @@ class BackUp_SendGoal_Request(_Message):
 class BackUp_SendGoal_Response(_Message):
     """The message nav2_msgs/action/BackUp_SendGoal_Response."""
 
+    __module__ = _module("_back_up")
     _TYPE_NAME = "nav2_msgs/action/BackUp_SendGoal_Response"
     _TYPE_HASH = "RIHS01_58e85a6a7981154343c55ff9f8a14a053fd341a9284335e88b09d68432ebb4a8"
     _FIELDS = {"accepted": "bool", "stamp": "builtin_interfaces/msg/Time"}
@@ -302,6 +324,7 @@ class BackUp_SendGoal_Response(_Message):
 class BackUp_SendGoal_Event(_Message):
     """The message nav2_msgs/action/BackUp_SendGoal_Event."""
 
+    __module__ = _module("_back_up")
     _TYPE_NAME = "nav2_msgs/action/BackUp_SendGoal_Event"
     _TYPE_HASH = "RIHS01_c160bd10174b36226493a028205fa99018e74d9814d32725a918e63f3b74ee30"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/BackUp_SendGoal_Request[<=1]", "response": "nav2_msgs/action/BackUp_SendGoal_Response[<=1]"}
@@ -318,6 +341,7 @@ class BackUp_SendGoal_Event(_Message):
 class BackUp_GetResult_Request(_Message):
     """The message nav2_msgs/action/BackUp_GetResult_Request."""
 
+    __module__ = _module("_back_up")
     _TYPE_NAME = "nav2_msgs/action/BackUp_GetResult_Request"
     _TYPE_HASH = "RIHS01_5cf59ee0de44c995e55039f86486cc019edf979cba1f665b341c01e9573bf640"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID"}
@@ -332,6 +356,7 @@ class BackUp_GetResult_Request(_Message):
 class BackUp_GetResult_Response(_Message):
     """The message nav2_msgs/action/BackUp_GetResult_Response."""
 
+    __module__ = _module("_back_up")
     _TYPE_NAME = "nav2_msgs/action/BackUp_GetResult_Response"
     _TYPE_HASH = "RIHS01_0eab01e9a15f4db33961494d72b571012ded2a7e0bd28dacee6e2277646b0b35"
     _FIELDS = {"status": "int8", "result": "nav2_msgs/action/BackUp_Result"}
@@ -347,6 +372,7 @@ class BackUp_GetResult_Response(_Message):
 class BackUp_GetResult_Event(_Message):
     """The message nav2_msgs/action/BackUp_GetResult_Event."""
 
+    __module__ = _module("_back_up")
     _TYPE_NAME = "nav2_msgs/action/BackUp_GetResult_Event"
     _TYPE_HASH = "RIHS01_16a7763cfe5ea21ee22cc040fda006bb67a395d5f461008f8a20039c7ba97b0d"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/BackUp_GetResult_Request[<=1]", "response": "nav2_msgs/action/BackUp_GetResult_Response[<=1]"}
@@ -363,6 +389,7 @@ class BackUp_GetResult_Event(_Message):
 class BackUp_FeedbackMessage(_Message):
     """The message nav2_msgs/action/BackUp_FeedbackMessage."""
 
+    __module__ = _module("_back_up")
     _TYPE_NAME = "nav2_msgs/action/BackUp_FeedbackMessage"
     _TYPE_HASH = "RIHS01_f279f363e5f9f485dfca4704643e12354bb5bb092dc27b0ae3dca718cff715f7"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "feedback": "nav2_msgs/action/BackUp_Feedback"}
@@ -378,6 +405,7 @@ class BackUp_FeedbackMessage(_Message):
 class BackUp_SendGoal(_Service[BackUp_SendGoal_Request, BackUp_SendGoal_Response]):
     """The service nav2_msgs/action/BackUp_SendGoal."""
 
+    __module__ = _module("_back_up")
     _TYPE_NAME = "nav2_msgs/action/BackUp_SendGoal"
     _TYPE_HASH = "RIHS01_e37785b6e28415aa2b434da90fb8dd9f2595e05f2b354be6e463b7aff2934720"
     Request: _TypeAlias = BackUp_SendGoal_Request
@@ -388,6 +416,7 @@ class BackUp_SendGoal(_Service[BackUp_SendGoal_Request, BackUp_SendGoal_Response
 class BackUp_GetResult(_Service[BackUp_GetResult_Request, BackUp_GetResult_Response]):
     """The service nav2_msgs/action/BackUp_GetResult."""
 
+    __module__ = _module("_back_up")
     _TYPE_NAME = "nav2_msgs/action/BackUp_GetResult"
     _TYPE_HASH = "RIHS01_3522c919bdbbffa283f13484f610981688138de7308e88de94a57c47c466d342"
     Request: _TypeAlias = BackUp_GetResult_Request
@@ -398,6 +427,7 @@ class BackUp_GetResult(_Service[BackUp_GetResult_Request, BackUp_GetResult_Respo
 class BackUp(_Action[BackUp_Goal, BackUp_Result, BackUp_Feedback, BackUp_FeedbackMessage, BackUp_GetResult_Response]):
     """The action nav2_msgs/action/BackUp."""
 
+    __module__ = _module("_back_up")
     _TYPE_NAME = "nav2_msgs/action/BackUp"
     _TYPE_HASH = "RIHS01_28d3ef6f5c43fdb860f960f4be61825e80d3c6fd54a12af77005eb477ad60d50"
     Goal: _TypeAlias = BackUp_Goal
@@ -407,6 +437,7 @@ class BackUp(_Action[BackUp_Goal, BackUp_Result, BackUp_Feedback, BackUp_Feedbac
     class Impl:
         """The services and messages that carry the action."""
 
+        __module__ = _module("_back_up")
         SendGoalService: _TypeAlias = BackUp_SendGoal
         GetResultService: _TypeAlias = BackUp_GetResult
         FeedbackMessage: _TypeAlias = BackUp_FeedbackMessage
@@ -417,6 +448,7 @@ class BackUp(_Action[BackUp_Goal, BackUp_Result, BackUp_Feedback, BackUp_Feedbac
 class ComputeAndTrackRoute_Goal(_Message):
     """The message nav2_msgs/action/ComputeAndTrackRoute_Goal."""
 
+    __module__ = _module("_compute_and_track_route")
     _TYPE_NAME = "nav2_msgs/action/ComputeAndTrackRoute_Goal"
     _TYPE_HASH = "RIHS01_3a3b9643500c26d1cf79baaf47e62e1e05ba2be0c19da2cefe1169f814cf8d99"
     _FIELDS = {"start_id": "uint16", "start": "geometry_msgs/msg/PoseStamped", "goal_id": "uint16", "goal": "geometry_msgs/msg/PoseStamped", "use_start": "bool", "use_poses": "bool"}
@@ -436,6 +468,7 @@ class ComputeAndTrackRoute_Goal(_Message):
 class ComputeAndTrackRoute_Result(_Message):
     """The message nav2_msgs/action/ComputeAndTrackRoute_Result."""
 
+    __module__ = _module("_compute_and_track_route")
     _TYPE_NAME = "nav2_msgs/action/ComputeAndTrackRoute_Result"
     _TYPE_HASH = "RIHS01_e4c7715931fca885ff92c57bcf813f8d0a8a69e18eeedb561623d3d51b9e2e37"
     _FIELDS = {"execution_duration": "builtin_interfaces/msg/Duration", "error_code": "uint16"}
@@ -462,6 +495,7 @@ class ComputeAndTrackRoute_Result(_Message):
 class ComputeAndTrackRoute_Feedback(_Message):
     """The message nav2_msgs/action/ComputeAndTrackRoute_Feedback."""
 
+    __module__ = _module("_compute_and_track_route")
     _TYPE_NAME = "nav2_msgs/action/ComputeAndTrackRoute_Feedback"
     _TYPE_HASH = "RIHS01_82ff092bb13b32d069b63702458df0d58f8f447068f0fd04c899ee64fc1cfc19"
     _FIELDS = {"last_node_id": "uint16", "next_node_id": "uint16", "current_edge_id": "uint16", "route": "nav2_msgs/msg/Route", "path": "nav_msgs/msg/Path", "operations_triggered": "string[]", "rerouted": "bool"}
@@ -482,6 +516,7 @@ class ComputeAndTrackRoute_Feedback(_Message):
 class ComputeAndTrackRoute_SendGoal_Request(_Message):
     """The message nav2_msgs/action/ComputeAndTrackRoute_SendGoal_Request."""
 
+    __module__ = _module("_compute_and_track_route")
     _TYPE_NAME = "nav2_msgs/action/ComputeAndTrackRoute_SendGoal_Request"
     _TYPE_HASH = "RIHS01_ae237b33571d122cf216470b57d31d40f02ec0de9b9f5578c22a037f5e025d50"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "goal": "nav2_msgs/action/ComputeAndTrackRoute_Goal"}
@@ -497,6 +532,7 @@ class ComputeAndTrackRoute_SendGoal_Request(_Message):
 class ComputeAndTrackRoute_SendGoal_Response(_Message):
     """The message nav2_msgs/action/ComputeAndTrackRoute_SendGoal_Response."""
 
+    __module__ = _module("_compute_and_track_route")
     _TYPE_NAME = "nav2_msgs/action/ComputeAndTrackRoute_SendGoal_Response"
     _TYPE_HASH = "RIHS01_c63524bd0382b4020ca809be4a07f0d75fdd0add3f5743048d497dcf60c99787"
     _FIELDS = {"accepted": "bool", "stamp": "builtin_interfaces/msg/Time"}
@@ -512,6 +548,7 @@ class ComputeAndTrackRoute_SendGoal_Response(_Message):
 class ComputeAndTrackRoute_SendGoal_Event(_Message):
     """The message nav2_msgs/action/ComputeAndTrackRoute_SendGoal_Event."""
 
+    __module__ = _module("_compute_and_track_route")
     _TYPE_NAME = "nav2_msgs/action/ComputeAndTrackRoute_SendGoal_Event"
     _TYPE_HASH = "RIHS01_6bdf89713941ea6f751ea5aad0f7b658a4a527ad4762459fbc6c1f5ef7410cc4"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/ComputeAndTrackRoute_SendGoal_Request[<=1]", "response": "nav2_msgs/action/ComputeAndTrackRoute_SendGoal_Response[<=1]"}
@@ -528,6 +565,7 @@ class ComputeAndTrackRoute_SendGoal_Event(_Message):
 class ComputeAndTrackRoute_GetResult_Request(_Message):
     """The message nav2_msgs/action/ComputeAndTrackRoute_GetResult_Request."""
 
+    __module__ = _module("_compute_and_track_route")
     _TYPE_NAME = "nav2_msgs/action/ComputeAndTrackRoute_GetResult_Request"
     _TYPE_HASH = "RIHS01_39870b638b1726768bc35cb12daf9af044bbe0a1c56c712edfba7eb20ff78fb5"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID"}
@@ -542,6 +580,7 @@ class ComputeAndTrackRoute_GetResult_Request(_Message):
 class ComputeAndTrackRoute_GetResult_Response(_Message):
     """The message nav2_msgs/action/ComputeAndTrackRoute_GetResult_Response."""
 
+    __module__ = _module("_compute_and_track_route")
     _TYPE_NAME = "nav2_msgs/action/ComputeAndTrackRoute_GetResult_Response"
     _TYPE_HASH = "RIHS01_9066b31678d4d6ab9e264f6ad343003ed74b72bfa9bd606c6b4180da71baac3f"
     _FIELDS = {"status": "int8", "result": "nav2_msgs/action/ComputeAndTrackRoute_Result"}
@@ -557,6 +596,7 @@ class ComputeAndTrackRoute_GetResult_Response(_Message):
 class ComputeAndTrackRoute_GetResult_Event(_Message):
     """The message nav2_msgs/action/ComputeAndTrackRoute_GetResult_Event."""
 
+    __module__ = _module("_compute_and_track_route")
     _TYPE_NAME = "nav2_msgs/action/ComputeAndTrackRoute_GetResult_Event"
     _TYPE_HASH = "RIHS01_002531451c9671497060f60bb2a99370b72617f5333b8c19ef79c816f234e5c1"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/ComputeAndTrackRoute_GetResult_Request[<=1]", "response": "nav2_msgs/action/ComputeAndTrackRoute_GetResult_Response[<=1]"}
@@ -573,6 +613,7 @@ class ComputeAndTrackRoute_GetResult_Event(_Message):
 class ComputeAndTrackRoute_FeedbackMessage(_Message):
     """The message nav2_msgs/action/ComputeAndTrackRoute_FeedbackMessage."""
 
+    __module__ = _module("_compute_and_track_route")
     _TYPE_NAME = "nav2_msgs/action/ComputeAndTrackRoute_FeedbackMessage"
     _TYPE_HASH = "RIHS01_b3fb06cc9ea9a2855e2a74b02752235e6a609a5539a74dea28ae0cc5abd8e0af"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "feedback": "nav2_msgs/action/ComputeAndTrackRoute_Feedback"}
@@ -588,6 +629,7 @@ class ComputeAndTrackRoute_FeedbackMessage(_Message):
 class ComputeAndTrackRoute_SendGoal(_Service[ComputeAndTrackRoute_SendGoal_Request, ComputeAndTrackRoute_SendGoal_Response]):
     """The service nav2_msgs/action/ComputeAndTrackRoute_SendGoal."""
 
+    __module__ = _module("_compute_and_track_route")
     _TYPE_NAME = "nav2_msgs/action/ComputeAndTrackRoute_SendGoal"
     _TYPE_HASH = "RIHS01_af46f107a68d679c6cb9a8414b6c09ba949d94543fb0b45c2b42f51b1286ef2e"
     Request: _TypeAlias = ComputeAndTrackRoute_SendGoal_Request
@@ -598,6 +640,7 @@ class ComputeAndTrackRoute_SendGoal(_Service[ComputeAndTrackRoute_SendGoal_Reque
 class ComputeAndTrackRoute_GetResult(_Service[ComputeAndTrackRoute_GetResult_Request, ComputeAndTrackRoute_GetResult_Response]):
     """The service nav2_msgs/action/ComputeAndTrackRoute_GetResult."""
 
+    __module__ = _module("_compute_and_track_route")
     _TYPE_NAME = "nav2_msgs/action/ComputeAndTrackRoute_GetResult"
     _TYPE_HASH = "RIHS01_8ae7176ade04d0e2948b47059c9595522201125c87f221f6577b56cec9f0e36f"
     Request: _TypeAlias = ComputeAndTrackRoute_GetResult_Request
@@ -608,6 +651,7 @@ class ComputeAndTrackRoute_GetResult(_Service[ComputeAndTrackRoute_GetResult_Req
 class ComputeAndTrackRoute(_Action[ComputeAndTrackRoute_Goal, ComputeAndTrackRoute_Result, ComputeAndTrackRoute_Feedback, ComputeAndTrackRoute_FeedbackMessage, ComputeAndTrackRoute_GetResult_Response]):
     """The action nav2_msgs/action/ComputeAndTrackRoute."""
 
+    __module__ = _module("_compute_and_track_route")
     _TYPE_NAME = "nav2_msgs/action/ComputeAndTrackRoute"
     _TYPE_HASH = "RIHS01_eb358f9e4b7f7db475c3340bebf11c650f0641a8577da6eb3f9faa0a20805857"
     Goal: _TypeAlias = ComputeAndTrackRoute_Goal
@@ -617,6 +661,7 @@ class ComputeAndTrackRoute(_Action[ComputeAndTrackRoute_Goal, ComputeAndTrackRou
     class Impl:
         """The services and messages that carry the action."""
 
+        __module__ = _module("_compute_and_track_route")
         SendGoalService: _TypeAlias = ComputeAndTrackRoute_SendGoal
         GetResultService: _TypeAlias = ComputeAndTrackRoute_GetResult
         FeedbackMessage: _TypeAlias = ComputeAndTrackRoute_FeedbackMessage
@@ -627,6 +672,7 @@ class ComputeAndTrackRoute(_Action[ComputeAndTrackRoute_Goal, ComputeAndTrackRou
 class ComputePathThroughPoses_Goal(_Message):
     """The message nav2_msgs/action/ComputePathThroughPoses_Goal."""
 
+    __module__ = _module("_compute_path_through_poses")
     _TYPE_NAME = "nav2_msgs/action/ComputePathThroughPoses_Goal"
     _TYPE_HASH = "RIHS01_ef05acd91e1bfc92608d564d649d666d8bd7ff84fdea0b5a006a1172320d2bae"
     _FIELDS = {"goals": "geometry_msgs/msg/PoseStamped[]", "start": "geometry_msgs/msg/PoseStamped", "planner_id": "string", "use_start": "bool"}
@@ -644,6 +690,7 @@ class ComputePathThroughPoses_Goal(_Message):
 class ComputePathThroughPoses_Result(_Message):
     """The message nav2_msgs/action/ComputePathThroughPoses_Result."""
 
+    __module__ = _module("_compute_path_through_poses")
     _TYPE_NAME = "nav2_msgs/action/ComputePathThroughPoses_Result"
     _TYPE_HASH = "RIHS01_9b1b12c2ed2f27b2a8e4a657b944180b3ce4cdb6798f4d0eefd9a5b739f233a6"
     _FIELDS = {"path": "nav_msgs/msg/Path", "planning_time": "builtin_interfaces/msg/Duration", "error_code": "uint16", "error_msg": "string"}
@@ -672,6 +719,7 @@ class ComputePathThroughPoses_Result(_Message):
 class ComputePathThroughPoses_Feedback(_Message):
     """The message nav2_msgs/action/ComputePathThroughPoses_Feedback."""
 
+    __module__ = _module("_compute_path_through_poses")
     _TYPE_NAME = "nav2_msgs/action/ComputePathThroughPoses_Feedback"
     _TYPE_HASH = "RIHS01_ee7ba8f81f423e6137f20fcb93da27e9bb7166b7b3c07fedd2bce0ef23b5ff38"
     _FIELDS = {}
@@ -685,6 +733,7 @@ class ComputePathThroughPoses_Feedback(_Message):
 class ComputePathThroughPoses_SendGoal_Request(_Message):
     """The message nav2_msgs/action/ComputePathThroughPoses_SendGoal_Request."""
 
+    __module__ = _module("_compute_path_through_poses")
     _TYPE_NAME = "nav2_msgs/action/ComputePathThroughPoses_SendGoal_Request"
     _TYPE_HASH = "RIHS01_dbdd127d3da1f01300f279d2484bf5a88d77cba10fceca88710bb0377efd1dc3"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "goal": "nav2_msgs/action/ComputePathThroughPoses_Goal"}
@@ -700,6 +749,7 @@ class ComputePathThroughPoses_SendGoal_Request(_Message):
 class ComputePathThroughPoses_SendGoal_Response(_Message):
     """The message nav2_msgs/action/ComputePathThroughPoses_SendGoal_Response."""
 
+    __module__ = _module("_compute_path_through_poses")
     _TYPE_NAME = "nav2_msgs/action/ComputePathThroughPoses_SendGoal_Response"
     _TYPE_HASH = "RIHS01_c13064c3215ec29e84c0eda2f52e242423a7b92d713a9aa685746a2c598061ea"
     _FIELDS = {"accepted": "bool", "stamp": "builtin_interfaces/msg/Time"}
@@ -715,6 +765,7 @@ class ComputePathThroughPoses_SendGoal_Response(_Message):
 class ComputePathThroughPoses_SendGoal_Event(_Message):
     """The message nav2_msgs/action/ComputePathThroughPoses_SendGoal_Event."""
 
+    __module__ = _module("_compute_path_through_poses")
     _TYPE_NAME = "nav2_msgs/action/ComputePathThroughPoses_SendGoal_Event"
     _TYPE_HASH = "RIHS01_6c3255ec405e845faab70c4e99b4ab843f3edc846003c9cf443ea54c3bee9224"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/ComputePathThroughPoses_SendGoal_Request[<=1]", "response": "nav2_msgs/action/ComputePathThroughPoses_SendGoal_Response[<=1]"}
@@ -731,6 +782,7 @@ class ComputePathThroughPoses_SendGoal_Event(_Message):
 class ComputePathThroughPoses_GetResult_Request(_Message):
     """The message nav2_msgs/action/ComputePathThroughPoses_GetResult_Request."""
 
+    __module__ = _module("_compute_path_through_poses")
     _TYPE_NAME = "nav2_msgs/action/ComputePathThroughPoses_GetResult_Request"
     _TYPE_HASH = "RIHS01_b44d1f4a9e53c39840aa68d6539c0bd06b63f63c4a60bd554d2edf86aec4de9a"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID"}
@@ -745,6 +797,7 @@ class ComputePathThroughPoses_GetResult_Request(_Message):
 class ComputePathThroughPoses_GetResult_Response(_Message):
     """The message nav2_msgs/action/ComputePathThroughPoses_GetResult_Response."""
 
+    __module__ = _module("_compute_path_through_poses")
     _TYPE_NAME = "nav2_msgs/action/ComputePathThroughPoses_GetResult_Response"
     _TYPE_HASH = "RIHS01_70d89be6b071711328338621fab174401490b8f0e347d359866a3aec8c33a327"
     _FIELDS = {"status": "int8", "result": "nav2_msgs/action/ComputePathThroughPoses_Result"}
@@ -760,6 +813,7 @@ class ComputePathThroughPoses_GetResult_Response(_Message):
 class ComputePathThroughPoses_GetResult_Event(_Message):
     """The message nav2_msgs/action/ComputePathThroughPoses_GetResult_Event."""
 
+    __module__ = _module("_compute_path_through_poses")
     _TYPE_NAME = "nav2_msgs/action/ComputePathThroughPoses_GetResult_Event"
     _TYPE_HASH = "RIHS01_9194ffd502c95ddfb64dc3ce39e77006dcb46dd24fb7c59b15e092f649c49dbd"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/ComputePathThroughPoses_GetResult_Request[<=1]", "response": "nav2_msgs/action/ComputePathThroughPoses_GetResult_Response[<=1]"}
@@ -776,6 +830,7 @@ class ComputePathThroughPoses_GetResult_Event(_Message):
 class ComputePathThroughPoses_FeedbackMessage(_Message):
     """The message nav2_msgs/action/ComputePathThroughPoses_FeedbackMessage."""
 
+    __module__ = _module("_compute_path_through_poses")
     _TYPE_NAME = "nav2_msgs/action/ComputePathThroughPoses_FeedbackMessage"
     _TYPE_HASH = "RIHS01_b04e85195fb2c41edab60868657632fa95d11e9ae69792ca2a1df9de4fbc5521"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "feedback": "nav2_msgs/action/ComputePathThroughPoses_Feedback"}
@@ -791,6 +846,7 @@ class ComputePathThroughPoses_FeedbackMessage(_Message):
 class ComputePathThroughPoses_SendGoal(_Service[ComputePathThroughPoses_SendGoal_Request, ComputePathThroughPoses_SendGoal_Response]):
     """The service nav2_msgs/action/ComputePathThroughPoses_SendGoal."""
 
+    __module__ = _module("_compute_path_through_poses")
     _TYPE_NAME = "nav2_msgs/action/ComputePathThroughPoses_SendGoal"
     _TYPE_HASH = "RIHS01_6aac5f4ea44b023b4c4685ee022298a76e8a1671f27ab488adf2ac4efecfca9d"
     Request: _TypeAlias = ComputePathThroughPoses_SendGoal_Request
@@ -801,6 +857,7 @@ class ComputePathThroughPoses_SendGoal(_Service[ComputePathThroughPoses_SendGoal
 class ComputePathThroughPoses_GetResult(_Service[ComputePathThroughPoses_GetResult_Request, ComputePathThroughPoses_GetResult_Response]):
     """The service nav2_msgs/action/ComputePathThroughPoses_GetResult."""
 
+    __module__ = _module("_compute_path_through_poses")
     _TYPE_NAME = "nav2_msgs/action/ComputePathThroughPoses_GetResult"
     _TYPE_HASH = "RIHS01_86b86db67d57ff222084ff1ac42e5357fdf8597973b36000e15e01ad43a9fdf7"
     Request: _TypeAlias = ComputePathThroughPoses_GetResult_Request
@@ -811,6 +868,7 @@ class ComputePathThroughPoses_GetResult(_Service[ComputePathThroughPoses_GetResu
 class ComputePathThroughPoses(_Action[ComputePathThroughPoses_Goal, ComputePathThroughPoses_Result, ComputePathThroughPoses_Feedback, ComputePathThroughPoses_FeedbackMessage, ComputePathThroughPoses_GetResult_Response]):
     """The action nav2_msgs/action/ComputePathThroughPoses."""
 
+    __module__ = _module("_compute_path_through_poses")
     _TYPE_NAME = "nav2_msgs/action/ComputePathThroughPoses"
     _TYPE_HASH = "RIHS01_bb3cde2342f7eadfe65ed4dff5253edc37e44ae14a3fcee77272d7fef552440c"
     Goal: _TypeAlias = ComputePathThroughPoses_Goal
@@ -820,6 +878,7 @@ class ComputePathThroughPoses(_Action[ComputePathThroughPoses_Goal, ComputePathT
     class Impl:
         """The services and messages that carry the action."""
 
+        __module__ = _module("_compute_path_through_poses")
         SendGoalService: _TypeAlias = ComputePathThroughPoses_SendGoal
         GetResultService: _TypeAlias = ComputePathThroughPoses_GetResult
         FeedbackMessage: _TypeAlias = ComputePathThroughPoses_FeedbackMessage
@@ -830,6 +889,7 @@ class ComputePathThroughPoses(_Action[ComputePathThroughPoses_Goal, ComputePathT
 class ComputePathToPose_Goal(_Message):
     """The message nav2_msgs/action/ComputePathToPose_Goal."""
 
+    __module__ = _module("_compute_path_to_pose")
     _TYPE_NAME = "nav2_msgs/action/ComputePathToPose_Goal"
     _TYPE_HASH = "RIHS01_9b2a136db06950716ad4a46b9d01bb628703cad155650c0b8233fb6a2f2783fa"
     _FIELDS = {"goal": "geometry_msgs/msg/PoseStamped", "start": "geometry_msgs/msg/PoseStamped", "planner_id": "string", "use_start": "bool"}
@@ -847,6 +907,7 @@ class ComputePathToPose_Goal(_Message):
 class ComputePathToPose_Result(_Message):
     """The message nav2_msgs/action/ComputePathToPose_Result."""
 
+    __module__ = _module("_compute_path_to_pose")
     _TYPE_NAME = "nav2_msgs/action/ComputePathToPose_Result"
     _TYPE_HASH = "RIHS01_7178b0d4da2f4d4243f3b95db1051384e4fdd2226a14518f04547b13cdfa0253"
     _FIELDS = {"path": "nav_msgs/msg/Path", "planning_time": "builtin_interfaces/msg/Duration", "error_code": "uint16", "error_msg": "string"}
@@ -874,6 +935,7 @@ class ComputePathToPose_Result(_Message):
 class ComputePathToPose_Feedback(_Message):
     """The message nav2_msgs/action/ComputePathToPose_Feedback."""
 
+    __module__ = _module("_compute_path_to_pose")
     _TYPE_NAME = "nav2_msgs/action/ComputePathToPose_Feedback"
     _TYPE_HASH = "RIHS01_65f211af92621424a97b9f54224f75c04e748d9b998115a39f6f03a684e01f1b"
     _FIELDS = {}
@@ -887,6 +949,7 @@ class ComputePathToPose_Feedback(_Message):
 class ComputePathToPose_SendGoal_Request(_Message):
     """The message nav2_msgs/action/ComputePathToPose_SendGoal_Request."""
 
+    __module__ = _module("_compute_path_to_pose")
     _TYPE_NAME = "nav2_msgs/action/ComputePathToPose_SendGoal_Request"
     _TYPE_HASH = "RIHS01_7febfe253154b28fa86ff7badebe59ddfb79829c86485903efd19884a73e178e"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "goal": "nav2_msgs/action/ComputePathToPose_Goal"}
@@ -902,6 +965,7 @@ class ComputePathToPose_SendGoal_Request(_Message):
 class ComputePathToPose_SendGoal_Response(_Message):
     """The message nav2_msgs/action/ComputePathToPose_SendGoal_Response."""
 
+    __module__ = _module("_compute_path_to_pose")
     _TYPE_NAME = "nav2_msgs/action/ComputePathToPose_SendGoal_Response"
     _TYPE_HASH = "RIHS01_5bf8211084a19dc1b677915e75d6752a72c1e0cf0b2beede2f49c578b7865e35"
     _FIELDS = {"accepted": "bool", "stamp": "builtin_interfaces/msg/Time"}
@@ -917,6 +981,7 @@ class ComputePathToPose_SendGoal_Response(_Message):
 class ComputePathToPose_SendGoal_Event(_Message):
     """The message nav2_msgs/action/ComputePathToPose_SendGoal_Event."""
 
+    __module__ = _module("_compute_path_to_pose")
     _TYPE_NAME = "nav2_msgs/action/ComputePathToPose_SendGoal_Event"
     _TYPE_HASH = "RIHS01_ba2a385bc719b327e8554d8783ae1d9d7e03fc31fa38984517a9a6d3f2017ae1"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/ComputePathToPose_SendGoal_Request[<=1]", "response": "nav2_msgs/action/ComputePathToPose_SendGoal_Response[<=1]"}
@@ -933,6 +998,7 @@ class ComputePathToPose_SendGoal_Event(_Message):
 class ComputePathToPose_GetResult_Request(_Message):
     """The message nav2_msgs/action/ComputePathToPose_GetResult_Request."""
 
+    __module__ = _module("_compute_path_to_pose")
     _TYPE_NAME = "nav2_msgs/action/ComputePathToPose_GetResult_Request"
     _TYPE_HASH = "RIHS01_4b6daec66100272fa48786b26682982c6de4166bd2b1a061e47ccd9a6bd7bbb1"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID"}
@@ -947,6 +1013,7 @@ class ComputePathToPose_GetResult_Request(_Message):
 class ComputePathToPose_GetResult_Response(_Message):
     """The message nav2_msgs/action/ComputePathToPose_GetResult_Response."""
 
+    __module__ = _module("_compute_path_to_pose")
     _TYPE_NAME = "nav2_msgs/action/ComputePathToPose_GetResult_Response"
     _TYPE_HASH = "RIHS01_f278e880ee5e06bc9498152d76991cc90096b0265f1b1e1234baf23f395ce1d5"
     _FIELDS = {"status": "int8", "result": "nav2_msgs/action/ComputePathToPose_Result"}
@@ -962,6 +1029,7 @@ class ComputePathToPose_GetResult_Response(_Message):
 class ComputePathToPose_GetResult_Event(_Message):
     """The message nav2_msgs/action/ComputePathToPose_GetResult_Event."""
 
+    __module__ = _module("_compute_path_to_pose")
     _TYPE_NAME = "nav2_msgs/action/ComputePathToPose_GetResult_Event"
     _TYPE_HASH = "RIHS01_ce985eeed9162bddc8042de0c87d3d83ece12fb19b45ef45123879e5c0ec0a02"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/ComputePathToPose_GetResult_Request[<=1]", "response": "nav2_msgs/action/ComputePathToPose_GetResult_Response[<=1]"}
@@ -978,6 +1046,7 @@ class ComputePathToPose_GetResult_Event(_Message):
 class ComputePathToPose_FeedbackMessage(_Message):
     """The message nav2_msgs/action/ComputePathToPose_FeedbackMessage."""
 
+    __module__ = _module("_compute_path_to_pose")
     _TYPE_NAME = "nav2_msgs/action/ComputePathToPose_FeedbackMessage"
     _TYPE_HASH = "RIHS01_a086c8f040554ab5883b433bded128a1d1a732d21ca57596b7fdbe7ad2d0b64a"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "feedback": "nav2_msgs/action/ComputePathToPose_Feedback"}
@@ -993,6 +1062,7 @@ class ComputePathToPose_FeedbackMessage(_Message):
 class ComputePathToPose_SendGoal(_Service[ComputePathToPose_SendGoal_Request, ComputePathToPose_SendGoal_Response]):
     """The service nav2_msgs/action/ComputePathToPose_SendGoal."""
 
+    __module__ = _module("_compute_path_to_pose")
     _TYPE_NAME = "nav2_msgs/action/ComputePathToPose_SendGoal"
     _TYPE_HASH = "RIHS01_e800806a220935f225495784663dfdd78b509335309a5127ed1112f6ce6b9dbc"
     Request: _TypeAlias = ComputePathToPose_SendGoal_Request
@@ -1003,6 +1073,7 @@ class ComputePathToPose_SendGoal(_Service[ComputePathToPose_SendGoal_Request, Co
 class ComputePathToPose_GetResult(_Service[ComputePathToPose_GetResult_Request, ComputePathToPose_GetResult_Response]):
     """The service nav2_msgs/action/ComputePathToPose_GetResult."""
 
+    __module__ = _module("_compute_path_to_pose")
     _TYPE_NAME = "nav2_msgs/action/ComputePathToPose_GetResult"
     _TYPE_HASH = "RIHS01_386ab12c2f62a441596ef1140b3beca654a957eaac87e769c10de01b0e28208f"
     Request: _TypeAlias = ComputePathToPose_GetResult_Request
@@ -1013,6 +1084,7 @@ class ComputePathToPose_GetResult(_Service[ComputePathToPose_GetResult_Request, 
 class ComputePathToPose(_Action[ComputePathToPose_Goal, ComputePathToPose_Result, ComputePathToPose_Feedback, ComputePathToPose_FeedbackMessage, ComputePathToPose_GetResult_Response]):
     """The action nav2_msgs/action/ComputePathToPose."""
 
+    __module__ = _module("_compute_path_to_pose")
     _TYPE_NAME = "nav2_msgs/action/ComputePathToPose"
     _TYPE_HASH = "RIHS01_b11d50c914791956069419b8f4ad441e3c66fcfbd9461f8e87110b77dc6febe9"
     Goal: _TypeAlias = ComputePathToPose_Goal
@@ -1022,6 +1094,7 @@ class ComputePathToPose(_Action[ComputePathToPose_Goal, ComputePathToPose_Result
     class Impl:
         """The services and messages that carry the action."""
 
+        __module__ = _module("_compute_path_to_pose")
         SendGoalService: _TypeAlias = ComputePathToPose_SendGoal
         GetResultService: _TypeAlias = ComputePathToPose_GetResult
         FeedbackMessage: _TypeAlias = ComputePathToPose_FeedbackMessage
@@ -1032,6 +1105,7 @@ class ComputePathToPose(_Action[ComputePathToPose_Goal, ComputePathToPose_Result
 class ComputeRoute_Goal(_Message):
     """The message nav2_msgs/action/ComputeRoute_Goal."""
 
+    __module__ = _module("_compute_route")
     _TYPE_NAME = "nav2_msgs/action/ComputeRoute_Goal"
     _TYPE_HASH = "RIHS01_d6eaf4c8821eb057f9164b33e52f76c3aee9d35186cb07c769c75caec6f3ab1e"
     _FIELDS = {"start_id": "uint16", "start": "geometry_msgs/msg/PoseStamped", "goal_id": "uint16", "goal": "geometry_msgs/msg/PoseStamped", "use_start": "bool", "use_poses": "bool"}
@@ -1051,6 +1125,7 @@ class ComputeRoute_Goal(_Message):
 class ComputeRoute_Result(_Message):
     """The message nav2_msgs/action/ComputeRoute_Result."""
 
+    __module__ = _module("_compute_route")
     _TYPE_NAME = "nav2_msgs/action/ComputeRoute_Result"
     _TYPE_HASH = "RIHS01_ddc1a556ad76449e6ce6f18d503170afde747c5c0bb085d7724124a7b47237b6"
     _FIELDS = {"planning_time": "builtin_interfaces/msg/Duration", "path": "nav_msgs/msg/Path", "route": "nav2_msgs/msg/Route", "error_code": "uint16"}
@@ -1078,6 +1153,7 @@ class ComputeRoute_Result(_Message):
 class ComputeRoute_Feedback(_Message):
     """The message nav2_msgs/action/ComputeRoute_Feedback."""
 
+    __module__ = _module("_compute_route")
     _TYPE_NAME = "nav2_msgs/action/ComputeRoute_Feedback"
     _TYPE_HASH = "RIHS01_50f6b82e5e22c58e08e90cab482ea0cb79b6439b409735419d9afbfbff4e54b1"
     _FIELDS = {}
@@ -1091,6 +1167,7 @@ class ComputeRoute_Feedback(_Message):
 class ComputeRoute_SendGoal_Request(_Message):
     """The message nav2_msgs/action/ComputeRoute_SendGoal_Request."""
 
+    __module__ = _module("_compute_route")
     _TYPE_NAME = "nav2_msgs/action/ComputeRoute_SendGoal_Request"
     _TYPE_HASH = "RIHS01_a29ad1a9596cbfe381bb0dfa3ce46eb774e1192b226386c0ef68777885637459"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "goal": "nav2_msgs/action/ComputeRoute_Goal"}
@@ -1106,6 +1183,7 @@ class ComputeRoute_SendGoal_Request(_Message):
 class ComputeRoute_SendGoal_Response(_Message):
     """The message nav2_msgs/action/ComputeRoute_SendGoal_Response."""
 
+    __module__ = _module("_compute_route")
     _TYPE_NAME = "nav2_msgs/action/ComputeRoute_SendGoal_Response"
     _TYPE_HASH = "RIHS01_9b1da5f651ad7c1cd0dde516aed521007932317db932ae6dbf17a71f162c6d90"
     _FIELDS = {"accepted": "bool", "stamp": "builtin_interfaces/msg/Time"}
@@ -1121,6 +1199,7 @@ class ComputeRoute_SendGoal_Response(_Message):
 class ComputeRoute_SendGoal_Event(_Message):
     """The message nav2_msgs/action/ComputeRoute_SendGoal_Event."""
 
+    __module__ = _module("_compute_route")
     _TYPE_NAME = "nav2_msgs/action/ComputeRoute_SendGoal_Event"
     _TYPE_HASH = "RIHS01_a63db3e0c1ca92f300d32ca9e070da92afc174cee894b9a2ea49735319e6ebc1"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/ComputeRoute_SendGoal_Request[<=1]", "response": "nav2_msgs/action/ComputeRoute_SendGoal_Response[<=1]"}
@@ -1137,6 +1216,7 @@ class ComputeRoute_SendGoal_Event(_Message):
 class ComputeRoute_GetResult_Request(_Message):
     """The message nav2_msgs/action/ComputeRoute_GetResult_Request."""
 
+    __module__ = _module("_compute_route")
     _TYPE_NAME = "nav2_msgs/action/ComputeRoute_GetResult_Request"
     _TYPE_HASH = "RIHS01_fac9bb7b507efad8280da4274ec2f9a3a00abe6baa6c253133191d37d5746228"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID"}
@@ -1151,6 +1231,7 @@ class ComputeRoute_GetResult_Request(_Message):
 class ComputeRoute_GetResult_Response(_Message):
     """The message nav2_msgs/action/ComputeRoute_GetResult_Response."""
 
+    __module__ = _module("_compute_route")
     _TYPE_NAME = "nav2_msgs/action/ComputeRoute_GetResult_Response"
     _TYPE_HASH = "RIHS01_bbe1d52c6ce64e7f7600e9d49ec163d2b93c5f1b0d8b49ba04e0e0bdda15f262"
     _FIELDS = {"status": "int8", "result": "nav2_msgs/action/ComputeRoute_Result"}
@@ -1166,6 +1247,7 @@ class ComputeRoute_GetResult_Response(_Message):
 class ComputeRoute_GetResult_Event(_Message):
     """The message nav2_msgs/action/ComputeRoute_GetResult_Event."""
 
+    __module__ = _module("_compute_route")
     _TYPE_NAME = "nav2_msgs/action/ComputeRoute_GetResult_Event"
     _TYPE_HASH = "RIHS01_7ad1278997f8c30ccdabdb85eb3e1e22a56da9d022d0a29c422a87179dd3dd75"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/ComputeRoute_GetResult_Request[<=1]", "response": "nav2_msgs/action/ComputeRoute_GetResult_Response[<=1]"}
@@ -1182,6 +1264,7 @@ class ComputeRoute_GetResult_Event(_Message):
 class ComputeRoute_FeedbackMessage(_Message):
     """The message nav2_msgs/action/ComputeRoute_FeedbackMessage."""
 
+    __module__ = _module("_compute_route")
     _TYPE_NAME = "nav2_msgs/action/ComputeRoute_FeedbackMessage"
     _TYPE_HASH = "RIHS01_41e8e0f760c38e072fc7e76a83c1920e61d25a6d514547daf6b9bad9ea7f6685"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "feedback": "nav2_msgs/action/ComputeRoute_Feedback"}
@@ -1197,6 +1280,7 @@ class ComputeRoute_FeedbackMessage(_Message):
 class ComputeRoute_SendGoal(_Service[ComputeRoute_SendGoal_Request, ComputeRoute_SendGoal_Response]):
     """The service nav2_msgs/action/ComputeRoute_SendGoal."""
 
+    __module__ = _module("_compute_route")
     _TYPE_NAME = "nav2_msgs/action/ComputeRoute_SendGoal"
     _TYPE_HASH = "RIHS01_e66ba750cd0d399e486f21e30d41ecc50a4cac2afc62a9027ff975f9ba6a20a9"
     Request: _TypeAlias = ComputeRoute_SendGoal_Request
@@ -1207,6 +1291,7 @@ class ComputeRoute_SendGoal(_Service[ComputeRoute_SendGoal_Request, ComputeRoute
 class ComputeRoute_GetResult(_Service[ComputeRoute_GetResult_Request, ComputeRoute_GetResult_Response]):
     """The service nav2_msgs/action/ComputeRoute_GetResult."""
 
+    __module__ = _module("_compute_route")
     _TYPE_NAME = "nav2_msgs/action/ComputeRoute_GetResult"
     _TYPE_HASH = "RIHS01_c5d88f3f3bed36738c147f78cf7e45cbd3880283f7faa83c04f441d846d28842"
     Request: _TypeAlias = ComputeRoute_GetResult_Request
@@ -1217,6 +1302,7 @@ class ComputeRoute_GetResult(_Service[ComputeRoute_GetResult_Request, ComputeRou
 class ComputeRoute(_Action[ComputeRoute_Goal, ComputeRoute_Result, ComputeRoute_Feedback, ComputeRoute_FeedbackMessage, ComputeRoute_GetResult_Response]):
     """The action nav2_msgs/action/ComputeRoute."""
 
+    __module__ = _module("_compute_route")
     _TYPE_NAME = "nav2_msgs/action/ComputeRoute"
     _TYPE_HASH = "RIHS01_a9b4edd14db3c113801ee8bad9b15fdc25aff0655f587fac6d8a672d6cf9af60"
     Goal: _TypeAlias = ComputeRoute_Goal
@@ -1226,6 +1312,7 @@ class ComputeRoute(_Action[ComputeRoute_Goal, ComputeRoute_Result, ComputeRoute_
     class Impl:
         """The services and messages that carry the action."""
 
+        __module__ = _module("_compute_route")
         SendGoalService: _TypeAlias = ComputeRoute_SendGoal
         GetResultService: _TypeAlias = ComputeRoute_GetResult
         FeedbackMessage: _TypeAlias = ComputeRoute_FeedbackMessage
@@ -1236,6 +1323,7 @@ class ComputeRoute(_Action[ComputeRoute_Goal, ComputeRoute_Result, ComputeRoute_
 class DockRobot_Goal(_Message):
     """The message nav2_msgs/action/DockRobot_Goal."""
 
+    __module__ = _module("_dock_robot")
     _TYPE_NAME = "nav2_msgs/action/DockRobot_Goal"
     _TYPE_HASH = "RIHS01_771fae864909c42683a444d493e806a2e709af4678a21091e64edbe16e3223bc"
     _FIELDS = {"use_dock_id": "bool", "dock_id": "string", "dock_pose": "geometry_msgs/msg/PoseStamped", "dock_type": "string", "max_staging_time": "float32", "navigate_to_staging_pose": "bool"}
@@ -1259,6 +1347,7 @@ class DockRobot_Goal(_Message):
 class DockRobot_Result(_Message):
     """The message nav2_msgs/action/DockRobot_Result."""
 
+    __module__ = _module("_dock_robot")
     _TYPE_NAME = "nav2_msgs/action/DockRobot_Result"
     _TYPE_HASH = "RIHS01_09208d89bb7477854fc834f4ceced1e963890614c5e0821121b2a97ddb7be5eb"
     _FIELDS = {"success": "bool", "error_code": "uint16", "num_retries": "uint16", "error_msg": "string"}
@@ -1288,6 +1377,7 @@ class DockRobot_Result(_Message):
 class DockRobot_Feedback(_Message):
     """The message nav2_msgs/action/DockRobot_Feedback."""
 
+    __module__ = _module("_dock_robot")
     _TYPE_NAME = "nav2_msgs/action/DockRobot_Feedback"
     _TYPE_HASH = "RIHS01_b23f877ad7013aae4ad83a1330e83a62a1397594839126331a843a8852dcc8e8"
     _FIELDS = {"state": "uint16", "docking_time": "builtin_interfaces/msg/Duration", "num_retries": "uint16"}
@@ -1312,6 +1402,7 @@ class DockRobot_Feedback(_Message):
 class DockRobot_SendGoal_Request(_Message):
     """The message nav2_msgs/action/DockRobot_SendGoal_Request."""
 
+    __module__ = _module("_dock_robot")
     _TYPE_NAME = "nav2_msgs/action/DockRobot_SendGoal_Request"
     _TYPE_HASH = "RIHS01_309c70d1d0c40a21fe70cb766b444d0e627fbaa631ab47befb74d26ac82ce762"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "goal": "nav2_msgs/action/DockRobot_Goal"}
@@ -1327,6 +1418,7 @@ class DockRobot_SendGoal_Request(_Message):
 class DockRobot_SendGoal_Response(_Message):
     """The message nav2_msgs/action/DockRobot_SendGoal_Response."""
 
+    __module__ = _module("_dock_robot")
     _TYPE_NAME = "nav2_msgs/action/DockRobot_SendGoal_Response"
     _TYPE_HASH = "RIHS01_0509c711affb605eac18ce08cc59092af9a6c01a6dcb9d5ccafb1b9fd38db1f3"
     _FIELDS = {"accepted": "bool", "stamp": "builtin_interfaces/msg/Time"}
@@ -1342,6 +1434,7 @@ class DockRobot_SendGoal_Response(_Message):
 class DockRobot_SendGoal_Event(_Message):
     """The message nav2_msgs/action/DockRobot_SendGoal_Event."""
 
+    __module__ = _module("_dock_robot")
     _TYPE_NAME = "nav2_msgs/action/DockRobot_SendGoal_Event"
     _TYPE_HASH = "RIHS01_7fd206985c584bc286179df4ba84934ae5c3ccf12855f561f712455596433e5c"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/DockRobot_SendGoal_Request[<=1]", "response": "nav2_msgs/action/DockRobot_SendGoal_Response[<=1]"}
@@ -1358,6 +1451,7 @@ class DockRobot_SendGoal_Event(_Message):
 class DockRobot_GetResult_Request(_Message):
     """The message nav2_msgs/action/DockRobot_GetResult_Request."""
 
+    __module__ = _module("_dock_robot")
     _TYPE_NAME = "nav2_msgs/action/DockRobot_GetResult_Request"
     _TYPE_HASH = "RIHS01_5039076d7f1f90aeeb9c2a09c2252ff0f66ed4d668cb405dde9591f05e25d885"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID"}
@@ -1372,6 +1466,7 @@ class DockRobot_GetResult_Request(_Message):
 class DockRobot_GetResult_Response(_Message):
     """The message nav2_msgs/action/DockRobot_GetResult_Response."""
 
+    __module__ = _module("_dock_robot")
     _TYPE_NAME = "nav2_msgs/action/DockRobot_GetResult_Response"
     _TYPE_HASH = "RIHS01_07583af3f8c2ae650710bb28176bc535b80fff055922398d3aba8e41659f881f"
     _FIELDS = {"status": "int8", "result": "nav2_msgs/action/DockRobot_Result"}
@@ -1387,6 +1482,7 @@ class DockRobot_GetResult_Response(_Message):
 class DockRobot_GetResult_Event(_Message):
     """The message nav2_msgs/action/DockRobot_GetResult_Event."""
 
+    __module__ = _module("_dock_robot")
     _TYPE_NAME = "nav2_msgs/action/DockRobot_GetResult_Event"
     _TYPE_HASH = "RIHS01_a5b6baffde2815bbf81462653adbc31ccf177c5e152130323e479373cd591454"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/DockRobot_GetResult_Request[<=1]", "response": "nav2_msgs/action/DockRobot_GetResult_Response[<=1]"}
@@ -1403,6 +1499,7 @@ class DockRobot_GetResult_Event(_Message):
 class DockRobot_FeedbackMessage(_Message):
     """The message nav2_msgs/action/DockRobot_FeedbackMessage."""
 
+    __module__ = _module("_dock_robot")
     _TYPE_NAME = "nav2_msgs/action/DockRobot_FeedbackMessage"
     _TYPE_HASH = "RIHS01_16db0109537f6d74013ed7e6fa51f21c6dcc0a0355cef3be4db4401e971bbe81"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "feedback": "nav2_msgs/action/DockRobot_Feedback"}
@@ -1418,6 +1515,7 @@ class DockRobot_FeedbackMessage(_Message):
 class DockRobot_SendGoal(_Service[DockRobot_SendGoal_Request, DockRobot_SendGoal_Response]):
     """The service nav2_msgs/action/DockRobot_SendGoal."""
 
+    __module__ = _module("_dock_robot")
     _TYPE_NAME = "nav2_msgs/action/DockRobot_SendGoal"
     _TYPE_HASH = "RIHS01_9e60155a1fb741109942c5c7dc21ae0e0db771eaf55d0cfc768bae57a95f3454"
     Request: _TypeAlias = DockRobot_SendGoal_Request
@@ -1428,6 +1526,7 @@ class DockRobot_SendGoal(_Service[DockRobot_SendGoal_Request, DockRobot_SendGoal
 class DockRobot_GetResult(_Service[DockRobot_GetResult_Request, DockRobot_GetResult_Response]):
     """The service nav2_msgs/action/DockRobot_GetResult."""
 
+    __module__ = _module("_dock_robot")
     _TYPE_NAME = "nav2_msgs/action/DockRobot_GetResult"
     _TYPE_HASH = "RIHS01_3e83e8a6eefb3ebe244cd0384418f43d22ffb1f3263fd7b978af8164591c50b3"
     Request: _TypeAlias = DockRobot_GetResult_Request
@@ -1438,6 +1537,7 @@ class DockRobot_GetResult(_Service[DockRobot_GetResult_Request, DockRobot_GetRes
 class DockRobot(_Action[DockRobot_Goal, DockRobot_Result, DockRobot_Feedback, DockRobot_FeedbackMessage, DockRobot_GetResult_Response]):
     """The action nav2_msgs/action/DockRobot."""
 
+    __module__ = _module("_dock_robot")
     _TYPE_NAME = "nav2_msgs/action/DockRobot"
     _TYPE_HASH = "RIHS01_d4398769495d327a0cba210e3cf1055ac742ec8a3eccc683f88b1c730b1d6405"
     Goal: _TypeAlias = DockRobot_Goal
@@ -1447,6 +1547,7 @@ class DockRobot(_Action[DockRobot_Goal, DockRobot_Result, DockRobot_Feedback, Do
     class Impl:
         """The services and messages that carry the action."""
 
+        __module__ = _module("_dock_robot")
         SendGoalService: _TypeAlias = DockRobot_SendGoal
         GetResultService: _TypeAlias = DockRobot_GetResult
         FeedbackMessage: _TypeAlias = DockRobot_FeedbackMessage
@@ -1457,6 +1558,7 @@ class DockRobot(_Action[DockRobot_Goal, DockRobot_Result, DockRobot_Feedback, Do
 class DriveOnHeading_Goal(_Message):
     """The message nav2_msgs/action/DriveOnHeading_Goal."""
 
+    __module__ = _module("_drive_on_heading")
     _TYPE_NAME = "nav2_msgs/action/DriveOnHeading_Goal"
     _TYPE_HASH = "RIHS01_c7e0460e8c21ad1ee58a45becec6ba6f242ad1f63e71c1c735fa66d734b64744"
     _FIELDS = {"target": "geometry_msgs/msg/Point", "speed": "float32", "time_allowance": "builtin_interfaces/msg/Duration"}
@@ -1473,6 +1575,7 @@ class DriveOnHeading_Goal(_Message):
 class DriveOnHeading_Result(_Message):
     """The message nav2_msgs/action/DriveOnHeading_Result."""
 
+    __module__ = _module("_drive_on_heading")
     _TYPE_NAME = "nav2_msgs/action/DriveOnHeading_Result"
     _TYPE_HASH = "RIHS01_e851c607f572e4d4f9526c827488d62445e851895635e0a54446a4f2f8e4a0e6"
     _FIELDS = {"total_elapsed_time": "builtin_interfaces/msg/Duration", "error_code": "uint16", "error_msg": "string"}
@@ -1495,6 +1598,7 @@ class DriveOnHeading_Result(_Message):
 class DriveOnHeading_Feedback(_Message):
     """The message nav2_msgs/action/DriveOnHeading_Feedback."""
 
+    __module__ = _module("_drive_on_heading")
     _TYPE_NAME = "nav2_msgs/action/DriveOnHeading_Feedback"
     _TYPE_HASH = "RIHS01_cd9fb3ed3edb66ca2dd74f9b8e078ad84dc2906f70bcaa216a9ce29248fbf0f1"
     _FIELDS = {"distance_traveled": "float32"}
@@ -1509,6 +1613,7 @@ class DriveOnHeading_Feedback(_Message):
 class DriveOnHeading_SendGoal_Request(_Message):
     """The message nav2_msgs/action/DriveOnHeading_SendGoal_Request."""
 
+    __module__ = _module("_drive_on_heading")
     _TYPE_NAME = "nav2_msgs/action/DriveOnHeading_SendGoal_Request"
     _TYPE_HASH = "RIHS01_02a091c65adfe1e6a67915b73379f59876c62fcaddd59c9d5324abc6757f9af7"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "goal": "nav2_msgs/action/DriveOnHeading_Goal"}
@@ -1524,6 +1629,7 @@ class DriveOnHeading_SendGoal_Request(_Message):
 class DriveOnHeading_SendGoal_Response(_Message):
     """The message nav2_msgs/action/DriveOnHeading_SendGoal_Response."""
 
+    __module__ = _module("_drive_on_heading")
     _TYPE_NAME = "nav2_msgs/action/DriveOnHeading_SendGoal_Response"
     _TYPE_HASH = "RIHS01_ee3c927eabbf7999c58641b07713646e5dc08367bba2204c68782dfdee911f14"
     _FIELDS = {"accepted": "bool", "stamp": "builtin_interfaces/msg/Time"}
@@ -1539,6 +1645,7 @@ class DriveOnHeading_SendGoal_Response(_Message):
 class DriveOnHeading_SendGoal_Event(_Message):
     """The message nav2_msgs/action/DriveOnHeading_SendGoal_Event."""
 
+    __module__ = _module("_drive_on_heading")
     _TYPE_NAME = "nav2_msgs/action/DriveOnHeading_SendGoal_Event"
     _TYPE_HASH = "RIHS01_72e386f5a4a213a387f75cf8c56002c0432011c4814887c9c86c6fff379f1203"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/DriveOnHeading_SendGoal_Request[<=1]", "response": "nav2_msgs/action/DriveOnHeading_SendGoal_Response[<=1]"}
@@ -1555,6 +1662,7 @@ class DriveOnHeading_SendGoal_Event(_Message):
 class DriveOnHeading_GetResult_Request(_Message):
     """The message nav2_msgs/action/DriveOnHeading_GetResult_Request."""
 
+    __module__ = _module("_drive_on_heading")
     _TYPE_NAME = "nav2_msgs/action/DriveOnHeading_GetResult_Request"
     _TYPE_HASH = "RIHS01_d72e6f9e21c458a0125d90bf326afd417c8685a8a34601a8cf94484642dc6b04"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID"}
@@ -1569,6 +1677,7 @@ class DriveOnHeading_GetResult_Request(_Message):
 class DriveOnHeading_GetResult_Response(_Message):
     """The message nav2_msgs/action/DriveOnHeading_GetResult_Response."""
 
+    __module__ = _module("_drive_on_heading")
     _TYPE_NAME = "nav2_msgs/action/DriveOnHeading_GetResult_Response"
     _TYPE_HASH = "RIHS01_ef9e908872e8ebccaa5c4bdf1677363fe0b7ab132259bf5f289884dde07838b9"
     _FIELDS = {"status": "int8", "result": "nav2_msgs/action/DriveOnHeading_Result"}
@@ -1584,6 +1693,7 @@ class DriveOnHeading_GetResult_Response(_Message):
 class DriveOnHeading_GetResult_Event(_Message):
     """The message nav2_msgs/action/DriveOnHeading_GetResult_Event."""
 
+    __module__ = _module("_drive_on_heading")
     _TYPE_NAME = "nav2_msgs/action/DriveOnHeading_GetResult_Event"
     _TYPE_HASH = "RIHS01_81ed03e3e600d2d55df3ced0e1bee654c3bce6c880514b22ef773a422f7ecd44"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/DriveOnHeading_GetResult_Request[<=1]", "response": "nav2_msgs/action/DriveOnHeading_GetResult_Response[<=1]"}
@@ -1600,6 +1710,7 @@ class DriveOnHeading_GetResult_Event(_Message):
 class DriveOnHeading_FeedbackMessage(_Message):
     """The message nav2_msgs/action/DriveOnHeading_FeedbackMessage."""
 
+    __module__ = _module("_drive_on_heading")
     _TYPE_NAME = "nav2_msgs/action/DriveOnHeading_FeedbackMessage"
     _TYPE_HASH = "RIHS01_5f0d0cc07e53aa1a6fefdc62c7c273ae914c7f4f730648bc5b1885b098e26958"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "feedback": "nav2_msgs/action/DriveOnHeading_Feedback"}
@@ -1615,6 +1726,7 @@ class DriveOnHeading_FeedbackMessage(_Message):
 class DriveOnHeading_SendGoal(_Service[DriveOnHeading_SendGoal_Request, DriveOnHeading_SendGoal_Response]):
     """The service nav2_msgs/action/DriveOnHeading_SendGoal."""
 
+    __module__ = _module("_drive_on_heading")
     _TYPE_NAME = "nav2_msgs/action/DriveOnHeading_SendGoal"
     _TYPE_HASH = "RIHS01_3fcdf73cd305fd67065324d54bf31afb8f77715a03b73ad88476acce7eb58196"
     Request: _TypeAlias = DriveOnHeading_SendGoal_Request
@@ -1625,6 +1737,7 @@ class DriveOnHeading_SendGoal(_Service[DriveOnHeading_SendGoal_Request, DriveOnH
 class DriveOnHeading_GetResult(_Service[DriveOnHeading_GetResult_Request, DriveOnHeading_GetResult_Response]):
     """The service nav2_msgs/action/DriveOnHeading_GetResult."""
 
+    __module__ = _module("_drive_on_heading")
     _TYPE_NAME = "nav2_msgs/action/DriveOnHeading_GetResult"
     _TYPE_HASH = "RIHS01_85cef782f5814a11f0dc3deb6cceda7a4df777e116e48c13b89b27b96fac89c8"
     Request: _TypeAlias = DriveOnHeading_GetResult_Request
@@ -1635,6 +1748,7 @@ class DriveOnHeading_GetResult(_Service[DriveOnHeading_GetResult_Request, DriveO
 class DriveOnHeading(_Action[DriveOnHeading_Goal, DriveOnHeading_Result, DriveOnHeading_Feedback, DriveOnHeading_FeedbackMessage, DriveOnHeading_GetResult_Response]):
     """The action nav2_msgs/action/DriveOnHeading."""
 
+    __module__ = _module("_drive_on_heading")
     _TYPE_NAME = "nav2_msgs/action/DriveOnHeading"
     _TYPE_HASH = "RIHS01_9eca8a3505f973b994ac18f4aaf76c0c4563cc7cde1ce7384be2f70e53479c11"
     Goal: _TypeAlias = DriveOnHeading_Goal
@@ -1644,6 +1758,7 @@ class DriveOnHeading(_Action[DriveOnHeading_Goal, DriveOnHeading_Result, DriveOn
     class Impl:
         """The services and messages that carry the action."""
 
+        __module__ = _module("_drive_on_heading")
         SendGoalService: _TypeAlias = DriveOnHeading_SendGoal
         GetResultService: _TypeAlias = DriveOnHeading_GetResult
         FeedbackMessage: _TypeAlias = DriveOnHeading_FeedbackMessage
@@ -1654,6 +1769,7 @@ class DriveOnHeading(_Action[DriveOnHeading_Goal, DriveOnHeading_Result, DriveOn
 class DummyBehavior_Goal(_Message):
     """The message nav2_msgs/action/DummyBehavior_Goal."""
 
+    __module__ = _module("_dummy_behavior")
     _TYPE_NAME = "nav2_msgs/action/DummyBehavior_Goal"
     _TYPE_HASH = "RIHS01_ad351f4ab383c6541054c753b09c2a82cb131b6d16e12677200732266682a69b"
     _FIELDS = {"command": "std_msgs/msg/String"}
@@ -1668,6 +1784,7 @@ class DummyBehavior_Goal(_Message):
 class DummyBehavior_Result(_Message):
     """The message nav2_msgs/action/DummyBehavior_Result."""
 
+    __module__ = _module("_dummy_behavior")
     _TYPE_NAME = "nav2_msgs/action/DummyBehavior_Result"
     _TYPE_HASH = "RIHS01_286657dd6bffdcea87a483e8480eb6e9313a3526a3b7a2afab7f89796be8e069"
     _FIELDS = {"total_elapsed_time": "builtin_interfaces/msg/Duration", "error_code": "uint16", "error_msg": "string"}
@@ -1684,6 +1801,7 @@ class DummyBehavior_Result(_Message):
 class DummyBehavior_Feedback(_Message):
     """The message nav2_msgs/action/DummyBehavior_Feedback."""
 
+    __module__ = _module("_dummy_behavior")
     _TYPE_NAME = "nav2_msgs/action/DummyBehavior_Feedback"
     _TYPE_HASH = "RIHS01_a4cf748f8f1d497784d4ed36b72162302f929201e5ad5586dbe2e527a8c2ad9b"
     _FIELDS = {}
@@ -1697,6 +1815,7 @@ class DummyBehavior_Feedback(_Message):
 class DummyBehavior_SendGoal_Request(_Message):
     """The message nav2_msgs/action/DummyBehavior_SendGoal_Request."""
 
+    __module__ = _module("_dummy_behavior")
     _TYPE_NAME = "nav2_msgs/action/DummyBehavior_SendGoal_Request"
     _TYPE_HASH = "RIHS01_bb1b15efdc8d10fd37fb472cca288a81aa575ba42d95c803d1090a14dfd255dd"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "goal": "nav2_msgs/action/DummyBehavior_Goal"}
@@ -1712,6 +1831,7 @@ class DummyBehavior_SendGoal_Request(_Message):
 class DummyBehavior_SendGoal_Response(_Message):
     """The message nav2_msgs/action/DummyBehavior_SendGoal_Response."""
 
+    __module__ = _module("_dummy_behavior")
     _TYPE_NAME = "nav2_msgs/action/DummyBehavior_SendGoal_Response"
     _TYPE_HASH = "RIHS01_0a19ee58a1bb9a9db77c3cf076f54b9d938dca5cfa58736e55b94aed3add766b"
     _FIELDS = {"accepted": "bool", "stamp": "builtin_interfaces/msg/Time"}
@@ -1727,6 +1847,7 @@ class DummyBehavior_SendGoal_Response(_Message):
 class DummyBehavior_SendGoal_Event(_Message):
     """The message nav2_msgs/action/DummyBehavior_SendGoal_Event."""
 
+    __module__ = _module("_dummy_behavior")
     _TYPE_NAME = "nav2_msgs/action/DummyBehavior_SendGoal_Event"
     _TYPE_HASH = "RIHS01_461cf1130c093412f8051b2d9f3f2cb1c0d58db7465e08458b3bf72fc9124913"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/DummyBehavior_SendGoal_Request[<=1]", "response": "nav2_msgs/action/DummyBehavior_SendGoal_Response[<=1]"}
@@ -1743,6 +1864,7 @@ class DummyBehavior_SendGoal_Event(_Message):
 class DummyBehavior_GetResult_Request(_Message):
     """The message nav2_msgs/action/DummyBehavior_GetResult_Request."""
 
+    __module__ = _module("_dummy_behavior")
     _TYPE_NAME = "nav2_msgs/action/DummyBehavior_GetResult_Request"
     _TYPE_HASH = "RIHS01_f5bafc0b603f35269748752cf26833135dff4121ef07e147895b7f46bf973f53"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID"}
@@ -1757,6 +1879,7 @@ class DummyBehavior_GetResult_Request(_Message):
 class DummyBehavior_GetResult_Response(_Message):
     """The message nav2_msgs/action/DummyBehavior_GetResult_Response."""
 
+    __module__ = _module("_dummy_behavior")
     _TYPE_NAME = "nav2_msgs/action/DummyBehavior_GetResult_Response"
     _TYPE_HASH = "RIHS01_db20f75ae3bb8f5f02075b07613251895d0e4a51d7448fb8877e7c396ffab358"
     _FIELDS = {"status": "int8", "result": "nav2_msgs/action/DummyBehavior_Result"}
@@ -1772,6 +1895,7 @@ class DummyBehavior_GetResult_Response(_Message):
 class DummyBehavior_GetResult_Event(_Message):
     """The message nav2_msgs/action/DummyBehavior_GetResult_Event."""
 
+    __module__ = _module("_dummy_behavior")
     _TYPE_NAME = "nav2_msgs/action/DummyBehavior_GetResult_Event"
     _TYPE_HASH = "RIHS01_1fb70a6937c8f735c465e82d660e5ffb812af0ab45f54d81623396901907966a"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/DummyBehavior_GetResult_Request[<=1]", "response": "nav2_msgs/action/DummyBehavior_GetResult_Response[<=1]"}
@@ -1788,6 +1912,7 @@ class DummyBehavior_GetResult_Event(_Message):
 class DummyBehavior_FeedbackMessage(_Message):
     """The message nav2_msgs/action/DummyBehavior_FeedbackMessage."""
 
+    __module__ = _module("_dummy_behavior")
     _TYPE_NAME = "nav2_msgs/action/DummyBehavior_FeedbackMessage"
     _TYPE_HASH = "RIHS01_3025cfe6b6bdea10f3e3ced4a93db2cf72acdd2c2c06887df1215dbc64c767a1"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "feedback": "nav2_msgs/action/DummyBehavior_Feedback"}
@@ -1803,6 +1928,7 @@ class DummyBehavior_FeedbackMessage(_Message):
 class DummyBehavior_SendGoal(_Service[DummyBehavior_SendGoal_Request, DummyBehavior_SendGoal_Response]):
     """The service nav2_msgs/action/DummyBehavior_SendGoal."""
 
+    __module__ = _module("_dummy_behavior")
     _TYPE_NAME = "nav2_msgs/action/DummyBehavior_SendGoal"
     _TYPE_HASH = "RIHS01_4d281861beb7e7541fddbfb13b0092938812fbe5fc6697e8d92388b2da0da514"
     Request: _TypeAlias = DummyBehavior_SendGoal_Request
@@ -1813,6 +1939,7 @@ class DummyBehavior_SendGoal(_Service[DummyBehavior_SendGoal_Request, DummyBehav
 class DummyBehavior_GetResult(_Service[DummyBehavior_GetResult_Request, DummyBehavior_GetResult_Response]):
     """The service nav2_msgs/action/DummyBehavior_GetResult."""
 
+    __module__ = _module("_dummy_behavior")
     _TYPE_NAME = "nav2_msgs/action/DummyBehavior_GetResult"
     _TYPE_HASH = "RIHS01_a08676e373c77d379d6904a382b94d760092c304007eee0d8e23d6f165564988"
     Request: _TypeAlias = DummyBehavior_GetResult_Request
@@ -1823,6 +1950,7 @@ class DummyBehavior_GetResult(_Service[DummyBehavior_GetResult_Request, DummyBeh
 class DummyBehavior(_Action[DummyBehavior_Goal, DummyBehavior_Result, DummyBehavior_Feedback, DummyBehavior_FeedbackMessage, DummyBehavior_GetResult_Response]):
     """The action nav2_msgs/action/DummyBehavior."""
 
+    __module__ = _module("_dummy_behavior")
     _TYPE_NAME = "nav2_msgs/action/DummyBehavior"
     _TYPE_HASH = "RIHS01_d57edd8402d4a1ad535ba3fd0bb3f9621951c47965974ddcd3130effd034dc05"
     Goal: _TypeAlias = DummyBehavior_Goal
@@ -1832,6 +1960,7 @@ class DummyBehavior(_Action[DummyBehavior_Goal, DummyBehavior_Result, DummyBehav
     class Impl:
         """The services and messages that carry the action."""
 
+        __module__ = _module("_dummy_behavior")
         SendGoalService: _TypeAlias = DummyBehavior_SendGoal
         GetResultService: _TypeAlias = DummyBehavior_GetResult
         FeedbackMessage: _TypeAlias = DummyBehavior_FeedbackMessage
@@ -1842,6 +1971,7 @@ class DummyBehavior(_Action[DummyBehavior_Goal, DummyBehavior_Result, DummyBehav
 class FollowGPSWaypoints_Goal(_Message):
     """The message nav2_msgs/action/FollowGPSWaypoints_Goal."""
 
+    __module__ = _module("_follow_gps_waypoints")
     _TYPE_NAME = "nav2_msgs/action/FollowGPSWaypoints_Goal"
     _TYPE_HASH = "RIHS01_52cbca06efeecf54c38547c2a14f03ad000173a2f222f5e1259a49a79f8cfb51"
     _FIELDS = {"number_of_loops": "uint32", "goal_index": "uint32", "gps_poses": "geographic_msgs/msg/GeoPose[]"}
@@ -1860,6 +1990,7 @@ class FollowGPSWaypoints_Goal(_Message):
 class FollowGPSWaypoints_Result(_Message):
     """The message nav2_msgs/action/FollowGPSWaypoints_Result."""
 
+    __module__ = _module("_follow_gps_waypoints")
     _TYPE_NAME = "nav2_msgs/action/FollowGPSWaypoints_Result"
     _TYPE_HASH = "RIHS01_3acb9f8a7e3ea2d2c27b2d684611b582b1dfaedb6919efec4d98822838651696"
     _FIELDS = {"missed_waypoints": "nav2_msgs/msg/MissedWaypoint[]", "error_code": "int16", "error_msg": "string"}
@@ -1879,6 +2010,7 @@ class FollowGPSWaypoints_Result(_Message):
 class FollowGPSWaypoints_Feedback(_Message):
     """The message nav2_msgs/action/FollowGPSWaypoints_Feedback."""
 
+    __module__ = _module("_follow_gps_waypoints")
     _TYPE_NAME = "nav2_msgs/action/FollowGPSWaypoints_Feedback"
     _TYPE_HASH = "RIHS01_75cb72a8be8a5ae238c58a5cb90ad265f20ef013b06e2993d0b60e513d913869"
     _FIELDS = {"current_waypoint": "uint32"}
@@ -1893,6 +2025,7 @@ class FollowGPSWaypoints_Feedback(_Message):
 class FollowGPSWaypoints_SendGoal_Request(_Message):
     """The message nav2_msgs/action/FollowGPSWaypoints_SendGoal_Request."""
 
+    __module__ = _module("_follow_gps_waypoints")
     _TYPE_NAME = "nav2_msgs/action/FollowGPSWaypoints_SendGoal_Request"
     _TYPE_HASH = "RIHS01_e1962be411bbb3d139dc6dec7e769854bc5e0e8f75fc9c82d31c29994e21ed96"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "goal": "nav2_msgs/action/FollowGPSWaypoints_Goal"}
@@ -1908,6 +2041,7 @@ class FollowGPSWaypoints_SendGoal_Request(_Message):
 class FollowGPSWaypoints_SendGoal_Response(_Message):
     """The message nav2_msgs/action/FollowGPSWaypoints_SendGoal_Response."""
 
+    __module__ = _module("_follow_gps_waypoints")
     _TYPE_NAME = "nav2_msgs/action/FollowGPSWaypoints_SendGoal_Response"
     _TYPE_HASH = "RIHS01_e9e75beae7b34495a924b7fa909f1b88833c9adff9eff3f0fcbf923ce4856107"
     _FIELDS = {"accepted": "bool", "stamp": "builtin_interfaces/msg/Time"}
@@ -1923,6 +2057,7 @@ class FollowGPSWaypoints_SendGoal_Response(_Message):
 class FollowGPSWaypoints_SendGoal_Event(_Message):
     """The message nav2_msgs/action/FollowGPSWaypoints_SendGoal_Event."""
 
+    __module__ = _module("_follow_gps_waypoints")
     _TYPE_NAME = "nav2_msgs/action/FollowGPSWaypoints_SendGoal_Event"
     _TYPE_HASH = "RIHS01_af6142ab7ab3645a3f2ee265a7648a51f821bffb43f36fb41ae3e6836ea7df9b"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/FollowGPSWaypoints_SendGoal_Request[<=1]", "response": "nav2_msgs/action/FollowGPSWaypoints_SendGoal_Response[<=1]"}
@@ -1939,6 +2074,7 @@ class FollowGPSWaypoints_SendGoal_Event(_Message):
 class FollowGPSWaypoints_GetResult_Request(_Message):
     """The message nav2_msgs/action/FollowGPSWaypoints_GetResult_Request."""
 
+    __module__ = _module("_follow_gps_waypoints")
     _TYPE_NAME = "nav2_msgs/action/FollowGPSWaypoints_GetResult_Request"
     _TYPE_HASH = "RIHS01_bd42588a720448510909cf17a4dab7619ff773f9d10b2f694a93e5e319793f28"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID"}
@@ -1953,6 +2089,7 @@ class FollowGPSWaypoints_GetResult_Request(_Message):
 class FollowGPSWaypoints_GetResult_Response(_Message):
     """The message nav2_msgs/action/FollowGPSWaypoints_GetResult_Response."""
 
+    __module__ = _module("_follow_gps_waypoints")
     _TYPE_NAME = "nav2_msgs/action/FollowGPSWaypoints_GetResult_Response"
     _TYPE_HASH = "RIHS01_581fcf1b6e9b4b00836ad2ded9120514116f2e7216a48cdd9861a4b59d43999f"
     _FIELDS = {"status": "int8", "result": "nav2_msgs/action/FollowGPSWaypoints_Result"}
@@ -1968,6 +2105,7 @@ class FollowGPSWaypoints_GetResult_Response(_Message):
 class FollowGPSWaypoints_GetResult_Event(_Message):
     """The message nav2_msgs/action/FollowGPSWaypoints_GetResult_Event."""
 
+    __module__ = _module("_follow_gps_waypoints")
     _TYPE_NAME = "nav2_msgs/action/FollowGPSWaypoints_GetResult_Event"
     _TYPE_HASH = "RIHS01_46e2d716e412b81cb1937db2061bdd9a04bab269c81497e7b3e833119315cfcb"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/FollowGPSWaypoints_GetResult_Request[<=1]", "response": "nav2_msgs/action/FollowGPSWaypoints_GetResult_Response[<=1]"}
@@ -1984,6 +2122,7 @@ class FollowGPSWaypoints_GetResult_Event(_Message):
 class FollowGPSWaypoints_FeedbackMessage(_Message):
     """The message nav2_msgs/action/FollowGPSWaypoints_FeedbackMessage."""
 
+    __module__ = _module("_follow_gps_waypoints")
     _TYPE_NAME = "nav2_msgs/action/FollowGPSWaypoints_FeedbackMessage"
     _TYPE_HASH = "RIHS01_455b2b8a7ab82141f52af896a2f493ea01c43e0f68ff64bae2360e75ada7de2e"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "feedback": "nav2_msgs/action/FollowGPSWaypoints_Feedback"}
@@ -1999,6 +2138,7 @@ class FollowGPSWaypoints_FeedbackMessage(_Message):
 class FollowGPSWaypoints_SendGoal(_Service[FollowGPSWaypoints_SendGoal_Request, FollowGPSWaypoints_SendGoal_Response]):
     """The service nav2_msgs/action/FollowGPSWaypoints_SendGoal."""
 
+    __module__ = _module("_follow_gps_waypoints")
     _TYPE_NAME = "nav2_msgs/action/FollowGPSWaypoints_SendGoal"
     _TYPE_HASH = "RIHS01_9b09aba9dd2612487fd37b5976e0735a54041b4873c9aa1e14508f981c39cfb5"
     Request: _TypeAlias = FollowGPSWaypoints_SendGoal_Request
@@ -2009,6 +2149,7 @@ class FollowGPSWaypoints_SendGoal(_Service[FollowGPSWaypoints_SendGoal_Request, 
 class FollowGPSWaypoints_GetResult(_Service[FollowGPSWaypoints_GetResult_Request, FollowGPSWaypoints_GetResult_Response]):
     """The service nav2_msgs/action/FollowGPSWaypoints_GetResult."""
 
+    __module__ = _module("_follow_gps_waypoints")
     _TYPE_NAME = "nav2_msgs/action/FollowGPSWaypoints_GetResult"
     _TYPE_HASH = "RIHS01_6ac4faa6cf1c4602c739f396e9da071e16ed2fefc979ad5f32084b0b0c379cd4"
     Request: _TypeAlias = FollowGPSWaypoints_GetResult_Request
@@ -2019,6 +2160,7 @@ class FollowGPSWaypoints_GetResult(_Service[FollowGPSWaypoints_GetResult_Request
 class FollowGPSWaypoints(_Action[FollowGPSWaypoints_Goal, FollowGPSWaypoints_Result, FollowGPSWaypoints_Feedback, FollowGPSWaypoints_FeedbackMessage, FollowGPSWaypoints_GetResult_Response]):
     """The action nav2_msgs/action/FollowGPSWaypoints."""
 
+    __module__ = _module("_follow_gps_waypoints")
     _TYPE_NAME = "nav2_msgs/action/FollowGPSWaypoints"
     _TYPE_HASH = "RIHS01_deb1908eea298a935abb60a75fbd334549be5ed3c9767ba14729c414fb5881d2"
     Goal: _TypeAlias = FollowGPSWaypoints_Goal
@@ -2028,6 +2170,7 @@ class FollowGPSWaypoints(_Action[FollowGPSWaypoints_Goal, FollowGPSWaypoints_Res
     class Impl:
         """The services and messages that carry the action."""
 
+        __module__ = _module("_follow_gps_waypoints")
         SendGoalService: _TypeAlias = FollowGPSWaypoints_SendGoal
         GetResultService: _TypeAlias = FollowGPSWaypoints_GetResult
         FeedbackMessage: _TypeAlias = FollowGPSWaypoints_FeedbackMessage
@@ -2038,6 +2181,7 @@ class FollowGPSWaypoints(_Action[FollowGPSWaypoints_Goal, FollowGPSWaypoints_Res
 class FollowObject_Goal(_Message):
     """The message nav2_msgs/action/FollowObject_Goal."""
 
+    __module__ = _module("_follow_object")
     _TYPE_NAME = "nav2_msgs/action/FollowObject_Goal"
     _TYPE_HASH = "RIHS01_9df7fb19fc953c0723ead5597fe3ed34c0edcc4d76f2bd9ccc8a48bc0bd85e7a"
     _FIELDS = {"pose_topic": "string", "tracked_frame": "string", "max_duration": "builtin_interfaces/msg/Duration"}
@@ -2054,6 +2198,7 @@ class FollowObject_Goal(_Message):
 class FollowObject_Result(_Message):
     """The message nav2_msgs/action/FollowObject_Result."""
 
+    __module__ = _module("_follow_object")
     _TYPE_NAME = "nav2_msgs/action/FollowObject_Result"
     _TYPE_HASH = "RIHS01_bee30321cc542d5bf5579a785d86bae2db5aea40797252eadcf183ea36875ae0"
     _FIELDS = {"total_elapsed_time": "builtin_interfaces/msg/Duration", "error_code": "uint16", "num_retries": "uint16", "error_msg": "string"}
@@ -2080,6 +2225,7 @@ class FollowObject_Result(_Message):
 class FollowObject_Feedback(_Message):
     """The message nav2_msgs/action/FollowObject_Feedback."""
 
+    __module__ = _module("_follow_object")
     _TYPE_NAME = "nav2_msgs/action/FollowObject_Feedback"
     _TYPE_HASH = "RIHS01_4d58bd5c9ea9248dec74ba7cc95f2e3ebeb44af9b02d6fa1ee30f0f6a17b7839"
     _FIELDS = {"state": "uint16", "following_time": "builtin_interfaces/msg/Duration", "num_retries": "uint16"}
@@ -2103,6 +2249,7 @@ class FollowObject_Feedback(_Message):
 class FollowObject_SendGoal_Request(_Message):
     """The message nav2_msgs/action/FollowObject_SendGoal_Request."""
 
+    __module__ = _module("_follow_object")
     _TYPE_NAME = "nav2_msgs/action/FollowObject_SendGoal_Request"
     _TYPE_HASH = "RIHS01_eaffb7ce6d6d3b9455eb867cb768a1b3d6c117e46f671832ff7aef004246c8a2"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "goal": "nav2_msgs/action/FollowObject_Goal"}
@@ -2118,6 +2265,7 @@ class FollowObject_SendGoal_Request(_Message):
 class FollowObject_SendGoal_Response(_Message):
     """The message nav2_msgs/action/FollowObject_SendGoal_Response."""
 
+    __module__ = _module("_follow_object")
     _TYPE_NAME = "nav2_msgs/action/FollowObject_SendGoal_Response"
     _TYPE_HASH = "RIHS01_0abeed92562affb2537e23ee7c41cde677cba1ca27497486c68224f01f67d68a"
     _FIELDS = {"accepted": "bool", "stamp": "builtin_interfaces/msg/Time"}
@@ -2133,6 +2281,7 @@ class FollowObject_SendGoal_Response(_Message):
 class FollowObject_SendGoal_Event(_Message):
     """The message nav2_msgs/action/FollowObject_SendGoal_Event."""
 
+    __module__ = _module("_follow_object")
     _TYPE_NAME = "nav2_msgs/action/FollowObject_SendGoal_Event"
     _TYPE_HASH = "RIHS01_0a25b817c3488d3436d761a7f8cfd493e46d55f55c1f735f4411fbc6c04d2fe0"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/FollowObject_SendGoal_Request[<=1]", "response": "nav2_msgs/action/FollowObject_SendGoal_Response[<=1]"}
@@ -2149,6 +2298,7 @@ class FollowObject_SendGoal_Event(_Message):
 class FollowObject_GetResult_Request(_Message):
     """The message nav2_msgs/action/FollowObject_GetResult_Request."""
 
+    __module__ = _module("_follow_object")
     _TYPE_NAME = "nav2_msgs/action/FollowObject_GetResult_Request"
     _TYPE_HASH = "RIHS01_11383a8f10e64e6b08ce36f3fba298066ff2faff902517492aa73585928e199b"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID"}
@@ -2163,6 +2313,7 @@ class FollowObject_GetResult_Request(_Message):
 class FollowObject_GetResult_Response(_Message):
     """The message nav2_msgs/action/FollowObject_GetResult_Response."""
 
+    __module__ = _module("_follow_object")
     _TYPE_NAME = "nav2_msgs/action/FollowObject_GetResult_Response"
     _TYPE_HASH = "RIHS01_3303c090239e6a106a6771d19ea0010175eeee18803eae9aad6958d4f3c04b78"
     _FIELDS = {"status": "int8", "result": "nav2_msgs/action/FollowObject_Result"}
@@ -2178,6 +2329,7 @@ class FollowObject_GetResult_Response(_Message):
 class FollowObject_GetResult_Event(_Message):
     """The message nav2_msgs/action/FollowObject_GetResult_Event."""
 
+    __module__ = _module("_follow_object")
     _TYPE_NAME = "nav2_msgs/action/FollowObject_GetResult_Event"
     _TYPE_HASH = "RIHS01_782b7406f1d2a8da25736c7cde3eec519f5129b33586c70d220dafb326ae6ea6"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/FollowObject_GetResult_Request[<=1]", "response": "nav2_msgs/action/FollowObject_GetResult_Response[<=1]"}
@@ -2194,6 +2346,7 @@ class FollowObject_GetResult_Event(_Message):
 class FollowObject_FeedbackMessage(_Message):
     """The message nav2_msgs/action/FollowObject_FeedbackMessage."""
 
+    __module__ = _module("_follow_object")
     _TYPE_NAME = "nav2_msgs/action/FollowObject_FeedbackMessage"
     _TYPE_HASH = "RIHS01_0711fd141e723cc523724763fff0657e02d5e5292415ef1b19780e89308e8a23"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "feedback": "nav2_msgs/action/FollowObject_Feedback"}
@@ -2209,6 +2362,7 @@ class FollowObject_FeedbackMessage(_Message):
 class FollowObject_SendGoal(_Service[FollowObject_SendGoal_Request, FollowObject_SendGoal_Response]):
     """The service nav2_msgs/action/FollowObject_SendGoal."""
 
+    __module__ = _module("_follow_object")
     _TYPE_NAME = "nav2_msgs/action/FollowObject_SendGoal"
     _TYPE_HASH = "RIHS01_be8d4b9e9009767046743b47297c12d1487359a022888b04a72781cf029244d9"
     Request: _TypeAlias = FollowObject_SendGoal_Request
@@ -2219,6 +2373,7 @@ class FollowObject_SendGoal(_Service[FollowObject_SendGoal_Request, FollowObject
 class FollowObject_GetResult(_Service[FollowObject_GetResult_Request, FollowObject_GetResult_Response]):
     """The service nav2_msgs/action/FollowObject_GetResult."""
 
+    __module__ = _module("_follow_object")
     _TYPE_NAME = "nav2_msgs/action/FollowObject_GetResult"
     _TYPE_HASH = "RIHS01_c185b60e2fb1198b2d388eca8bb6502f324e58d1364cd883376043558e60f5a1"
     Request: _TypeAlias = FollowObject_GetResult_Request
@@ -2229,6 +2384,7 @@ class FollowObject_GetResult(_Service[FollowObject_GetResult_Request, FollowObje
 class FollowObject(_Action[FollowObject_Goal, FollowObject_Result, FollowObject_Feedback, FollowObject_FeedbackMessage, FollowObject_GetResult_Response]):
     """The action nav2_msgs/action/FollowObject."""
 
+    __module__ = _module("_follow_object")
     _TYPE_NAME = "nav2_msgs/action/FollowObject"
     _TYPE_HASH = "RIHS01_4d6e71c4308e19ff8ab8d1a2f48ff27f8d1e24456280c3d0f716893f76b5494d"
     Goal: _TypeAlias = FollowObject_Goal
@@ -2238,6 +2394,7 @@ class FollowObject(_Action[FollowObject_Goal, FollowObject_Result, FollowObject_
     class Impl:
         """The services and messages that carry the action."""
 
+        __module__ = _module("_follow_object")
         SendGoalService: _TypeAlias = FollowObject_SendGoal
         GetResultService: _TypeAlias = FollowObject_GetResult
         FeedbackMessage: _TypeAlias = FollowObject_FeedbackMessage
@@ -2248,6 +2405,7 @@ class FollowObject(_Action[FollowObject_Goal, FollowObject_Result, FollowObject_
 class FollowPath_Goal(_Message):
     """The message nav2_msgs/action/FollowPath_Goal."""
 
+    __module__ = _module("_follow_path")
     _TYPE_NAME = "nav2_msgs/action/FollowPath_Goal"
     _TYPE_HASH = "RIHS01_7ec8732a3a001bf92b87db3989ef6984b1a4b9b9e62e166543ffa72344ecd194"
     _FIELDS = {"path": "nav_msgs/msg/Path", "controller_id": "string", "goal_checker_id": "string", "progress_checker_id": "string"}
@@ -2265,6 +2423,7 @@ class FollowPath_Goal(_Message):
 class FollowPath_Result(_Message):
     """The message nav2_msgs/action/FollowPath_Result."""
 
+    __module__ = _module("_follow_path")
     _TYPE_NAME = "nav2_msgs/action/FollowPath_Result"
     _TYPE_HASH = "RIHS01_432bc8fc1c0de59f8181d00bf8dcc7d58e76cebcfd2de471361e62f468ad4428"
     _FIELDS = {"result": "std_msgs/msg/Empty", "error_code": "uint16", "error_msg": "string"}
@@ -2290,6 +2449,7 @@ class FollowPath_Result(_Message):
 class FollowPath_Feedback(_Message):
     """The message nav2_msgs/action/FollowPath_Feedback."""
 
+    __module__ = _module("_follow_path")
     _TYPE_NAME = "nav2_msgs/action/FollowPath_Feedback"
     _TYPE_HASH = "RIHS01_496acbe672234cdb70be4f93d28a22aabbf441958e2e1ff443a44a96e9f3185b"
     _FIELDS = {"distance_to_goal": "float32", "speed": "float32"}
@@ -2305,6 +2465,7 @@ class FollowPath_Feedback(_Message):
 class FollowPath_SendGoal_Request(_Message):
     """The message nav2_msgs/action/FollowPath_SendGoal_Request."""
 
+    __module__ = _module("_follow_path")
     _TYPE_NAME = "nav2_msgs/action/FollowPath_SendGoal_Request"
     _TYPE_HASH = "RIHS01_a4dfc2a22f6a63df6bd1974e38e378ded55bfd959d0162bc3a52b85ce09cd2ab"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "goal": "nav2_msgs/action/FollowPath_Goal"}
@@ -2320,6 +2481,7 @@ class FollowPath_SendGoal_Request(_Message):
 class FollowPath_SendGoal_Response(_Message):
     """The message nav2_msgs/action/FollowPath_SendGoal_Response."""
 
+    __module__ = _module("_follow_path")
     _TYPE_NAME = "nav2_msgs/action/FollowPath_SendGoal_Response"
     _TYPE_HASH = "RIHS01_2c1d1ec5fc39c057ac9caca056b351a82fad6e395e92d0e5fa6c780de91a26bd"
     _FIELDS = {"accepted": "bool", "stamp": "builtin_interfaces/msg/Time"}
@@ -2335,6 +2497,7 @@ class FollowPath_SendGoal_Response(_Message):
 class FollowPath_SendGoal_Event(_Message):
     """The message nav2_msgs/action/FollowPath_SendGoal_Event."""
 
+    __module__ = _module("_follow_path")
     _TYPE_NAME = "nav2_msgs/action/FollowPath_SendGoal_Event"
     _TYPE_HASH = "RIHS01_e2ba77fc64cec73d10a7b7adaa1afdab9c17898c36383344c8da1341199ea735"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/FollowPath_SendGoal_Request[<=1]", "response": "nav2_msgs/action/FollowPath_SendGoal_Response[<=1]"}
@@ -2351,6 +2514,7 @@ class FollowPath_SendGoal_Event(_Message):
 class FollowPath_GetResult_Request(_Message):
     """The message nav2_msgs/action/FollowPath_GetResult_Request."""
 
+    __module__ = _module("_follow_path")
     _TYPE_NAME = "nav2_msgs/action/FollowPath_GetResult_Request"
     _TYPE_HASH = "RIHS01_36e9a26a637063ba2692fde90de56d1eb7f9ba374908e14e3aec90c7466e1c30"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID"}
@@ -2365,6 +2529,7 @@ class FollowPath_GetResult_Request(_Message):
 class FollowPath_GetResult_Response(_Message):
     """The message nav2_msgs/action/FollowPath_GetResult_Response."""
 
+    __module__ = _module("_follow_path")
     _TYPE_NAME = "nav2_msgs/action/FollowPath_GetResult_Response"
     _TYPE_HASH = "RIHS01_b5ec36b035c915310afffc3cb4941ce7c8ba34221c00ebfd8db911af5e381bde"
     _FIELDS = {"status": "int8", "result": "nav2_msgs/action/FollowPath_Result"}
@@ -2380,6 +2545,7 @@ class FollowPath_GetResult_Response(_Message):
 class FollowPath_GetResult_Event(_Message):
     """The message nav2_msgs/action/FollowPath_GetResult_Event."""
 
+    __module__ = _module("_follow_path")
     _TYPE_NAME = "nav2_msgs/action/FollowPath_GetResult_Event"
     _TYPE_HASH = "RIHS01_15f7e6ff9bb7589196caf5e069a55d704ad6b5f30bbdc7f1e04f2367a0eb2d37"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/FollowPath_GetResult_Request[<=1]", "response": "nav2_msgs/action/FollowPath_GetResult_Response[<=1]"}
@@ -2396,6 +2562,7 @@ class FollowPath_GetResult_Event(_Message):
 class FollowPath_FeedbackMessage(_Message):
     """The message nav2_msgs/action/FollowPath_FeedbackMessage."""
 
+    __module__ = _module("_follow_path")
     _TYPE_NAME = "nav2_msgs/action/FollowPath_FeedbackMessage"
     _TYPE_HASH = "RIHS01_3f4008700ba56ac4c82b01ef2b7fdd3fc18dc194399c48e5c43ebf8008b891d5"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "feedback": "nav2_msgs/action/FollowPath_Feedback"}
@@ -2411,6 +2578,7 @@ class FollowPath_FeedbackMessage(_Message):
 class FollowPath_SendGoal(_Service[FollowPath_SendGoal_Request, FollowPath_SendGoal_Response]):
     """The service nav2_msgs/action/FollowPath_SendGoal."""
 
+    __module__ = _module("_follow_path")
     _TYPE_NAME = "nav2_msgs/action/FollowPath_SendGoal"
     _TYPE_HASH = "RIHS01_5b662aee1159e1d7e7b5f8fef21f556b8bc67c818c730a68e18bb29b85f66946"
     Request: _TypeAlias = FollowPath_SendGoal_Request
@@ -2421,6 +2589,7 @@ class FollowPath_SendGoal(_Service[FollowPath_SendGoal_Request, FollowPath_SendG
 class FollowPath_GetResult(_Service[FollowPath_GetResult_Request, FollowPath_GetResult_Response]):
     """The service nav2_msgs/action/FollowPath_GetResult."""
 
+    __module__ = _module("_follow_path")
     _TYPE_NAME = "nav2_msgs/action/FollowPath_GetResult"
     _TYPE_HASH = "RIHS01_8ab4c588c878f0e997316ec559f172bb56fc210b484c2f6b280d391d3bd6890f"
     Request: _TypeAlias = FollowPath_GetResult_Request
@@ -2431,6 +2600,7 @@ class FollowPath_GetResult(_Service[FollowPath_GetResult_Request, FollowPath_Get
 class FollowPath(_Action[FollowPath_Goal, FollowPath_Result, FollowPath_Feedback, FollowPath_FeedbackMessage, FollowPath_GetResult_Response]):
     """The action nav2_msgs/action/FollowPath."""
 
+    __module__ = _module("_follow_path")
     _TYPE_NAME = "nav2_msgs/action/FollowPath"
     _TYPE_HASH = "RIHS01_9d95513552fb578cfb933d7e0160273911269cbdf4b348f1acb87d8a903b13cf"
     Goal: _TypeAlias = FollowPath_Goal
@@ -2440,6 +2610,7 @@ class FollowPath(_Action[FollowPath_Goal, FollowPath_Result, FollowPath_Feedback
     class Impl:
         """The services and messages that carry the action."""
 
+        __module__ = _module("_follow_path")
         SendGoalService: _TypeAlias = FollowPath_SendGoal
         GetResultService: _TypeAlias = FollowPath_GetResult
         FeedbackMessage: _TypeAlias = FollowPath_FeedbackMessage
@@ -2450,6 +2621,7 @@ class FollowPath(_Action[FollowPath_Goal, FollowPath_Result, FollowPath_Feedback
 class FollowWaypoints_Goal(_Message):
     """The message nav2_msgs/action/FollowWaypoints_Goal."""
 
+    __module__ = _module("_follow_waypoints")
     _TYPE_NAME = "nav2_msgs/action/FollowWaypoints_Goal"
     _TYPE_HASH = "RIHS01_ff501ac35193ef65c68aa766e1296b45ae003df94c85a9675679a09738317bd4"
     _FIELDS = {"number_of_loops": "uint32", "goal_index": "uint32", "poses": "geometry_msgs/msg/PoseStamped[]"}
@@ -2468,6 +2640,7 @@ class FollowWaypoints_Goal(_Message):
 class FollowWaypoints_Result(_Message):
     """The message nav2_msgs/action/FollowWaypoints_Result."""
 
+    __module__ = _module("_follow_waypoints")
     _TYPE_NAME = "nav2_msgs/action/FollowWaypoints_Result"
     _TYPE_HASH = "RIHS01_f1211e430ddef3a92fa98ab5f095fab8815fd5c696d1d14ad03067dd6082cba7"
     _FIELDS = {"missed_waypoints": "nav2_msgs/msg/MissedWaypoint[]", "error_code": "uint16", "error_msg": "string"}
@@ -2487,6 +2660,7 @@ class FollowWaypoints_Result(_Message):
 class FollowWaypoints_Feedback(_Message):
     """The message nav2_msgs/action/FollowWaypoints_Feedback."""
 
+    __module__ = _module("_follow_waypoints")
     _TYPE_NAME = "nav2_msgs/action/FollowWaypoints_Feedback"
     _TYPE_HASH = "RIHS01_4e41856e123034fefdbad24b78bccfb1be3d2c6adfa01fdd5c4027ab67337836"
     _FIELDS = {"current_waypoint": "uint32"}
@@ -2501,6 +2675,7 @@ class FollowWaypoints_Feedback(_Message):
 class FollowWaypoints_SendGoal_Request(_Message):
     """The message nav2_msgs/action/FollowWaypoints_SendGoal_Request."""
 
+    __module__ = _module("_follow_waypoints")
     _TYPE_NAME = "nav2_msgs/action/FollowWaypoints_SendGoal_Request"
     _TYPE_HASH = "RIHS01_9fa0988dacd6ca16e16c3d6f854a19aa413ba354d9ff55f8d93395ab2f525c23"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "goal": "nav2_msgs/action/FollowWaypoints_Goal"}
@@ -2516,6 +2691,7 @@ class FollowWaypoints_SendGoal_Request(_Message):
 class FollowWaypoints_SendGoal_Response(_Message):
     """The message nav2_msgs/action/FollowWaypoints_SendGoal_Response."""
 
+    __module__ = _module("_follow_waypoints")
     _TYPE_NAME = "nav2_msgs/action/FollowWaypoints_SendGoal_Response"
     _TYPE_HASH = "RIHS01_4d8837e9c4373289cf2a57738b7b55b98dc15b8ecedaac331932b1173c4c2b1f"
     _FIELDS = {"accepted": "bool", "stamp": "builtin_interfaces/msg/Time"}
@@ -2531,6 +2707,7 @@ class FollowWaypoints_SendGoal_Response(_Message):
 class FollowWaypoints_SendGoal_Event(_Message):
     """The message nav2_msgs/action/FollowWaypoints_SendGoal_Event."""
 
+    __module__ = _module("_follow_waypoints")
     _TYPE_NAME = "nav2_msgs/action/FollowWaypoints_SendGoal_Event"
     _TYPE_HASH = "RIHS01_98feb99a0a31764e64b07e18ba9baebf3ab64451f8b0a9152561b919ac638ef7"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/FollowWaypoints_SendGoal_Request[<=1]", "response": "nav2_msgs/action/FollowWaypoints_SendGoal_Response[<=1]"}
@@ -2547,6 +2724,7 @@ class FollowWaypoints_SendGoal_Event(_Message):
 class FollowWaypoints_GetResult_Request(_Message):
     """The message nav2_msgs/action/FollowWaypoints_GetResult_Request."""
 
+    __module__ = _module("_follow_waypoints")
     _TYPE_NAME = "nav2_msgs/action/FollowWaypoints_GetResult_Request"
     _TYPE_HASH = "RIHS01_2d19684031b7073b05099befc49a6c78c1bbc30900a6bcd0a4071406fa8bbf45"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID"}
@@ -2561,6 +2739,7 @@ class FollowWaypoints_GetResult_Request(_Message):
 class FollowWaypoints_GetResult_Response(_Message):
     """The message nav2_msgs/action/FollowWaypoints_GetResult_Response."""
 
+    __module__ = _module("_follow_waypoints")
     _TYPE_NAME = "nav2_msgs/action/FollowWaypoints_GetResult_Response"
     _TYPE_HASH = "RIHS01_7ab1988a42cff9cf0effe22d523680ba5c9053d6c52bfeafd06df5ddd3e68604"
     _FIELDS = {"status": "int8", "result": "nav2_msgs/action/FollowWaypoints_Result"}
@@ -2576,6 +2755,7 @@ class FollowWaypoints_GetResult_Response(_Message):
 class FollowWaypoints_GetResult_Event(_Message):
     """The message nav2_msgs/action/FollowWaypoints_GetResult_Event."""
 
+    __module__ = _module("_follow_waypoints")
     _TYPE_NAME = "nav2_msgs/action/FollowWaypoints_GetResult_Event"
     _TYPE_HASH = "RIHS01_20fd632f056ebf118335fb3890e30480c79d31a8707ad0f800e10538b9b7185a"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/FollowWaypoints_GetResult_Request[<=1]", "response": "nav2_msgs/action/FollowWaypoints_GetResult_Response[<=1]"}
@@ -2592,6 +2772,7 @@ class FollowWaypoints_GetResult_Event(_Message):
 class FollowWaypoints_FeedbackMessage(_Message):
     """The message nav2_msgs/action/FollowWaypoints_FeedbackMessage."""
 
+    __module__ = _module("_follow_waypoints")
     _TYPE_NAME = "nav2_msgs/action/FollowWaypoints_FeedbackMessage"
     _TYPE_HASH = "RIHS01_467071c0ede294cafe6be7251e6e85716a6e19b8ed46db18952ac0c05597abcf"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "feedback": "nav2_msgs/action/FollowWaypoints_Feedback"}
@@ -2607,6 +2788,7 @@ class FollowWaypoints_FeedbackMessage(_Message):
 class FollowWaypoints_SendGoal(_Service[FollowWaypoints_SendGoal_Request, FollowWaypoints_SendGoal_Response]):
     """The service nav2_msgs/action/FollowWaypoints_SendGoal."""
 
+    __module__ = _module("_follow_waypoints")
     _TYPE_NAME = "nav2_msgs/action/FollowWaypoints_SendGoal"
     _TYPE_HASH = "RIHS01_20cdb80c508af436914a6da2e812289d93c6b06b4cc0670ce6530c94797bb356"
     Request: _TypeAlias = FollowWaypoints_SendGoal_Request
@@ -2617,6 +2799,7 @@ class FollowWaypoints_SendGoal(_Service[FollowWaypoints_SendGoal_Request, Follow
 class FollowWaypoints_GetResult(_Service[FollowWaypoints_GetResult_Request, FollowWaypoints_GetResult_Response]):
     """The service nav2_msgs/action/FollowWaypoints_GetResult."""
 
+    __module__ = _module("_follow_waypoints")
     _TYPE_NAME = "nav2_msgs/action/FollowWaypoints_GetResult"
     _TYPE_HASH = "RIHS01_feb0bffee2e1c19bae16974eb939974eab100c13f941daf6402d605e4b3203e4"
     Request: _TypeAlias = FollowWaypoints_GetResult_Request
@@ -2627,6 +2810,7 @@ class FollowWaypoints_GetResult(_Service[FollowWaypoints_GetResult_Request, Foll
 class FollowWaypoints(_Action[FollowWaypoints_Goal, FollowWaypoints_Result, FollowWaypoints_Feedback, FollowWaypoints_FeedbackMessage, FollowWaypoints_GetResult_Response]):
     """The action nav2_msgs/action/FollowWaypoints."""
 
+    __module__ = _module("_follow_waypoints")
     _TYPE_NAME = "nav2_msgs/action/FollowWaypoints"
     _TYPE_HASH = "RIHS01_09e36a19e0374ab692e78b877e3345daa223ca4186b8af90f77939b78c6e6d7b"
     Goal: _TypeAlias = FollowWaypoints_Goal
@@ -2636,6 +2820,7 @@ class FollowWaypoints(_Action[FollowWaypoints_Goal, FollowWaypoints_Result, Foll
     class Impl:
         """The services and messages that carry the action."""
 
+        __module__ = _module("_follow_waypoints")
         SendGoalService: _TypeAlias = FollowWaypoints_SendGoal
         GetResultService: _TypeAlias = FollowWaypoints_GetResult
         FeedbackMessage: _TypeAlias = FollowWaypoints_FeedbackMessage
@@ -2646,6 +2831,7 @@ class FollowWaypoints(_Action[FollowWaypoints_Goal, FollowWaypoints_Result, Foll
 class NavigateThroughPoses_Goal(_Message):
     """The message nav2_msgs/action/NavigateThroughPoses_Goal."""
 
+    __module__ = _module("_navigate_through_poses")
     _TYPE_NAME = "nav2_msgs/action/NavigateThroughPoses_Goal"
     _TYPE_HASH = "RIHS01_156eb642033047f1737b2f01c87da02ab81e841a3c896bbfba9317db388d2d8e"
     _FIELDS = {"poses": "geometry_msgs/msg/PoseStamped[]", "behavior_tree": "string"}
@@ -2661,6 +2847,7 @@ class NavigateThroughPoses_Goal(_Message):
 class NavigateThroughPoses_Result(_Message):
     """The message nav2_msgs/action/NavigateThroughPoses_Result."""
 
+    __module__ = _module("_navigate_through_poses")
     _TYPE_NAME = "nav2_msgs/action/NavigateThroughPoses_Result"
     _TYPE_HASH = "RIHS01_e64524990d7d2778a414b35a00cc98e45acfda9aaa3cf810d07340fcde324d67"
     _FIELDS = {"error_code": "uint16", "error_msg": "string"}
@@ -2677,6 +2864,7 @@ class NavigateThroughPoses_Result(_Message):
 class NavigateThroughPoses_Feedback(_Message):
     """The message nav2_msgs/action/NavigateThroughPoses_Feedback."""
 
+    __module__ = _module("_navigate_through_poses")
     _TYPE_NAME = "nav2_msgs/action/NavigateThroughPoses_Feedback"
     _TYPE_HASH = "RIHS01_56e169557485ca861b100e2530069cdf208bdc47cbb5bd9e9e9b5f3719bddb61"
     _FIELDS = {"current_pose": "geometry_msgs/msg/PoseStamped", "navigation_time": "builtin_interfaces/msg/Duration", "estimated_time_remaining": "builtin_interfaces/msg/Duration", "number_of_recoveries": "int16", "distance_remaining": "float32", "number_of_poses_remaining": "int16"}
@@ -2696,6 +2884,7 @@ class NavigateThroughPoses_Feedback(_Message):
 class NavigateThroughPoses_SendGoal_Request(_Message):
     """The message nav2_msgs/action/NavigateThroughPoses_SendGoal_Request."""
 
+    __module__ = _module("_navigate_through_poses")
     _TYPE_NAME = "nav2_msgs/action/NavigateThroughPoses_SendGoal_Request"
     _TYPE_HASH = "RIHS01_3cfab113ccc3be41f05c8fc99f57df5d0e20b8350621d0bc843062f25e50f21b"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "goal": "nav2_msgs/action/NavigateThroughPoses_Goal"}
@@ -2711,6 +2900,7 @@ class NavigateThroughPoses_SendGoal_Request(_Message):
 class NavigateThroughPoses_SendGoal_Response(_Message):
     """The message nav2_msgs/action/NavigateThroughPoses_SendGoal_Response."""
 
+    __module__ = _module("_navigate_through_poses")
     _TYPE_NAME = "nav2_msgs/action/NavigateThroughPoses_SendGoal_Response"
     _TYPE_HASH = "RIHS01_abd99696630c2a5a7f0ac05b3223a0debf4307e42bdba425c6304fa1e223d6f0"
     _FIELDS = {"accepted": "bool", "stamp": "builtin_interfaces/msg/Time"}
@@ -2726,6 +2916,7 @@ class NavigateThroughPoses_SendGoal_Response(_Message):
 class NavigateThroughPoses_SendGoal_Event(_Message):
     """The message nav2_msgs/action/NavigateThroughPoses_SendGoal_Event."""
 
+    __module__ = _module("_navigate_through_poses")
     _TYPE_NAME = "nav2_msgs/action/NavigateThroughPoses_SendGoal_Event"
     _TYPE_HASH = "RIHS01_ce71b404cffcd84cdc8fd88aaba7166869ab839dbe056234c92292659050dfd5"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/NavigateThroughPoses_SendGoal_Request[<=1]", "response": "nav2_msgs/action/NavigateThroughPoses_SendGoal_Response[<=1]"}
@@ -2742,6 +2933,7 @@ class NavigateThroughPoses_SendGoal_Event(_Message):
 class NavigateThroughPoses_GetResult_Request(_Message):
     """The message nav2_msgs/action/NavigateThroughPoses_GetResult_Request."""
 
+    __module__ = _module("_navigate_through_poses")
     _TYPE_NAME = "nav2_msgs/action/NavigateThroughPoses_GetResult_Request"
     _TYPE_HASH = "RIHS01_e228678211f043e10c8b6fce48a6c34825bdf4b61c635f7d3797f01bfd10c488"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID"}
@@ -2756,6 +2948,7 @@ class NavigateThroughPoses_GetResult_Request(_Message):
 class NavigateThroughPoses_GetResult_Response(_Message):
     """The message nav2_msgs/action/NavigateThroughPoses_GetResult_Response."""
 
+    __module__ = _module("_navigate_through_poses")
     _TYPE_NAME = "nav2_msgs/action/NavigateThroughPoses_GetResult_Response"
     _TYPE_HASH = "RIHS01_893b3d0f909977d49752d27b5efc5aa0e0e1ac5e5fbd4db0b2a1cb42e1998a32"
     _FIELDS = {"status": "int8", "result": "nav2_msgs/action/NavigateThroughPoses_Result"}
@@ -2771,6 +2964,7 @@ class NavigateThroughPoses_GetResult_Response(_Message):
 class NavigateThroughPoses_GetResult_Event(_Message):
     """The message nav2_msgs/action/NavigateThroughPoses_GetResult_Event."""
 
+    __module__ = _module("_navigate_through_poses")
     _TYPE_NAME = "nav2_msgs/action/NavigateThroughPoses_GetResult_Event"
     _TYPE_HASH = "RIHS01_494e93f5dc8d29604736bfed242c9301a46b7015841b0e3f43010abb498daa12"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/NavigateThroughPoses_GetResult_Request[<=1]", "response": "nav2_msgs/action/NavigateThroughPoses_GetResult_Response[<=1]"}
@@ -2787,6 +2981,7 @@ class NavigateThroughPoses_GetResult_Event(_Message):
 class NavigateThroughPoses_FeedbackMessage(_Message):
     """The message nav2_msgs/action/NavigateThroughPoses_FeedbackMessage."""
 
+    __module__ = _module("_navigate_through_poses")
     _TYPE_NAME = "nav2_msgs/action/NavigateThroughPoses_FeedbackMessage"
     _TYPE_HASH = "RIHS01_073962415ad2a226b3de7245b142aeb414268a4d35ef1321ff2a484e2130e2b1"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "feedback": "nav2_msgs/action/NavigateThroughPoses_Feedback"}
@@ -2802,6 +2997,7 @@ class NavigateThroughPoses_FeedbackMessage(_Message):
 class NavigateThroughPoses_SendGoal(_Service[NavigateThroughPoses_SendGoal_Request, NavigateThroughPoses_SendGoal_Response]):
     """The service nav2_msgs/action/NavigateThroughPoses_SendGoal."""
 
+    __module__ = _module("_navigate_through_poses")
     _TYPE_NAME = "nav2_msgs/action/NavigateThroughPoses_SendGoal"
     _TYPE_HASH = "RIHS01_5a590fa8e9a32b7b9c838fdf5939a2fb8858d6cfd25bdf2f2e5f0f7bbb25f52b"
     Request: _TypeAlias = NavigateThroughPoses_SendGoal_Request
@@ -2812,6 +3008,7 @@ class NavigateThroughPoses_SendGoal(_Service[NavigateThroughPoses_SendGoal_Reque
 class NavigateThroughPoses_GetResult(_Service[NavigateThroughPoses_GetResult_Request, NavigateThroughPoses_GetResult_Response]):
     """The service nav2_msgs/action/NavigateThroughPoses_GetResult."""
 
+    __module__ = _module("_navigate_through_poses")
     _TYPE_NAME = "nav2_msgs/action/NavigateThroughPoses_GetResult"
     _TYPE_HASH = "RIHS01_fdc12773de81ce69f7eeb4366702ea757d792ab5068bc461ee3b1438e66c7b36"
     Request: _TypeAlias = NavigateThroughPoses_GetResult_Request
@@ -2822,6 +3019,7 @@ class NavigateThroughPoses_GetResult(_Service[NavigateThroughPoses_GetResult_Req
 class NavigateThroughPoses(_Action[NavigateThroughPoses_Goal, NavigateThroughPoses_Result, NavigateThroughPoses_Feedback, NavigateThroughPoses_FeedbackMessage, NavigateThroughPoses_GetResult_Response]):
     """The action nav2_msgs/action/NavigateThroughPoses."""
 
+    __module__ = _module("_navigate_through_poses")
     _TYPE_NAME = "nav2_msgs/action/NavigateThroughPoses"
     _TYPE_HASH = "RIHS01_4e680a34fd27772095da6ffdb32ae348adbc3d948248d38cf8d5ca3fc7a3a6c4"
     Goal: _TypeAlias = NavigateThroughPoses_Goal
@@ -2831,6 +3029,7 @@ class NavigateThroughPoses(_Action[NavigateThroughPoses_Goal, NavigateThroughPos
     class Impl:
         """The services and messages that carry the action."""
 
+        __module__ = _module("_navigate_through_poses")
         SendGoalService: _TypeAlias = NavigateThroughPoses_SendGoal
         GetResultService: _TypeAlias = NavigateThroughPoses_GetResult
         FeedbackMessage: _TypeAlias = NavigateThroughPoses_FeedbackMessage
@@ -2841,6 +3040,7 @@ class NavigateThroughPoses(_Action[NavigateThroughPoses_Goal, NavigateThroughPos
 class NavigateToPose_Goal(_Message):
     """The message nav2_msgs/action/NavigateToPose_Goal."""
 
+    __module__ = _module("_navigate_to_pose")
     _TYPE_NAME = "nav2_msgs/action/NavigateToPose_Goal"
     _TYPE_HASH = "RIHS01_22a9dffbd6733011220460bd52edbc7843c8fc86282d40bc7ad3ca176a9dec10"
     _FIELDS = {"pose": "geometry_msgs/msg/PoseStamped", "behavior_tree": "string"}
@@ -2856,6 +3056,7 @@ class NavigateToPose_Goal(_Message):
 class NavigateToPose_Result(_Message):
     """The message nav2_msgs/action/NavigateToPose_Result."""
 
+    __module__ = _module("_navigate_to_pose")
     _TYPE_NAME = "nav2_msgs/action/NavigateToPose_Result"
     _TYPE_HASH = "RIHS01_ddbff7fc6d1e51d774d5defdb8398a57cb23fa8709355002d676408bb4860b85"
     _FIELDS = {"error_code": "uint16", "error_msg": "string"}
@@ -2872,6 +3073,7 @@ class NavigateToPose_Result(_Message):
 class NavigateToPose_Feedback(_Message):
     """The message nav2_msgs/action/NavigateToPose_Feedback."""
 
+    __module__ = _module("_navigate_to_pose")
     _TYPE_NAME = "nav2_msgs/action/NavigateToPose_Feedback"
     _TYPE_HASH = "RIHS01_9ebc544c7d41bd8c6060b191bf9f5e4ddca6c2f61ee9e04fcb62ed5d67218a33"
     _FIELDS = {"current_pose": "geometry_msgs/msg/PoseStamped", "navigation_time": "builtin_interfaces/msg/Duration", "estimated_time_remaining": "builtin_interfaces/msg/Duration", "number_of_recoveries": "int16", "distance_remaining": "float32"}
@@ -2890,6 +3092,7 @@ class NavigateToPose_Feedback(_Message):
 class NavigateToPose_SendGoal_Request(_Message):
     """The message nav2_msgs/action/NavigateToPose_SendGoal_Request."""
 
+    __module__ = _module("_navigate_to_pose")
     _TYPE_NAME = "nav2_msgs/action/NavigateToPose_SendGoal_Request"
     _TYPE_HASH = "RIHS01_e9381f2acfe9fa8c4838a277d0cde28a93c483564827b9f13496b9c2092e4f09"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "goal": "nav2_msgs/action/NavigateToPose_Goal"}
@@ -2905,6 +3108,7 @@ class NavigateToPose_SendGoal_Request(_Message):
 class NavigateToPose_SendGoal_Response(_Message):
     """The message nav2_msgs/action/NavigateToPose_SendGoal_Response."""
 
+    __module__ = _module("_navigate_to_pose")
     _TYPE_NAME = "nav2_msgs/action/NavigateToPose_SendGoal_Response"
     _TYPE_HASH = "RIHS01_99f97fcbb07daf024df4b8c3f02f19ce7fa3183fcedfb76b8772a61a371a55fa"
     _FIELDS = {"accepted": "bool", "stamp": "builtin_interfaces/msg/Time"}
@@ -2920,6 +3124,7 @@ class NavigateToPose_SendGoal_Response(_Message):
 class NavigateToPose_SendGoal_Event(_Message):
     """The message nav2_msgs/action/NavigateToPose_SendGoal_Event."""
 
+    __module__ = _module("_navigate_to_pose")
     _TYPE_NAME = "nav2_msgs/action/NavigateToPose_SendGoal_Event"
     _TYPE_HASH = "RIHS01_bdc94ccf5fcb7263afa245871959c3df011b278ce34242a2a4eef05819aeb84e"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/NavigateToPose_SendGoal_Request[<=1]", "response": "nav2_msgs/action/NavigateToPose_SendGoal_Response[<=1]"}
@@ -2936,6 +3141,7 @@ class NavigateToPose_SendGoal_Event(_Message):
 class NavigateToPose_GetResult_Request(_Message):
     """The message nav2_msgs/action/NavigateToPose_GetResult_Request."""
 
+    __module__ = _module("_navigate_to_pose")
     _TYPE_NAME = "nav2_msgs/action/NavigateToPose_GetResult_Request"
     _TYPE_HASH = "RIHS01_106d3457cf0db4c4a8d3373bab3ff6aa8ba8ad99ae6392ce9784830a7d04ac93"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID"}
@@ -2950,6 +3156,7 @@ class NavigateToPose_GetResult_Request(_Message):
 class NavigateToPose_GetResult_Response(_Message):
     """The message nav2_msgs/action/NavigateToPose_GetResult_Response."""
 
+    __module__ = _module("_navigate_to_pose")
     _TYPE_NAME = "nav2_msgs/action/NavigateToPose_GetResult_Response"
     _TYPE_HASH = "RIHS01_c59f178c377de5318919c00bdbf7884cb3b185acfdffceba6c9f161e0aa3cc81"
     _FIELDS = {"status": "int8", "result": "nav2_msgs/action/NavigateToPose_Result"}
@@ -2965,6 +3172,7 @@ class NavigateToPose_GetResult_Response(_Message):
 class NavigateToPose_GetResult_Event(_Message):
     """The message nav2_msgs/action/NavigateToPose_GetResult_Event."""
 
+    __module__ = _module("_navigate_to_pose")
     _TYPE_NAME = "nav2_msgs/action/NavigateToPose_GetResult_Event"
     _TYPE_HASH = "RIHS01_a6afa5991dfffdcc45a1be7fe6d8996fbf3d209fafca2fa361039e4e0b0295db"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/NavigateToPose_GetResult_Request[<=1]", "response": "nav2_msgs/action/NavigateToPose_GetResult_Response[<=1]"}
@@ -2981,6 +3189,7 @@ class NavigateToPose_GetResult_Event(_Message):
 class NavigateToPose_FeedbackMessage(_Message):
     """The message nav2_msgs/action/NavigateToPose_FeedbackMessage."""
 
+    __module__ = _module("_navigate_to_pose")
     _TYPE_NAME = "nav2_msgs/action/NavigateToPose_FeedbackMessage"
     _TYPE_HASH = "RIHS01_9d1f6fa2eb975ce733b419ac2e97b134d8ff92b6478b6559feed9a50bdfd82b3"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "feedback": "nav2_msgs/action/NavigateToPose_Feedback"}
@@ -2996,6 +3205,7 @@ class NavigateToPose_FeedbackMessage(_Message):
 class NavigateToPose_SendGoal(_Service[NavigateToPose_SendGoal_Request, NavigateToPose_SendGoal_Response]):
     """The service nav2_msgs/action/NavigateToPose_SendGoal."""
 
+    __module__ = _module("_navigate_to_pose")
     _TYPE_NAME = "nav2_msgs/action/NavigateToPose_SendGoal"
     _TYPE_HASH = "RIHS01_a4fcb3bee1bf32e21a0e541a943b221aa0826996e2c98f079b47022b256f48b5"
     Request: _TypeAlias = NavigateToPose_SendGoal_Request
@@ -3006,6 +3216,7 @@ class NavigateToPose_SendGoal(_Service[NavigateToPose_SendGoal_Request, Navigate
 class NavigateToPose_GetResult(_Service[NavigateToPose_GetResult_Request, NavigateToPose_GetResult_Response]):
     """The service nav2_msgs/action/NavigateToPose_GetResult."""
 
+    __module__ = _module("_navigate_to_pose")
     _TYPE_NAME = "nav2_msgs/action/NavigateToPose_GetResult"
     _TYPE_HASH = "RIHS01_c407920357d566771e8882b4ef4d1f1a84ee922d609920ccd57faa6d6e391dc5"
     Request: _TypeAlias = NavigateToPose_GetResult_Request
@@ -3016,6 +3227,7 @@ class NavigateToPose_GetResult(_Service[NavigateToPose_GetResult_Request, Naviga
 class NavigateToPose(_Action[NavigateToPose_Goal, NavigateToPose_Result, NavigateToPose_Feedback, NavigateToPose_FeedbackMessage, NavigateToPose_GetResult_Response]):
     """The action nav2_msgs/action/NavigateToPose."""
 
+    __module__ = _module("_navigate_to_pose")
     _TYPE_NAME = "nav2_msgs/action/NavigateToPose"
     _TYPE_HASH = "RIHS01_a56dba8a3234a1215e610180dc703ae25bbf406dded8b54887891c9732857eab"
     Goal: _TypeAlias = NavigateToPose_Goal
@@ -3025,6 +3237,7 @@ class NavigateToPose(_Action[NavigateToPose_Goal, NavigateToPose_Result, Navigat
     class Impl:
         """The services and messages that carry the action."""
 
+        __module__ = _module("_navigate_to_pose")
         SendGoalService: _TypeAlias = NavigateToPose_SendGoal
         GetResultService: _TypeAlias = NavigateToPose_GetResult
         FeedbackMessage: _TypeAlias = NavigateToPose_FeedbackMessage
@@ -3035,6 +3248,7 @@ class NavigateToPose(_Action[NavigateToPose_Goal, NavigateToPose_Result, Navigat
 class SmoothPath_Goal(_Message):
     """The message nav2_msgs/action/SmoothPath_Goal."""
 
+    __module__ = _module("_smooth_path")
     _TYPE_NAME = "nav2_msgs/action/SmoothPath_Goal"
     _TYPE_HASH = "RIHS01_1de12dc9eec5ecdd6c384fe2852787ea49669d7bc314be4ff5e89da5905f3347"
     _FIELDS = {"path": "nav_msgs/msg/Path", "smoother_id": "string", "max_smoothing_duration": "builtin_interfaces/msg/Duration", "check_for_collisions": "bool"}
@@ -3052,6 +3266,7 @@ class SmoothPath_Goal(_Message):
 class SmoothPath_Result(_Message):
     """The message nav2_msgs/action/SmoothPath_Result."""
 
+    __module__ = _module("_smooth_path")
     _TYPE_NAME = "nav2_msgs/action/SmoothPath_Result"
     _TYPE_HASH = "RIHS01_67fa4798816f16d0a1eded9f2868a61a653da8b9d9a2dde1ed3aba2d6fd5b3b9"
     _FIELDS = {"path": "nav_msgs/msg/Path", "smoothing_duration": "builtin_interfaces/msg/Duration", "was_completed": "bool", "error_code": "uint16", "error_msg": "string"}
@@ -3077,6 +3292,7 @@ class SmoothPath_Result(_Message):
 class SmoothPath_Feedback(_Message):
     """The message nav2_msgs/action/SmoothPath_Feedback."""
 
+    __module__ = _module("_smooth_path")
     _TYPE_NAME = "nav2_msgs/action/SmoothPath_Feedback"
     _TYPE_HASH = "RIHS01_3da564cd5b955796d075996a90b4d58e99d6688e83aa712ff5a329ed2dfebc38"
     _FIELDS = {}
@@ -3090,6 +3306,7 @@ class SmoothPath_Feedback(_Message):
 class SmoothPath_SendGoal_Request(_Message):
     """The message nav2_msgs/action/SmoothPath_SendGoal_Request."""
 
+    __module__ = _module("_smooth_path")
     _TYPE_NAME = "nav2_msgs/action/SmoothPath_SendGoal_Request"
     _TYPE_HASH = "RIHS01_f8370eaddeca68682f497c22255548fe9cd55369637ddafd2b92d7aaa307250e"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "goal": "nav2_msgs/action/SmoothPath_Goal"}
@@ -3105,6 +3322,7 @@ class SmoothPath_SendGoal_Request(_Message):
 class SmoothPath_SendGoal_Response(_Message):
     """The message nav2_msgs/action/SmoothPath_SendGoal_Response."""
 
+    __module__ = _module("_smooth_path")
     _TYPE_NAME = "nav2_msgs/action/SmoothPath_SendGoal_Response"
     _TYPE_HASH = "RIHS01_70c9ce5ff38df4e0d4667011c6f0701152f1162197e6053d5831bb1f1bcb4626"
     _FIELDS = {"accepted": "bool", "stamp": "builtin_interfaces/msg/Time"}
@@ -3120,6 +3338,7 @@ class SmoothPath_SendGoal_Response(_Message):
 class SmoothPath_SendGoal_Event(_Message):
     """The message nav2_msgs/action/SmoothPath_SendGoal_Event."""
 
+    __module__ = _module("_smooth_path")
     _TYPE_NAME = "nav2_msgs/action/SmoothPath_SendGoal_Event"
     _TYPE_HASH = "RIHS01_a0a3bf414719fb44d6d5bdfcbe63e80b1338bf4f5703c5c2afb2b6549d79ae68"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/SmoothPath_SendGoal_Request[<=1]", "response": "nav2_msgs/action/SmoothPath_SendGoal_Response[<=1]"}
@@ -3136,6 +3355,7 @@ class SmoothPath_SendGoal_Event(_Message):
 class SmoothPath_GetResult_Request(_Message):
     """The message nav2_msgs/action/SmoothPath_GetResult_Request."""
 
+    __module__ = _module("_smooth_path")
     _TYPE_NAME = "nav2_msgs/action/SmoothPath_GetResult_Request"
     _TYPE_HASH = "RIHS01_b20bd138e1b93ce5e2333834456075eb17ddaff3e816232aca1edcae28c4930f"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID"}
@@ -3150,6 +3370,7 @@ class SmoothPath_GetResult_Request(_Message):
 class SmoothPath_GetResult_Response(_Message):
     """The message nav2_msgs/action/SmoothPath_GetResult_Response."""
 
+    __module__ = _module("_smooth_path")
     _TYPE_NAME = "nav2_msgs/action/SmoothPath_GetResult_Response"
     _TYPE_HASH = "RIHS01_8b80dea01ff09a292a70f295abb4ba5bc4a261eedee2d27e399c31097267a2bb"
     _FIELDS = {"status": "int8", "result": "nav2_msgs/action/SmoothPath_Result"}
@@ -3165,6 +3386,7 @@ class SmoothPath_GetResult_Response(_Message):
 class SmoothPath_GetResult_Event(_Message):
     """The message nav2_msgs/action/SmoothPath_GetResult_Event."""
 
+    __module__ = _module("_smooth_path")
     _TYPE_NAME = "nav2_msgs/action/SmoothPath_GetResult_Event"
     _TYPE_HASH = "RIHS01_c1283c752d0144fe4f8f429ad9ecbd80485b5f3292df203e42a5f6a4d47ee96d"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/SmoothPath_GetResult_Request[<=1]", "response": "nav2_msgs/action/SmoothPath_GetResult_Response[<=1]"}
@@ -3181,6 +3403,7 @@ class SmoothPath_GetResult_Event(_Message):
 class SmoothPath_FeedbackMessage(_Message):
     """The message nav2_msgs/action/SmoothPath_FeedbackMessage."""
 
+    __module__ = _module("_smooth_path")
     _TYPE_NAME = "nav2_msgs/action/SmoothPath_FeedbackMessage"
     _TYPE_HASH = "RIHS01_185338884216b3c62b5685968a0c8ed534691d3d3cb0ad65561be1d6a022123e"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "feedback": "nav2_msgs/action/SmoothPath_Feedback"}
@@ -3196,6 +3419,7 @@ class SmoothPath_FeedbackMessage(_Message):
 class SmoothPath_SendGoal(_Service[SmoothPath_SendGoal_Request, SmoothPath_SendGoal_Response]):
     """The service nav2_msgs/action/SmoothPath_SendGoal."""
 
+    __module__ = _module("_smooth_path")
     _TYPE_NAME = "nav2_msgs/action/SmoothPath_SendGoal"
     _TYPE_HASH = "RIHS01_923111f6c31210d4ddeca2fc7f74da83eb125239b5af33be8f88508ace2184e3"
     Request: _TypeAlias = SmoothPath_SendGoal_Request
@@ -3206,6 +3430,7 @@ class SmoothPath_SendGoal(_Service[SmoothPath_SendGoal_Request, SmoothPath_SendG
 class SmoothPath_GetResult(_Service[SmoothPath_GetResult_Request, SmoothPath_GetResult_Response]):
     """The service nav2_msgs/action/SmoothPath_GetResult."""
 
+    __module__ = _module("_smooth_path")
     _TYPE_NAME = "nav2_msgs/action/SmoothPath_GetResult"
     _TYPE_HASH = "RIHS01_174d0d28b7f6e25b07bc41031935b8c2cfc3afece12473fa31d0612f1ab2d42c"
     Request: _TypeAlias = SmoothPath_GetResult_Request
@@ -3216,6 +3441,7 @@ class SmoothPath_GetResult(_Service[SmoothPath_GetResult_Request, SmoothPath_Get
 class SmoothPath(_Action[SmoothPath_Goal, SmoothPath_Result, SmoothPath_Feedback, SmoothPath_FeedbackMessage, SmoothPath_GetResult_Response]):
     """The action nav2_msgs/action/SmoothPath."""
 
+    __module__ = _module("_smooth_path")
     _TYPE_NAME = "nav2_msgs/action/SmoothPath"
     _TYPE_HASH = "RIHS01_84ea77c54dbe197a3d45c188124cf4535b1a1f3f0ffd2f86b841a1d63f1c2cda"
     Goal: _TypeAlias = SmoothPath_Goal
@@ -3225,6 +3451,7 @@ class SmoothPath(_Action[SmoothPath_Goal, SmoothPath_Result, SmoothPath_Feedback
     class Impl:
         """The services and messages that carry the action."""
 
+        __module__ = _module("_smooth_path")
         SendGoalService: _TypeAlias = SmoothPath_SendGoal
         GetResultService: _TypeAlias = SmoothPath_GetResult
         FeedbackMessage: _TypeAlias = SmoothPath_FeedbackMessage
@@ -3235,6 +3462,7 @@ class SmoothPath(_Action[SmoothPath_Goal, SmoothPath_Result, SmoothPath_Feedback
 class Spin_Goal(_Message):
     """The message nav2_msgs/action/Spin_Goal."""
 
+    __module__ = _module("_spin")
     _TYPE_NAME = "nav2_msgs/action/Spin_Goal"
     _TYPE_HASH = "RIHS01_b8fac37d5254c24bf0d843531b89962c494689b9fb2f6645ba67fe5b6fa76be3"
     _FIELDS = {"target_yaw": "float32", "time_allowance": "builtin_interfaces/msg/Duration"}
@@ -3250,6 +3478,7 @@ class Spin_Goal(_Message):
 class Spin_Result(_Message):
     """The message nav2_msgs/action/Spin_Result."""
 
+    __module__ = _module("_spin")
     _TYPE_NAME = "nav2_msgs/action/Spin_Result"
     _TYPE_HASH = "RIHS01_7e028af50815284a59ab43101abfd16f349963c4f0a832c33f497bfcab114a6b"
     _FIELDS = {"total_elapsed_time": "builtin_interfaces/msg/Duration", "error_code": "uint16", "error_msg": "string"}
@@ -3271,6 +3500,7 @@ class Spin_Result(_Message):
 class Spin_Feedback(_Message):
     """The message nav2_msgs/action/Spin_Feedback."""
 
+    __module__ = _module("_spin")
     _TYPE_NAME = "nav2_msgs/action/Spin_Feedback"
     _TYPE_HASH = "RIHS01_3973d0eb96c7340ba3a815ca1a623225178a882b603e0c59451ef5a5f55fee02"
     _FIELDS = {"angular_distance_traveled": "float32"}
@@ -3285,6 +3515,7 @@ class Spin_Feedback(_Message):
 class Spin_SendGoal_Request(_Message):
     """The message nav2_msgs/action/Spin_SendGoal_Request."""
 
+    __module__ = _module("_spin")
     _TYPE_NAME = "nav2_msgs/action/Spin_SendGoal_Request"
     _TYPE_HASH = "RIHS01_22d757c59646d234fac03c3603d9c81508c069a5c6f555adbf1a53de11fbea5d"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "goal": "nav2_msgs/action/Spin_Goal"}
@@ -3300,6 +3531,7 @@ class Spin_SendGoal_Request(_Message):
 class Spin_SendGoal_Response(_Message):
     """The message nav2_msgs/action/Spin_SendGoal_Response."""
 
+    __module__ = _module("_spin")
     _TYPE_NAME = "nav2_msgs/action/Spin_SendGoal_Response"
     _TYPE_HASH = "RIHS01_437152e9292a37e023b93be76e80eddd232dec1559019a17cb37c6eff186e99a"
     _FIELDS = {"accepted": "bool", "stamp": "builtin_interfaces/msg/Time"}
@@ -3315,6 +3547,7 @@ class Spin_SendGoal_Response(_Message):
 class Spin_SendGoal_Event(_Message):
     """The message nav2_msgs/action/Spin_SendGoal_Event."""
 
+    __module__ = _module("_spin")
     _TYPE_NAME = "nav2_msgs/action/Spin_SendGoal_Event"
     _TYPE_HASH = "RIHS01_6a9b487e9338a9c3bb09d83556cb983e23ad2b3d379481750436347ff272f1db"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/Spin_SendGoal_Request[<=1]", "response": "nav2_msgs/action/Spin_SendGoal_Response[<=1]"}
@@ -3331,6 +3564,7 @@ class Spin_SendGoal_Event(_Message):
 class Spin_GetResult_Request(_Message):
     """The message nav2_msgs/action/Spin_GetResult_Request."""
 
+    __module__ = _module("_spin")
     _TYPE_NAME = "nav2_msgs/action/Spin_GetResult_Request"
     _TYPE_HASH = "RIHS01_38ad335938aff37fe49919e8ad376b12ad3aac2ccc505b9e40025097c6ee1e47"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID"}
@@ -3345,6 +3579,7 @@ class Spin_GetResult_Request(_Message):
 class Spin_GetResult_Response(_Message):
     """The message nav2_msgs/action/Spin_GetResult_Response."""
 
+    __module__ = _module("_spin")
     _TYPE_NAME = "nav2_msgs/action/Spin_GetResult_Response"
     _TYPE_HASH = "RIHS01_5f68b672144ed58bedd7690a840a58caf387f689f27f8e7b091641fd45cf4cef"
     _FIELDS = {"status": "int8", "result": "nav2_msgs/action/Spin_Result"}
@@ -3360,6 +3595,7 @@ class Spin_GetResult_Response(_Message):
 class Spin_GetResult_Event(_Message):
     """The message nav2_msgs/action/Spin_GetResult_Event."""
 
+    __module__ = _module("_spin")
     _TYPE_NAME = "nav2_msgs/action/Spin_GetResult_Event"
     _TYPE_HASH = "RIHS01_9b67ce34349ad4359470ec06b3b4068d71cd669c3e738d961eca78a997f43542"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/Spin_GetResult_Request[<=1]", "response": "nav2_msgs/action/Spin_GetResult_Response[<=1]"}
@@ -3376,6 +3612,7 @@ class Spin_GetResult_Event(_Message):
 class Spin_FeedbackMessage(_Message):
     """The message nav2_msgs/action/Spin_FeedbackMessage."""
 
+    __module__ = _module("_spin")
     _TYPE_NAME = "nav2_msgs/action/Spin_FeedbackMessage"
     _TYPE_HASH = "RIHS01_65172773a4a518f36640b41d18d588319e665e7ba04a29237e7f92ba275e8388"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "feedback": "nav2_msgs/action/Spin_Feedback"}
@@ -3391,6 +3628,7 @@ class Spin_FeedbackMessage(_Message):
 class Spin_SendGoal(_Service[Spin_SendGoal_Request, Spin_SendGoal_Response]):
     """The service nav2_msgs/action/Spin_SendGoal."""
 
+    __module__ = _module("_spin")
     _TYPE_NAME = "nav2_msgs/action/Spin_SendGoal"
     _TYPE_HASH = "RIHS01_a863727716f5620b30cf493469d5668b37f3b51aa8ecec088cec89a86ca69e37"
     Request: _TypeAlias = Spin_SendGoal_Request
@@ -3401,6 +3639,7 @@ class Spin_SendGoal(_Service[Spin_SendGoal_Request, Spin_SendGoal_Response]):
 class Spin_GetResult(_Service[Spin_GetResult_Request, Spin_GetResult_Response]):
     """The service nav2_msgs/action/Spin_GetResult."""
 
+    __module__ = _module("_spin")
     _TYPE_NAME = "nav2_msgs/action/Spin_GetResult"
     _TYPE_HASH = "RIHS01_7f67d68c99609b11fce83d1912c5f69b3c2e78629da43f6c74f4e02b00b49653"
     Request: _TypeAlias = Spin_GetResult_Request
@@ -3411,6 +3650,7 @@ class Spin_GetResult(_Service[Spin_GetResult_Request, Spin_GetResult_Response]):
 class Spin(_Action[Spin_Goal, Spin_Result, Spin_Feedback, Spin_FeedbackMessage, Spin_GetResult_Response]):
     """The action nav2_msgs/action/Spin."""
 
+    __module__ = _module("_spin")
     _TYPE_NAME = "nav2_msgs/action/Spin"
     _TYPE_HASH = "RIHS01_9fc4653cfb2982465e9ca4e2710f0532de8f6dce77d6a6eada55e4e22273b55c"
     Goal: _TypeAlias = Spin_Goal
@@ -3420,6 +3660,7 @@ class Spin(_Action[Spin_Goal, Spin_Result, Spin_Feedback, Spin_FeedbackMessage, 
     class Impl:
         """The services and messages that carry the action."""
 
+        __module__ = _module("_spin")
         SendGoalService: _TypeAlias = Spin_SendGoal
         GetResultService: _TypeAlias = Spin_GetResult
         FeedbackMessage: _TypeAlias = Spin_FeedbackMessage
@@ -3430,6 +3671,7 @@ class Spin(_Action[Spin_Goal, Spin_Result, Spin_Feedback, Spin_FeedbackMessage, 
 class UndockRobot_Goal(_Message):
     """The message nav2_msgs/action/UndockRobot_Goal."""
 
+    __module__ = _module("_undock_robot")
     _TYPE_NAME = "nav2_msgs/action/UndockRobot_Goal"
     _TYPE_HASH = "RIHS01_4161041de8368e5140d3a4af41d24a8756e30e42249e022e258a30a0e1781ccb"
     _FIELDS = {"dock_type": "string", "max_undocking_time": "float32"}
@@ -3447,6 +3689,7 @@ class UndockRobot_Goal(_Message):
 class UndockRobot_Result(_Message):
     """The message nav2_msgs/action/UndockRobot_Result."""
 
+    __module__ = _module("_undock_robot")
     _TYPE_NAME = "nav2_msgs/action/UndockRobot_Result"
     _TYPE_HASH = "RIHS01_df25b55a44a1b73a03fe7f32c7ba0984dd077e5315cad6f25c7354ff5de6b310"
     _FIELDS = {"success": "bool", "error_code": "uint16", "error_msg": "string"}
@@ -3470,6 +3713,7 @@ class UndockRobot_Result(_Message):
 class UndockRobot_Feedback(_Message):
     """The message nav2_msgs/action/UndockRobot_Feedback."""
 
+    __module__ = _module("_undock_robot")
     _TYPE_NAME = "nav2_msgs/action/UndockRobot_Feedback"
     _TYPE_HASH = "RIHS01_cafb11296f8495bfdf9a773d2cdc226a906a67b466c1670a23e645334aa85996"
     _FIELDS = {}
@@ -3483,6 +3727,7 @@ class UndockRobot_Feedback(_Message):
 class UndockRobot_SendGoal_Request(_Message):
     """The message nav2_msgs/action/UndockRobot_SendGoal_Request."""
 
+    __module__ = _module("_undock_robot")
     _TYPE_NAME = "nav2_msgs/action/UndockRobot_SendGoal_Request"
     _TYPE_HASH = "RIHS01_ec884ac27ce4373b831136ad8abfb3dc9b46f70d4e41c7448a7a8357ab02b295"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "goal": "nav2_msgs/action/UndockRobot_Goal"}
@@ -3498,6 +3743,7 @@ class UndockRobot_SendGoal_Request(_Message):
 class UndockRobot_SendGoal_Response(_Message):
     """The message nav2_msgs/action/UndockRobot_SendGoal_Response."""
 
+    __module__ = _module("_undock_robot")
     _TYPE_NAME = "nav2_msgs/action/UndockRobot_SendGoal_Response"
     _TYPE_HASH = "RIHS01_617d44847ffaf09a38c031a472157d986b316c87c27e1a1d2a3db940f6ab409e"
     _FIELDS = {"accepted": "bool", "stamp": "builtin_interfaces/msg/Time"}
@@ -3513,6 +3759,7 @@ class UndockRobot_SendGoal_Response(_Message):
 class UndockRobot_SendGoal_Event(_Message):
     """The message nav2_msgs/action/UndockRobot_SendGoal_Event."""
 
+    __module__ = _module("_undock_robot")
     _TYPE_NAME = "nav2_msgs/action/UndockRobot_SendGoal_Event"
     _TYPE_HASH = "RIHS01_0acdd634f3fa33cf15b9809bd1483aeb3e35bc357186231ee87ea563fa9c9a52"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/UndockRobot_SendGoal_Request[<=1]", "response": "nav2_msgs/action/UndockRobot_SendGoal_Response[<=1]"}
@@ -3529,6 +3776,7 @@ class UndockRobot_SendGoal_Event(_Message):
 class UndockRobot_GetResult_Request(_Message):
     """The message nav2_msgs/action/UndockRobot_GetResult_Request."""
 
+    __module__ = _module("_undock_robot")
     _TYPE_NAME = "nav2_msgs/action/UndockRobot_GetResult_Request"
     _TYPE_HASH = "RIHS01_7f4fcc0e04b17a147a94a96ca596a30619fe3016ce8f96adce3f6a47d873de6d"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID"}
@@ -3543,6 +3791,7 @@ class UndockRobot_GetResult_Request(_Message):
 class UndockRobot_GetResult_Response(_Message):
     """The message nav2_msgs/action/UndockRobot_GetResult_Response."""
 
+    __module__ = _module("_undock_robot")
     _TYPE_NAME = "nav2_msgs/action/UndockRobot_GetResult_Response"
     _TYPE_HASH = "RIHS01_62d527a6c1162da1697872fd84920b8d8d4b42eddea2044daee040ea0d8da5eb"
     _FIELDS = {"status": "int8", "result": "nav2_msgs/action/UndockRobot_Result"}
@@ -3558,6 +3807,7 @@ class UndockRobot_GetResult_Response(_Message):
 class UndockRobot_GetResult_Event(_Message):
     """The message nav2_msgs/action/UndockRobot_GetResult_Event."""
 
+    __module__ = _module("_undock_robot")
     _TYPE_NAME = "nav2_msgs/action/UndockRobot_GetResult_Event"
     _TYPE_HASH = "RIHS01_745be9ff81d3cb6a17de5d445cc9714f4c37aedf775ebbbb5de0cf101ead54fa"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/UndockRobot_GetResult_Request[<=1]", "response": "nav2_msgs/action/UndockRobot_GetResult_Response[<=1]"}
@@ -3574,6 +3824,7 @@ class UndockRobot_GetResult_Event(_Message):
 class UndockRobot_FeedbackMessage(_Message):
     """The message nav2_msgs/action/UndockRobot_FeedbackMessage."""
 
+    __module__ = _module("_undock_robot")
     _TYPE_NAME = "nav2_msgs/action/UndockRobot_FeedbackMessage"
     _TYPE_HASH = "RIHS01_e2204b39a6cd5f0563392b37a5945130d186c5df1c457fcb23ba72b3ff02eed1"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "feedback": "nav2_msgs/action/UndockRobot_Feedback"}
@@ -3589,6 +3840,7 @@ class UndockRobot_FeedbackMessage(_Message):
 class UndockRobot_SendGoal(_Service[UndockRobot_SendGoal_Request, UndockRobot_SendGoal_Response]):
     """The service nav2_msgs/action/UndockRobot_SendGoal."""
 
+    __module__ = _module("_undock_robot")
     _TYPE_NAME = "nav2_msgs/action/UndockRobot_SendGoal"
     _TYPE_HASH = "RIHS01_9c412dec37b7dad67b754dd860cdb03787c0924f01d4cd2b5c16506726b17dc3"
     Request: _TypeAlias = UndockRobot_SendGoal_Request
@@ -3599,6 +3851,7 @@ class UndockRobot_SendGoal(_Service[UndockRobot_SendGoal_Request, UndockRobot_Se
 class UndockRobot_GetResult(_Service[UndockRobot_GetResult_Request, UndockRobot_GetResult_Response]):
     """The service nav2_msgs/action/UndockRobot_GetResult."""
 
+    __module__ = _module("_undock_robot")
     _TYPE_NAME = "nav2_msgs/action/UndockRobot_GetResult"
     _TYPE_HASH = "RIHS01_116641408dd0a5bbb7f0cb61d4519061884c7fcc70ca78b0f89779459cf04263"
     Request: _TypeAlias = UndockRobot_GetResult_Request
@@ -3609,6 +3862,7 @@ class UndockRobot_GetResult(_Service[UndockRobot_GetResult_Request, UndockRobot_
 class UndockRobot(_Action[UndockRobot_Goal, UndockRobot_Result, UndockRobot_Feedback, UndockRobot_FeedbackMessage, UndockRobot_GetResult_Response]):
     """The action nav2_msgs/action/UndockRobot."""
 
+    __module__ = _module("_undock_robot")
     _TYPE_NAME = "nav2_msgs/action/UndockRobot"
     _TYPE_HASH = "RIHS01_fe446bf5f84bbdc08b5a1123365e3c9b1e522e50a412d64c36995f808df915a2"
     Goal: _TypeAlias = UndockRobot_Goal
@@ -3618,6 +3872,7 @@ class UndockRobot(_Action[UndockRobot_Goal, UndockRobot_Result, UndockRobot_Feed
     class Impl:
         """The services and messages that carry the action."""
 
+        __module__ = _module("_undock_robot")
         SendGoalService: _TypeAlias = UndockRobot_SendGoal
         GetResultService: _TypeAlias = UndockRobot_GetResult
         FeedbackMessage: _TypeAlias = UndockRobot_FeedbackMessage
@@ -3628,6 +3883,7 @@ class UndockRobot(_Action[UndockRobot_Goal, UndockRobot_Result, UndockRobot_Feed
 class Wait_Goal(_Message):
     """The message nav2_msgs/action/Wait_Goal."""
 
+    __module__ = _module("_wait")
     _TYPE_NAME = "nav2_msgs/action/Wait_Goal"
     _TYPE_HASH = "RIHS01_f97998c3733188e43ba93a54a60da2b22dfe4de349548428002305925246edd9"
     _FIELDS = {"time": "builtin_interfaces/msg/Duration"}
@@ -3642,6 +3898,7 @@ class Wait_Goal(_Message):
 class Wait_Result(_Message):
     """The message nav2_msgs/action/Wait_Result."""
 
+    __module__ = _module("_wait")
     _TYPE_NAME = "nav2_msgs/action/Wait_Result"
     _TYPE_HASH = "RIHS01_69a41e8b1d51db3993da45303f69fedf117fcd807d36543212f792743a534386"
     _FIELDS = {"total_elapsed_time": "builtin_interfaces/msg/Duration", "error_code": "uint16", "error_msg": "string"}
@@ -3658,6 +3915,7 @@ class Wait_Result(_Message):
 class Wait_Feedback(_Message):
     """The message nav2_msgs/action/Wait_Feedback."""
 
+    __module__ = _module("_wait")
     _TYPE_NAME = "nav2_msgs/action/Wait_Feedback"
     _TYPE_HASH = "RIHS01_2a934be90be8dae603a970758be0d6247555e14bffac46b28aa220154f19f228"
     _FIELDS = {"time_left": "builtin_interfaces/msg/Duration"}
@@ -3672,6 +3930,7 @@ class Wait_Feedback(_Message):
 class Wait_SendGoal_Request(_Message):
     """The message nav2_msgs/action/Wait_SendGoal_Request."""
 
+    __module__ = _module("_wait")
     _TYPE_NAME = "nav2_msgs/action/Wait_SendGoal_Request"
     _TYPE_HASH = "RIHS01_2153054419debd2560f3b9514eeda1b14b31f029ff03383a519568b5f67ba18a"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "goal": "nav2_msgs/action/Wait_Goal"}
@@ -3687,6 +3946,7 @@ class Wait_SendGoal_Request(_Message):
 class Wait_SendGoal_Response(_Message):
     """The message nav2_msgs/action/Wait_SendGoal_Response."""
 
+    __module__ = _module("_wait")
     _TYPE_NAME = "nav2_msgs/action/Wait_SendGoal_Response"
     _TYPE_HASH = "RIHS01_c35d8e343b336397c42c603c919b870fdcd7aecf283b1012ee8f8a1b3fcde811"
     _FIELDS = {"accepted": "bool", "stamp": "builtin_interfaces/msg/Time"}
@@ -3702,6 +3962,7 @@ class Wait_SendGoal_Response(_Message):
 class Wait_SendGoal_Event(_Message):
     """The message nav2_msgs/action/Wait_SendGoal_Event."""
 
+    __module__ = _module("_wait")
     _TYPE_NAME = "nav2_msgs/action/Wait_SendGoal_Event"
     _TYPE_HASH = "RIHS01_5f7a7c74cd991ff21f972652f2a7fb905a3dd92a63f5ffc16f33cdc697b85703"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/Wait_SendGoal_Request[<=1]", "response": "nav2_msgs/action/Wait_SendGoal_Response[<=1]"}
@@ -3718,6 +3979,7 @@ class Wait_SendGoal_Event(_Message):
 class Wait_GetResult_Request(_Message):
     """The message nav2_msgs/action/Wait_GetResult_Request."""
 
+    __module__ = _module("_wait")
     _TYPE_NAME = "nav2_msgs/action/Wait_GetResult_Request"
     _TYPE_HASH = "RIHS01_6d9a1c73066f5e71b9da18b59e7bc30730492f41694432562e692fcec6da4c23"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID"}
@@ -3732,6 +3994,7 @@ class Wait_GetResult_Request(_Message):
 class Wait_GetResult_Response(_Message):
     """The message nav2_msgs/action/Wait_GetResult_Response."""
 
+    __module__ = _module("_wait")
     _TYPE_NAME = "nav2_msgs/action/Wait_GetResult_Response"
     _TYPE_HASH = "RIHS01_c89ac345ba5364c16099f24b1166e1ca1dd13a0b0f7c7df283cf36f8948759cb"
     _FIELDS = {"status": "int8", "result": "nav2_msgs/action/Wait_Result"}
@@ -3747,6 +4010,7 @@ class Wait_GetResult_Response(_Message):
 class Wait_GetResult_Event(_Message):
     """The message nav2_msgs/action/Wait_GetResult_Event."""
 
+    __module__ = _module("_wait")
     _TYPE_NAME = "nav2_msgs/action/Wait_GetResult_Event"
     _TYPE_HASH = "RIHS01_1872e20d370374e70bc055df570882cb958a5c29efe6a2c1528b9472dd967b8d"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/action/Wait_GetResult_Request[<=1]", "response": "nav2_msgs/action/Wait_GetResult_Response[<=1]"}
@@ -3763,6 +4027,7 @@ class Wait_GetResult_Event(_Message):
 class Wait_FeedbackMessage(_Message):
     """The message nav2_msgs/action/Wait_FeedbackMessage."""
 
+    __module__ = _module("_wait")
     _TYPE_NAME = "nav2_msgs/action/Wait_FeedbackMessage"
     _TYPE_HASH = "RIHS01_cb143310afa60cc18ef814ac127a730d4ee190828ce9b9a943fa8f0cb1a09f7c"
     _FIELDS = {"goal_id": "unique_identifier_msgs/msg/UUID", "feedback": "nav2_msgs/action/Wait_Feedback"}
@@ -3778,6 +4043,7 @@ class Wait_FeedbackMessage(_Message):
 class Wait_SendGoal(_Service[Wait_SendGoal_Request, Wait_SendGoal_Response]):
     """The service nav2_msgs/action/Wait_SendGoal."""
 
+    __module__ = _module("_wait")
     _TYPE_NAME = "nav2_msgs/action/Wait_SendGoal"
     _TYPE_HASH = "RIHS01_aa768b9f4248c70a9c68fcf3a52f10300d4b0d21cad3cf39f01f4f3d248c2490"
     Request: _TypeAlias = Wait_SendGoal_Request
@@ -3788,6 +4054,7 @@ class Wait_SendGoal(_Service[Wait_SendGoal_Request, Wait_SendGoal_Response]):
 class Wait_GetResult(_Service[Wait_GetResult_Request, Wait_GetResult_Response]):
     """The service nav2_msgs/action/Wait_GetResult."""
 
+    __module__ = _module("_wait")
     _TYPE_NAME = "nav2_msgs/action/Wait_GetResult"
     _TYPE_HASH = "RIHS01_6fa1323df11147db06a24a126119f542104f535108774b930b8047cfa34df466"
     Request: _TypeAlias = Wait_GetResult_Request
@@ -3798,6 +4065,7 @@ class Wait_GetResult(_Service[Wait_GetResult_Request, Wait_GetResult_Response]):
 class Wait(_Action[Wait_Goal, Wait_Result, Wait_Feedback, Wait_FeedbackMessage, Wait_GetResult_Response]):
     """The action nav2_msgs/action/Wait."""
 
+    __module__ = _module("_wait")
     _TYPE_NAME = "nav2_msgs/action/Wait"
     _TYPE_HASH = "RIHS01_0c5d418b19d8d009bb5bce6dca27687d9d43659016a70dc08307e38a032af2c3"
     Goal: _TypeAlias = Wait_Goal
@@ -3807,6 +4075,7 @@ class Wait(_Action[Wait_Goal, Wait_Result, Wait_Feedback, Wait_FeedbackMessage, 
     class Impl:
         """The services and messages that carry the action."""
 
+        __module__ = _module("_wait")
         SendGoalService: _TypeAlias = Wait_SendGoal
         GetResultService: _TypeAlias = Wait_GetResult
         FeedbackMessage: _TypeAlias = Wait_FeedbackMessage

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
@@ -13,10 +14,13 @@ if TYPE_CHECKING:
 
 __all__ = ["BehaviorTreeLog", "BehaviorTreeStatusChange", "CollisionDetectorState", "CollisionMonitorState", "Costmap", "CostmapFilterInfo", "CostmapMetaData", "CostmapUpdate", "EdgeCost", "MissedWaypoint", "Particle", "ParticleCloud", "Route", "RouteEdge", "RouteNode", "SpeedLimit", "VoxelGrid"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class BehaviorTreeLog(_Message):
     """The message nav2_msgs/msg/BehaviorTreeLog."""
 
+    __module__ = _module("_behavior_tree_log")
     _TYPE_NAME = "nav2_msgs/msg/BehaviorTreeLog"
     _TYPE_HASH = "RIHS01_9335ecb688a4f61b7eb82a7c10f23eea5f4e8bbdb7edfa048e3539aa928f51b7"
     _FIELDS = {"timestamp": "builtin_interfaces/msg/Time", "event_log": "nav2_msgs/msg/BehaviorTreeStatusChange[]"}
@@ -32,6 +36,7 @@ class BehaviorTreeLog(_Message):
 class BehaviorTreeStatusChange(_Message):
     """The message nav2_msgs/msg/BehaviorTreeStatusChange."""
 
+    __module__ = _module("_behavior_tree_status_change")
     _TYPE_NAME = "nav2_msgs/msg/BehaviorTreeStatusChange"
     _TYPE_HASH = "RIHS01_54c5a8cc559e5eefc90b9c23a9f81c1b326c97c036d10baa556bac3ef07113c6"
     _FIELDS = {"timestamp": "builtin_interfaces/msg/Time", "node_name": "string", "uid": "uint16", "previous_status": "string", "current_status": "string"}
@@ -50,6 +55,7 @@ class BehaviorTreeStatusChange(_Message):
 class CollisionDetectorState(_Message):
     """The message nav2_msgs/msg/CollisionDetectorState."""
 
+    __module__ = _module("_collision_detector_state")
     _TYPE_NAME = "nav2_msgs/msg/CollisionDetectorState"
     _TYPE_HASH = "RIHS01_f3e8aba67135e9dd5fddd3d9d5c80a47a9798cc69c8f0620696338a120d2f5a5"
     _FIELDS = {"polygons": "string[]", "detections": "bool[]"}
@@ -65,6 +71,7 @@ class CollisionDetectorState(_Message):
 class CollisionMonitorState(_Message):
     """The message nav2_msgs/msg/CollisionMonitorState."""
 
+    __module__ = _module("_collision_monitor_state")
     _TYPE_NAME = "nav2_msgs/msg/CollisionMonitorState"
     _TYPE_HASH = "RIHS01_848f43f40716d6b3ac12a698cc3974a7eb2bf00158c5fca7bb93a128850d5a1e"
     _FIELDS = {"action_type": "uint8", "polygon_name": "string"}
@@ -85,6 +92,7 @@ class CollisionMonitorState(_Message):
 class Costmap(_Message):
     """The message nav2_msgs/msg/Costmap."""
 
+    __module__ = _module("_costmap")
     _TYPE_NAME = "nav2_msgs/msg/Costmap"
     _TYPE_HASH = "RIHS01_d51bf7aecafdbb3f8f98215de648abe6d53f8db69156d6e143125d2ad2bf0027"
     _FIELDS = {"header": "std_msgs/msg/Header", "metadata": "nav2_msgs/msg/CostmapMetaData", "data": "uint8[]"}
@@ -104,6 +112,7 @@ class Costmap(_Message):
 class CostmapFilterInfo(_Message):
     """The message nav2_msgs/msg/CostmapFilterInfo."""
 
+    __module__ = _module("_costmap_filter_info")
     _TYPE_NAME = "nav2_msgs/msg/CostmapFilterInfo"
     _TYPE_HASH = "RIHS01_61ce391bf7690f76a331c01c9d5ce8ca71e6c99273b9fb75e48380f05c6dfdc8"
     _FIELDS = {"header": "std_msgs/msg/Header", "type": "uint8", "filter_mask_topic": "string", "base": "float32", "multiplier": "float32"}
@@ -122,6 +131,7 @@ class CostmapFilterInfo(_Message):
 class CostmapMetaData(_Message):
     """The message nav2_msgs/msg/CostmapMetaData."""
 
+    __module__ = _module("_costmap_meta_data")
     _TYPE_NAME = "nav2_msgs/msg/CostmapMetaData"
     _TYPE_HASH = "RIHS01_1a41ec8428d50c3b4cd3f9055e1adb0eaec72fb39ae11686b59218f6e0884cbd"
     _FIELDS = {"map_load_time": "builtin_interfaces/msg/Time", "update_time": "builtin_interfaces/msg/Time", "layer": "string", "resolution": "float32", "size_x": "uint32", "size_y": "uint32", "origin": "geometry_msgs/msg/Pose"}
@@ -142,6 +152,7 @@ class CostmapMetaData(_Message):
 class CostmapUpdate(_Message):
     """The message nav2_msgs/msg/CostmapUpdate."""
 
+    __module__ = _module("_costmap_update")
     _TYPE_NAME = "nav2_msgs/msg/CostmapUpdate"
     _TYPE_HASH = "RIHS01_b44706e1f0906a3f72a1640bc2153e85576ff8e8ad203ec48b78c187669168a2"
     _FIELDS = {"header": "std_msgs/msg/Header", "x": "uint32", "y": "uint32", "size_x": "uint32", "size_y": "uint32", "data": "uint8[]"}
@@ -164,6 +175,7 @@ class CostmapUpdate(_Message):
 class EdgeCost(_Message):
     """The message nav2_msgs/msg/EdgeCost."""
 
+    __module__ = _module("_edge_cost")
     _TYPE_NAME = "nav2_msgs/msg/EdgeCost"
     _TYPE_HASH = "RIHS01_8dc1470fcd5fc0253ae48588f8f47d67214d2672d136c9f8c9d1f44220ddf56f"
     _FIELDS = {"edgeid": "uint16", "cost": "float32"}
@@ -179,6 +191,7 @@ class EdgeCost(_Message):
 class MissedWaypoint(_Message):
     """The message nav2_msgs/msg/MissedWaypoint."""
 
+    __module__ = _module("_missed_waypoint")
     _TYPE_NAME = "nav2_msgs/msg/MissedWaypoint"
     _TYPE_HASH = "RIHS01_cc79d1e3a1b86cd6a80788b16c844c396932462560936293011f062c21b82ed1"
     _FIELDS = {"index": "uint32", "goal": "geometry_msgs/msg/PoseStamped", "error_code": "uint16"}
@@ -195,6 +208,7 @@ class MissedWaypoint(_Message):
 class Particle(_Message):
     """The message nav2_msgs/msg/Particle."""
 
+    __module__ = _module("_particle")
     _TYPE_NAME = "nav2_msgs/msg/Particle"
     _TYPE_HASH = "RIHS01_c4c61cd1468c7253cc6cc483ebec0c07d8d7d76e5e6c2bcef15c1c77cf70534c"
     _FIELDS = {"pose": "geometry_msgs/msg/Pose", "weight": "float64"}
@@ -210,6 +224,7 @@ class Particle(_Message):
 class ParticleCloud(_Message):
     """The message nav2_msgs/msg/ParticleCloud."""
 
+    __module__ = _module("_particle_cloud")
     _TYPE_NAME = "nav2_msgs/msg/ParticleCloud"
     _TYPE_HASH = "RIHS01_193d8cb88ca2b98cd81ece15342744f054bb398ebfa8f6369914432303f42b11"
     _FIELDS = {"header": "std_msgs/msg/Header", "particles": "nav2_msgs/msg/Particle[]"}
@@ -225,6 +240,7 @@ class ParticleCloud(_Message):
 class Route(_Message):
     """The message nav2_msgs/msg/Route."""
 
+    __module__ = _module("_route")
     _TYPE_NAME = "nav2_msgs/msg/Route"
     _TYPE_HASH = "RIHS01_e7a30327e3f17e37bb7c8d559ca6a84e189ed17725f0b6ecc02fbcceeef70184"
     _FIELDS = {"header": "std_msgs/msg/Header", "route_cost": "float32", "nodes": "nav2_msgs/msg/RouteNode[]", "edges": "nav2_msgs/msg/RouteEdge[]"}
@@ -242,6 +258,7 @@ class Route(_Message):
 class RouteEdge(_Message):
     """The message nav2_msgs/msg/RouteEdge."""
 
+    __module__ = _module("_route_edge")
     _TYPE_NAME = "nav2_msgs/msg/RouteEdge"
     _TYPE_HASH = "RIHS01_d4839a851d45cc763aba226f9fa15a9e3725d7fd91f9f5b05fb0dc796ee45130"
     _FIELDS = {"edgeid": "uint16", "start": "geometry_msgs/msg/Point", "end": "geometry_msgs/msg/Point"}
@@ -258,6 +275,7 @@ class RouteEdge(_Message):
 class RouteNode(_Message):
     """The message nav2_msgs/msg/RouteNode."""
 
+    __module__ = _module("_route_node")
     _TYPE_NAME = "nav2_msgs/msg/RouteNode"
     _TYPE_HASH = "RIHS01_97eae28fcc469a6040bddd9da9d80c3551d4a782b0e6ac690722492735be7e46"
     _FIELDS = {"nodeid": "uint16", "position": "geometry_msgs/msg/Point"}
@@ -273,6 +291,7 @@ class RouteNode(_Message):
 class SpeedLimit(_Message):
     """The message nav2_msgs/msg/SpeedLimit."""
 
+    __module__ = _module("_speed_limit")
     _TYPE_NAME = "nav2_msgs/msg/SpeedLimit"
     _TYPE_HASH = "RIHS01_83d8e4e842559f4d9a988b19d31b162216ec738536389f98438d1a166f91845a"
     _FIELDS = {"header": "std_msgs/msg/Header", "percentage": "bool", "speed_limit": "float64"}
@@ -289,6 +308,7 @@ class SpeedLimit(_Message):
 class VoxelGrid(_Message):
     """The message nav2_msgs/msg/VoxelGrid."""
 
+    __module__ = _module("_voxel_grid")
     _TYPE_NAME = "nav2_msgs/msg/VoxelGrid"
     _TYPE_HASH = "RIHS01_346c2682d6ffd0293e6bc91ae87f60de4a6f7b97cf9339cc4ab4d0d207125a0d"
     _FIELDS = {"header": "std_msgs/msg/Header", "data": "uint32[]", "origin": "geometry_msgs/msg/Point32", "resolutions": "geometry_msgs/msg/Vector3", "size_x": "uint32", "size_y": "uint32", "size_z": "uint32"}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 from tfloom.rosidl.service import Service as _Service
 
@@ -17,10 +18,13 @@ if TYPE_CHECKING:
 
 __all__ = ["ClearCostmapAroundPose", "ClearCostmapAroundPose_Event", "ClearCostmapAroundPose_Request", "ClearCostmapAroundPose_Response", "ClearCostmapAroundRobot", "ClearCostmapAroundRobot_Event", "ClearCostmapAroundRobot_Request", "ClearCostmapAroundRobot_Response", "ClearCostmapExceptRegion", "ClearCostmapExceptRegion_Event", "ClearCostmapExceptRegion_Request", "ClearCostmapExceptRegion_Response", "ClearEntireCostmap", "ClearEntireCostmap_Event", "ClearEntireCostmap_Request", "ClearEntireCostmap_Response", "DynamicEdges", "DynamicEdges_Event", "DynamicEdges_Request", "DynamicEdges_Response", "GetCost", "GetCost_Event", "GetCost_Request", "GetCost_Response", "GetCostmap", "GetCostmap_Event", "GetCostmap_Request", "GetCostmap_Response", "IsPathValid", "IsPathValid_Event", "IsPathValid_Request", "IsPathValid_Response", "LoadMap", "LoadMap_Event", "LoadMap_Request", "LoadMap_Response", "ManageLifecycleNodes", "ManageLifecycleNodes_Event", "ManageLifecycleNodes_Request", "ManageLifecycleNodes_Response", "ReloadDockDatabase", "ReloadDockDatabase_Event", "ReloadDockDatabase_Request", "ReloadDockDatabase_Response", "SaveMap", "SaveMap_Event", "SaveMap_Request", "SaveMap_Response", "SetInitialPose", "SetInitialPose_Event", "SetInitialPose_Request", "SetInitialPose_Response", "SetRouteGraph", "SetRouteGraph_Event", "SetRouteGraph_Request", "SetRouteGraph_Response", "Toggle", "Toggle_Event", "Toggle_Request", "Toggle_Response"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class ClearCostmapAroundPose_Request(_Message):
     """The message nav2_msgs/srv/ClearCostmapAroundPose_Request."""
 
+    __module__ = _module("_clear_costmap_around_pose")
     _TYPE_NAME = "nav2_msgs/srv/ClearCostmapAroundPose_Request"
     _TYPE_HASH = "RIHS01_9bea29e25c85350413bc5109e26117ff2b76596d73dfedf37290e2d5c7f4ec00"
     _FIELDS = {"pose": "geometry_msgs/msg/PoseStamped", "reset_distance": "float64"}
@@ -36,6 +40,7 @@ class ClearCostmapAroundPose_Request(_Message):
 class ClearCostmapAroundPose_Response(_Message):
     """The message nav2_msgs/srv/ClearCostmapAroundPose_Response."""
 
+    __module__ = _module("_clear_costmap_around_pose")
     _TYPE_NAME = "nav2_msgs/srv/ClearCostmapAroundPose_Response"
     _TYPE_HASH = "RIHS01_48fb9182164724f0585e5d7a362e0cb9e41834d37b785dea1cee9b0a9b7003de"
     _FIELDS = {"response": "std_msgs/msg/Empty"}
@@ -50,6 +55,7 @@ class ClearCostmapAroundPose_Response(_Message):
 class ClearCostmapAroundPose_Event(_Message):
     """The message nav2_msgs/srv/ClearCostmapAroundPose_Event."""
 
+    __module__ = _module("_clear_costmap_around_pose")
     _TYPE_NAME = "nav2_msgs/srv/ClearCostmapAroundPose_Event"
     _TYPE_HASH = "RIHS01_a292c7565d40af40d39b2b198da0b55ce1c56f548ec4dbd9b4cf16bf0fd714d3"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/srv/ClearCostmapAroundPose_Request[<=1]", "response": "nav2_msgs/srv/ClearCostmapAroundPose_Response[<=1]"}
@@ -66,6 +72,7 @@ class ClearCostmapAroundPose_Event(_Message):
 class ClearCostmapAroundPose(_Service[ClearCostmapAroundPose_Request, ClearCostmapAroundPose_Response]):
     """The service nav2_msgs/srv/ClearCostmapAroundPose."""
 
+    __module__ = _module("_clear_costmap_around_pose")
     _TYPE_NAME = "nav2_msgs/srv/ClearCostmapAroundPose"
     _TYPE_HASH = "RIHS01_cd006590d0a7b5a357138518c1ac6f733782a0317f5d8fc92f46158e5438138c"
     Request: _TypeAlias = ClearCostmapAroundPose_Request
@@ -76,6 +83,7 @@ class ClearCostmapAroundPose(_Service[ClearCostmapAroundPose_Request, ClearCostm
 class ClearCostmapAroundRobot_Request(_Message):
     """The message nav2_msgs/srv/ClearCostmapAroundRobot_Request."""
 
+    __module__ = _module("_clear_costmap_around_robot")
     _TYPE_NAME = "nav2_msgs/srv/ClearCostmapAroundRobot_Request"
     _TYPE_HASH = "RIHS01_2734faf8fd07b3dc5ece2dc426177d51039a11b2ebbfb03a8696579aa02c9ee8"
     _FIELDS = {"reset_distance": "float32"}
@@ -90,6 +98,7 @@ class ClearCostmapAroundRobot_Request(_Message):
 class ClearCostmapAroundRobot_Response(_Message):
     """The message nav2_msgs/srv/ClearCostmapAroundRobot_Response."""
 
+    __module__ = _module("_clear_costmap_around_robot")
     _TYPE_NAME = "nav2_msgs/srv/ClearCostmapAroundRobot_Response"
     _TYPE_HASH = "RIHS01_d5396ec0bd1653042a9437c7f2cb3e093aada3ab8a67327f30ee235833f57897"
     _FIELDS = {"response": "std_msgs/msg/Empty"}
@@ -104,6 +113,7 @@ class ClearCostmapAroundRobot_Response(_Message):
 class ClearCostmapAroundRobot_Event(_Message):
     """The message nav2_msgs/srv/ClearCostmapAroundRobot_Event."""
 
+    __module__ = _module("_clear_costmap_around_robot")
     _TYPE_NAME = "nav2_msgs/srv/ClearCostmapAroundRobot_Event"
     _TYPE_HASH = "RIHS01_2adcb29c105109b90ac49f75ec207afc4ef592476916e2a9f3ed990adb0d3ff4"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/srv/ClearCostmapAroundRobot_Request[<=1]", "response": "nav2_msgs/srv/ClearCostmapAroundRobot_Response[<=1]"}
@@ -120,6 +130,7 @@ class ClearCostmapAroundRobot_Event(_Message):
 class ClearCostmapAroundRobot(_Service[ClearCostmapAroundRobot_Request, ClearCostmapAroundRobot_Response]):
     """The service nav2_msgs/srv/ClearCostmapAroundRobot."""
 
+    __module__ = _module("_clear_costmap_around_robot")
     _TYPE_NAME = "nav2_msgs/srv/ClearCostmapAroundRobot"
     _TYPE_HASH = "RIHS01_24973b6e8b3e7ec70c37d6b411f1e32cef44051dfe7f34ad0ee7d6d9055cd6ea"
     Request: _TypeAlias = ClearCostmapAroundRobot_Request
@@ -130,6 +141,7 @@ class ClearCostmapAroundRobot(_Service[ClearCostmapAroundRobot_Request, ClearCos
 class ClearCostmapExceptRegion_Request(_Message):
     """The message nav2_msgs/srv/ClearCostmapExceptRegion_Request."""
 
+    __module__ = _module("_clear_costmap_except_region")
     _TYPE_NAME = "nav2_msgs/srv/ClearCostmapExceptRegion_Request"
     _TYPE_HASH = "RIHS01_3d5617401dcf2164725713597bc9eb24f1df8d8a7b0e2c6bb1e5185e64bf66db"
     _FIELDS = {"reset_distance": "float32"}
@@ -144,6 +156,7 @@ class ClearCostmapExceptRegion_Request(_Message):
 class ClearCostmapExceptRegion_Response(_Message):
     """The message nav2_msgs/srv/ClearCostmapExceptRegion_Response."""
 
+    __module__ = _module("_clear_costmap_except_region")
     _TYPE_NAME = "nav2_msgs/srv/ClearCostmapExceptRegion_Response"
     _TYPE_HASH = "RIHS01_afa858c4f3968740aa98507a9141510e5561e970b37cd5380746ae796c1c238d"
     _FIELDS = {"response": "std_msgs/msg/Empty"}
@@ -158,6 +171,7 @@ class ClearCostmapExceptRegion_Response(_Message):
 class ClearCostmapExceptRegion_Event(_Message):
     """The message nav2_msgs/srv/ClearCostmapExceptRegion_Event."""
 
+    __module__ = _module("_clear_costmap_except_region")
     _TYPE_NAME = "nav2_msgs/srv/ClearCostmapExceptRegion_Event"
     _TYPE_HASH = "RIHS01_4b2a35ed9183d23a4f124d0f5b71dd19d765c12102931c710c94ca966efd5c1d"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/srv/ClearCostmapExceptRegion_Request[<=1]", "response": "nav2_msgs/srv/ClearCostmapExceptRegion_Response[<=1]"}
@@ -174,6 +188,7 @@ class ClearCostmapExceptRegion_Event(_Message):
 class ClearCostmapExceptRegion(_Service[ClearCostmapExceptRegion_Request, ClearCostmapExceptRegion_Response]):
     """The service nav2_msgs/srv/ClearCostmapExceptRegion."""
 
+    __module__ = _module("_clear_costmap_except_region")
     _TYPE_NAME = "nav2_msgs/srv/ClearCostmapExceptRegion"
     _TYPE_HASH = "RIHS01_66032323269ef923ab356273a7b7fc1c5acd9ccd46cd14bdcd265642a4012b05"
     Request: _TypeAlias = ClearCostmapExceptRegion_Request
@@ -184,6 +199,7 @@ class ClearCostmapExceptRegion(_Service[ClearCostmapExceptRegion_Request, ClearC
 class ClearEntireCostmap_Request(_Message):
     """The message nav2_msgs/srv/ClearEntireCostmap_Request."""
 
+    __module__ = _module("_clear_entire_costmap")
     _TYPE_NAME = "nav2_msgs/srv/ClearEntireCostmap_Request"
     _TYPE_HASH = "RIHS01_365687a69e15ff9f199447a047ab6fdd264272e6b4d12de0b71bd4a6e4137e99"
     _FIELDS = {"request": "std_msgs/msg/Empty"}
@@ -198,6 +214,7 @@ class ClearEntireCostmap_Request(_Message):
 class ClearEntireCostmap_Response(_Message):
     """The message nav2_msgs/srv/ClearEntireCostmap_Response."""
 
+    __module__ = _module("_clear_entire_costmap")
     _TYPE_NAME = "nav2_msgs/srv/ClearEntireCostmap_Response"
     _TYPE_HASH = "RIHS01_a0aeab7debb4b503bf8d5edcadb896864aa3dda700452d8c9cfa6c4755956665"
     _FIELDS = {"response": "std_msgs/msg/Empty"}
@@ -212,6 +229,7 @@ class ClearEntireCostmap_Response(_Message):
 class ClearEntireCostmap_Event(_Message):
     """The message nav2_msgs/srv/ClearEntireCostmap_Event."""
 
+    __module__ = _module("_clear_entire_costmap")
     _TYPE_NAME = "nav2_msgs/srv/ClearEntireCostmap_Event"
     _TYPE_HASH = "RIHS01_e5998f6581dd5b8f8a6c14fd058b49cc5c94558ca200e4034452e9df14670458"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/srv/ClearEntireCostmap_Request[<=1]", "response": "nav2_msgs/srv/ClearEntireCostmap_Response[<=1]"}
@@ -228,6 +246,7 @@ class ClearEntireCostmap_Event(_Message):
 class ClearEntireCostmap(_Service[ClearEntireCostmap_Request, ClearEntireCostmap_Response]):
     """The service nav2_msgs/srv/ClearEntireCostmap."""
 
+    __module__ = _module("_clear_entire_costmap")
     _TYPE_NAME = "nav2_msgs/srv/ClearEntireCostmap"
     _TYPE_HASH = "RIHS01_553f54f9cadab44553fdf5627433fcb6701f71c1fc2eb55a7b4a004fdeeab952"
     Request: _TypeAlias = ClearEntireCostmap_Request
@@ -238,6 +257,7 @@ class ClearEntireCostmap(_Service[ClearEntireCostmap_Request, ClearEntireCostmap
 class DynamicEdges_Request(_Message):
     """The message nav2_msgs/srv/DynamicEdges_Request."""
 
+    __module__ = _module("_dynamic_edges")
     _TYPE_NAME = "nav2_msgs/srv/DynamicEdges_Request"
     _TYPE_HASH = "RIHS01_90381964c8d9ee8fa67ae254a0fef0e29d310fdcfe477e6131a0aff1cdc22765"
     _FIELDS = {"closed_edges": "uint16[]", "opened_edges": "uint16[]", "adjust_edges": "nav2_msgs/msg/EdgeCost[]"}
@@ -260,6 +280,7 @@ class DynamicEdges_Request(_Message):
 class DynamicEdges_Response(_Message):
     """The message nav2_msgs/srv/DynamicEdges_Response."""
 
+    __module__ = _module("_dynamic_edges")
     _TYPE_NAME = "nav2_msgs/srv/DynamicEdges_Response"
     _TYPE_HASH = "RIHS01_4b08bcbf652b7b8ce68a6cefe6e8fed8ac98bb578dd77631476dfd665b73a95c"
     _FIELDS = {"success": "bool"}
@@ -274,6 +295,7 @@ class DynamicEdges_Response(_Message):
 class DynamicEdges_Event(_Message):
     """The message nav2_msgs/srv/DynamicEdges_Event."""
 
+    __module__ = _module("_dynamic_edges")
     _TYPE_NAME = "nav2_msgs/srv/DynamicEdges_Event"
     _TYPE_HASH = "RIHS01_607acfc5f676376321246023d60e1d0646027a6fee08a0bf9d6a00e63262a8ba"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/srv/DynamicEdges_Request[<=1]", "response": "nav2_msgs/srv/DynamicEdges_Response[<=1]"}
@@ -290,6 +312,7 @@ class DynamicEdges_Event(_Message):
 class DynamicEdges(_Service[DynamicEdges_Request, DynamicEdges_Response]):
     """The service nav2_msgs/srv/DynamicEdges."""
 
+    __module__ = _module("_dynamic_edges")
     _TYPE_NAME = "nav2_msgs/srv/DynamicEdges"
     _TYPE_HASH = "RIHS01_857b6e430a2aa89345e2b8bddc0a4956c425d526218ae43e636577de465da316"
     Request: _TypeAlias = DynamicEdges_Request
@@ -300,6 +323,7 @@ class DynamicEdges(_Service[DynamicEdges_Request, DynamicEdges_Response]):
 class GetCost_Request(_Message):
     """The message nav2_msgs/srv/GetCost_Request."""
 
+    __module__ = _module("_get_cost")
     _TYPE_NAME = "nav2_msgs/srv/GetCost_Request"
     _TYPE_HASH = "RIHS01_86158e1b6692ed888f2039f5ecc7c914b3484715e1fdc45f4ee7c3b467522293"
     _FIELDS = {"use_footprint": "bool", "x": "float32", "y": "float32", "theta": "float32"}
@@ -317,6 +341,7 @@ class GetCost_Request(_Message):
 class GetCost_Response(_Message):
     """The message nav2_msgs/srv/GetCost_Response."""
 
+    __module__ = _module("_get_cost")
     _TYPE_NAME = "nav2_msgs/srv/GetCost_Response"
     _TYPE_HASH = "RIHS01_3fa6cbc521203b88bf455a704d4d943ec025e2bb0be5cf72df7e4edf40a1f790"
     _FIELDS = {"cost": "float32"}
@@ -331,6 +356,7 @@ class GetCost_Response(_Message):
 class GetCost_Event(_Message):
     """The message nav2_msgs/srv/GetCost_Event."""
 
+    __module__ = _module("_get_cost")
     _TYPE_NAME = "nav2_msgs/srv/GetCost_Event"
     _TYPE_HASH = "RIHS01_df2bf18abbb5049baaf4444c79a4bf128eec503d613fdd5af53ee5c4f2cbfb6f"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/srv/GetCost_Request[<=1]", "response": "nav2_msgs/srv/GetCost_Response[<=1]"}
@@ -347,6 +373,7 @@ class GetCost_Event(_Message):
 class GetCost(_Service[GetCost_Request, GetCost_Response]):
     """The service nav2_msgs/srv/GetCost."""
 
+    __module__ = _module("_get_cost")
     _TYPE_NAME = "nav2_msgs/srv/GetCost"
     _TYPE_HASH = "RIHS01_be1bfe25180a915c2eb184172eccf9ea00420732e5f2c3f9e6d60754c41f499a"
     Request: _TypeAlias = GetCost_Request
@@ -357,6 +384,7 @@ class GetCost(_Service[GetCost_Request, GetCost_Response]):
 class GetCostmap_Request(_Message):
     """The message nav2_msgs/srv/GetCostmap_Request."""
 
+    __module__ = _module("_get_costmap")
     _TYPE_NAME = "nav2_msgs/srv/GetCostmap_Request"
     _TYPE_HASH = "RIHS01_8dec28d41023635b3a019512467e7685f364e26527cf696c9c9b9e559e1c455b"
     _FIELDS = {"specs": "nav2_msgs/msg/CostmapMetaData"}
@@ -371,6 +399,7 @@ class GetCostmap_Request(_Message):
 class GetCostmap_Response(_Message):
     """The message nav2_msgs/srv/GetCostmap_Response."""
 
+    __module__ = _module("_get_costmap")
     _TYPE_NAME = "nav2_msgs/srv/GetCostmap_Response"
     _TYPE_HASH = "RIHS01_94dab1729b7a92f0a85542effc41b8acdacbad9d672a86c729d45746dbb6d9e9"
     _FIELDS = {"map": "nav2_msgs/msg/Costmap"}
@@ -385,6 +414,7 @@ class GetCostmap_Response(_Message):
 class GetCostmap_Event(_Message):
     """The message nav2_msgs/srv/GetCostmap_Event."""
 
+    __module__ = _module("_get_costmap")
     _TYPE_NAME = "nav2_msgs/srv/GetCostmap_Event"
     _TYPE_HASH = "RIHS01_12dd605723fb7dfe1338713593cfdd03ac97dd99a8c695ce76f2d4235885ae9d"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/srv/GetCostmap_Request[<=1]", "response": "nav2_msgs/srv/GetCostmap_Response[<=1]"}
@@ -401,6 +431,7 @@ class GetCostmap_Event(_Message):
 class GetCostmap(_Service[GetCostmap_Request, GetCostmap_Response]):
     """The service nav2_msgs/srv/GetCostmap."""
 
+    __module__ = _module("_get_costmap")
     _TYPE_NAME = "nav2_msgs/srv/GetCostmap"
     _TYPE_HASH = "RIHS01_1c3d7c36488ea60fb6ddf76482faf36cee004e29433fea60b8cee011fcd8ad73"
     Request: _TypeAlias = GetCostmap_Request
@@ -411,6 +442,7 @@ class GetCostmap(_Service[GetCostmap_Request, GetCostmap_Response]):
 class IsPathValid_Request(_Message):
     """The message nav2_msgs/srv/IsPathValid_Request."""
 
+    __module__ = _module("_is_path_valid")
     _TYPE_NAME = "nav2_msgs/srv/IsPathValid_Request"
     _TYPE_HASH = "RIHS01_2581491c3b0e2c7caf695a54ae0f7006e420c495abd5b0355d2e79b5b2168888"
     _FIELDS = {"path": "nav_msgs/msg/Path"}
@@ -425,6 +457,7 @@ class IsPathValid_Request(_Message):
 class IsPathValid_Response(_Message):
     """The message nav2_msgs/srv/IsPathValid_Response."""
 
+    __module__ = _module("_is_path_valid")
     _TYPE_NAME = "nav2_msgs/srv/IsPathValid_Response"
     _TYPE_HASH = "RIHS01_78b00a94704f89bf991a34b153b18c2a80b3ef2138ce89113e13e1de9c2b22c7"
     _FIELDS = {"is_valid": "bool", "invalid_pose_indices": "int32[]"}
@@ -443,6 +476,7 @@ class IsPathValid_Response(_Message):
 class IsPathValid_Event(_Message):
     """The message nav2_msgs/srv/IsPathValid_Event."""
 
+    __module__ = _module("_is_path_valid")
     _TYPE_NAME = "nav2_msgs/srv/IsPathValid_Event"
     _TYPE_HASH = "RIHS01_e8ab88d79614b7d7a6db3ebd510a4eaaaa532e8c84644d80b57627c637f2c3bb"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/srv/IsPathValid_Request[<=1]", "response": "nav2_msgs/srv/IsPathValid_Response[<=1]"}
@@ -459,6 +493,7 @@ class IsPathValid_Event(_Message):
 class IsPathValid(_Service[IsPathValid_Request, IsPathValid_Response]):
     """The service nav2_msgs/srv/IsPathValid."""
 
+    __module__ = _module("_is_path_valid")
     _TYPE_NAME = "nav2_msgs/srv/IsPathValid"
     _TYPE_HASH = "RIHS01_0949cf401a29b88bd6e2a8cd8c1df0ccd9374ca4e51557266eaab2b0a9db5778"
     Request: _TypeAlias = IsPathValid_Request
@@ -469,6 +504,7 @@ class IsPathValid(_Service[IsPathValid_Request, IsPathValid_Response]):
 class LoadMap_Request(_Message):
     """The message nav2_msgs/srv/LoadMap_Request."""
 
+    __module__ = _module("_load_map")
     _TYPE_NAME = "nav2_msgs/srv/LoadMap_Request"
     _TYPE_HASH = "RIHS01_31a494b051e07df8361b6af3c313a550abe7134e158835ce3563e5a126ef3f2b"
     _FIELDS = {"map_url": "string"}
@@ -483,6 +519,7 @@ class LoadMap_Request(_Message):
 class LoadMap_Response(_Message):
     """The message nav2_msgs/srv/LoadMap_Response."""
 
+    __module__ = _module("_load_map")
     _TYPE_NAME = "nav2_msgs/srv/LoadMap_Response"
     _TYPE_HASH = "RIHS01_65d8d760c5a0a14cee1a761372ad99d0b163e6d5400a0c55c20fe8d7e38a05c0"
     _FIELDS = {"map": "nav_msgs/msg/OccupancyGrid", "result": "uint8"}
@@ -503,6 +540,7 @@ class LoadMap_Response(_Message):
 class LoadMap_Event(_Message):
     """The message nav2_msgs/srv/LoadMap_Event."""
 
+    __module__ = _module("_load_map")
     _TYPE_NAME = "nav2_msgs/srv/LoadMap_Event"
     _TYPE_HASH = "RIHS01_5654b2550ca2c2224d342b7e623c6a27652b99d0f580c8a4074fa7d3d462d2ac"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/srv/LoadMap_Request[<=1]", "response": "nav2_msgs/srv/LoadMap_Response[<=1]"}
@@ -519,6 +557,7 @@ class LoadMap_Event(_Message):
 class LoadMap(_Service[LoadMap_Request, LoadMap_Response]):
     """The service nav2_msgs/srv/LoadMap."""
 
+    __module__ = _module("_load_map")
     _TYPE_NAME = "nav2_msgs/srv/LoadMap"
     _TYPE_HASH = "RIHS01_eb875de5ea9bb394573effc3f239015b19869dd7a8988136768372c6ef907ec1"
     Request: _TypeAlias = LoadMap_Request
@@ -529,6 +568,7 @@ class LoadMap(_Service[LoadMap_Request, LoadMap_Response]):
 class ManageLifecycleNodes_Request(_Message):
     """The message nav2_msgs/srv/ManageLifecycleNodes_Request."""
 
+    __module__ = _module("_manage_lifecycle_nodes")
     _TYPE_NAME = "nav2_msgs/srv/ManageLifecycleNodes_Request"
     _TYPE_HASH = "RIHS01_927841759575a5565b3d879a58fd035a5a69e9fdf3365c02b33cc9ad03a7a227"
     _FIELDS = {"command": "uint8"}
@@ -550,6 +590,7 @@ class ManageLifecycleNodes_Request(_Message):
 class ManageLifecycleNodes_Response(_Message):
     """The message nav2_msgs/srv/ManageLifecycleNodes_Response."""
 
+    __module__ = _module("_manage_lifecycle_nodes")
     _TYPE_NAME = "nav2_msgs/srv/ManageLifecycleNodes_Response"
     _TYPE_HASH = "RIHS01_3ab0ddcbe7307ad89c089d1a8749030929efc63c22ec506faf11440ec2f5c159"
     _FIELDS = {"success": "bool"}
@@ -564,6 +605,7 @@ class ManageLifecycleNodes_Response(_Message):
 class ManageLifecycleNodes_Event(_Message):
     """The message nav2_msgs/srv/ManageLifecycleNodes_Event."""
 
+    __module__ = _module("_manage_lifecycle_nodes")
     _TYPE_NAME = "nav2_msgs/srv/ManageLifecycleNodes_Event"
     _TYPE_HASH = "RIHS01_7994eca43a9b173a41fd1abb989a0628fe46d4a5faeca62ddde978312ffc212e"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/srv/ManageLifecycleNodes_Request[<=1]", "response": "nav2_msgs/srv/ManageLifecycleNodes_Response[<=1]"}
@@ -580,6 +622,7 @@ class ManageLifecycleNodes_Event(_Message):
 class ManageLifecycleNodes(_Service[ManageLifecycleNodes_Request, ManageLifecycleNodes_Response]):
     """The service nav2_msgs/srv/ManageLifecycleNodes."""
 
+    __module__ = _module("_manage_lifecycle_nodes")
     _TYPE_NAME = "nav2_msgs/srv/ManageLifecycleNodes"
     _TYPE_HASH = "RIHS01_1850f4f677251bb8f7744e3c0a87ef4f66c205e2f8740a8330251af7d1804460"
     Request: _TypeAlias = ManageLifecycleNodes_Request
@@ -590,6 +633,7 @@ class ManageLifecycleNodes(_Service[ManageLifecycleNodes_Request, ManageLifecycl
 class ReloadDockDatabase_Request(_Message):
     """The message nav2_msgs/srv/ReloadDockDatabase_Request."""
 
+    __module__ = _module("_reload_dock_database")
     _TYPE_NAME = "nav2_msgs/srv/ReloadDockDatabase_Request"
     _TYPE_HASH = "RIHS01_bb663832b1ffb4deeb0451077ef71a7049d86f0819d21f031c2cb75696a8b75e"
     _FIELDS = {"filepath": "string"}
@@ -604,6 +648,7 @@ class ReloadDockDatabase_Request(_Message):
 class ReloadDockDatabase_Response(_Message):
     """The message nav2_msgs/srv/ReloadDockDatabase_Response."""
 
+    __module__ = _module("_reload_dock_database")
     _TYPE_NAME = "nav2_msgs/srv/ReloadDockDatabase_Response"
     _TYPE_HASH = "RIHS01_cdbc3dcb8f31faefe8b862c6f24dadf763d93d58ccfdacc1b0ee06ac0a6a7310"
     _FIELDS = {"success": "bool"}
@@ -618,6 +663,7 @@ class ReloadDockDatabase_Response(_Message):
 class ReloadDockDatabase_Event(_Message):
     """The message nav2_msgs/srv/ReloadDockDatabase_Event."""
 
+    __module__ = _module("_reload_dock_database")
     _TYPE_NAME = "nav2_msgs/srv/ReloadDockDatabase_Event"
     _TYPE_HASH = "RIHS01_836c0c23ffc46e88c703b205fb7127198a120a1c877872d822fcbe142b3117ff"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/srv/ReloadDockDatabase_Request[<=1]", "response": "nav2_msgs/srv/ReloadDockDatabase_Response[<=1]"}
@@ -634,6 +680,7 @@ class ReloadDockDatabase_Event(_Message):
 class ReloadDockDatabase(_Service[ReloadDockDatabase_Request, ReloadDockDatabase_Response]):
     """The service nav2_msgs/srv/ReloadDockDatabase."""
 
+    __module__ = _module("_reload_dock_database")
     _TYPE_NAME = "nav2_msgs/srv/ReloadDockDatabase"
     _TYPE_HASH = "RIHS01_3fa9aa056bcc0dfcd10dbd1f61a215f600c82db832dccfdd98e55cf27ad502e6"
     Request: _TypeAlias = ReloadDockDatabase_Request
@@ -644,6 +691,7 @@ class ReloadDockDatabase(_Service[ReloadDockDatabase_Request, ReloadDockDatabase
 class SaveMap_Request(_Message):
     """The message nav2_msgs/srv/SaveMap_Request."""
 
+    __module__ = _module("_save_map")
     _TYPE_NAME = "nav2_msgs/srv/SaveMap_Request"
     _TYPE_HASH = "RIHS01_fe1a2f779cded53a2557c79c7071c7c5660ecc1b28c376269828a51341f71fe5"
     _FIELDS = {"map_topic": "string", "map_url": "string", "image_format": "string", "map_mode": "string", "free_thresh": "float32", "occupied_thresh": "float32"}
@@ -663,6 +711,7 @@ class SaveMap_Request(_Message):
 class SaveMap_Response(_Message):
     """The message nav2_msgs/srv/SaveMap_Response."""
 
+    __module__ = _module("_save_map")
     _TYPE_NAME = "nav2_msgs/srv/SaveMap_Response"
     _TYPE_HASH = "RIHS01_bdd0b25c769f096bcde88c98b23ae612c8f70ab770f57014884412ff41fe0f88"
     _FIELDS = {"result": "bool"}
@@ -677,6 +726,7 @@ class SaveMap_Response(_Message):
 class SaveMap_Event(_Message):
     """The message nav2_msgs/srv/SaveMap_Event."""
 
+    __module__ = _module("_save_map")
     _TYPE_NAME = "nav2_msgs/srv/SaveMap_Event"
     _TYPE_HASH = "RIHS01_d4e605648a9d54bbf742236dec8ae4cb6ac3eab14b47f83e08d0d1ca056059f6"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/srv/SaveMap_Request[<=1]", "response": "nav2_msgs/srv/SaveMap_Response[<=1]"}
@@ -693,6 +743,7 @@ class SaveMap_Event(_Message):
 class SaveMap(_Service[SaveMap_Request, SaveMap_Response]):
     """The service nav2_msgs/srv/SaveMap."""
 
+    __module__ = _module("_save_map")
     _TYPE_NAME = "nav2_msgs/srv/SaveMap"
     _TYPE_HASH = "RIHS01_fd31bfe2c69b4e15bf86155148940d27d762296b058bda8d450a7f38b6c557e7"
     Request: _TypeAlias = SaveMap_Request
@@ -703,6 +754,7 @@ class SaveMap(_Service[SaveMap_Request, SaveMap_Response]):
 class SetInitialPose_Request(_Message):
     """The message nav2_msgs/srv/SetInitialPose_Request."""
 
+    __module__ = _module("_set_initial_pose")
     _TYPE_NAME = "nav2_msgs/srv/SetInitialPose_Request"
     _TYPE_HASH = "RIHS01_a1e5b4edfd483c6156bfc7f529da1e60e21b6ca6def1d607b3d0097ccd4c307e"
     _FIELDS = {"pose": "geometry_msgs/msg/PoseWithCovarianceStamped"}
@@ -717,6 +769,7 @@ class SetInitialPose_Request(_Message):
 class SetInitialPose_Response(_Message):
     """The message nav2_msgs/srv/SetInitialPose_Response."""
 
+    __module__ = _module("_set_initial_pose")
     _TYPE_NAME = "nav2_msgs/srv/SetInitialPose_Response"
     _TYPE_HASH = "RIHS01_f6ef1209a86ec59107b4000c03860ef4c4ba3e60d6be0c66140a3c4373b6203a"
     _FIELDS = {}
@@ -730,6 +783,7 @@ class SetInitialPose_Response(_Message):
 class SetInitialPose_Event(_Message):
     """The message nav2_msgs/srv/SetInitialPose_Event."""
 
+    __module__ = _module("_set_initial_pose")
     _TYPE_NAME = "nav2_msgs/srv/SetInitialPose_Event"
     _TYPE_HASH = "RIHS01_a21927a148445d883e59555a9ddb733d8e241f9c52f6d2232cd34478c65dc651"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/srv/SetInitialPose_Request[<=1]", "response": "nav2_msgs/srv/SetInitialPose_Response[<=1]"}
@@ -746,6 +800,7 @@ class SetInitialPose_Event(_Message):
 class SetInitialPose(_Service[SetInitialPose_Request, SetInitialPose_Response]):
     """The service nav2_msgs/srv/SetInitialPose."""
 
+    __module__ = _module("_set_initial_pose")
     _TYPE_NAME = "nav2_msgs/srv/SetInitialPose"
     _TYPE_HASH = "RIHS01_1f818551d505d16d89c8bf9b07121a6408de4408b7889dfda9a0db326c296153"
     Request: _TypeAlias = SetInitialPose_Request
@@ -756,6 +811,7 @@ class SetInitialPose(_Service[SetInitialPose_Request, SetInitialPose_Response]):
 class SetRouteGraph_Request(_Message):
     """The message nav2_msgs/srv/SetRouteGraph_Request."""
 
+    __module__ = _module("_set_route_graph")
     _TYPE_NAME = "nav2_msgs/srv/SetRouteGraph_Request"
     _TYPE_HASH = "RIHS01_7ad5419e6d1382ba770f7c0b0aa72f155feb26c6ab243e1d407879f2262acc81"
     _FIELDS = {"graph_filepath": "string"}
@@ -770,6 +826,7 @@ class SetRouteGraph_Request(_Message):
 class SetRouteGraph_Response(_Message):
     """The message nav2_msgs/srv/SetRouteGraph_Response."""
 
+    __module__ = _module("_set_route_graph")
     _TYPE_NAME = "nav2_msgs/srv/SetRouteGraph_Response"
     _TYPE_HASH = "RIHS01_b47bda8229261aae8772dab16cf17215fa2de04cbd3fa5da2727017f4ac077d9"
     _FIELDS = {"success": "bool"}
@@ -784,6 +841,7 @@ class SetRouteGraph_Response(_Message):
 class SetRouteGraph_Event(_Message):
     """The message nav2_msgs/srv/SetRouteGraph_Event."""
 
+    __module__ = _module("_set_route_graph")
     _TYPE_NAME = "nav2_msgs/srv/SetRouteGraph_Event"
     _TYPE_HASH = "RIHS01_09ee2efd45cd41ebfa1dca8517f9e5839843c1301a57ae77f2cad205b05290ff"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/srv/SetRouteGraph_Request[<=1]", "response": "nav2_msgs/srv/SetRouteGraph_Response[<=1]"}
@@ -800,6 +858,7 @@ class SetRouteGraph_Event(_Message):
 class SetRouteGraph(_Service[SetRouteGraph_Request, SetRouteGraph_Response]):
     """The service nav2_msgs/srv/SetRouteGraph."""
 
+    __module__ = _module("_set_route_graph")
     _TYPE_NAME = "nav2_msgs/srv/SetRouteGraph"
     _TYPE_HASH = "RIHS01_7bc1e20b3457e7e9d44cbc512e0d68d0658657379a56e8112f489e8f96eacd0e"
     Request: _TypeAlias = SetRouteGraph_Request
@@ -810,6 +869,7 @@ class SetRouteGraph(_Service[SetRouteGraph_Request, SetRouteGraph_Response]):
 class Toggle_Request(_Message):
     """The message nav2_msgs/srv/Toggle_Request."""
 
+    __module__ = _module("_toggle")
     _TYPE_NAME = "nav2_msgs/srv/Toggle_Request"
     _TYPE_HASH = "RIHS01_cfab1b7d178e141328aac9d82dd02397edff337776265d19a23f2c2d0ee1134d"
     _FIELDS = {"enable": "bool"}
@@ -824,6 +884,7 @@ class Toggle_Request(_Message):
 class Toggle_Response(_Message):
     """The message nav2_msgs/srv/Toggle_Response."""
 
+    __module__ = _module("_toggle")
     _TYPE_NAME = "nav2_msgs/srv/Toggle_Response"
     _TYPE_HASH = "RIHS01_0592b15505fa7165ad556e510700210a341d1a9bab872012fa7f3c861c778e26"
     _FIELDS = {"success": "bool", "message": "string"}
@@ -839,6 +900,7 @@ class Toggle_Response(_Message):
 class Toggle_Event(_Message):
     """The message nav2_msgs/srv/Toggle_Event."""
 
+    __module__ = _module("_toggle")
     _TYPE_NAME = "nav2_msgs/srv/Toggle_Event"
     _TYPE_HASH = "RIHS01_903275e1353b24261c21b1a70cbf2df38f322cb81d42a293416df559c6d23ebd"
     _FIELDS = {"info": "service_msgs/msg/ServiceEventInfo", "request": "nav2_msgs/srv/Toggle_Request[<=1]", "response": "nav2_msgs/srv/Toggle_Response[<=1]"}
@@ -855,6 +917,7 @@ class Toggle_Event(_Message):
 class Toggle(_Service[Toggle_Request, Toggle_Response]):
     """The service nav2_msgs/srv/Toggle."""
 
+    __module__ = _module("_toggle")
     _TYPE_NAME = "nav2_msgs/srv/Toggle"
     _TYPE_HASH = "RIHS01_b2bdc685d2421a1d0151247de7cdfde358ae2b5f4826a6f4b57128c1d0c3f13c"
     Request: _TypeAlias = Toggle_Request

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tfloom.rosidl.class_modules import modules_of as _modules_of
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
@@ -11,10 +12,13 @@ if TYPE_CHECKING:
 
 __all__ = ["BoundingBox2D", "BoundingBox2DArray", "BoundingBox3D", "BoundingBox3DArray", "Classification", "Detection2D", "Detection2DArray", "Detection3D", "Detection3DArray", "LabelInfo", "ObjectHypothesis", "ObjectHypothesisWithPose", "Point2D", "Pose2D", "VisionClass", "VisionInfo"]
 
+_module = _modules_of(__name__, __file__)
+
 
 class BoundingBox2D(_Message):
     """The message vision_msgs/msg/BoundingBox2D."""
 
+    __module__ = _module("_bounding_box2_d")
     _TYPE_NAME = "vision_msgs/msg/BoundingBox2D"
     _TYPE_HASH = "RIHS01_008eacbb0cf8f26e83795547bed013eec3675485ef386ec056d80eaaf1c1ce2f"
     _FIELDS = {"center": "vision_msgs/msg/Pose2D", "size_x": "float64", "size_y": "float64"}
@@ -31,6 +35,7 @@ class BoundingBox2D(_Message):
 class BoundingBox2DArray(_Message):
     """The message vision_msgs/msg/BoundingBox2DArray."""
 
+    __module__ = _module("_bounding_box2_d_array")
     _TYPE_NAME = "vision_msgs/msg/BoundingBox2DArray"
     _TYPE_HASH = "RIHS01_2464e82838009386d371b523211c21c91d74d313fcdd6788223c531d621cf691"
     _FIELDS = {"header": "std_msgs/msg/Header", "boxes": "vision_msgs/msg/BoundingBox2D[]"}
@@ -46,6 +51,7 @@ class BoundingBox2DArray(_Message):
 class BoundingBox3D(_Message):
     """The message vision_msgs/msg/BoundingBox3D."""
 
+    __module__ = _module("_bounding_box3_d")
     _TYPE_NAME = "vision_msgs/msg/BoundingBox3D"
     _TYPE_HASH = "RIHS01_bbb73a65c163d7f9bb29009c7bde9f7faa576bd2d23299c4511d19230dab4698"
     _FIELDS = {"center": "geometry_msgs/msg/Pose", "size": "geometry_msgs/msg/Vector3"}
@@ -61,6 +67,7 @@ class BoundingBox3D(_Message):
 class BoundingBox3DArray(_Message):
     """The message vision_msgs/msg/BoundingBox3DArray."""
 
+    __module__ = _module("_bounding_box3_d_array")
     _TYPE_NAME = "vision_msgs/msg/BoundingBox3DArray"
     _TYPE_HASH = "RIHS01_a81938db9576b10c2eecd7c5a5da3eac496efd00221b25ed051dfbc81fb56da6"
     _FIELDS = {"header": "std_msgs/msg/Header", "boxes": "vision_msgs/msg/BoundingBox3D[]"}
@@ -76,6 +83,7 @@ class BoundingBox3DArray(_Message):
 class Classification(_Message):
     """The message vision_msgs/msg/Classification."""
 
+    __module__ = _module("_classification")
     _TYPE_NAME = "vision_msgs/msg/Classification"
     _TYPE_HASH = "RIHS01_f74db28d0eaef3afb78f48bf2161cd709a1383a0309d3454383b25be11345143"
     _FIELDS = {"header": "std_msgs/msg/Header", "results": "vision_msgs/msg/ObjectHypothesis[]"}
@@ -91,6 +99,7 @@ class Classification(_Message):
 class Detection2D(_Message):
     """The message vision_msgs/msg/Detection2D."""
 
+    __module__ = _module("_detection2_d")
     _TYPE_NAME = "vision_msgs/msg/Detection2D"
     _TYPE_HASH = "RIHS01_0d12b69df5c593b3455b7346fac8205437a7d4bcb09b9e0e0b2dde787ded38ea"
     _FIELDS = {"header": "std_msgs/msg/Header", "results": "vision_msgs/msg/ObjectHypothesisWithPose[]", "bbox": "vision_msgs/msg/BoundingBox2D", "id": "string"}
@@ -108,6 +117,7 @@ class Detection2D(_Message):
 class Detection2DArray(_Message):
     """The message vision_msgs/msg/Detection2DArray."""
 
+    __module__ = _module("_detection2_d_array")
     _TYPE_NAME = "vision_msgs/msg/Detection2DArray"
     _TYPE_HASH = "RIHS01_214274120007f4a683866481336b70310268cfa107aebe9d594a6acf75bda968"
     _FIELDS = {"header": "std_msgs/msg/Header", "detections": "vision_msgs/msg/Detection2D[]"}
@@ -123,6 +133,7 @@ class Detection2DArray(_Message):
 class Detection3D(_Message):
     """The message vision_msgs/msg/Detection3D."""
 
+    __module__ = _module("_detection3_d")
     _TYPE_NAME = "vision_msgs/msg/Detection3D"
     _TYPE_HASH = "RIHS01_ddd703be132ab0b69d33121f1bb034132bfbb3b0ac5f9fb1516005ba1c8a265b"
     _FIELDS = {"header": "std_msgs/msg/Header", "results": "vision_msgs/msg/ObjectHypothesisWithPose[]", "bbox": "vision_msgs/msg/BoundingBox3D", "id": "string"}
@@ -140,6 +151,7 @@ class Detection3D(_Message):
 class Detection3DArray(_Message):
     """The message vision_msgs/msg/Detection3DArray."""
 
+    __module__ = _module("_detection3_d_array")
     _TYPE_NAME = "vision_msgs/msg/Detection3DArray"
     _TYPE_HASH = "RIHS01_793f5eab9595ac1c0da07873cc859db42eae51f0ee76056db8562515d830e018"
     _FIELDS = {"header": "std_msgs/msg/Header", "detections": "vision_msgs/msg/Detection3D[]"}
@@ -155,6 +167,7 @@ class Detection3DArray(_Message):
 class LabelInfo(_Message):
     """The message vision_msgs/msg/LabelInfo."""
 
+    __module__ = _module("_label_info")
     _TYPE_NAME = "vision_msgs/msg/LabelInfo"
     _TYPE_HASH = "RIHS01_3d37df4015cdf660cc851c51897f2acd957e1ca6205ba0a99aebffb9406b0783"
     _FIELDS = {"header": "std_msgs/msg/Header", "class_map": "vision_msgs/msg/VisionClass[]", "threshold": "float32"}
@@ -171,6 +184,7 @@ class LabelInfo(_Message):
 class ObjectHypothesis(_Message):
     """The message vision_msgs/msg/ObjectHypothesis."""
 
+    __module__ = _module("_object_hypothesis")
     _TYPE_NAME = "vision_msgs/msg/ObjectHypothesis"
     _TYPE_HASH = "RIHS01_51da43cec11c01957a64d1e05a24acd18aae7745ec30b74348ad5f6d634f7f90"
     _FIELDS = {"class_id": "string", "score": "float64"}
@@ -186,6 +200,7 @@ class ObjectHypothesis(_Message):
 class ObjectHypothesisWithPose(_Message):
     """The message vision_msgs/msg/ObjectHypothesisWithPose."""
 
+    __module__ = _module("_object_hypothesis_with_pose")
     _TYPE_NAME = "vision_msgs/msg/ObjectHypothesisWithPose"
     _TYPE_HASH = "RIHS01_41c12344c0396c48b81df12467c192d99b2a0eb1463c5c37194e4223251c80bc"
     _FIELDS = {"hypothesis": "vision_msgs/msg/ObjectHypothesis", "pose": "geometry_msgs/msg/PoseWithCovariance"}
@@ -201,6 +216,7 @@ class ObjectHypothesisWithPose(_Message):
 class Point2D(_Message):
     """The message vision_msgs/msg/Point2D."""
 
+    __module__ = _module("_point2_d")
     _TYPE_NAME = "vision_msgs/msg/Point2D"
     _TYPE_HASH = "RIHS01_eab0e83f44ab4de92ceaf76dd7d0e7638f2bdd1d16ffbe16c7a136c48e407247"
     _FIELDS = {"x": "float64", "y": "float64"}
@@ -216,6 +232,7 @@ class Point2D(_Message):
 class Pose2D(_Message):
     """The message vision_msgs/msg/Pose2D."""
 
+    __module__ = _module("_pose2_d")
     _TYPE_NAME = "vision_msgs/msg/Pose2D"
     _TYPE_HASH = "RIHS01_b0b5d1d7b4c20dd4fcde3ed1d4b289a919290572007d67a97043814db25d3648"
     _FIELDS = {"position": "vision_msgs/msg/Point2D", "theta": "float64"}
@@ -231,6 +248,7 @@ class Pose2D(_Message):
 class VisionClass(_Message):
     """The message vision_msgs/msg/VisionClass."""
 
+    __module__ = _module("_vision_class")
     _TYPE_NAME = "vision_msgs/msg/VisionClass"
     _TYPE_HASH = "RIHS01_1e4a11f0fed50b5623cb8ff26ca0e37952a48a9c074d16f804b44e9164c2037a"
     _FIELDS = {"class_id": "uint16", "class_name": "string"}
@@ -246,6 +264,7 @@ class VisionClass(_Message):
 class VisionInfo(_Message):
     """The message vision_msgs/msg/VisionInfo."""
 
+    __module__ = _module("_vision_info")
     _TYPE_NAME = "vision_msgs/msg/VisionInfo"
     _TYPE_HASH = "RIHS01_95d3116a17484ad91c9a2686e1d54890bbfc3ff6c6a2de137738c4950d45d284"
     _FIELDS = {"header": "std_msgs/msg/Header", "method": "string", "database_location": "string", "database_version": "int32"}

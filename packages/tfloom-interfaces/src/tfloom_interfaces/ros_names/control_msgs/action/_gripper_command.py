@@ -1,0 +1,30 @@
+"""The classes of control_msgs/action/GripperCommand, for type checkers: `tfloom.rosidl.class_modules` makes the module."""
+
+from tfloom_interfaces.interfaces.control_msgs.action import GripperCommand as GripperCommand
+from tfloom_interfaces.interfaces.control_msgs.action import GripperCommand_Feedback as GripperCommand_Feedback
+from tfloom_interfaces.interfaces.control_msgs.action import GripperCommand_FeedbackMessage as GripperCommand_FeedbackMessage
+from tfloom_interfaces.interfaces.control_msgs.action import GripperCommand_GetResult as GripperCommand_GetResult
+from tfloom_interfaces.interfaces.control_msgs.action import GripperCommand_GetResult_Event as GripperCommand_GetResult_Event
+from tfloom_interfaces.interfaces.control_msgs.action import GripperCommand_GetResult_Request as GripperCommand_GetResult_Request
+from tfloom_interfaces.interfaces.control_msgs.action import GripperCommand_GetResult_Response as GripperCommand_GetResult_Response
+from tfloom_interfaces.interfaces.control_msgs.action import GripperCommand_Goal as GripperCommand_Goal
+from tfloom_interfaces.interfaces.control_msgs.action import GripperCommand_Result as GripperCommand_Result
+from tfloom_interfaces.interfaces.control_msgs.action import GripperCommand_SendGoal as GripperCommand_SendGoal
+from tfloom_interfaces.interfaces.control_msgs.action import GripperCommand_SendGoal_Event as GripperCommand_SendGoal_Event
+from tfloom_interfaces.interfaces.control_msgs.action import GripperCommand_SendGoal_Request as GripperCommand_SendGoal_Request
+from tfloom_interfaces.interfaces.control_msgs.action import GripperCommand_SendGoal_Response as GripperCommand_SendGoal_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_GripperCommand
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_GripperCommand_Feedback
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_GripperCommand_FeedbackMessage
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_GripperCommand_GetResult
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_GripperCommand_GetResult_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_GripperCommand_GetResult_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_GripperCommand_GetResult_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_GripperCommand_Goal
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_GripperCommand_Result
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_GripperCommand_SendGoal
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_GripperCommand_SendGoal_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_GripperCommand_SendGoal_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_GripperCommand_SendGoal_Response
+
+__all__ = ["Metaclass_GripperCommand", "Metaclass_GripperCommand_Feedback", "Metaclass_GripperCommand_FeedbackMessage", "Metaclass_GripperCommand_GetResult", "Metaclass_GripperCommand_GetResult_Event", "Metaclass_GripperCommand_GetResult_Request", "Metaclass_GripperCommand_GetResult_Response", "Metaclass_GripperCommand_Goal", "Metaclass_GripperCommand_Result", "Metaclass_GripperCommand_SendGoal", "Metaclass_GripperCommand_SendGoal_Event", "Metaclass_GripperCommand_SendGoal_Request", "Metaclass_GripperCommand_SendGoal_Response", "GripperCommand", "GripperCommand_Feedback", "GripperCommand_FeedbackMessage", "GripperCommand_GetResult", "GripperCommand_GetResult_Event", "GripperCommand_GetResult_Request", "GripperCommand_GetResult_Response", "GripperCommand_Goal", "GripperCommand_Result", "GripperCommand_SendGoal", "GripperCommand_SendGoal_Event", "GripperCommand_SendGoal_Request", "GripperCommand_SendGoal_Response"]

@@ -1,0 +1,30 @@
+"""The classes of control_msgs/action/JointTrajectory, for type checkers: `tfloom.rosidl.class_modules` makes the module."""
+
+from tfloom_interfaces.interfaces.control_msgs.action import JointTrajectory as JointTrajectory
+from tfloom_interfaces.interfaces.control_msgs.action import JointTrajectory_Feedback as JointTrajectory_Feedback
+from tfloom_interfaces.interfaces.control_msgs.action import JointTrajectory_FeedbackMessage as JointTrajectory_FeedbackMessage
+from tfloom_interfaces.interfaces.control_msgs.action import JointTrajectory_GetResult as JointTrajectory_GetResult
+from tfloom_interfaces.interfaces.control_msgs.action import JointTrajectory_GetResult_Event as JointTrajectory_GetResult_Event
+from tfloom_interfaces.interfaces.control_msgs.action import JointTrajectory_GetResult_Request as JointTrajectory_GetResult_Request
+from tfloom_interfaces.interfaces.control_msgs.action import JointTrajectory_GetResult_Response as JointTrajectory_GetResult_Response
+from tfloom_interfaces.interfaces.control_msgs.action import JointTrajectory_Goal as JointTrajectory_Goal
+from tfloom_interfaces.interfaces.control_msgs.action import JointTrajectory_Result as JointTrajectory_Result
+from tfloom_interfaces.interfaces.control_msgs.action import JointTrajectory_SendGoal as JointTrajectory_SendGoal
+from tfloom_interfaces.interfaces.control_msgs.action import JointTrajectory_SendGoal_Event as JointTrajectory_SendGoal_Event
+from tfloom_interfaces.interfaces.control_msgs.action import JointTrajectory_SendGoal_Request as JointTrajectory_SendGoal_Request
+from tfloom_interfaces.interfaces.control_msgs.action import JointTrajectory_SendGoal_Response as JointTrajectory_SendGoal_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_JointTrajectory
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_JointTrajectory_Feedback
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_JointTrajectory_FeedbackMessage
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_JointTrajectory_GetResult
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_JointTrajectory_GetResult_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_JointTrajectory_GetResult_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_JointTrajectory_GetResult_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_JointTrajectory_Goal
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_JointTrajectory_Result
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_JointTrajectory_SendGoal
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_JointTrajectory_SendGoal_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_JointTrajectory_SendGoal_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_JointTrajectory_SendGoal_Response
+
+__all__ = ["Metaclass_JointTrajectory", "Metaclass_JointTrajectory_Feedback", "Metaclass_JointTrajectory_FeedbackMessage", "Metaclass_JointTrajectory_GetResult", "Metaclass_JointTrajectory_GetResult_Event", "Metaclass_JointTrajectory_GetResult_Request", "Metaclass_JointTrajectory_GetResult_Response", "Metaclass_JointTrajectory_Goal", "Metaclass_JointTrajectory_Result", "Metaclass_JointTrajectory_SendGoal", "Metaclass_JointTrajectory_SendGoal_Event", "Metaclass_JointTrajectory_SendGoal_Request", "Metaclass_JointTrajectory_SendGoal_Response", "JointTrajectory", "JointTrajectory_Feedback", "JointTrajectory_FeedbackMessage", "JointTrajectory_GetResult", "JointTrajectory_GetResult_Event", "JointTrajectory_GetResult_Request", "JointTrajectory_GetResult_Response", "JointTrajectory_Goal", "JointTrajectory_Result", "JointTrajectory_SendGoal", "JointTrajectory_SendGoal_Event", "JointTrajectory_SendGoal_Request", "JointTrajectory_SendGoal_Response"]

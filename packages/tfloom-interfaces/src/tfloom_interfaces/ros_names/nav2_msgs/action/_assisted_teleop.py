@@ -1,0 +1,30 @@
+"""The classes of nav2_msgs/action/AssistedTeleop, for type checkers: `tfloom.rosidl.class_modules` makes the module."""
+
+from tfloom_interfaces.interfaces.nav2_msgs.action import AssistedTeleop as AssistedTeleop
+from tfloom_interfaces.interfaces.nav2_msgs.action import AssistedTeleop_Feedback as AssistedTeleop_Feedback
+from tfloom_interfaces.interfaces.nav2_msgs.action import AssistedTeleop_FeedbackMessage as AssistedTeleop_FeedbackMessage
+from tfloom_interfaces.interfaces.nav2_msgs.action import AssistedTeleop_GetResult as AssistedTeleop_GetResult
+from tfloom_interfaces.interfaces.nav2_msgs.action import AssistedTeleop_GetResult_Event as AssistedTeleop_GetResult_Event
+from tfloom_interfaces.interfaces.nav2_msgs.action import AssistedTeleop_GetResult_Request as AssistedTeleop_GetResult_Request
+from tfloom_interfaces.interfaces.nav2_msgs.action import AssistedTeleop_GetResult_Response as AssistedTeleop_GetResult_Response
+from tfloom_interfaces.interfaces.nav2_msgs.action import AssistedTeleop_Goal as AssistedTeleop_Goal
+from tfloom_interfaces.interfaces.nav2_msgs.action import AssistedTeleop_Result as AssistedTeleop_Result
+from tfloom_interfaces.interfaces.nav2_msgs.action import AssistedTeleop_SendGoal as AssistedTeleop_SendGoal
+from tfloom_interfaces.interfaces.nav2_msgs.action import AssistedTeleop_SendGoal_Event as AssistedTeleop_SendGoal_Event
+from tfloom_interfaces.interfaces.nav2_msgs.action import AssistedTeleop_SendGoal_Request as AssistedTeleop_SendGoal_Request
+from tfloom_interfaces.interfaces.nav2_msgs.action import AssistedTeleop_SendGoal_Response as AssistedTeleop_SendGoal_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_AssistedTeleop
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_AssistedTeleop_Feedback
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_AssistedTeleop_FeedbackMessage
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_AssistedTeleop_GetResult
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_AssistedTeleop_GetResult_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_AssistedTeleop_GetResult_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_AssistedTeleop_GetResult_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_AssistedTeleop_Goal
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_AssistedTeleop_Result
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_AssistedTeleop_SendGoal
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_AssistedTeleop_SendGoal_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_AssistedTeleop_SendGoal_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_AssistedTeleop_SendGoal_Response
+
+__all__ = ["Metaclass_AssistedTeleop", "Metaclass_AssistedTeleop_Feedback", "Metaclass_AssistedTeleop_FeedbackMessage", "Metaclass_AssistedTeleop_GetResult", "Metaclass_AssistedTeleop_GetResult_Event", "Metaclass_AssistedTeleop_GetResult_Request", "Metaclass_AssistedTeleop_GetResult_Response", "Metaclass_AssistedTeleop_Goal", "Metaclass_AssistedTeleop_Result", "Metaclass_AssistedTeleop_SendGoal", "Metaclass_AssistedTeleop_SendGoal_Event", "Metaclass_AssistedTeleop_SendGoal_Request", "Metaclass_AssistedTeleop_SendGoal_Response", "AssistedTeleop", "AssistedTeleop_Feedback", "AssistedTeleop_FeedbackMessage", "AssistedTeleop_GetResult", "AssistedTeleop_GetResult_Event", "AssistedTeleop_GetResult_Request", "AssistedTeleop_GetResult_Response", "AssistedTeleop_Goal", "AssistedTeleop_Result", "AssistedTeleop_SendGoal", "AssistedTeleop_SendGoal_Event", "AssistedTeleop_SendGoal_Request", "AssistedTeleop_SendGoal_Response"]

@@ -1,0 +1,30 @@
+"""The classes of nav2_msgs/action/ComputePathToPose, for type checkers: `tfloom.rosidl.class_modules` makes the module."""
+
+from tfloom_interfaces.interfaces.nav2_msgs.action import ComputePathToPose as ComputePathToPose
+from tfloom_interfaces.interfaces.nav2_msgs.action import ComputePathToPose_Feedback as ComputePathToPose_Feedback
+from tfloom_interfaces.interfaces.nav2_msgs.action import ComputePathToPose_FeedbackMessage as ComputePathToPose_FeedbackMessage
+from tfloom_interfaces.interfaces.nav2_msgs.action import ComputePathToPose_GetResult as ComputePathToPose_GetResult
+from tfloom_interfaces.interfaces.nav2_msgs.action import ComputePathToPose_GetResult_Event as ComputePathToPose_GetResult_Event
+from tfloom_interfaces.interfaces.nav2_msgs.action import ComputePathToPose_GetResult_Request as ComputePathToPose_GetResult_Request
+from tfloom_interfaces.interfaces.nav2_msgs.action import ComputePathToPose_GetResult_Response as ComputePathToPose_GetResult_Response
+from tfloom_interfaces.interfaces.nav2_msgs.action import ComputePathToPose_Goal as ComputePathToPose_Goal
+from tfloom_interfaces.interfaces.nav2_msgs.action import ComputePathToPose_Result as ComputePathToPose_Result
+from tfloom_interfaces.interfaces.nav2_msgs.action import ComputePathToPose_SendGoal as ComputePathToPose_SendGoal
+from tfloom_interfaces.interfaces.nav2_msgs.action import ComputePathToPose_SendGoal_Event as ComputePathToPose_SendGoal_Event
+from tfloom_interfaces.interfaces.nav2_msgs.action import ComputePathToPose_SendGoal_Request as ComputePathToPose_SendGoal_Request
+from tfloom_interfaces.interfaces.nav2_msgs.action import ComputePathToPose_SendGoal_Response as ComputePathToPose_SendGoal_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ComputePathToPose
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ComputePathToPose_Feedback
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ComputePathToPose_FeedbackMessage
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ComputePathToPose_GetResult
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ComputePathToPose_GetResult_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ComputePathToPose_GetResult_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ComputePathToPose_GetResult_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ComputePathToPose_Goal
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ComputePathToPose_Result
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ComputePathToPose_SendGoal
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ComputePathToPose_SendGoal_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ComputePathToPose_SendGoal_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ComputePathToPose_SendGoal_Response
+
+__all__ = ["Metaclass_ComputePathToPose", "Metaclass_ComputePathToPose_Feedback", "Metaclass_ComputePathToPose_FeedbackMessage", "Metaclass_ComputePathToPose_GetResult", "Metaclass_ComputePathToPose_GetResult_Event", "Metaclass_ComputePathToPose_GetResult_Request", "Metaclass_ComputePathToPose_GetResult_Response", "Metaclass_ComputePathToPose_Goal", "Metaclass_ComputePathToPose_Result", "Metaclass_ComputePathToPose_SendGoal", "Metaclass_ComputePathToPose_SendGoal_Event", "Metaclass_ComputePathToPose_SendGoal_Request", "Metaclass_ComputePathToPose_SendGoal_Response", "ComputePathToPose", "ComputePathToPose_Feedback", "ComputePathToPose_FeedbackMessage", "ComputePathToPose_GetResult", "ComputePathToPose_GetResult_Event", "ComputePathToPose_GetResult_Request", "ComputePathToPose_GetResult_Response", "ComputePathToPose_Goal", "ComputePathToPose_Result", "ComputePathToPose_SendGoal", "ComputePathToPose_SendGoal_Event", "ComputePathToPose_SendGoal_Request", "ComputePathToPose_SendGoal_Response"]

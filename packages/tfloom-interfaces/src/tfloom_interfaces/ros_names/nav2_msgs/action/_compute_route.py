@@ -1,0 +1,30 @@
+"""The classes of nav2_msgs/action/ComputeRoute, for type checkers: `tfloom.rosidl.class_modules` makes the module."""
+
+from tfloom_interfaces.interfaces.nav2_msgs.action import ComputeRoute as ComputeRoute
+from tfloom_interfaces.interfaces.nav2_msgs.action import ComputeRoute_Feedback as ComputeRoute_Feedback
+from tfloom_interfaces.interfaces.nav2_msgs.action import ComputeRoute_FeedbackMessage as ComputeRoute_FeedbackMessage
+from tfloom_interfaces.interfaces.nav2_msgs.action import ComputeRoute_GetResult as ComputeRoute_GetResult
+from tfloom_interfaces.interfaces.nav2_msgs.action import ComputeRoute_GetResult_Event as ComputeRoute_GetResult_Event
+from tfloom_interfaces.interfaces.nav2_msgs.action import ComputeRoute_GetResult_Request as ComputeRoute_GetResult_Request
+from tfloom_interfaces.interfaces.nav2_msgs.action import ComputeRoute_GetResult_Response as ComputeRoute_GetResult_Response
+from tfloom_interfaces.interfaces.nav2_msgs.action import ComputeRoute_Goal as ComputeRoute_Goal
+from tfloom_interfaces.interfaces.nav2_msgs.action import ComputeRoute_Result as ComputeRoute_Result
+from tfloom_interfaces.interfaces.nav2_msgs.action import ComputeRoute_SendGoal as ComputeRoute_SendGoal
+from tfloom_interfaces.interfaces.nav2_msgs.action import ComputeRoute_SendGoal_Event as ComputeRoute_SendGoal_Event
+from tfloom_interfaces.interfaces.nav2_msgs.action import ComputeRoute_SendGoal_Request as ComputeRoute_SendGoal_Request
+from tfloom_interfaces.interfaces.nav2_msgs.action import ComputeRoute_SendGoal_Response as ComputeRoute_SendGoal_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ComputeRoute
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ComputeRoute_Feedback
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ComputeRoute_FeedbackMessage
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ComputeRoute_GetResult
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ComputeRoute_GetResult_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ComputeRoute_GetResult_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ComputeRoute_GetResult_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ComputeRoute_Goal
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ComputeRoute_Result
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ComputeRoute_SendGoal
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ComputeRoute_SendGoal_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ComputeRoute_SendGoal_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ComputeRoute_SendGoal_Response
+
+__all__ = ["Metaclass_ComputeRoute", "Metaclass_ComputeRoute_Feedback", "Metaclass_ComputeRoute_FeedbackMessage", "Metaclass_ComputeRoute_GetResult", "Metaclass_ComputeRoute_GetResult_Event", "Metaclass_ComputeRoute_GetResult_Request", "Metaclass_ComputeRoute_GetResult_Response", "Metaclass_ComputeRoute_Goal", "Metaclass_ComputeRoute_Result", "Metaclass_ComputeRoute_SendGoal", "Metaclass_ComputeRoute_SendGoal_Event", "Metaclass_ComputeRoute_SendGoal_Request", "Metaclass_ComputeRoute_SendGoal_Response", "ComputeRoute", "ComputeRoute_Feedback", "ComputeRoute_FeedbackMessage", "ComputeRoute_GetResult", "ComputeRoute_GetResult_Event", "ComputeRoute_GetResult_Request", "ComputeRoute_GetResult_Response", "ComputeRoute_Goal", "ComputeRoute_Result", "ComputeRoute_SendGoal", "ComputeRoute_SendGoal_Event", "ComputeRoute_SendGoal_Request", "ComputeRoute_SendGoal_Response"]

@@ -1,0 +1,30 @@
+"""The classes of nav2_msgs/action/DriveOnHeading, for type checkers: `tfloom.rosidl.class_modules` makes the module."""
+
+from tfloom_interfaces.interfaces.nav2_msgs.action import DriveOnHeading as DriveOnHeading
+from tfloom_interfaces.interfaces.nav2_msgs.action import DriveOnHeading_Feedback as DriveOnHeading_Feedback
+from tfloom_interfaces.interfaces.nav2_msgs.action import DriveOnHeading_FeedbackMessage as DriveOnHeading_FeedbackMessage
+from tfloom_interfaces.interfaces.nav2_msgs.action import DriveOnHeading_GetResult as DriveOnHeading_GetResult
+from tfloom_interfaces.interfaces.nav2_msgs.action import DriveOnHeading_GetResult_Event as DriveOnHeading_GetResult_Event
+from tfloom_interfaces.interfaces.nav2_msgs.action import DriveOnHeading_GetResult_Request as DriveOnHeading_GetResult_Request
+from tfloom_interfaces.interfaces.nav2_msgs.action import DriveOnHeading_GetResult_Response as DriveOnHeading_GetResult_Response
+from tfloom_interfaces.interfaces.nav2_msgs.action import DriveOnHeading_Goal as DriveOnHeading_Goal
+from tfloom_interfaces.interfaces.nav2_msgs.action import DriveOnHeading_Result as DriveOnHeading_Result
+from tfloom_interfaces.interfaces.nav2_msgs.action import DriveOnHeading_SendGoal as DriveOnHeading_SendGoal
+from tfloom_interfaces.interfaces.nav2_msgs.action import DriveOnHeading_SendGoal_Event as DriveOnHeading_SendGoal_Event
+from tfloom_interfaces.interfaces.nav2_msgs.action import DriveOnHeading_SendGoal_Request as DriveOnHeading_SendGoal_Request
+from tfloom_interfaces.interfaces.nav2_msgs.action import DriveOnHeading_SendGoal_Response as DriveOnHeading_SendGoal_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_DriveOnHeading
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_DriveOnHeading_Feedback
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_DriveOnHeading_FeedbackMessage
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_DriveOnHeading_GetResult
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_DriveOnHeading_GetResult_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_DriveOnHeading_GetResult_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_DriveOnHeading_GetResult_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_DriveOnHeading_Goal
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_DriveOnHeading_Result
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_DriveOnHeading_SendGoal
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_DriveOnHeading_SendGoal_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_DriveOnHeading_SendGoal_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_DriveOnHeading_SendGoal_Response
+
+__all__ = ["Metaclass_DriveOnHeading", "Metaclass_DriveOnHeading_Feedback", "Metaclass_DriveOnHeading_FeedbackMessage", "Metaclass_DriveOnHeading_GetResult", "Metaclass_DriveOnHeading_GetResult_Event", "Metaclass_DriveOnHeading_GetResult_Request", "Metaclass_DriveOnHeading_GetResult_Response", "Metaclass_DriveOnHeading_Goal", "Metaclass_DriveOnHeading_Result", "Metaclass_DriveOnHeading_SendGoal", "Metaclass_DriveOnHeading_SendGoal_Event", "Metaclass_DriveOnHeading_SendGoal_Request", "Metaclass_DriveOnHeading_SendGoal_Response", "DriveOnHeading", "DriveOnHeading_Feedback", "DriveOnHeading_FeedbackMessage", "DriveOnHeading_GetResult", "DriveOnHeading_GetResult_Event", "DriveOnHeading_GetResult_Request", "DriveOnHeading_GetResult_Response", "DriveOnHeading_Goal", "DriveOnHeading_Result", "DriveOnHeading_SendGoal", "DriveOnHeading_SendGoal_Event", "DriveOnHeading_SendGoal_Request", "DriveOnHeading_SendGoal_Response"]

@@ -1,0 +1,30 @@
+"""The classes of nav2_msgs/action/DummyBehavior, for type checkers: `tfloom.rosidl.class_modules` makes the module."""
+
+from tfloom_interfaces.interfaces.nav2_msgs.action import DummyBehavior as DummyBehavior
+from tfloom_interfaces.interfaces.nav2_msgs.action import DummyBehavior_Feedback as DummyBehavior_Feedback
+from tfloom_interfaces.interfaces.nav2_msgs.action import DummyBehavior_FeedbackMessage as DummyBehavior_FeedbackMessage
+from tfloom_interfaces.interfaces.nav2_msgs.action import DummyBehavior_GetResult as DummyBehavior_GetResult
+from tfloom_interfaces.interfaces.nav2_msgs.action import DummyBehavior_GetResult_Event as DummyBehavior_GetResult_Event
+from tfloom_interfaces.interfaces.nav2_msgs.action import DummyBehavior_GetResult_Request as DummyBehavior_GetResult_Request
+from tfloom_interfaces.interfaces.nav2_msgs.action import DummyBehavior_GetResult_Response as DummyBehavior_GetResult_Response
+from tfloom_interfaces.interfaces.nav2_msgs.action import DummyBehavior_Goal as DummyBehavior_Goal
+from tfloom_interfaces.interfaces.nav2_msgs.action import DummyBehavior_Result as DummyBehavior_Result
+from tfloom_interfaces.interfaces.nav2_msgs.action import DummyBehavior_SendGoal as DummyBehavior_SendGoal
+from tfloom_interfaces.interfaces.nav2_msgs.action import DummyBehavior_SendGoal_Event as DummyBehavior_SendGoal_Event
+from tfloom_interfaces.interfaces.nav2_msgs.action import DummyBehavior_SendGoal_Request as DummyBehavior_SendGoal_Request
+from tfloom_interfaces.interfaces.nav2_msgs.action import DummyBehavior_SendGoal_Response as DummyBehavior_SendGoal_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_DummyBehavior
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_DummyBehavior_Feedback
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_DummyBehavior_FeedbackMessage
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_DummyBehavior_GetResult
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_DummyBehavior_GetResult_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_DummyBehavior_GetResult_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_DummyBehavior_GetResult_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_DummyBehavior_Goal
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_DummyBehavior_Result
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_DummyBehavior_SendGoal
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_DummyBehavior_SendGoal_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_DummyBehavior_SendGoal_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_DummyBehavior_SendGoal_Response
+
+__all__ = ["Metaclass_DummyBehavior", "Metaclass_DummyBehavior_Feedback", "Metaclass_DummyBehavior_FeedbackMessage", "Metaclass_DummyBehavior_GetResult", "Metaclass_DummyBehavior_GetResult_Event", "Metaclass_DummyBehavior_GetResult_Request", "Metaclass_DummyBehavior_GetResult_Response", "Metaclass_DummyBehavior_Goal", "Metaclass_DummyBehavior_Result", "Metaclass_DummyBehavior_SendGoal", "Metaclass_DummyBehavior_SendGoal_Event", "Metaclass_DummyBehavior_SendGoal_Request", "Metaclass_DummyBehavior_SendGoal_Response", "DummyBehavior", "DummyBehavior_Feedback", "DummyBehavior_FeedbackMessage", "DummyBehavior_GetResult", "DummyBehavior_GetResult_Event", "DummyBehavior_GetResult_Request", "DummyBehavior_GetResult_Response", "DummyBehavior_Goal", "DummyBehavior_Result", "DummyBehavior_SendGoal", "DummyBehavior_SendGoal_Event", "DummyBehavior_SendGoal_Request", "DummyBehavior_SendGoal_Response"]

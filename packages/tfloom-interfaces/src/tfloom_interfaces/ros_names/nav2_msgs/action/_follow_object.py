@@ -1,0 +1,30 @@
+"""The classes of nav2_msgs/action/FollowObject, for type checkers: `tfloom.rosidl.class_modules` makes the module."""
+
+from tfloom_interfaces.interfaces.nav2_msgs.action import FollowObject as FollowObject
+from tfloom_interfaces.interfaces.nav2_msgs.action import FollowObject_Feedback as FollowObject_Feedback
+from tfloom_interfaces.interfaces.nav2_msgs.action import FollowObject_FeedbackMessage as FollowObject_FeedbackMessage
+from tfloom_interfaces.interfaces.nav2_msgs.action import FollowObject_GetResult as FollowObject_GetResult
+from tfloom_interfaces.interfaces.nav2_msgs.action import FollowObject_GetResult_Event as FollowObject_GetResult_Event
+from tfloom_interfaces.interfaces.nav2_msgs.action import FollowObject_GetResult_Request as FollowObject_GetResult_Request
+from tfloom_interfaces.interfaces.nav2_msgs.action import FollowObject_GetResult_Response as FollowObject_GetResult_Response
+from tfloom_interfaces.interfaces.nav2_msgs.action import FollowObject_Goal as FollowObject_Goal
+from tfloom_interfaces.interfaces.nav2_msgs.action import FollowObject_Result as FollowObject_Result
+from tfloom_interfaces.interfaces.nav2_msgs.action import FollowObject_SendGoal as FollowObject_SendGoal
+from tfloom_interfaces.interfaces.nav2_msgs.action import FollowObject_SendGoal_Event as FollowObject_SendGoal_Event
+from tfloom_interfaces.interfaces.nav2_msgs.action import FollowObject_SendGoal_Request as FollowObject_SendGoal_Request
+from tfloom_interfaces.interfaces.nav2_msgs.action import FollowObject_SendGoal_Response as FollowObject_SendGoal_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_FollowObject
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_FollowObject_Feedback
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_FollowObject_FeedbackMessage
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_FollowObject_GetResult
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_FollowObject_GetResult_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_FollowObject_GetResult_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_FollowObject_GetResult_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_FollowObject_Goal
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_FollowObject_Result
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_FollowObject_SendGoal
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_FollowObject_SendGoal_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_FollowObject_SendGoal_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_FollowObject_SendGoal_Response
+
+__all__ = ["Metaclass_FollowObject", "Metaclass_FollowObject_Feedback", "Metaclass_FollowObject_FeedbackMessage", "Metaclass_FollowObject_GetResult", "Metaclass_FollowObject_GetResult_Event", "Metaclass_FollowObject_GetResult_Request", "Metaclass_FollowObject_GetResult_Response", "Metaclass_FollowObject_Goal", "Metaclass_FollowObject_Result", "Metaclass_FollowObject_SendGoal", "Metaclass_FollowObject_SendGoal_Event", "Metaclass_FollowObject_SendGoal_Request", "Metaclass_FollowObject_SendGoal_Response", "FollowObject", "FollowObject_Feedback", "FollowObject_FeedbackMessage", "FollowObject_GetResult", "FollowObject_GetResult_Event", "FollowObject_GetResult_Request", "FollowObject_GetResult_Response", "FollowObject_Goal", "FollowObject_Result", "FollowObject_SendGoal", "FollowObject_SendGoal_Event", "FollowObject_SendGoal_Request", "FollowObject_SendGoal_Response"]

@@ -1,0 +1,30 @@
+"""The classes of nav2_msgs/action/FollowWaypoints, for type checkers: `tfloom.rosidl.class_modules` makes the module."""
+
+from tfloom_interfaces.interfaces.nav2_msgs.action import FollowWaypoints as FollowWaypoints
+from tfloom_interfaces.interfaces.nav2_msgs.action import FollowWaypoints_Feedback as FollowWaypoints_Feedback
+from tfloom_interfaces.interfaces.nav2_msgs.action import FollowWaypoints_FeedbackMessage as FollowWaypoints_FeedbackMessage
+from tfloom_interfaces.interfaces.nav2_msgs.action import FollowWaypoints_GetResult as FollowWaypoints_GetResult
+from tfloom_interfaces.interfaces.nav2_msgs.action import FollowWaypoints_GetResult_Event as FollowWaypoints_GetResult_Event
+from tfloom_interfaces.interfaces.nav2_msgs.action import FollowWaypoints_GetResult_Request as FollowWaypoints_GetResult_Request
+from tfloom_interfaces.interfaces.nav2_msgs.action import FollowWaypoints_GetResult_Response as FollowWaypoints_GetResult_Response
+from tfloom_interfaces.interfaces.nav2_msgs.action import FollowWaypoints_Goal as FollowWaypoints_Goal
+from tfloom_interfaces.interfaces.nav2_msgs.action import FollowWaypoints_Result as FollowWaypoints_Result
+from tfloom_interfaces.interfaces.nav2_msgs.action import FollowWaypoints_SendGoal as FollowWaypoints_SendGoal
+from tfloom_interfaces.interfaces.nav2_msgs.action import FollowWaypoints_SendGoal_Event as FollowWaypoints_SendGoal_Event
+from tfloom_interfaces.interfaces.nav2_msgs.action import FollowWaypoints_SendGoal_Request as FollowWaypoints_SendGoal_Request
+from tfloom_interfaces.interfaces.nav2_msgs.action import FollowWaypoints_SendGoal_Response as FollowWaypoints_SendGoal_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_FollowWaypoints
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_FollowWaypoints_Feedback
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_FollowWaypoints_FeedbackMessage
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_FollowWaypoints_GetResult
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_FollowWaypoints_GetResult_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_FollowWaypoints_GetResult_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_FollowWaypoints_GetResult_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_FollowWaypoints_Goal
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_FollowWaypoints_Result
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_FollowWaypoints_SendGoal
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_FollowWaypoints_SendGoal_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_FollowWaypoints_SendGoal_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_FollowWaypoints_SendGoal_Response
+
+__all__ = ["Metaclass_FollowWaypoints", "Metaclass_FollowWaypoints_Feedback", "Metaclass_FollowWaypoints_FeedbackMessage", "Metaclass_FollowWaypoints_GetResult", "Metaclass_FollowWaypoints_GetResult_Event", "Metaclass_FollowWaypoints_GetResult_Request", "Metaclass_FollowWaypoints_GetResult_Response", "Metaclass_FollowWaypoints_Goal", "Metaclass_FollowWaypoints_Result", "Metaclass_FollowWaypoints_SendGoal", "Metaclass_FollowWaypoints_SendGoal_Event", "Metaclass_FollowWaypoints_SendGoal_Request", "Metaclass_FollowWaypoints_SendGoal_Response", "FollowWaypoints", "FollowWaypoints_Feedback", "FollowWaypoints_FeedbackMessage", "FollowWaypoints_GetResult", "FollowWaypoints_GetResult_Event", "FollowWaypoints_GetResult_Request", "FollowWaypoints_GetResult_Response", "FollowWaypoints_Goal", "FollowWaypoints_Result", "FollowWaypoints_SendGoal", "FollowWaypoints_SendGoal_Event", "FollowWaypoints_SendGoal_Request", "FollowWaypoints_SendGoal_Response"]

@@ -1,0 +1,30 @@
+"""The classes of nav2_msgs/action/NavigateToPose, for type checkers: `tfloom.rosidl.class_modules` makes the module."""
+
+from tfloom_interfaces.interfaces.nav2_msgs.action import NavigateToPose as NavigateToPose
+from tfloom_interfaces.interfaces.nav2_msgs.action import NavigateToPose_Feedback as NavigateToPose_Feedback
+from tfloom_interfaces.interfaces.nav2_msgs.action import NavigateToPose_FeedbackMessage as NavigateToPose_FeedbackMessage
+from tfloom_interfaces.interfaces.nav2_msgs.action import NavigateToPose_GetResult as NavigateToPose_GetResult
+from tfloom_interfaces.interfaces.nav2_msgs.action import NavigateToPose_GetResult_Event as NavigateToPose_GetResult_Event
+from tfloom_interfaces.interfaces.nav2_msgs.action import NavigateToPose_GetResult_Request as NavigateToPose_GetResult_Request
+from tfloom_interfaces.interfaces.nav2_msgs.action import NavigateToPose_GetResult_Response as NavigateToPose_GetResult_Response
+from tfloom_interfaces.interfaces.nav2_msgs.action import NavigateToPose_Goal as NavigateToPose_Goal
+from tfloom_interfaces.interfaces.nav2_msgs.action import NavigateToPose_Result as NavigateToPose_Result
+from tfloom_interfaces.interfaces.nav2_msgs.action import NavigateToPose_SendGoal as NavigateToPose_SendGoal
+from tfloom_interfaces.interfaces.nav2_msgs.action import NavigateToPose_SendGoal_Event as NavigateToPose_SendGoal_Event
+from tfloom_interfaces.interfaces.nav2_msgs.action import NavigateToPose_SendGoal_Request as NavigateToPose_SendGoal_Request
+from tfloom_interfaces.interfaces.nav2_msgs.action import NavigateToPose_SendGoal_Response as NavigateToPose_SendGoal_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_NavigateToPose
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_NavigateToPose_Feedback
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_NavigateToPose_FeedbackMessage
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_NavigateToPose_GetResult
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_NavigateToPose_GetResult_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_NavigateToPose_GetResult_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_NavigateToPose_GetResult_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_NavigateToPose_Goal
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_NavigateToPose_Result
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_NavigateToPose_SendGoal
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_NavigateToPose_SendGoal_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_NavigateToPose_SendGoal_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_NavigateToPose_SendGoal_Response
+
+__all__ = ["Metaclass_NavigateToPose", "Metaclass_NavigateToPose_Feedback", "Metaclass_NavigateToPose_FeedbackMessage", "Metaclass_NavigateToPose_GetResult", "Metaclass_NavigateToPose_GetResult_Event", "Metaclass_NavigateToPose_GetResult_Request", "Metaclass_NavigateToPose_GetResult_Response", "Metaclass_NavigateToPose_Goal", "Metaclass_NavigateToPose_Result", "Metaclass_NavigateToPose_SendGoal", "Metaclass_NavigateToPose_SendGoal_Event", "Metaclass_NavigateToPose_SendGoal_Request", "Metaclass_NavigateToPose_SendGoal_Response", "NavigateToPose", "NavigateToPose_Feedback", "NavigateToPose_FeedbackMessage", "NavigateToPose_GetResult", "NavigateToPose_GetResult_Event", "NavigateToPose_GetResult_Request", "NavigateToPose_GetResult_Response", "NavigateToPose_Goal", "NavigateToPose_Result", "NavigateToPose_SendGoal", "NavigateToPose_SendGoal_Event", "NavigateToPose_SendGoal_Request", "NavigateToPose_SendGoal_Response"]

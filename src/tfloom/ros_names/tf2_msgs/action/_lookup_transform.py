@@ -1,0 +1,30 @@
+"""The classes of tf2_msgs/action/LookupTransform, for type checkers: `tfloom.rosidl.class_modules` makes the module."""
+
+from tfloom.interfaces.tf2_msgs.action import LookupTransform as LookupTransform
+from tfloom.interfaces.tf2_msgs.action import LookupTransform_Feedback as LookupTransform_Feedback
+from tfloom.interfaces.tf2_msgs.action import LookupTransform_FeedbackMessage as LookupTransform_FeedbackMessage
+from tfloom.interfaces.tf2_msgs.action import LookupTransform_GetResult as LookupTransform_GetResult
+from tfloom.interfaces.tf2_msgs.action import LookupTransform_GetResult_Event as LookupTransform_GetResult_Event
+from tfloom.interfaces.tf2_msgs.action import LookupTransform_GetResult_Request as LookupTransform_GetResult_Request
+from tfloom.interfaces.tf2_msgs.action import LookupTransform_GetResult_Response as LookupTransform_GetResult_Response
+from tfloom.interfaces.tf2_msgs.action import LookupTransform_Goal as LookupTransform_Goal
+from tfloom.interfaces.tf2_msgs.action import LookupTransform_Result as LookupTransform_Result
+from tfloom.interfaces.tf2_msgs.action import LookupTransform_SendGoal as LookupTransform_SendGoal
+from tfloom.interfaces.tf2_msgs.action import LookupTransform_SendGoal_Event as LookupTransform_SendGoal_Event
+from tfloom.interfaces.tf2_msgs.action import LookupTransform_SendGoal_Request as LookupTransform_SendGoal_Request
+from tfloom.interfaces.tf2_msgs.action import LookupTransform_SendGoal_Response as LookupTransform_SendGoal_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_LookupTransform
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_LookupTransform_Feedback
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_LookupTransform_FeedbackMessage
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_LookupTransform_GetResult
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_LookupTransform_GetResult_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_LookupTransform_GetResult_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_LookupTransform_GetResult_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_LookupTransform_Goal
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_LookupTransform_Result
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_LookupTransform_SendGoal
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_LookupTransform_SendGoal_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_LookupTransform_SendGoal_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_LookupTransform_SendGoal_Response
+
+__all__ = ["Metaclass_LookupTransform", "Metaclass_LookupTransform_Feedback", "Metaclass_LookupTransform_FeedbackMessage", "Metaclass_LookupTransform_GetResult", "Metaclass_LookupTransform_GetResult_Event", "Metaclass_LookupTransform_GetResult_Request", "Metaclass_LookupTransform_GetResult_Response", "Metaclass_LookupTransform_Goal", "Metaclass_LookupTransform_Result", "Metaclass_LookupTransform_SendGoal", "Metaclass_LookupTransform_SendGoal_Event", "Metaclass_LookupTransform_SendGoal_Request", "Metaclass_LookupTransform_SendGoal_Response", "LookupTransform", "LookupTransform_Feedback", "LookupTransform_FeedbackMessage", "LookupTransform_GetResult", "LookupTransform_GetResult_Event", "LookupTransform_GetResult_Request", "LookupTransform_GetResult_Response", "LookupTransform_Goal", "LookupTransform_Result", "LookupTransform_SendGoal", "LookupTransform_SendGoal_Event", "LookupTransform_SendGoal_Request", "LookupTransform_SendGoal_Response"]

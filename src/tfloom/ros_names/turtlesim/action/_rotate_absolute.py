@@ -1,0 +1,30 @@
+"""The classes of turtlesim/action/RotateAbsolute, for type checkers: `tfloom.rosidl.class_modules` makes the module."""
+
+from tfloom.interfaces.turtlesim.action import RotateAbsolute as RotateAbsolute
+from tfloom.interfaces.turtlesim.action import RotateAbsolute_Feedback as RotateAbsolute_Feedback
+from tfloom.interfaces.turtlesim.action import RotateAbsolute_FeedbackMessage as RotateAbsolute_FeedbackMessage
+from tfloom.interfaces.turtlesim.action import RotateAbsolute_GetResult as RotateAbsolute_GetResult
+from tfloom.interfaces.turtlesim.action import RotateAbsolute_GetResult_Event as RotateAbsolute_GetResult_Event
+from tfloom.interfaces.turtlesim.action import RotateAbsolute_GetResult_Request as RotateAbsolute_GetResult_Request
+from tfloom.interfaces.turtlesim.action import RotateAbsolute_GetResult_Response as RotateAbsolute_GetResult_Response
+from tfloom.interfaces.turtlesim.action import RotateAbsolute_Goal as RotateAbsolute_Goal
+from tfloom.interfaces.turtlesim.action import RotateAbsolute_Result as RotateAbsolute_Result
+from tfloom.interfaces.turtlesim.action import RotateAbsolute_SendGoal as RotateAbsolute_SendGoal
+from tfloom.interfaces.turtlesim.action import RotateAbsolute_SendGoal_Event as RotateAbsolute_SendGoal_Event
+from tfloom.interfaces.turtlesim.action import RotateAbsolute_SendGoal_Request as RotateAbsolute_SendGoal_Request
+from tfloom.interfaces.turtlesim.action import RotateAbsolute_SendGoal_Response as RotateAbsolute_SendGoal_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_RotateAbsolute
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_RotateAbsolute_Feedback
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_RotateAbsolute_FeedbackMessage
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_RotateAbsolute_GetResult
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_RotateAbsolute_GetResult_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_RotateAbsolute_GetResult_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_RotateAbsolute_GetResult_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_RotateAbsolute_Goal
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_RotateAbsolute_Result
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_RotateAbsolute_SendGoal
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_RotateAbsolute_SendGoal_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_RotateAbsolute_SendGoal_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_RotateAbsolute_SendGoal_Response
+
+__all__ = ["Metaclass_RotateAbsolute", "Metaclass_RotateAbsolute_Feedback", "Metaclass_RotateAbsolute_FeedbackMessage", "Metaclass_RotateAbsolute_GetResult", "Metaclass_RotateAbsolute_GetResult_Event", "Metaclass_RotateAbsolute_GetResult_Request", "Metaclass_RotateAbsolute_GetResult_Response", "Metaclass_RotateAbsolute_Goal", "Metaclass_RotateAbsolute_Result", "Metaclass_RotateAbsolute_SendGoal", "Metaclass_RotateAbsolute_SendGoal_Event", "Metaclass_RotateAbsolute_SendGoal_Request", "Metaclass_RotateAbsolute_SendGoal_Response", "RotateAbsolute", "RotateAbsolute_Feedback", "RotateAbsolute_FeedbackMessage", "RotateAbsolute_GetResult", "RotateAbsolute_GetResult_Event", "RotateAbsolute_GetResult_Request", "RotateAbsolute_GetResult_Response", "RotateAbsolute_Goal", "RotateAbsolute_Result", "RotateAbsolute_SendGoal", "RotateAbsolute_SendGoal_Event", "RotateAbsolute_SendGoal_Request", "RotateAbsolute_SendGoal_Response"]
