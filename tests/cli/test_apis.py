@@ -126,7 +126,7 @@ def test_class_of_a_topic_that_is_awaited(there: int, capsys: pytest.CaptureFixt
 
         assert get_msg_class(Later(), "late", blocking=True) is Int8  # type: ignore[arg-type]
     assert len(found) >= 3
-    assert capsys.readouterr().err == "WARNING: topic [late] does not appear to be published yet\n"
+    assert capsys.readouterr().out == "WARNING: topic [late] does not appear to be published yet\n"
 
 
 def test_nodes(strategy: NodeStrategy) -> None:
@@ -193,6 +193,11 @@ def test_parameters(there: int, tmp_path: Path, capsys: pytest.CaptureFixture[st
         path = tmp_path / "p.yaml"
         path.write_text("/over/there:\n  ros__parameters: {size: 5, missing: 1}\n", "utf-8")
         load_parameter_file(node=node, parameter_file=str(path), use_wildcard=True, **where)
+        (value,) = call_get_parameters(node=node, parameter_names=["size"], **where).values
+        assert value.integer_value == 5
+        path.write_text("/elsewhere:\n  ros__parameters: {size: 6}\n", "utf-8")
+        with pytest.raises(RuntimeError, match="not contain parameters for /over/there,only for nodes: "):
+            load_parameter_file(node=node, parameter_file=str(path), use_wildcard=True, **where)
         (value,) = call_get_parameters(node=node, parameter_names=["size"], **where).values
         assert value.integer_value == 5
     printed = capsys.readouterr()

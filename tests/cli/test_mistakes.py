@@ -87,7 +87,7 @@ def alone(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
 
 
 ONE = ["topic info", "topic type", "topic echo", "node info", "service type", "service info", "service echo",
-       "action info", "action type", "param dump", "lifecycle list", "interface show", "interface proto",
+       "action type", "param dump", "lifecycle list", "interface show", "interface proto",
        "interface package", "pkg prefix", "pkg xml", "pkg create"]  # fmt: skip
 
 

@@ -91,7 +91,10 @@ def test_wildcard_parameters_are_loaded_unless_disabled(tmp_path: Path) -> None:
     file = tmp_path / "parameters.yaml"
     file.write_text("/**:\n  ros__parameters:\n    background_g: 3\n")
     refused = transcript.run("param", "load", "--no-use-wildcard", "/turtlesim", str(file))
-    assert (refused.text, refused.exit_code) == (f"{file} has no parameters for /turtlesim", 1)
+    assert (refused.text, refused.exit_code) == (
+        "Param file does not contain parameters for /turtlesim,only for nodes: ['/**'] ",
+        1,
+    )
     assert (
         transcript.run("param", "load", "/turtlesim", str(file)).text
         == "Set parameter background_g successful"

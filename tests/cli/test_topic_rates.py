@@ -82,12 +82,16 @@ def test_verb_waits_for_a_missing_topic(domain_id: int, start_program: Callable[
     ("sizes", "duration_s", "first"),
     [
         ([24.0] * 100, 1.6, "1.50 KB/s from 100 messages"),
-        ([1.0, 3.0], 1.0, "4.00 B/s from 2 messages"),
+        ([1.0, 3.0], 1.0, "4 B/s from 2 messages"),
         ([1e6, 3e6], 2.0, "2.00 MB/s from 2 messages"),
     ],
 )
 def test_unit_depends_on_the_rate(sizes: list[float], duration_s: float, first: str) -> None:
     assert bw.bandwidth_text(sizes, duration_s).splitlines()[0] == first
+
+
+def test_bytes_have_no_decimals() -> None:
+    assert bw.bandwidth_text([1.0, 3.0], 1.0).splitlines()[1] == "\tMessage size mean: 2 B min: 1 B max: 3 B"
 
 
 def test_spread_of_values() -> None:

@@ -73,7 +73,8 @@ def test_paths_with_and_without_a_suffix(prefix: Path) -> None:
     ):
         assert get_interface_path(f"my_interfaces/msg/{name}") == str(folder / file)
     for name in ("turtlesim/msg/Nope", "turtlesim/msg/Nope.msg", "turtlesim/msg/Pose.srv", "turtlesim/Pose"):
-        with pytest.raises(LookupError, match=f"Could not find the interface '{name}'"):
+        missing = name if "." in name else f"{name}.idl"
+        with pytest.raises(LookupError, match=f"Could not find the interface '/.*/{missing}'"):
             get_interface_path(name)
 
 

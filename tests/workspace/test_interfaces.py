@@ -80,7 +80,7 @@ def test_recursive_type_ends(workspace: Path) -> None:
         ("my_msg/msg/Inner", "Unknown package 'my_msg'\ndid you mean my_msgs?"),
         (
             "my_msgs/msg/Iner",
-            "Could not find the interface 'my_msgs/msg/Iner'\ndid you mean my_msgs/msg/Inner?",
+            "Could not find the interface '{share}/my_msgs/msg/Iner.idl'\ndid you mean my_msgs/msg/Inner?",
         ),
         (
             "Inner",
@@ -93,7 +93,9 @@ def test_recursive_type_ends(workspace: Path) -> None:
 def test_unknown_names_raise_with_the_nearest(workspace: Path, name: str, text: str) -> None:
     with pytest.raises(LookupError) as error:
         interfaces.definition_path(name)
-    assert error.value.args[0] == text
+    assert error.value.args[0] == text.replace(
+        "{share}", str(interfaces.interface_packages()["my_msgs"].parent)
+    )
 
 
 def test_short_name_finds_its_kind() -> None:

@@ -171,5 +171,5 @@ def _result_or_error(ask: Callable[[], T]) -> T | CommandError:
 
 
 def printer(text: str) -> Callable[[], None]:
-    """Return a function that prints a line on stderr."""
-    return lambda: print(text, file=sys.stderr)
+    """Return a function that prints a line."""
+    return lambda: print(text)

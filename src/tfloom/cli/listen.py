@@ -39,10 +39,8 @@ def find_type(graph: Graph, name: str) -> str:
     topics = known_topics(graph.endpoints())
     types = topics.get(name, [])
     if not types:
-        raise CommandError(
-            f"WARNING: topic [{name}] does not appear to be published yet\n"
-            f"Could not determine the type for the passed topic{did_you_mean(name, topics)}"
-        )
+        print(f"WARNING: topic [{name}] does not appear to be published yet")
+        raise CommandError(f"Could not determine the type for the passed topic{did_you_mean(name, topics)}")
     if len(types) > 1:
         raise CommandError(
             f"Cannot determine the type of '{name}', as it contains more than one: [{', '.join(types)}]"

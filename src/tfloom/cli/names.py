@@ -27,7 +27,7 @@ def full_topic_name(name: str, what: str = "topic") -> str:
 
 def did_you_mean(name: str, known: Iterable[str]) -> str:
     """Return a line with up to three known names near to `name`, or an empty text."""
-    near = difflib.get_close_matches(name, list(known), 3, 0.5)
+    near = difflib.get_close_matches(name, list(known), 3, 0.51)
     return f"\ndid you mean {or_list(near)}?" if near else ""
 
 

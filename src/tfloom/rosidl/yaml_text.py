@@ -56,8 +56,8 @@ def message_to_csv(
 
     The arguments are those of `message_to_yaml`.
     """
-    values = message_to_ordereddict(msg, truncate_length=truncate_length, no_arr=no_arr, no_str=no_str)
-    return ",".join(str(value) for value in _flatten(values))
+    options = _Options(truncate_length, no_arr=no_arr, no_str=no_str, is_csv=True)
+    return ",".join(str(value) for value in _flatten(options.message(msg)))
 
 
 def message_to_ordereddict(
@@ -82,10 +82,13 @@ def _flatten(value: Any) -> Iterator[Any]:
 
 
 class _Options:
-    def __init__(self, truncate_length: int | None, *, no_arr: bool, no_str: bool) -> None:
+    def __init__(
+        self, truncate_length: int | None, *, no_arr: bool, no_str: bool, is_csv: bool = False
+    ) -> None:
         self.truncate_length = truncate_length
         self.no_arr = no_arr
         self.no_str = no_str
+        self.is_csv = is_csv
 
     def message(self, msg: Message) -> OrderedDict[str, Any]:
         return OrderedDict(
@@ -94,7 +97,8 @@ class _Options:
 
     def value(self, value: Any, type_: Type) -> Any:
         if isinstance(value, bytes):
-            value = value.decode("latin-1")
+            # CSV has bytes as Python writes them, because some would be a comma or a line break there.
+            value = str(value) if self.is_csv else value.decode("latin-1")
         if isinstance(value, str):
             return self.string(value)
         if type_.shape:

@@ -76,14 +76,17 @@ def get_interface_path(interface_name: str) -> str:
         raise ValueError(f"Invalid name '{interface_name}'. Must not contain empty parts")
     if ".." in parts:
         raise ValueError(f"Invalid name '{interface_name}'. Must not contain '..'")
-    _check_is_known(parts[0], get_interface_packages())
+    packages = get_interface_packages()
+    _check_is_known(parts[0], packages)
     suffixes = ("",) if "." in parts[-1] else (f".{parts[-2]}", ".idl")
     for share in definition_files.share_folders():
         for suffix in suffixes:
             path = share / f"{interface_name}{suffix}"
             if path.is_file():
                 return str(path)
-    raise LookupError(f"Could not find the interface '{interface_name}'")
+    of_package = packages.get(parts[0]) or index.share_folder(parts[0], index.find_package(parts[0])).parent
+    missing = Path(of_package, f"{interface_name}{suffixes[-1]}")
+    raise LookupError(f"Could not find the interface '{missing}'")
 
 
 def _check_is_known(package: str, with_interfaces: Iterable[str]) -> None:

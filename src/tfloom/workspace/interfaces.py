@@ -87,8 +87,9 @@ def definition_path(name: str) -> Path:
             for other_kind in KINDS
             for other in interfaces_of(folders[package], other_kind)
         ]
+        missing = folders[package] / kind / f"{base}{IDL_SUFFIX}"
         raise LookupError(
-            f"Could not find the interface '{name}'{_nearest(f'{package}/{kind}/{base}', candidates)}"
+            f"Could not find the interface '{missing}'{_nearest(f'{package}/{kind}/{base}', candidates)}"
         )
     return path
 

@@ -6,7 +6,6 @@ import argparse
 from typing import NamedTuple
 
 from tfloom.cli import graph
-from tfloom.cli.errors import CommandError
 from tfloom.cli.names import did_you_mean, full_topic_name
 from tfloom.rmw.action_names import SEND_GOAL, SEND_GOAL_TYPE
 from tfloom.rmw.base import Graph
@@ -42,15 +41,14 @@ def settled_ends() -> list[ActionEnd]:
         return action_ends(found)
 
 
-def ends_of_action(name: str) -> tuple[str, list[ActionEnd]]:
-    """Return an action's full name, its servers and its clients.
+def ends_of_action(name: str) -> tuple[str, list[ActionEnd], str]:
+    """Return an action's full name, its servers and its clients, and what to say if it has none.
 
     Raises:
-        CommandError: there is no such action; the text has the nearest names.
+        CommandError: it is not a valid name.
     """
     full = full_topic_name(name, "action")
     everything = settled_ends()
     ends = [end for end in everything if end.name == full]
-    if not ends:
-        raise CommandError(f"Unknown action '{full}'{did_you_mean(full, {end.name for end in everything})}")
-    return full, ends
+    near = did_you_mean(full, {end.name for end in everything})
+    return full, ends, "" if ends else f"Unknown action '{full}'{near}"

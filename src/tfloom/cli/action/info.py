@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import sys
 
 from tfloom.cli.action.common import ActionEnd, ends_of_action
 
@@ -17,7 +18,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Print the nodes of its clients and of its servers."""
-    name, ends = ends_of_action(args.action_name)
+    name, ends, unknown = ends_of_action(args.action_name)
+    if unknown:
+        print(unknown, file=sys.stderr)
     servers = [end for end in ends if end.is_server]
     clients = [end for end in ends if not end.is_server]
     if args.json:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 
 from tfloom.cli.action.common import ends_of_action
+from tfloom.cli.errors import CommandError
 from tfloom.cli.listing import print_names
 
 
@@ -16,6 +17,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Print each of its types on a line."""
-    _, ends = ends_of_action(args.action_name)
+    _, ends, unknown = ends_of_action(args.action_name)
+    if unknown:
+        raise CommandError(unknown)
     print_names(sorted({end.type_name for end in ends}), as_json=args.json)
     return 0

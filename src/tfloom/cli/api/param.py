@@ -18,7 +18,7 @@ from tfloom.interfaces.rcl_interfaces.srv import (
 from tfloom.node.builtin.parameter_client import AsyncParameterClient
 from tfloom.node.client_library import spin_until_future_complete
 from tfloom.node.executing.task import Future
-from tfloom.node.parameters.parameter import parameter_value_to_python
+from tfloom.node.parameters.parameter import parameter_dict_from_yaml_file, parameter_value_to_python
 
 __all__ = [
     "ParameterNameCompleter",
@@ -72,23 +72,15 @@ def load_parameter_file(*, node: GraphNode, node_name: str, parameter_file: str,
         RuntimeError: the node's services aren't there or don't respond, or the file has nothing for the node.
     """
     client = _client(node, node_name)
-    future = client.load_parameter_file(parameter_file, use_wildcard)
-    results = list(_response(node, future, node_name).results)
-    names = list(_parameters_of(parameter_file, node_name, use_wildcard))
-    for index, result in enumerate(results):
-        name = names[index] if index < len(names) else ""
+    full = get_absolute_node_name(node_name) or ""
+    parameters = parameter_dict_from_yaml_file(parameter_file, use_wildcard, target_nodes=[full])
+    future = client.set_parameters(list(parameters.values()))
+    for name, result in zip(parameters, _response(node, future, node_name).results, strict=True):
         reason = f": {result.reason}" if result.reason else ""
         if result.successful:
             print(f"Set parameter {name} successful{reason}")
         else:
             print(f"Set parameter {name} failed{reason}", file=sys.stderr)
-
-
-def _parameters_of(parameter_file: str, node_name: str, use_wildcard: bool) -> list[str]:
-    from tfloom.node.parameters.parameter import parameter_dict_from_yaml_file
-
-    full = get_absolute_node_name(node_name) or ""
-    return list(parameter_dict_from_yaml_file(parameter_file, use_wildcard, target_nodes=[full]))
 
 
 def call_describe_parameters(

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import copy
-import sys
 import time
 from typing import Any
 
@@ -82,7 +81,7 @@ def get_msg_class(
     name = _resolved(node, topic)
     types = _types(node, name, include_hidden_topics)
     if blocking and not types:
-        print(f"WARNING: topic [{topic}] does not appear to be published yet", file=sys.stderr)
+        print(f"WARNING: topic [{topic}] does not appear to be published yet")
         while not (types := _types(node, name, include_hidden_topics)):
             time.sleep(_POLL_S)
     if not types:

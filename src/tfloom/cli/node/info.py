@@ -31,6 +31,8 @@ def main(args: argparse.Namespace) -> int:
     """Print the node's topics, services and actions with their types."""
     with graph.settled_graph(args) as found:
         node = find_node(found, args.node_name)
+        if graph.is_hidden(node.full) and not args.include_hidden:
+            raise CommandError(f"Unable to find node '{args.node_name}'\nit is hidden: add --include-hidden")
         sections = ends_of_node(found, node, hidden=args.include_hidden)
         twins = sum(other == node for other in found.nodes())
     if args.json:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import sys
 from typing import Any
 
 from tfloom.cli.errors import CommandError
@@ -28,12 +29,15 @@ def main(args: argparse.Namespace) -> int:
         parameters = [_parameter(name, value) for name, value in _values(args, node).items()]
         for parameter, result in zip(parameters, services.set(parameters), strict=True):
             reason = f": {result.reason}" if result.reason else ""
-            outcome = "successful" if result.successful else "failed"
-            print(f"Set parameter {parameter.name} {outcome}{reason}")
+            if result.successful:
+                print(f"Set parameter {parameter.name} successful{reason}")
+            else:
+                print(f"Set parameter {parameter.name} failed{reason}", file=sys.stderr)
     return 0
 
 
 def _values(args: argparse.Namespace, node: str) -> dict[str, Any]:
+    from tfloom.node.parameters.parameter import no_parameters_text
     from tfloom.node.parameters.parameter_file import read_parameter_file
 
     try:
@@ -48,7 +52,8 @@ def _values(args: argparse.Namespace, node: str) -> dict[str, Any]:
         if rule.is_for(node) and not (args.no_use_wildcard and "*" in rule.node)
     }
     if not values:
-        raise CommandError(f"{args.parameter_file} has no parameters for {node}")
+        nodes = list(dict.fromkeys(rule.node for rule in rules))
+        raise CommandError(no_parameters_text(node, nodes))
     return values
 
 

@@ -9,7 +9,8 @@ from tfloom.cli.topic import rates
 from tfloom.rmw.base import Sample
 from tfloom.rosidl.message import Message
 
-UNITS = {"MB": 1e6, "KB": 1e3, "B": 1.0}
+UNITS = {"MB": (1e6, 2), "KB": (1e3, 2), "B": (1.0, 0)}
+"""Size [bytes] and decimals of each unit."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -44,9 +45,12 @@ def bandwidth_text(sizes: list[float], duration_s: float) -> str:
     """Return the two lines on messages of these sizes [bytes] in a time [s]; the rate determines the unit."""
     mean, least, greatest, _ = rates.spread(sizes)
     per_second = sum(sizes) / duration_s if duration_s > 0 else float("inf")
-    unit = next(unit for unit, size in UNITS.items() if per_second >= size or unit == "B")
-    rate, mean, least, greatest = (value / UNITS[unit] for value in (per_second, mean, least, greatest))
+    unit = next(unit for unit, (size, _) in UNITS.items() if per_second >= size or unit == "B")
+    size, digits = UNITS[unit]
+    rate_text, mean_text, least_text, greatest_text = (
+        f"{value / size:.{digits}f} {unit}" for value in (per_second, mean, least, greatest)
+    )
     return (
-        f"{rate:.2f} {unit}/s from {len(sizes)} messages\n"
-        f"\tMessage size mean: {mean:.2f} {unit} min: {least:.2f} {unit} max: {greatest:.2f} {unit}"
+        f"{rate_text}/s from {len(sizes)} messages\n"
+        f"\tMessage size mean: {mean_text} min: {least_text} max: {greatest_text}"
     )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import sys
 from itertools import pairwise
 
 from tfloom.cli.listen import decoded
@@ -39,7 +40,7 @@ def main(args: argparse.Namespace) -> int:
         times = list(arrivals.values)
         periods = [later - earlier for earlier, later in pairwise(times)]
         if not periods or not arrivals.is_new:
-            print("no new messages")
+            print("no new messages", file=sys.stderr)
             return
         arrivals.is_new = False
         mean = rates.spread(periods)[0]

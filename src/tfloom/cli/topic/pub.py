@@ -69,6 +69,7 @@ def main(args: argparse.Namespace) -> int:
     name = full_topic_name(args.topic_name)
     if not args.rate > 0:
         raise CommandError("rate must be greater than zero")
+    wanted = _wanted_subscriptions(args)
     cls = message_class(args.message_type, search_graph=True)
     quality = qos.requested_qos(args, QoS()) or QoS()
     # Errors in values are reported before anything is on the wire.
@@ -88,7 +89,8 @@ def main(args: argparse.Namespace) -> int:
         try:
             _wait_for_subscriptions(
                 writer,
-                args,
+                wanted,
+                args.max_wait_time_secs,
                 look_for_mismatch,
                 lambda: mismatch_reason(participant.graph, topic, is_publisher=True),
             )
@@ -114,27 +116,40 @@ class _Draft:
             set_stamps(self._stamp_setters, now_ns())
 
 
+def _wanted_subscriptions(args: argparse.Namespace) -> int:
+    """Return for how many subscriptions to wait.
+
+    Raises:
+        CommandError: a longest wait is given, and there is nothing to wait for.
+    """
+    if args.wait_matching_subscriptions is not None:
+        return int(args.wait_matching_subscriptions)
+    if args.once or args.times:
+        return 1
+    if args.max_wait_time_secs is not None:
+        raise CommandError("--max-wait-time-secs needs --wait-matching-subscriptions, --once or --times")
+    return 0
+
+
 def _wait_for_subscriptions(
     writer: Writer,
-    args: argparse.Namespace,
+    wanted: int,
+    max_wait_s: float | None,
     look_for_mismatch: Callable[[], None],
     why_unmet: Callable[[], str],
 ) -> None:
-    """Wait for the requested number; after `HINT_S` without any, print a possible reason on stderr."""
-    wanted = args.wait_matching_subscriptions
-    if wanted is None:
-        wanted = 1 if args.once or args.times else 0
+    """Wait for the wanted number; after `HINT_S` without any, print a possible reason on stderr."""
     start = reported = time.monotonic()
     hint_s = start + HINT_S
     while (match_count := writer.matched_count()) < wanted:
         look_for_mismatch()
         now = time.monotonic()
-        if args.max_wait_time_secs is not None and now - start >= args.max_wait_time_secs:
+        if max_wait_s is not None and now - start >= max_wait_s:
             raise CommandError(
-                f"waited {args.max_wait_time_secs:g} s for {wanted} matching subscription(s), there are {match_count}"
+                f"waited {max_wait_s:g} s for {wanted} matching subscription(s), there are {match_count}"
             )
         if now - reported >= 1.0:
-            print(f"Waiting for at least {wanted} matching subscription(s)...", file=sys.stderr)
+            print(f"Waiting for at least {wanted} matching subscription(s)...")
             reported = now
         if now >= hint_s:
             hint_s = math.inf

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import math
-import sys
 from collections import deque
 from collections.abc import Callable, Sequence
 
@@ -84,7 +83,7 @@ def watch(
     with graph.joined_participant() as participant:
         graph.wait_until_quiet(participant.graph, args.spin_time)
         if not any(end.topic.name == name for end in participant.graph.endpoints()):
-            print(f"WARNING: topic [{name}] does not appear to be published yet", file=sys.stderr)
+            print(f"WARNING: topic [{name}] does not appear to be published yet")
         publishers = wait_for_publishers(participant.graph, name, math.inf)
         cls = message_class(find_type(participant.graph, name), participant)
         check(cls)

@@ -6,7 +6,7 @@ import argparse
 
 from tfloom.cli.errors import CommandError
 from tfloom.cli.graph import add_arguments as add_graph_arguments
-from tfloom.cli.graph import known_topics, settled_graph
+from tfloom.cli.graph import is_hidden, known_topics, settled_graph
 from tfloom.cli.listing import print_names
 from tfloom.cli.names import did_you_mean, full_topic_name
 
@@ -25,5 +25,7 @@ def main(args: argparse.Namespace) -> int:
         topics = known_topics(graph.endpoints())
     if name not in topics:
         raise CommandError(f"Unknown topic '{name}'{did_you_mean(name, topics)}")
+    if is_hidden(name) and not args.include_hidden_topics:
+        raise CommandError(f"Hidden topic '{name}': {args.prog} topic --include-hidden-topics type {name}")
     print_names(topics[name], as_json=args.json)
     return 0

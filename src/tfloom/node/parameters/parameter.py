@@ -221,11 +221,14 @@ def parameter_dict_from_yaml_file(
         targets = [full_node_name("/", node.strip("/")) for node in target_nodes]
         for target in targets:
             if target not in nodes and not (use_wildcard and EVERY_NODE in nodes):
-                raise RuntimeError(
-                    f"Param file does not contain parameters for {target},only for nodes: {nodes} "
-                )
+                raise RuntimeError(no_parameters_text(target, nodes))
         rules = [rule for rule in rules if rule.node in (*targets, EVERY_NODE)]
     return parameter_dict(rules, namespace)
+
+
+def no_parameters_text(node: str, nodes: list[str]) -> str:
+    """Return the text of the error that a file has no parameters for a node, but only for others."""
+    return f"Param file does not contain parameters for {node},only for nodes: {nodes} "
 
 
 def parameter_dict(rules: Iterable[ParameterRule], namespace: str = "") -> dict[str, rcl_msg.Parameter]:
