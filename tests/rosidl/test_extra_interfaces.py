@@ -98,6 +98,31 @@ def test_hashes_that_real_systems_have_printed(name: str) -> None:
     assert (name, HASHES[name]) == (message_class._TYPE_NAME, message_class._TYPE_HASH)
 
 
+def reference_hashes() -> list[dict[str, str]]:
+    """Return the hashes that the reference's generator gave the newer packages: of messages and all derived types."""
+    text = (ROOT / "tests" / "golden" / "more_type_hashes.jsonl").read_text("utf-8")
+    return [json.loads(line) for line in text.splitlines()]
+
+
+@functools.cache
+def interfaces_with_parts() -> dict[str, spec.Interface]:
+    """Return the interfaces of this distribution, and the messages and services that they consist of."""
+    parts: dict[str, spec.Interface] = dict(extra())
+    for interface in extra().values():
+        parts |= {message.name: message for message in spec.messages_of(interface)}
+        if isinstance(interface, spec.Action):
+            parts |= {service.name: service for service in (interface.send_goal, interface.get_result)}
+    return parts
+
+
+@for_each(reference_hashes, name=lambda entry: entry["type"])
+def test_hashes_are_those_of_the_references_generator(entry: dict[str, str]) -> None:
+    name = entry["type"]
+    package, kind, base = name.split("/")
+    assert getattr(importlib.import_module(f"{package}.{kind}"), base.partition("_")[0])._TYPE_NAME
+    assert type_hash(interfaces_with_parts()[name], specs().__getitem__) == entry["hash"]
+
+
 def written_parts() -> list[spec.Message]:
     """Return what the definitions write: messages, and requests, responses, goals, results and feedback.
 

@@ -1,0 +1,1 @@
+"""The interfaces of controller_manager_msgs."""

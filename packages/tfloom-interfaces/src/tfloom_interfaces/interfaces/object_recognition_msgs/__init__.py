@@ -1,0 +1,1 @@
+"""The interfaces of object_recognition_msgs."""

@@ -1,0 +1,12 @@
+"""The classes of controller_manager_msgs/srv/ListHardwareComponents, for type checkers: `tfloom.rosidl.class_modules` makes the module."""
+
+from tfloom_interfaces.interfaces.controller_manager_msgs.srv import ListHardwareComponents as ListHardwareComponents
+from tfloom_interfaces.interfaces.controller_manager_msgs.srv import ListHardwareComponents_Event as ListHardwareComponents_Event
+from tfloom_interfaces.interfaces.controller_manager_msgs.srv import ListHardwareComponents_Request as ListHardwareComponents_Request
+from tfloom_interfaces.interfaces.controller_manager_msgs.srv import ListHardwareComponents_Response as ListHardwareComponents_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ListHardwareComponents
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ListHardwareComponents_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ListHardwareComponents_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ListHardwareComponents_Response
+
+__all__ = ["Metaclass_ListHardwareComponents", "Metaclass_ListHardwareComponents_Event", "Metaclass_ListHardwareComponents_Request", "Metaclass_ListHardwareComponents_Response", "ListHardwareComponents", "ListHardwareComponents_Event", "ListHardwareComponents_Request", "ListHardwareComponents_Response"]

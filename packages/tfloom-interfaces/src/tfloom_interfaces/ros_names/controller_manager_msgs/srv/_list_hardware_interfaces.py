@@ -1,0 +1,12 @@
+"""The classes of controller_manager_msgs/srv/ListHardwareInterfaces, for type checkers: `tfloom.rosidl.class_modules` makes the module."""
+
+from tfloom_interfaces.interfaces.controller_manager_msgs.srv import ListHardwareInterfaces as ListHardwareInterfaces
+from tfloom_interfaces.interfaces.controller_manager_msgs.srv import ListHardwareInterfaces_Event as ListHardwareInterfaces_Event
+from tfloom_interfaces.interfaces.controller_manager_msgs.srv import ListHardwareInterfaces_Request as ListHardwareInterfaces_Request
+from tfloom_interfaces.interfaces.controller_manager_msgs.srv import ListHardwareInterfaces_Response as ListHardwareInterfaces_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ListHardwareInterfaces
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ListHardwareInterfaces_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ListHardwareInterfaces_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ListHardwareInterfaces_Response
+
+__all__ = ["Metaclass_ListHardwareInterfaces", "Metaclass_ListHardwareInterfaces_Event", "Metaclass_ListHardwareInterfaces_Request", "Metaclass_ListHardwareInterfaces_Response", "ListHardwareInterfaces", "ListHardwareInterfaces_Event", "ListHardwareInterfaces_Request", "ListHardwareInterfaces_Response"]

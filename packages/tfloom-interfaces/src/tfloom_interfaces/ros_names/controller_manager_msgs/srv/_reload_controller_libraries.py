@@ -1,0 +1,12 @@
+"""The classes of controller_manager_msgs/srv/ReloadControllerLibraries, for type checkers: `tfloom.rosidl.class_modules` makes the module."""
+
+from tfloom_interfaces.interfaces.controller_manager_msgs.srv import ReloadControllerLibraries as ReloadControllerLibraries
+from tfloom_interfaces.interfaces.controller_manager_msgs.srv import ReloadControllerLibraries_Event as ReloadControllerLibraries_Event
+from tfloom_interfaces.interfaces.controller_manager_msgs.srv import ReloadControllerLibraries_Request as ReloadControllerLibraries_Request
+from tfloom_interfaces.interfaces.controller_manager_msgs.srv import ReloadControllerLibraries_Response as ReloadControllerLibraries_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ReloadControllerLibraries
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ReloadControllerLibraries_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ReloadControllerLibraries_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ReloadControllerLibraries_Response
+
+__all__ = ["Metaclass_ReloadControllerLibraries", "Metaclass_ReloadControllerLibraries_Event", "Metaclass_ReloadControllerLibraries_Request", "Metaclass_ReloadControllerLibraries_Response", "ReloadControllerLibraries", "ReloadControllerLibraries_Event", "ReloadControllerLibraries_Request", "ReloadControllerLibraries_Response"]

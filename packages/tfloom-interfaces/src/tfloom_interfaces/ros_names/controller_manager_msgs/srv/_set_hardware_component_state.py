@@ -1,0 +1,12 @@
+"""The classes of controller_manager_msgs/srv/SetHardwareComponentState, for type checkers: `tfloom.rosidl.class_modules` makes the module."""
+
+from tfloom_interfaces.interfaces.controller_manager_msgs.srv import SetHardwareComponentState as SetHardwareComponentState
+from tfloom_interfaces.interfaces.controller_manager_msgs.srv import SetHardwareComponentState_Event as SetHardwareComponentState_Event
+from tfloom_interfaces.interfaces.controller_manager_msgs.srv import SetHardwareComponentState_Request as SetHardwareComponentState_Request
+from tfloom_interfaces.interfaces.controller_manager_msgs.srv import SetHardwareComponentState_Response as SetHardwareComponentState_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_SetHardwareComponentState
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_SetHardwareComponentState_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_SetHardwareComponentState_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_SetHardwareComponentState_Response
+
+__all__ = ["Metaclass_SetHardwareComponentState", "Metaclass_SetHardwareComponentState_Event", "Metaclass_SetHardwareComponentState_Request", "Metaclass_SetHardwareComponentState_Response", "SetHardwareComponentState", "SetHardwareComponentState_Event", "SetHardwareComponentState_Request", "SetHardwareComponentState_Response"]

@@ -1,0 +1,30 @@
+"""The classes of moveit_msgs/action/GlobalPlanner, for type checkers: `tfloom.rosidl.class_modules` makes the module."""
+
+from tfloom_interfaces.interfaces.moveit_msgs.action import GlobalPlanner as GlobalPlanner
+from tfloom_interfaces.interfaces.moveit_msgs.action import GlobalPlanner_Feedback as GlobalPlanner_Feedback
+from tfloom_interfaces.interfaces.moveit_msgs.action import GlobalPlanner_FeedbackMessage as GlobalPlanner_FeedbackMessage
+from tfloom_interfaces.interfaces.moveit_msgs.action import GlobalPlanner_GetResult as GlobalPlanner_GetResult
+from tfloom_interfaces.interfaces.moveit_msgs.action import GlobalPlanner_GetResult_Event as GlobalPlanner_GetResult_Event
+from tfloom_interfaces.interfaces.moveit_msgs.action import GlobalPlanner_GetResult_Request as GlobalPlanner_GetResult_Request
+from tfloom_interfaces.interfaces.moveit_msgs.action import GlobalPlanner_GetResult_Response as GlobalPlanner_GetResult_Response
+from tfloom_interfaces.interfaces.moveit_msgs.action import GlobalPlanner_Goal as GlobalPlanner_Goal
+from tfloom_interfaces.interfaces.moveit_msgs.action import GlobalPlanner_Result as GlobalPlanner_Result
+from tfloom_interfaces.interfaces.moveit_msgs.action import GlobalPlanner_SendGoal as GlobalPlanner_SendGoal
+from tfloom_interfaces.interfaces.moveit_msgs.action import GlobalPlanner_SendGoal_Event as GlobalPlanner_SendGoal_Event
+from tfloom_interfaces.interfaces.moveit_msgs.action import GlobalPlanner_SendGoal_Request as GlobalPlanner_SendGoal_Request
+from tfloom_interfaces.interfaces.moveit_msgs.action import GlobalPlanner_SendGoal_Response as GlobalPlanner_SendGoal_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_GlobalPlanner
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_GlobalPlanner_Feedback
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_GlobalPlanner_FeedbackMessage
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_GlobalPlanner_GetResult
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_GlobalPlanner_GetResult_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_GlobalPlanner_GetResult_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_GlobalPlanner_GetResult_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_GlobalPlanner_Goal
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_GlobalPlanner_Result
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_GlobalPlanner_SendGoal
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_GlobalPlanner_SendGoal_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_GlobalPlanner_SendGoal_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_GlobalPlanner_SendGoal_Response
+
+__all__ = ["Metaclass_GlobalPlanner", "Metaclass_GlobalPlanner_Feedback", "Metaclass_GlobalPlanner_FeedbackMessage", "Metaclass_GlobalPlanner_GetResult", "Metaclass_GlobalPlanner_GetResult_Event", "Metaclass_GlobalPlanner_GetResult_Request", "Metaclass_GlobalPlanner_GetResult_Response", "Metaclass_GlobalPlanner_Goal", "Metaclass_GlobalPlanner_Result", "Metaclass_GlobalPlanner_SendGoal", "Metaclass_GlobalPlanner_SendGoal_Event", "Metaclass_GlobalPlanner_SendGoal_Request", "Metaclass_GlobalPlanner_SendGoal_Response", "GlobalPlanner", "GlobalPlanner_Feedback", "GlobalPlanner_FeedbackMessage", "GlobalPlanner_GetResult", "GlobalPlanner_GetResult_Event", "GlobalPlanner_GetResult_Request", "GlobalPlanner_GetResult_Response", "GlobalPlanner_Goal", "GlobalPlanner_Result", "GlobalPlanner_SendGoal", "GlobalPlanner_SendGoal_Event", "GlobalPlanner_SendGoal_Request", "GlobalPlanner_SendGoal_Response"]

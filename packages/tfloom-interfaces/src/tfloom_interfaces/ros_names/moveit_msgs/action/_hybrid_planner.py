@@ -1,0 +1,30 @@
+"""The classes of moveit_msgs/action/HybridPlanner, for type checkers: `tfloom.rosidl.class_modules` makes the module."""
+
+from tfloom_interfaces.interfaces.moveit_msgs.action import HybridPlanner as HybridPlanner
+from tfloom_interfaces.interfaces.moveit_msgs.action import HybridPlanner_Feedback as HybridPlanner_Feedback
+from tfloom_interfaces.interfaces.moveit_msgs.action import HybridPlanner_FeedbackMessage as HybridPlanner_FeedbackMessage
+from tfloom_interfaces.interfaces.moveit_msgs.action import HybridPlanner_GetResult as HybridPlanner_GetResult
+from tfloom_interfaces.interfaces.moveit_msgs.action import HybridPlanner_GetResult_Event as HybridPlanner_GetResult_Event
+from tfloom_interfaces.interfaces.moveit_msgs.action import HybridPlanner_GetResult_Request as HybridPlanner_GetResult_Request
+from tfloom_interfaces.interfaces.moveit_msgs.action import HybridPlanner_GetResult_Response as HybridPlanner_GetResult_Response
+from tfloom_interfaces.interfaces.moveit_msgs.action import HybridPlanner_Goal as HybridPlanner_Goal
+from tfloom_interfaces.interfaces.moveit_msgs.action import HybridPlanner_Result as HybridPlanner_Result
+from tfloom_interfaces.interfaces.moveit_msgs.action import HybridPlanner_SendGoal as HybridPlanner_SendGoal
+from tfloom_interfaces.interfaces.moveit_msgs.action import HybridPlanner_SendGoal_Event as HybridPlanner_SendGoal_Event
+from tfloom_interfaces.interfaces.moveit_msgs.action import HybridPlanner_SendGoal_Request as HybridPlanner_SendGoal_Request
+from tfloom_interfaces.interfaces.moveit_msgs.action import HybridPlanner_SendGoal_Response as HybridPlanner_SendGoal_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_HybridPlanner
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_HybridPlanner_Feedback
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_HybridPlanner_FeedbackMessage
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_HybridPlanner_GetResult
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_HybridPlanner_GetResult_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_HybridPlanner_GetResult_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_HybridPlanner_GetResult_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_HybridPlanner_Goal
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_HybridPlanner_Result
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_HybridPlanner_SendGoal
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_HybridPlanner_SendGoal_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_HybridPlanner_SendGoal_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_HybridPlanner_SendGoal_Response
+
+__all__ = ["Metaclass_HybridPlanner", "Metaclass_HybridPlanner_Feedback", "Metaclass_HybridPlanner_FeedbackMessage", "Metaclass_HybridPlanner_GetResult", "Metaclass_HybridPlanner_GetResult_Event", "Metaclass_HybridPlanner_GetResult_Request", "Metaclass_HybridPlanner_GetResult_Response", "Metaclass_HybridPlanner_Goal", "Metaclass_HybridPlanner_Result", "Metaclass_HybridPlanner_SendGoal", "Metaclass_HybridPlanner_SendGoal_Event", "Metaclass_HybridPlanner_SendGoal_Request", "Metaclass_HybridPlanner_SendGoal_Response", "HybridPlanner", "HybridPlanner_Feedback", "HybridPlanner_FeedbackMessage", "HybridPlanner_GetResult", "HybridPlanner_GetResult_Event", "HybridPlanner_GetResult_Request", "HybridPlanner_GetResult_Response", "HybridPlanner_Goal", "HybridPlanner_Result", "HybridPlanner_SendGoal", "HybridPlanner_SendGoal_Event", "HybridPlanner_SendGoal_Request", "HybridPlanner_SendGoal_Response"]

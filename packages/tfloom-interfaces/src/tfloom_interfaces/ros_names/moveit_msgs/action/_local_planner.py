@@ -1,0 +1,30 @@
+"""The classes of moveit_msgs/action/LocalPlanner, for type checkers: `tfloom.rosidl.class_modules` makes the module."""
+
+from tfloom_interfaces.interfaces.moveit_msgs.action import LocalPlanner as LocalPlanner
+from tfloom_interfaces.interfaces.moveit_msgs.action import LocalPlanner_Feedback as LocalPlanner_Feedback
+from tfloom_interfaces.interfaces.moveit_msgs.action import LocalPlanner_FeedbackMessage as LocalPlanner_FeedbackMessage
+from tfloom_interfaces.interfaces.moveit_msgs.action import LocalPlanner_GetResult as LocalPlanner_GetResult
+from tfloom_interfaces.interfaces.moveit_msgs.action import LocalPlanner_GetResult_Event as LocalPlanner_GetResult_Event
+from tfloom_interfaces.interfaces.moveit_msgs.action import LocalPlanner_GetResult_Request as LocalPlanner_GetResult_Request
+from tfloom_interfaces.interfaces.moveit_msgs.action import LocalPlanner_GetResult_Response as LocalPlanner_GetResult_Response
+from tfloom_interfaces.interfaces.moveit_msgs.action import LocalPlanner_Goal as LocalPlanner_Goal
+from tfloom_interfaces.interfaces.moveit_msgs.action import LocalPlanner_Result as LocalPlanner_Result
+from tfloom_interfaces.interfaces.moveit_msgs.action import LocalPlanner_SendGoal as LocalPlanner_SendGoal
+from tfloom_interfaces.interfaces.moveit_msgs.action import LocalPlanner_SendGoal_Event as LocalPlanner_SendGoal_Event
+from tfloom_interfaces.interfaces.moveit_msgs.action import LocalPlanner_SendGoal_Request as LocalPlanner_SendGoal_Request
+from tfloom_interfaces.interfaces.moveit_msgs.action import LocalPlanner_SendGoal_Response as LocalPlanner_SendGoal_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_LocalPlanner
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_LocalPlanner_Feedback
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_LocalPlanner_FeedbackMessage
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_LocalPlanner_GetResult
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_LocalPlanner_GetResult_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_LocalPlanner_GetResult_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_LocalPlanner_GetResult_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_LocalPlanner_Goal
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_LocalPlanner_Result
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_LocalPlanner_SendGoal
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_LocalPlanner_SendGoal_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_LocalPlanner_SendGoal_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_LocalPlanner_SendGoal_Response
+
+__all__ = ["Metaclass_LocalPlanner", "Metaclass_LocalPlanner_Feedback", "Metaclass_LocalPlanner_FeedbackMessage", "Metaclass_LocalPlanner_GetResult", "Metaclass_LocalPlanner_GetResult_Event", "Metaclass_LocalPlanner_GetResult_Request", "Metaclass_LocalPlanner_GetResult_Response", "Metaclass_LocalPlanner_Goal", "Metaclass_LocalPlanner_Result", "Metaclass_LocalPlanner_SendGoal", "Metaclass_LocalPlanner_SendGoal_Event", "Metaclass_LocalPlanner_SendGoal_Request", "Metaclass_LocalPlanner_SendGoal_Response", "LocalPlanner", "LocalPlanner_Feedback", "LocalPlanner_FeedbackMessage", "LocalPlanner_GetResult", "LocalPlanner_GetResult_Event", "LocalPlanner_GetResult_Request", "LocalPlanner_GetResult_Response", "LocalPlanner_Goal", "LocalPlanner_Result", "LocalPlanner_SendGoal", "LocalPlanner_SendGoal_Event", "LocalPlanner_SendGoal_Request", "LocalPlanner_SendGoal_Response"]

@@ -1,0 +1,12 @@
+"""The classes of moveit_msgs/srv/CheckIfRobotStateExistsInWarehouse, for type checkers: `tfloom.rosidl.class_modules` makes the module."""
+
+from tfloom_interfaces.interfaces.moveit_msgs.srv import CheckIfRobotStateExistsInWarehouse as CheckIfRobotStateExistsInWarehouse
+from tfloom_interfaces.interfaces.moveit_msgs.srv import CheckIfRobotStateExistsInWarehouse_Event as CheckIfRobotStateExistsInWarehouse_Event
+from tfloom_interfaces.interfaces.moveit_msgs.srv import CheckIfRobotStateExistsInWarehouse_Request as CheckIfRobotStateExistsInWarehouse_Request
+from tfloom_interfaces.interfaces.moveit_msgs.srv import CheckIfRobotStateExistsInWarehouse_Response as CheckIfRobotStateExistsInWarehouse_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_CheckIfRobotStateExistsInWarehouse
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_CheckIfRobotStateExistsInWarehouse_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_CheckIfRobotStateExistsInWarehouse_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_CheckIfRobotStateExistsInWarehouse_Response
+
+__all__ = ["Metaclass_CheckIfRobotStateExistsInWarehouse", "Metaclass_CheckIfRobotStateExistsInWarehouse_Event", "Metaclass_CheckIfRobotStateExistsInWarehouse_Request", "Metaclass_CheckIfRobotStateExistsInWarehouse_Response", "CheckIfRobotStateExistsInWarehouse", "CheckIfRobotStateExistsInWarehouse_Event", "CheckIfRobotStateExistsInWarehouse_Request", "CheckIfRobotStateExistsInWarehouse_Response"]

@@ -1,0 +1,12 @@
+"""The classes of moveit_msgs/srv/DeleteRobotStateFromWarehouse, for type checkers: `tfloom.rosidl.class_modules` makes the module."""
+
+from tfloom_interfaces.interfaces.moveit_msgs.srv import DeleteRobotStateFromWarehouse as DeleteRobotStateFromWarehouse
+from tfloom_interfaces.interfaces.moveit_msgs.srv import DeleteRobotStateFromWarehouse_Event as DeleteRobotStateFromWarehouse_Event
+from tfloom_interfaces.interfaces.moveit_msgs.srv import DeleteRobotStateFromWarehouse_Request as DeleteRobotStateFromWarehouse_Request
+from tfloom_interfaces.interfaces.moveit_msgs.srv import DeleteRobotStateFromWarehouse_Response as DeleteRobotStateFromWarehouse_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_DeleteRobotStateFromWarehouse
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_DeleteRobotStateFromWarehouse_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_DeleteRobotStateFromWarehouse_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_DeleteRobotStateFromWarehouse_Response
+
+__all__ = ["Metaclass_DeleteRobotStateFromWarehouse", "Metaclass_DeleteRobotStateFromWarehouse_Event", "Metaclass_DeleteRobotStateFromWarehouse_Request", "Metaclass_DeleteRobotStateFromWarehouse_Response", "DeleteRobotStateFromWarehouse", "DeleteRobotStateFromWarehouse_Event", "DeleteRobotStateFromWarehouse_Request", "DeleteRobotStateFromWarehouse_Response"]

@@ -1,0 +1,12 @@
+"""The classes of moveit_msgs/srv/GetRobotStateFromWarehouse, for type checkers: `tfloom.rosidl.class_modules` makes the module."""
+
+from tfloom_interfaces.interfaces.moveit_msgs.srv import GetRobotStateFromWarehouse as GetRobotStateFromWarehouse
+from tfloom_interfaces.interfaces.moveit_msgs.srv import GetRobotStateFromWarehouse_Event as GetRobotStateFromWarehouse_Event
+from tfloom_interfaces.interfaces.moveit_msgs.srv import GetRobotStateFromWarehouse_Request as GetRobotStateFromWarehouse_Request
+from tfloom_interfaces.interfaces.moveit_msgs.srv import GetRobotStateFromWarehouse_Response as GetRobotStateFromWarehouse_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_GetRobotStateFromWarehouse
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_GetRobotStateFromWarehouse_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_GetRobotStateFromWarehouse_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_GetRobotStateFromWarehouse_Response
+
+__all__ = ["Metaclass_GetRobotStateFromWarehouse", "Metaclass_GetRobotStateFromWarehouse_Event", "Metaclass_GetRobotStateFromWarehouse_Request", "Metaclass_GetRobotStateFromWarehouse_Response", "GetRobotStateFromWarehouse", "GetRobotStateFromWarehouse_Event", "GetRobotStateFromWarehouse_Request", "GetRobotStateFromWarehouse_Response"]

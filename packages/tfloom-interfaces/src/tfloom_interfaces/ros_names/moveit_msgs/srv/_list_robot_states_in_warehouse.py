@@ -1,0 +1,12 @@
+"""The classes of moveit_msgs/srv/ListRobotStatesInWarehouse, for type checkers: `tfloom.rosidl.class_modules` makes the module."""
+
+from tfloom_interfaces.interfaces.moveit_msgs.srv import ListRobotStatesInWarehouse as ListRobotStatesInWarehouse
+from tfloom_interfaces.interfaces.moveit_msgs.srv import ListRobotStatesInWarehouse_Event as ListRobotStatesInWarehouse_Event
+from tfloom_interfaces.interfaces.moveit_msgs.srv import ListRobotStatesInWarehouse_Request as ListRobotStatesInWarehouse_Request
+from tfloom_interfaces.interfaces.moveit_msgs.srv import ListRobotStatesInWarehouse_Response as ListRobotStatesInWarehouse_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ListRobotStatesInWarehouse
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ListRobotStatesInWarehouse_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ListRobotStatesInWarehouse_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_ListRobotStatesInWarehouse_Response
+
+__all__ = ["Metaclass_ListRobotStatesInWarehouse", "Metaclass_ListRobotStatesInWarehouse_Event", "Metaclass_ListRobotStatesInWarehouse_Request", "Metaclass_ListRobotStatesInWarehouse_Response", "ListRobotStatesInWarehouse", "ListRobotStatesInWarehouse_Event", "ListRobotStatesInWarehouse_Request", "ListRobotStatesInWarehouse_Response"]

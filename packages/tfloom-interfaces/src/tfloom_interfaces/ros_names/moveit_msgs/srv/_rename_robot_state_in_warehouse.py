@@ -1,0 +1,12 @@
+"""The classes of moveit_msgs/srv/RenameRobotStateInWarehouse, for type checkers: `tfloom.rosidl.class_modules` makes the module."""
+
+from tfloom_interfaces.interfaces.moveit_msgs.srv import RenameRobotStateInWarehouse as RenameRobotStateInWarehouse
+from tfloom_interfaces.interfaces.moveit_msgs.srv import RenameRobotStateInWarehouse_Event as RenameRobotStateInWarehouse_Event
+from tfloom_interfaces.interfaces.moveit_msgs.srv import RenameRobotStateInWarehouse_Request as RenameRobotStateInWarehouse_Request
+from tfloom_interfaces.interfaces.moveit_msgs.srv import RenameRobotStateInWarehouse_Response as RenameRobotStateInWarehouse_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_RenameRobotStateInWarehouse
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_RenameRobotStateInWarehouse_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_RenameRobotStateInWarehouse_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_RenameRobotStateInWarehouse_Response
+
+__all__ = ["Metaclass_RenameRobotStateInWarehouse", "Metaclass_RenameRobotStateInWarehouse_Event", "Metaclass_RenameRobotStateInWarehouse_Request", "Metaclass_RenameRobotStateInWarehouse_Response", "RenameRobotStateInWarehouse", "RenameRobotStateInWarehouse_Event", "RenameRobotStateInWarehouse_Request", "RenameRobotStateInWarehouse_Response"]

@@ -1,0 +1,12 @@
+"""The classes of moveit_msgs/srv/SaveRobotStateToWarehouse, for type checkers: `tfloom.rosidl.class_modules` makes the module."""
+
+from tfloom_interfaces.interfaces.moveit_msgs.srv import SaveRobotStateToWarehouse as SaveRobotStateToWarehouse
+from tfloom_interfaces.interfaces.moveit_msgs.srv import SaveRobotStateToWarehouse_Event as SaveRobotStateToWarehouse_Event
+from tfloom_interfaces.interfaces.moveit_msgs.srv import SaveRobotStateToWarehouse_Request as SaveRobotStateToWarehouse_Request
+from tfloom_interfaces.interfaces.moveit_msgs.srv import SaveRobotStateToWarehouse_Response as SaveRobotStateToWarehouse_Response
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_SaveRobotStateToWarehouse
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_SaveRobotStateToWarehouse_Event
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_SaveRobotStateToWarehouse_Request
+from tfloom.rosidl.class_modules import Metaclass as Metaclass_SaveRobotStateToWarehouse_Response
+
+__all__ = ["Metaclass_SaveRobotStateToWarehouse", "Metaclass_SaveRobotStateToWarehouse_Event", "Metaclass_SaveRobotStateToWarehouse_Request", "Metaclass_SaveRobotStateToWarehouse_Response", "SaveRobotStateToWarehouse", "SaveRobotStateToWarehouse_Event", "SaveRobotStateToWarehouse_Request", "SaveRobotStateToWarehouse_Response"]
