@@ -50,6 +50,8 @@ def package_programs(package: str) -> list[str] | None:
 
 def main(args: argparse.Namespace) -> int:
     """Run the program to its end and return its exit code, -N if signal N ended it."""
+    # The command of a workspace's program, or, as a str, the function of one of tfloom's own. Such a one runs in this
+    # process, if no --prefix asks for another.
     command = find_command(args.package_name, args.executable_name)
     if isinstance(command, str) and index.find_package(args.package_name) is not None:
         print(

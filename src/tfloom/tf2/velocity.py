@@ -92,6 +92,8 @@ class Velocities(Files):
             TransformException: as `lookup`.
         """
         reference = observation_frame if reference_frame is None else reference_frame
+        # The interval has the stamp in its middle, but ends no later than the newest time that is known. It begins no
+        # earlier than EARLIEST_S, and is shorter then: as time 0, a start would ask for the latest transform.
         try:
             latest_s = self.latest_common_time(observation_frame, tracking_frame) / 1e9
         except TransformException:
@@ -101,10 +103,13 @@ class Velocities(Files):
         linear, angular = self._difference(
             observation_frame, tracking_frame, round(start_s * 1e9), round(end_s * 1e9)
         )
+        # Into the axes of the reference frame, by the turn that tf2 takes; then from the tracking frame's origin to the
+        # reference frame's, where the moving body has the velocity v plus the cross product of p and ω.
         moved = self.lookup(reference, tracking_frame, stamp_ns).transform
         turn = _turn(moved)
         angular = turn.apply(angular)
         linear = _sum(turn.apply(linear), _cross(moved.translation, angular))
+        # At last to the point that was asked for, with tf2's product in place of the cross product of ω and the arm.
         point_frame = tracking_frame if reference_point_frame is None else reference_point_frame
         point = self.lookup(reference, point_frame, stamp_ns).transform.apply(reference_point)
         arm = _difference(point, moved.translation)

@@ -39,6 +39,7 @@ def play(
     with open_bag(path) as bag:
         if bag.message_count == 0:
             raise BagError(path, "there are no messages in it, so nothing can be played")
+        # Filled when the player is there; until then keys do nothing.
         keys: dict[str, Callable[[], object]] = {}
         with handled_keys(keys, enabled=options.has_keyboard):
             player = Player(bag, options)

@@ -98,16 +98,14 @@ class Ros1Layout:
 
     def warn_of_unknown_connections(self) -> None:
         """Warn of the messages that are left out, because no record says their topic and type."""
-        unknown = self.counts.total() - self.message_count
-        if unknown:
-            text = (
-                f"{self.path}: {unknown} messages are left out, because no record describes their connections"
-            )
-            warnings.warn(BagWarning(text), stacklevel=2)
+        self._warn_of_unknown(self.counts.total() - self.message_count)
 
     def _warn_of_unknown(self, count: int) -> None:
-        text = f"{self.path}: {count} messages are left out, because no record describes their connections"
-        warnings.warn(BagWarning(text), stacklevel=2)
+        if count:
+            text = (
+                f"{self.path}: {count} messages are left out, because no record describes their connections"
+            )
+            warnings.warn(BagWarning(text), stacklevel=3)
 
     def messages(self, topics: Collection[str] | None, start_ns: int, end_ns: int) -> Iterator[RawMessage]:
         """Yield the messages of topics (None: all) with log times in [start, end], in the order of log times.
@@ -158,8 +156,7 @@ class Ros1Layout:
             if count != span.indexed_count:
                 reason = f"its index has {span.indexed_count} messages, and {count} are there"
                 self.warn_of_damage(span.offset, reason, "these are read")
-            if unknown:
-                self._warn_of_unknown(unknown)
+            self._warn_of_unknown(unknown)
         if outside:
             reason = f"{outside} of its messages have log times outside those of its index"
             self.warn_of_damage(span.offset, reason, "a part of the bag, chosen by times, may lack them")

@@ -69,16 +69,18 @@ def main(args: argparse.Namespace) -> int:
 
     cache_time_ns = _cache_time_ns(args)
     buffer = Buffer(cache_time_ns)
+    # The explanation has what the buffer rejects; its log would stand between the lines of it.
     buffer.set_log_callback(lambda _severity, _text: None)
     with source.open_source(args, buffer=buffer) as opened:
         if source.is_live(args.bag):
             _listen(args, opened, buffer)
-        seen, now_ns = opened.observation(), opened.now_ns()
+        # Both at one time: ages and rates of the observation are told as of `now_ns`, and --at may count back from it.
+        observation, now_ns = opened.observation(), opened.now_ns()
         asked_ns = args.at(now_ns)
         if abs(asked_ns) >= MAX_TIME_NS:
             raise CommandError("argument --at: is no time, because it is beyond the year 2262", WRONG_TIME)
         lookup = look_up(
-            seen,
+            observation,
             buffer,
             args.target_frame,
             args.source_frame,

@@ -193,6 +193,7 @@ class Executor(WorkQueue):
         # Not at the end of `run`: a callback that is a coroutine occupies its group until it completes.
         task.when_complete(lambda: self._end(entity))
         node = next((node for node in self.get_nodes() if node is entity.owner), None)
+        # The program's own Waitable, where the entity only stands for one.
         return task, getattr(entity, "waitable", entity), node
 
     def _next(

@@ -55,6 +55,7 @@ def projection_matrix(
         matrix[:3, 3] = offset * image
         matrix[3] = *-unit, float(eye @ unit)
         return matrix
+    # A point x is moved along the direction d by as much as brings it onto the plane: x + (n·(p - x) / n·d) d.
     along = unit if direction is None else _three(direction)
     share = float(along @ unit)
     if abs(share) <= NOTHING * float(np.linalg.norm(along)):
