@@ -38,13 +38,14 @@ test-ros:
 
 test-all: test test-slow test-ros
 
+# Each system has a cache of its own, because mypy checks all anew where a cache is of another one.
 check:
 	$(set_up) check
 	"$(BIN)/ruff" check .
 	"$(BIN)/ruff" format --check .
 	"$(BIN)/mypy"
-	"$(BIN)/mypy" --platform win32
-	"$(BIN)/mypy" --platform darwin
+	"$(BIN)/mypy" --platform win32 --cache-dir .mypy_cache/win32
+	"$(BIN)/mypy" --platform darwin --cache-dir .mypy_cache/darwin
 	"$(BIN)/mypy" -p tools
 	"$(BIN)/basedpyright" --pythonpath "$(BIN)/python"
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import struct
 import tracemalloc
 import warnings
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import lz4.frame
@@ -97,23 +97,25 @@ def read(
 @pytest.mark.parametrize("has_summary", [True, False])
 @pytest.mark.parametrize("compression", ["zstd", "lz4"])
 @pytest.mark.parametrize(
-    ("content", "reason"),
+    ("make", "reason"),
     [
-        (bytes(100 * MEGABYTE), "have a record of kind 0 at byte 0, after 0 messages"),
+        (lambda: bytes(100 * MEGABYTE), "have a record of kind 0 at byte 0, after 0 messages"),
         (
-            CHANNEL + message(5, b"a") + bytes(100 * MEGABYTE),
+            lambda: CHANNEL + message(5, b"a") + bytes(100 * MEGABYTE),
             "have a record of kind 0 at byte 62, after 1 mes",
         ),
-        (CHANNEL * (3 * MEGABYTE), "hold more than 131072 schemas and channels"),
-        (record(Opcode.SCHEMA, bytes(100 * MEGABYTE)), "hold no message"),
-        (CHANNEL + message(5, b"") * (3 * MEGABYTE), "hold more than 1048576 messages of one time"),
-        (CHANNEL + message(5, bytes(100 * MEGABYTE))[:-9], "their last record isn't whole"),
+        (lambda: CHANNEL * (3 * MEGABYTE), "hold more than 131072 schemas and channels"),
+        (lambda: record(Opcode.SCHEMA, bytes(100 * MEGABYTE)), "hold no message"),
+        (lambda: CHANNEL + message(5, b"") * (3 * MEGABYTE), "hold more than 1048576 messages of one time"),
+        (lambda: CHANNEL + message(5, bytes(100 * MEGABYTE))[:-9], "their last record isn't whole"),
     ],
     ids=["zeros", "zeros after a message", "channels", "no message", "tiny messages", "cut off"],
 )
 def test_chunk_of_a_large_size_without_messages_for_it_is_left_out(
-    content: bytes, reason: str, compression: str, has_summary: bool, tmp_path: Path
+    make: Callable[[], bytes], reason: str, compression: str, has_summary: bool, tmp_path: Path
 ) -> None:
+    # Made here: as values of the parameters, each worker would hold all of them from its start to its end.
+    content = make()
     data, of_chunk = chunk(content, compression)
     path = write(tmp_path / "a.mcap", data, [of_chunk] if has_summary else [])
     found, said, most = read(path)
