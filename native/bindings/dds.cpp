@@ -238,10 +238,12 @@ void bind_graph(nb::module_& m) {
 
 void bind_library(nb::module_& m) {
   m.def(
-      "open_dds_library", [](const std::string& path) { return dds::Library::open(path).version; }, "path"_a,
-      ReleaseGil(),
-      "Open the libddsc at `path`, once, and return its version, empty if it records none. A version that was not tried "
-      "passes a self-test first. Raise RuntimeError if it can't be used.");
+      "open_dds_library",
+      [](const std::string& path, bool is_common_build) { return dds::Library::open(path, is_common_build).version; },
+      "path"_a, "is_common_build"_a = false, ReleaseGil(),
+      "Open the libddsc at `path`, once, and return its version, empty if it records none. It passes a self-test first, "
+      "unless it is one of PyPI's builds (`is_common_build`) in a version that was tried. Raise RuntimeError if it can't "
+      "be used.");
   m.def(
       "see_dds_packets", [](const std::string& path) { return dds::see_packets(dds::Library::open(path).handle); },
       "path"_a, ReleaseGil(),

@@ -7,6 +7,7 @@
 #include <mutex>
 
 #include "dds/self_test.hpp"
+#include "dds/topic_type.hpp"
 #include "dds/version.hpp"
 
 #ifdef _WIN32
@@ -19,7 +20,7 @@
 namespace tfloom::dds {
 namespace {
 
-// The versions whose types were compared with abi.hpp, and that all tests ran with. The last one is recommended.
+// The versions that all tests ran with, in the builds of PyPI.
 constexpr const char* tried_versions[] = {"11.0.1"};
 
 #ifdef _WIN32
@@ -58,11 +59,14 @@ class Resolver {
 
   template <typename Function>
   void operator()(Function*& function, const char* name) const {
-    void* symbol = find_symbol(handle_, name);
-    if (symbol == nullptr) {
-      throw Error(path_ + " has no " + name + ": it isn't Cyclone DDS 11; install 'cyclonedds>=11,<12'");
-    }
-    function = reinterpret_cast<Function*>(symbol);
+    find(function, name);
+    if (function == nullptr) throw Error(path_ + " has no " + name + ": it isn't Cyclone DDS 0.10 or 11");
+  }
+
+  // Set `function` to nullptr if the library doesn't have it.
+  template <typename Function>
+  void find(Function*& function, const char* name) const {
+    function = reinterpret_cast<Function*>(find_symbol(handle_, name));
   }
 
   [[nodiscard]] void* handle() const { return handle_; }
@@ -86,7 +90,11 @@ void resolve_entities(Library& l, const Resolver& resolve) {
   resolve(l.create_reader, "dds_create_reader");
   resolve(l.delete_entity, "dds_delete");
   resolve(l.get_guid, "dds_get_guid");
-  resolve(l.get_entity_sertype, "dds_get_entity_sertype");
+  resolve.find(l.get_entity_sertype, "dds_get_entity_sertype");
+  if (l.get_entity_sertype == nullptr) {
+    resolve(l.entity_pin, "dds_entity_pin");
+    resolve(l.entity_unpin, "dds_entity_unpin");
+  }
   resolve(l.set_listener, "dds_set_listener");
   resolve(l.strretcode, "dds_strretcode");
   resolve(l.free, "dds_free");
@@ -101,6 +109,7 @@ void resolve_entities(Library& l, const Resolver& resolve) {
 }
 
 void resolve_data(Library& l, const Resolver& resolve) {
+  resolve(l.write, "dds_write");
   resolve(l.writecdr, "dds_writecdr");
   resolve(l.unregister_instance, "dds_unregister_instance");
   resolve(l.readcdr, "dds_readcdr");
@@ -160,27 +169,28 @@ void resolve_qos(Library& l, const Resolver& resolve) {
 }
 
 void check_major_version(const std::string& path, const std::string& version) {
-  if (version.empty() || version == "11" || version.starts_with("11.")) return;
-  throw Error(path + " is Cyclone DDS " + version + ", which can't be used; install 'cyclonedds>=11,<12'");
+  const std::string dotted = version + ".";
+  if (version.empty() || dotted.starts_with("11.") || dotted.starts_with("0.10.")) return;
+  throw Error(path + " is Cyclone DDS " + version + ", and only 0.10 and 11 can be used");
 }
 
 bool was_tried(const std::string& version) {
   return std::ranges::find(tried_versions, version) != std::end(tried_versions);
 }
 
-void check_untried(const Library& library, const std::string& path) {
+void check_interface(Library& library, const std::string& path) {
   try {
+    if (library.get_entity_sertype == nullptr) library.topic_type_offset = measure_type_offset(library);
     run_self_test(library);
   } catch (const Error& error) {
     const std::string version = library.version.empty() ? "of unknown version" : library.version;
-    throw Error("libddsc " + version + " was not tried, and " + error.what() + "; install 'cyclonedds==" +
-                *std::prev(std::end(tried_versions)) + "' in place of " + path);
+    throw Error("libddsc " + version + " in " + path + " fails the test of its interface: " + error.what());
   }
 }
 
 }  // namespace
 
-const Library& Library::open(const std::string& path) {
+const Library& Library::open(const std::string& path, bool is_common_build) {
   static std::mutex mutex;
   static std::map<std::string, std::unique_ptr<const Library>> libraries;  // guarded by mutex
   const std::lock_guard lock(mutex);
@@ -195,7 +205,7 @@ const Library& Library::open(const std::string& path) {
     opened->handle = resolve.handle();
     opened->version = resolve.version();
     check_major_version(path, opened->version);
-    if (!was_tried(opened->version)) check_untried(*opened, path);
+    if (!is_common_build || !was_tried(opened->version)) check_interface(*opened, path);
     library = std::move(opened);  // only now: after a failure, the next call tries again
   }
   return *library;

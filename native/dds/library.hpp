@@ -1,6 +1,7 @@
-// libddsc, the shared library inside the cyclonedds wheel, opened at run time.
+// libddsc, the shared library of Cyclone DDS, version 0.10 or 11, opened at run time.
 #pragma once
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 
@@ -18,6 +19,7 @@ class Error : public std::runtime_error {
 struct Library {
   std::string version;  // the library's own, `11.0.1`; empty if it records none
   void* handle = nullptr;  // of dlopen, for the import table
+  std::size_t topic_type_offset = 0;  // see `measure_type_offset`; unused where there is `get_entity_sertype`
 
   Entity (*create_domain)(std::uint32_t domain_id, const char* config);
   Entity (*create_participant)(std::uint32_t domain_id, const Qos_*, const Listener_*);
@@ -28,11 +30,14 @@ struct Library {
   Entity (*create_reader)(Entity subscriber, Entity topic, const Qos_*, const Listener_*);
   Result (*delete_entity)(Entity);
   Result (*get_guid)(Entity, Guid*);
-  Result (*get_entity_sertype)(Entity, const Sertype_**);
+  Result (*get_entity_sertype)(Entity, const Sertype_**);  // nullptr in 0.10, where `type_of` needs the next two
+  Result (*entity_pin)(Entity, void** memory);
+  void (*entity_unpin)(void* memory);
   Result (*set_listener)(Entity, const Listener_*);
   const char* (*strretcode)(Result);
   void (*free)(void*);
 
+  Result (*write)(Entity writer, const void* sample);
   Result (*writecdr)(Entity writer, Serdata_*);
   Result (*unregister_instance)(Entity writer, const void* sample);
   Result (*readcdr)(Entity reader, Serdata_**, std::uint32_t count, SampleState*, std::uint32_t mask);
@@ -98,10 +103,10 @@ struct Library {
   bool (*qget_lifespan)(const Qos_*, std::int64_t*);
   bool (*qget_liveliness)(const Qos_*, int*, std::int64_t*);
 
-  // Open the library at `path`, once for each path; it stays open until the process ends. A version that was not tried
-  // passes a self-test first.
-  // Throw Error if it cannot be opened, is not version 11, or fails the self-test.
-  static const Library& open(const std::string& path);
+  // Open the library at `path`, once for each path; it stays open until the process ends. It passes a self-test first,
+  // unless it is one of the builds of PyPI (`is_common_build`) in one of the versions that were tried (library.cpp).
+  // Throw Error if it cannot be opened, is neither version 0.10 nor 11, or fails the self-test.
+  static const Library& open(const std::string& path, bool is_common_build = false);
 
   // Return `result`, or throw Error "<what>: <the library's text>" if it is an error.
   Result check(Result result, const std::string& what) const;

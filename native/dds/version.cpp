@@ -1,7 +1,11 @@
 #include "dds/version.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <string>
 
 #ifdef __linux__
 #include <dlfcn.h>
@@ -32,16 +36,29 @@ const char* soname(const link_map& library) {
   return reinterpret_cast<const char*>(strings) + offset;
 }
 
+// Return the numbers after `.so.` in the name of a library or of its file; empty if what follows isn't a version.
+std::string version_in(const std::string& name) {
+  const std::size_t begin = name.rfind(".so.");
+  if (begin == std::string::npos) return "";
+  std::string version = name.substr(begin + 4);
+  version.erase(std::min(version.find(' '), version.size()));  // a file in memory is named `… (deleted)`
+  return version.find_first_not_of("0123456789.") == std::string::npos ? version : "";
+}
+
+std::string file_name(const link_map& library) {
+  const std::unique_ptr<char, void (*)(void*)> path(realpath(library.l_name, nullptr), std::free);
+  const std::string whole = path == nullptr ? "" : path.get();
+  return whole.substr(whole.find_last_of('/') + 1);
+}
+
 }  // namespace
 
 std::string version_of_library(void* handle, const void*) {
   const link_map* library = nullptr;
   if (dlinfo(handle, RTLD_DI_LINKMAP, &library) != 0) return "";
-  const std::string name = soname(*library);
-  const std::size_t begin = name.find(".so.");
-  if (begin == std::string::npos) return "";
-  const std::string version = name.substr(begin + 4);
-  return version.find_first_not_of("0123456789.") == std::string::npos ? version : "";
+  // Debian replaces the SONAME (`libddsc.so.0debian`), and not the name of the file behind the link.
+  const std::string version = version_in(soname(*library));
+  return version.empty() ? version_in(file_name(*library)) : version;
 }
 
 #elif defined(__APPLE__)

@@ -5,6 +5,7 @@
 
 #include "core/busy_wait.hpp"
 #include "dds/serdata.hpp"
+#include "dds/topic_type.hpp"
 
 namespace tfloom::dds {
 namespace {
@@ -26,12 +27,6 @@ void check_encapsulation(std::span<const std::byte> data) {
   }
 }
 
-const Sertype_* type_of(const Library& library, Entity writer, const std::string& topic_name) {
-  const Sertype_* type = nullptr;
-  library.check(library.get_entity_sertype(writer, &type), "cannot get the type of " + topic_name);
-  return type;
-}
-
 }  // namespace
 
 Writer::Writer(Participant& participant, const TopicName& topic, const Qos& qos, const std::string& user_data)
@@ -42,7 +37,7 @@ Writer::Writer(Participant& participant, const TopicName& topic, const Qos& qos,
               library_.create_writer(participant.publisher(), topic_.get(),
                                      make_writer_qos(library_, qos, user_data).get(), nullptr),
               "cannot write " + topic.name),
-      type_(type_of(library_, entity_.get(), topic.name)),
+      type_(type_of(library_, topic_.get(), entity_.get())),
       gid_(gid_of(library_, entity_.get())),
       events_(library_, true),
       peers_(library_, true) {

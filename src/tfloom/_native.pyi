@@ -75,9 +75,9 @@ class ReadyQueue:
         Does not wait if the timeout is 0, and waits without limit if it is negative. Returns an empty list on a timeout. Releases the GIL. A signal's Python handler runs at once, and its exception is raised here.
         """
 
-def open_dds_library(path: str) -> str:
+def open_dds_library(path: str, is_common_build: bool = False) -> str:
     """
-    Open the libddsc at `path`, once, and return its version, empty if it records none. A version that was not tried passes a self-test first. Raise RuntimeError if it can't be used.
+    Open the libddsc at `path`, once, and return its version, empty if it records none. It passes a self-test first, unless it is one of PyPI's builds (`is_common_build`) in a version that was tried. Raise RuntimeError if it can't be used.
     """
 
 def see_dds_packets(path: str) -> str:

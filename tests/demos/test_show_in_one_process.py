@@ -13,19 +13,21 @@ from typing import Any
 
 import pytest
 from PIL import Image
+from tests.conftest import python_with
 
-from tfloom.cli.demo import reason_for_one_process
+from tfloom.cli.demo import describe_wire
 from tfloom.demos.show import Show, ShowError
 from tfloom.demos.threads import WINDOWLESS_PROGRAMS, ThreadProgram, thread_starter
 from tfloom.node.context.utilities import get_default_context
+from tfloom.rmw.cyclone_library import Library
 
 CHOSEN = (
     "RMW_IMPLEMENTATION is tfloom_local, a wire within one process, so all programs run within this process, "
     "and other terminals can't join in."
 )
 MISSING = re.compile(
-    r"The library cyclonedds \(version 11\), which implements DDS, is missing for Python 3\.\d+ on \S+ \S+, "
-    r"so all programs run within this process, and other terminals can't join in\."
+    r"No DDS library \(libddsc\) can be used, so all programs run within this process, and other terminals can't "
+    r"join in: there is no DDS: .*install.*\."
 )
 Start = Callable[..., Any]
 
@@ -36,19 +38,20 @@ def local(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.fixture
-def without_library(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Put another cyclonedds first on the path, a module without the library, so that none is found."""
-    folder = tmp_path / "first on the path"
-    folder.mkdir()
-    (folder / "cyclonedds.py").touch()
-    monkeypatch.setenv("PYTHONPATH", str(folder), prepend=os.pathsep)
+def without_library(monkeypatch: pytest.MonkeyPatch) -> dict[str, object]:
+    """Return the constants of a module with which no libddsc is found."""
     monkeypatch.delenv("RMW_IMPLEMENTATION", raising=False)
+    monkeypatch.delenv("TFLOOM_LIBDDSC", raising=False)
+    module = "tfloom.rmw.cyclone_library"
+    return {f"{module}._PACKAGES": (), f"{module}._SYSTEM_FOLDERS": (), f"{module}._ROS_FOLDER": ""}
 
 
 def test_demonstration_prints_draws_and_ends(
-    start_program: Start, tmp_path: Path, without_library: None
+    start_program: Start, tmp_path: Path, without_library: dict[str, object]
 ) -> None:
-    demo = start_program("tfloom", "demo", "--seconds", "1", cwd=tmp_path)
+    run = "from tfloom.cli.main import main; sys.exit(main())"
+    command = python_with(without_library, run, "demo", "--seconds", "1")
+    demo = start_program(sys.executable, *command, cwd=tmp_path)
     assert demo.wait(60.0) == 0, demo.output
     assert MISSING.fullmatch(demo.lines[2])
     assert "ROS_DOMAIN_ID" not in demo.output
@@ -177,10 +180,11 @@ def test_program_ends_if_requested_before_its_start(tmp_path: Path, monkeypatch:
 
 def test_processes_are_used_if_the_library_is_installed(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("RMW_IMPLEMENTATION", raising=False)
-    monkeypatch.setattr("tfloom.rmw.cyclone_library.find_library", lambda: "libddsc.so")
-    assert reason_for_one_process() == ""
+    library = Library("libddsc.so", "0.10.5", "the system")
+    monkeypatch.setattr("tfloom.rmw.cyclone_library.open_library", lambda: library)
+    assert describe_wire() == ("They meet over DDS, by libddsc 0.10.5 of the system.", True)
     monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
-    assert f"{reason_for_one_process()}, so all" in CHOSEN
+    assert describe_wire() == (CHOSEN, False)
 
 
 def test_environment_and_streams_are_restored(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -9,7 +9,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from tfloom.rmw import backends
+from tfloom.rmw import backends, cyclone_library
 from tfloom.rmw.errors import ConfigurationError, NoBackendError
 
 
@@ -104,6 +104,9 @@ def test_every_backend_is_a_module_that_opens_participants() -> None:
 def test_is_installed_reports_the_libraries(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "path", [str(tmp_path)])
     monkeypatch.setattr(sys, "path_importer_cache", {})
+    monkeypatch.setattr(cyclone_library, "_SYSTEM_FOLDERS", ())
+    monkeypatch.setattr(cyclone_library, "_ROS_FOLDER", str(tmp_path))
+    monkeypatch.delenv(cyclone_library.VARIABLE, raising=False)
     assert backends.is_installed("tfloom_local")
     assert not backends.is_installed("rmw_cyclonedds_cpp")
     for name in ("cyclonedds", "cyclonedds.libs"):

@@ -26,7 +26,7 @@ def peers_of_doctor() -> dict[str, Any]:
 def test_doctor_names_vendor_version_and_form_of_services(start_end: StartEnd) -> None:
     for vendor, name in ((OURS, "ours"), (THEIRS, "theirs")):
         start_end(vendor, name)
-    _, version = open_library()
+    version = open_library().version
     found = peers_of_doctor()
     # Fast DDS 2.14 announces no version, libddsc 11 does.
     cyclone, fast = f"Cyclone DDS {version}", "Fast DDS of unknown version"

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import os
-import sys
 
 from tfloom.cli.numbers import seconds
 
@@ -12,7 +11,8 @@ INTRODUCTION = """\
 One turtle draws a figure, with a laser mounted on it; another follows it by their transforms on tf.
 Below is the output of `tf2_echo world laser`: the pose of the laser in the world. Ctrl-C ends the demonstration."""
 JOIN_IN = "Join in from another terminal: export ROS_DOMAIN_ID={domain_id}"
-ONE_PROCESS = "{reason}, so all programs run within this process, and other terminals can't join in."
+WIRE = "They meet over DDS, by libddsc {version} of {origin}."
+ONE_PROCESS = "{reason}, so all programs run within this process, and other terminals can't join in{remedy}."
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -33,11 +33,12 @@ def main(args: argparse.Namespace) -> int:
         if hasattr(signal, name):
             signal.signal(getattr(signal, name), signal.default_int_handler)
     try:
-        reason = reason_for_one_process()
-        if reason:
-            _show_in_one_process(reason, args.seconds)
-        else:
+        description, is_over_dds = describe_wire()
+        print(f"{INTRODUCTION}\n{description}")
+        if is_over_dds:
             _show_over_dds(args.seconds)
+        else:
+            _show_in_one_process(args.seconds)
     except ShowError as error:
         raise CommandError(str(error)) from None
     except KeyboardInterrupt:
@@ -45,19 +46,20 @@ def main(args: argparse.Namespace) -> int:
     return 0
 
 
-def reason_for_one_process() -> str:
-    """Return why processes can't communicate; empty if they can, over DDS."""
-    import platform
-
-    from tfloom.rmw.backends import is_installed
+def describe_wire() -> tuple[str, bool]:
+    """Return a line on the wire of the demonstration, and whether it is DDS, so that processes can communicate."""
+    from tfloom.rmw.cyclone_library import open_library
+    from tfloom.rmw.errors import NoBackendError
 
     if os.environ.get("RMW_IMPLEMENTATION") == "tfloom_local":
-        return "RMW_IMPLEMENTATION is tfloom_local, a wire within one process"
-    if is_installed("rmw_cyclonedds_cpp"):
-        return ""
-    version = f"{sys.version_info.major}.{sys.version_info.minor}"
-    where = f"{platform.system()} {platform.machine()}"
-    return f"The library cyclonedds (version 11), which implements DDS, is missing for Python {version} on {where}"
+        reason = "RMW_IMPLEMENTATION is tfloom_local, a wire within one process"
+        return ONE_PROCESS.format(reason=reason, remedy=""), False
+    try:
+        library = open_library()
+    except NoBackendError as error:
+        reason = "No DDS library (libddsc) can be used"
+        return ONE_PROCESS.format(reason=reason, remedy=f": {error}"), False
+    return WIRE.format(version=library.version or "of unknown version", origin=library.origin), True
 
 
 def _show_over_dds(seconds: float | None) -> None:
@@ -65,15 +67,14 @@ def _show_over_dds(seconds: float | None) -> None:
     from tfloom.demos.show import Show
 
     with own_domain() as domain_id:
-        print(f"{INTRODUCTION}\n{JOIN_IN.format(domain_id=domain_id)}")
+        print(JOIN_IN.format(domain_id=domain_id))
         with Show(process_starter(domain_id)) as show:
             show.run(seconds)
 
 
-def _show_in_one_process(reason: str, seconds: float | None) -> None:
+def _show_in_one_process(seconds: float | None) -> None:
     from tfloom.demos.show import Show
     from tfloom.demos.threads import WINDOWLESS_PROGRAMS, thread_starter
 
-    print(f"{INTRODUCTION}\n{ONE_PROCESS.format(reason=reason)}")
     with thread_starter() as start, Show(start, WINDOWLESS_PROGRAMS) as show:
         show.run(seconds)

@@ -29,6 +29,7 @@ DISTRIBUTIONS = (
     "tfloom-ros2",
     "tfloom-interfaces",
     "tfloom-sensing",
+    "tfloom-ddsc",
     "cyclonedds",
     "numpy",
     "PyYAML",
@@ -46,12 +47,17 @@ def check_wire() -> Finding:
 
     asked = os.environ.get("RMW_IMPLEMENTATION")
     details: dict[str, Any] = {"RMW_IMPLEMENTATION": asked or "not set"}
+    library_text = ""
     try:
         name = implementation_identifier()
         if name == DEFAULT:
             from tfloom.rmw.cyclone_library import open_library
 
-            details["library"], details["library version"] = open_library()
+            library = open_library()
+            details["library"], details["library version"] = library.path, library.version or "unknown"
+            details["library from"] = library.origin
+            details.update({f"passed over {n}": text for n, text in enumerate(library.passed_over, 1)})
+            library_text = f"; libddsc {library.version or 'of unknown version'} of {library.origin}"
     except WireError as error:
         return Finding(Verdict.FAILED, str(error), details=details)
     why = (
@@ -61,7 +67,7 @@ def check_wire() -> Finding:
         if asked
         else "the default"
     )
-    return Finding(Verdict.OK, f"{name}, {why}", details=details)
+    return Finding(Verdict.OK, f"{name}, {why}{library_text}", details=details)
 
 
 def check_domain() -> Finding:

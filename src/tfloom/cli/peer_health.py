@@ -24,7 +24,7 @@ def check_peers() -> Finding:
     """Check what passes between this process and each participant on the domain, by the vendor of its DDS."""
     from tfloom._native import dds_read_versions
     from tfloom.cli.graph import joined_participant, wait_until_quiet
-    from tfloom.rmw.cyclone_library import find_library
+    from tfloom.rmw.cyclone_library import open_library
     from tfloom.rmw.cyclone_services import untranslated
 
     dds_read_versions()
@@ -34,7 +34,7 @@ def check_peers() -> Finding:
                 return Finding(Verdict.OK, "none: tfloom_local connects the nodes of one process")
             wait_until_quiet(participant.graph, PEERS_TIMEOUT_S)
             peers = [peer for peer in participant.graph.participants() if not peer.is_own]
-        failure = untranslated(find_library())
+        failure = untranslated(open_library().path)
     except WireError as error:
         return Finding(Verdict.FAILED, str(error))
     if not peers:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PyInstaller.utils.hooks import collect_data_files, collect_submodules, get_package_paths
+from PyInstaller.utils.hooks import collect_data_files, collect_submodules
 
 from tfloom.rmw.cyclone_library import find_library
 from tfloom.rmw.errors import NoBackendError
@@ -21,7 +21,5 @@ try:
 except NoBackendError:
     pass  # such a program has only the wire inside one process
 else:
-    site_packages, package = map(Path, get_package_paths("cyclonedds"))
-    binaries.append((str(library), str(library.parent.relative_to(site_packages.resolve()))))
-    # The package itself is not imported: `find_library` locates its folder by this file.
-    datas.append((str(package / "__init__.py"), package.name))
+    # As if tfloom-ddsc were installed, wherever it comes from: the search looks into that package's folder.
+    binaries.append((str(library), "tfloom_ddsc"))

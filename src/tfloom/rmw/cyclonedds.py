@@ -1,4 +1,4 @@
-"""The wire of rmw_cyclonedds: DDS through the library of the cyclonedds wheel.
+"""The wire of rmw_cyclonedds: DDS through libddsc.
 
 Samples are raw CDR in both directions. Participants announce `enclave=…;`, endpoints
 `typehash=…;`, and each participant lists its nodes on `ros_discovery_info`.
@@ -21,7 +21,7 @@ from tfloom.rmw.base import NodeName, Participant, Service, Topic
 from tfloom.rmw.compatibility import best_available, is_best_available
 from tfloom.rmw.cyclone_endpoints import CycloneEndpoint, CycloneReader, CycloneWriter
 from tfloom.rmw.cyclone_graph import NODE_LIST_USER_DATA, CycloneGraph
-from tfloom.rmw.cyclone_library import copy_library, find_library, open_library
+from tfloom.rmw.cyclone_library import Library, open_copy, open_library
 from tfloom.rmw.cyclone_services import (
     CLIENT_KEY,
     SERVER_KEY,
@@ -49,8 +49,8 @@ _End2 = TypeVar("_End2", CycloneWriter, CycloneReader)
 
 
 _open_participants: WeakSet[CycloneParticipant] = WeakSet()
-_library: Callable[[], str] = find_library
-"""Returns the path of the library to load; in a child that has inherited one in use, of a copy."""
+_open_library: Callable[[], Library] = open_library
+"""Opens the library; in a child that has inherited one in use, a copy of it."""
 
 
 def open_participant(domain_id: int, enclave: str = "/", announce_s: float | None = None) -> Participant:
@@ -62,7 +62,7 @@ def open_participant(domain_id: int, enclave: str = "/", announce_s: float | Non
         announce_s: See `cyclone_config.configuration`; of the process's first participant on a domain.
 
     Raises:
-        NoBackendError: cyclonedds isn't installed, isn't version 11, or fails the self-test of an untried version.
+        NoBackendError: there is no libddsc that can be used; see `open_library`.
         ConfigurationError: ROS_AUTOMATIC_DISCOVERY_RANGE or TFLOOM_LEASE_S is invalid, or security is enforced.
         WireError: the library can't join the domain; the text has the reason.
     """
@@ -80,13 +80,13 @@ def is_joined(domain_id: int) -> bool:
 
 def _invalidate_all_after_fork() -> None:
     """In a forked child, let the copies of the parent's participants raise errors."""
-    global _library  # noqa: PLW0603  # guarded by there being one thread after a fork
+    global _open_library  # noqa: PLW0603  # guarded by there being one thread after a fork
     # The fork has copied the library's state, but none of its threads. Loading the same path again would return that
     # dead copy, so a participant that this child opens loads another file with the same content.
     in_use = [participant.invalidate_after_fork() for participant in _open_participants]
     if any(in_use):
-        _library = copy_library
-        copy_library.cache_clear()
+        _open_library = open_copy
+        open_copy.cache_clear()
         _open_participants.clear()
 
 
@@ -138,7 +138,7 @@ class CycloneParticipant:
         try:
             cyclone_config.refuse_enforced_security()
             cyclone_config.look_up_peers()
-            library, _ = open_library(_library())
+            library = _open_library().path
             check_threads(domain_id)
             self._vendors = Vendors(untranslated(library), self._find_node)
             self._native = DdsParticipant(
