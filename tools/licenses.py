@@ -29,6 +29,7 @@ STRONG = re.compile(r"\bA?GPL|(?<!Lesser )General Public License")
 DECIDED = {
     "apsw": ("any-OSI", "Zlib", "its licence allows any that the OSI approves"),
     "cyclonedds": ("EPL-2.0, BSD-3-Clause", "BSD-3-Clause", "either one, at the user's choice"),
+    "tfloom-ddsc": ("EPL-2.0 OR BSD-3-Clause", "BSD-3-Clause", "the same library"),
     "docutils": (
         "Public Domain, BSD License, GNU General Public License (GPL)",
         "BSD-2-Clause",

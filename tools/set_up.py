@@ -40,6 +40,8 @@ PACKAGE = ROOT / "src" / "tfloom"
 PACKAGES = ("tfloom-ros2", "tfloom-interfaces", "tfloom-sensing")
 """Distributions in packages/, installed in the stage `test`, because tests use what they have."""
 DDS = "cyclonedds"
+OWN_DDS = ROOT / "packages" / "tfloom-ddsc"
+"""Holds the same library, for a Python that has no wheel of cyclonedds."""
 OLDEST = (3, 10)
 """The oldest Python that tfloom supports."""
 RECORD = "tfloom-set-up.json"
@@ -225,7 +227,7 @@ class Environment:
         with subprocess.Popen(
             command,
             cwd=ROOT,
-            env=os.environ | {"PIP_USER": "0"},
+            env=os.environ | {"PIP_USER": "0"} | absolute_find_links(),
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             text=True,
@@ -286,15 +288,23 @@ class Environment:
         if not dds:
             return
         # The DDS library is optional: it is installed from a wheel or not at all, and pip's failure is no error. The
-        # search for the module then tells both cases apart, and also finds a library from an earlier run.
+        # search for the module then tells both cases apart, and also finds a library from an earlier run. Where this
+        # Python has no wheel, the library comes from that of another one.
         if not self._without_dds:
             self.pip("install", "--only-binary", DDS, *dds, quietly=True)
-        look = f"import importlib.util as u, sys; sys.exit(u.find_spec({DDS!r}) is None)"
-        if subprocess.run([self.python, "-I", "-c", look], check=False).returncode:
+            if not self._has(DDS):
+                self.pip("install", "--no-build-isolation", str(OWN_DDS), quietly=True)
+        if not self._has(DDS, "tfloom_ddsc"):
             say(
                 f"{DDS} has no wheel here (Python {platform.python_version()}, {sysconfig.get_platform()}): "
-                "nodes of one process meet on the wire tfloom_local, and nothing passes between processes"
+                "processes meet if this system has a libddsc (on Debian and Ubuntu: apt-get install libddsc0t64, or "
+                "libddsc0debian on Debian 12); without one, nodes of one process meet on the wire tfloom_local"
             )
+
+    def _has(self, *modules: str) -> bool:
+        """Return whether the environment has one of these modules, without importing it."""
+        look = f"import importlib.util as u, sys; sys.exit(not any(map(u.find_spec, {modules!r})))"
+        return subprocess.run([self.python, "-I", "-c", look], check=False).returncode == 0
 
     def _compile(self) -> None:
         """Compile native/ and install tfloom as an editable package."""
@@ -339,6 +349,17 @@ def collect_wheels(folder: Path) -> None:
         ]
         say(f"Collecting wheels in {shown(folder)}")
         environment.pip("wheel", "--wheel-dir", str(folder), *requirements)
+        # Where this Python has no wheel of it, `tfloom-ddsc` is built on the other machine from another Python's.
+        if not any(folder.glob(f"{DDS}-*.whl")):
+            backend = [environment.python, OWN_DDS / "build_backend.py", folder.absolute()]
+            subprocess.run(backend, capture_output=True, check=False)  # optional, as everywhere
+
+
+def absolute_find_links() -> dict[str, str]:
+    """Return the variable of pip's folders of wheels, with paths that a build in another folder can follow."""
+    words = os.environ.get("PIP_FIND_LINKS", "").split()
+    links = [str(ROOT / word) if (ROOT / word).is_dir() else word for word in words]
+    return {"PIP_FIND_LINKS": " ".join(links)} if links else {}
 
 
 def up_to(stage: str) -> list[str]:

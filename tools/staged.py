@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import shutil
 import sys
-from importlib.machinery import PathFinder
 from pathlib import Path
 
 
@@ -25,16 +24,19 @@ def stage(folder: Path) -> Path:
 
 
 def stage_dds(folder: Path) -> Path:
-    """Put links to the installed wheel of cyclonedds into a folder, and return it.
+    """Put a link to this environment's libddsc into a folder, as tfloom-ddsc would install it; return the folder.
 
     Raises:
-        FileNotFoundError: cyclonedds is not installed.
+        FileNotFoundError: there is no libddsc.
     """
-    spec = PathFinder.find_spec("cyclonedds")
-    if spec is None or not spec.submodule_search_locations:
-        raise FileNotFoundError("cyclonedds is not installed")
-    package = Path(next(iter(spec.submodule_search_locations)))
-    for part in (package, package.parent / "cyclonedds.libs"):
-        if part.exists():
-            (folder / part.name).symlink_to(part, target_is_directory=True)
+    from tfloom.rmw.cyclone_library import find_library
+    from tfloom.rmw.errors import NoBackendError
+
+    try:
+        library = Path(find_library())
+    except NoBackendError as error:
+        raise FileNotFoundError(error) from None
+    (folder / "tfloom_ddsc").mkdir()
+    (folder / "tfloom_ddsc" / "__init__.py").touch()
+    (folder / "tfloom_ddsc" / library.name).symlink_to(library)
     return folder

@@ -34,7 +34,7 @@ def site_without_dds(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="session")
 def dds_site(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Return a folder with libddsc, as the wheel of cyclonedds installs it."""
+    """Return a folder with libddsc, as tfloom-ddsc installs it."""
     try:
         return stage_dds(tmp_path_factory.mktemp("dds"))
     except FileNotFoundError as error:

@@ -23,7 +23,9 @@ TRACING = (
     "<CycloneDDS><Domain><General><Transport>none</Transport></General>"
     "<Tracing><Verbosity>config</Verbosity><OutputFile>{}</OutputFile></Tracing></Domain></CycloneDDS>"
 )
-OPEN = "import sys; from tfloom._native import open_dds_library; print(open_dds_library(sys.argv[1], sys.argv[2:] != []))"
+OPEN = (
+    "import sys; from tfloom._native import open_dds_library as o; print(o(sys.argv[1], sys.argv[2:] != []))"
+)
 
 pytestmark = pytest.mark.wire
 needs_compiler = pytest.mark.skipif(

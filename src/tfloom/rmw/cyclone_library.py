@@ -205,7 +205,7 @@ def _how_to_install() -> str:
         )
     else:
         advice = (
-            "install the system's, by apt-get install libddsc0t64 (Debian 13, Ubuntu) or libddsc0debian (Debian 12), or "
-            f"name a libddsc in {VARIABLE}"
+            "install the system's, by apt-get install libddsc0t64 (Debian 13, Ubuntu) or libddsc0debian (Debian 12), "
+            f"or name one in {VARIABLE}"
         )
     return f"{advice}; within one process, RMW_IMPLEMENTATION=tfloom_local needs nothing"

@@ -1,0 +1,130 @@
+"""packages/tfloom-ddsc: libddsc in a wheel of its own, taken from the wheel of cyclonedds for another Python."""
+
+from __future__ import annotations
+
+import importlib.util
+import os
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+
+from tfloom.rmw.cyclone_library import find_library
+
+ROOT = Path(__file__).parents[2]
+PACKAGE = ROOT / "packages" / "tfloom-ddsc"
+LICENSE = "cyclonedds-11.0.1.dist-info/licenses/LICENSE"
+
+
+@pytest.fixture(scope="module")
+def backend() -> ModuleType:
+    spec = importlib.util.spec_from_file_location("build_backend", PACKAGE / "build_backend.py")
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def write_wheel(folder: Path, platform: str, *libraries: str, content: bytes = b"a library") -> Path:
+    path = folder / f"cyclonedds-11.0.1-cp313-cp313-{platform}.whl"
+    with zipfile.ZipFile(path, "w") as wheel:
+        wheel.writestr("cyclonedds/__init__.py", "import a_compiled_module")
+        wheel.writestr("cyclonedds.libs/libcycloneddsidl-0123.so.11.0.1", b"another library")
+        wheel.writestr(LICENSE, "EPL")
+        for library in libraries:
+            wheel.writestr(library, content)
+    return path
+
+
+@pytest.mark.parametrize(
+    ("platform", "library"),
+    [
+        ("manylinux_2_27_x86_64.manylinux_2_28_x86_64", "cyclonedds.libs/libddsc-ad12c33a.so.11.0.1"),
+        ("macosx_11_0_arm64", "cyclonedds/.dylibs/libddsc.11.0.1.dylib"),
+        ("win_amd64", "cyclonedds.libs/ddsc.dll"),
+    ],
+)
+def test_wheel_has_the_library_and_its_licence_for_any_python(
+    backend: ModuleType, tmp_path: Path, platform: str, library: str
+) -> None:
+    wheel = backend.repack(write_wheel(tmp_path, platform, library), tmp_path)
+    assert wheel.name == f"tfloom_ddsc-11.0.1-py3-none-{platform}.whl"
+    with zipfile.ZipFile(wheel) as archive:
+        info = "tfloom_ddsc-11.0.1.dist-info"
+        names = ["tfloom_ddsc/__init__.py", f"tfloom_ddsc/{library.rpartition('/')[2]}"]
+        assert archive.namelist() == [
+            *names,
+            *(f"{info}/{name}" for name in ("licenses/LICENSE", "METADATA", "WHEEL", "RECORD")),
+        ]
+        assert archive.read(names[1]) == b"a library"
+        tags = [
+            line for line in archive.read(f"{info}/WHEEL").decode().splitlines() if line.startswith("Tag")
+        ]
+        assert tags == [f"Tag: py3-none-{tag}" for tag in platform.split(".")]
+        assert "Requires-Dist" not in archive.read(f"{info}/METADATA").decode()
+
+
+@pytest.mark.parametrize(
+    "libraries", [(), ("cyclonedds.libs/ddsc.dll", "cyclonedds/.dylibs/libddsc.1.dylib")]
+)
+def test_wheel_without_the_one_library_is_refused(
+    backend: ModuleType, tmp_path: Path, libraries: tuple[str, ...]
+) -> None:
+    with pytest.raises(backend.BuildError, match=f"holds {len(libraries)} libraries named libddsc"):
+        backend.repack(write_wheel(tmp_path, "any", *libraries), tmp_path)
+
+
+@pytest.mark.wire
+@pytest.mark.skipif(sys.platform != "linux", reason="strips a library of Linux")
+def test_stripped_library_is_smaller_and_works(backend: ModuleType, tmp_path: Path) -> None:
+    library = Path(find_library())
+    wheel = write_wheel(tmp_path, "any", f"cyclonedds.libs/ddsc-{library.name}", content=library.read_bytes())
+    with zipfile.ZipFile(backend.repack(wheel, tmp_path)) as archive:
+        archive.extractall(tmp_path)
+    (stripped,) = (tmp_path / "tfloom_ddsc").glob("ddsc-*")
+    assert stripped.stat().st_size <= library.stat().st_size
+    code = "import sys; from tfloom._native import test_dds_library; test_dds_library(sys.argv[1])"
+    subprocess.run([sys.executable, "-c", code, stripped], check=True, timeout=60)
+
+
+def test_build_without_a_wheel_says_what_to_do(tmp_path: Path) -> None:
+    done = subprocess.run(
+        [sys.executable, PACKAGE / "build_backend.py", tmp_path],
+        env=os.environ | {"PIP_NO_INDEX": "1", "PIP_FIND_LINKS": ""},
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=120,
+    )
+    assert done.returncode == 1
+    assert "no wheel of cyclonedds 11.0.1 came for this platform" in done.stderr
+    assert "apt-get install libddsc0t64" in done.stderr
+
+
+def test_no_requirement_names_it() -> None:
+    """It is on no index, where pip would search for it, and could get a stranger's."""
+    for path in (ROOT / "pyproject.toml", *ROOT.glob("packages/*/pyproject.toml")):
+        if path.parent != PACKAGE:
+            assert "tfloom-ddsc" not in path.read_text("utf-8"), path
+
+
+@pytest.mark.slow
+@pytest.mark.wire
+def test_pip_builds_it_by_its_path(tmp_path: Path) -> None:
+    """As README installs it; nodes of two processes then meet by it, without cyclonedds."""
+    install = [sys.executable, "-m", "pip", "install", "--quiet", "--no-deps", "--target", tmp_path, PACKAGE]
+    done = subprocess.run(install, capture_output=True, text=True, check=False, timeout=300)
+    assert done.returncode == 0, done.stdout + done.stderr
+    done = subprocess.run(
+        [sys.executable, "-m", "tfloom", "doctor", "--report"],
+        env=os.environ | {"PYTHONPATH": str(tmp_path)},
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=60,
+    )
+    assert "libddsc 11.0.1 of tfloom-ddsc" in done.stdout, done.stdout + done.stderr
