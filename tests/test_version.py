@@ -60,6 +60,7 @@ def test_version_is_written_once_and_its_copies_match() -> None:
     own, *beside = (
         re.findall(r'^version = "(.*)"$', path.read_text("utf-8"), re.MULTILINE)
         for path in (ROOT / "pyproject.toml", *(ROOT / "packages").glob("*/pyproject.toml"))
+        if path.parent.name != "tfloom-ddsc"  # which has the version of its library
     )
     assert own == []
     # Their sdists are built without tfloom's sources, so they can't read them.

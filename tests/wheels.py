@@ -9,6 +9,7 @@ import pytest
 from tests.shared_folders import shared_folder
 from tools import release
 from tools.release import Tools
+from tools.set_up import PACKAGES
 
 ROOT = Path(__file__).parents[1]
 
@@ -36,7 +37,9 @@ def release_files(factory: pytest.TempPathFactory) -> list[Path]:
             shutil.rmtree(unfinished, ignore_errors=True)  # of a build that failed
             clone = copy_checkout(unfinished / "a clöne" / "tfloom")
             (unfinished / "dist").mkdir()
-            release.build(tools, unfinished / "dist", [clone, *(clone / "packages").iterdir()])
+            release.build(
+                tools, unfinished / "dist", [clone, *(clone / "packages" / name for name in PACKAGES)]
+            )
             (unfinished / "dist").rename(dist)
         return sorted(dist.iterdir())
 

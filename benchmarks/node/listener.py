@@ -173,6 +173,8 @@ def compile_bare_reader(folder: str) -> str | None:
             "version",
             "self_test",
             "loopback",
+            "memory_probe",
+            "topic_type",
         )
     ]
     program = f"{folder}/bare_reader"

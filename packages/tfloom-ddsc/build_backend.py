@@ -76,7 +76,7 @@ def download(folder: Path) -> Path:
     wheels = list(folder.glob("*.whl"))
     if done.returncode or not wheels:
         raise BuildError(
-            f"no wheel of cyclonedds {VERSION} came for this platform, to take libddsc from: where there is none (as on "
+            f"no wheel of cyclonedds {VERSION} came for this platform, to take libddsc from: where there is none (on "
             "Linux with arm64 or musl), install the system's, by apt-get install libddsc0t64 (Debian 13, Ubuntu) or "
             f"libddsc0debian (Debian 12). pip says: {done.stderr.strip()}"
         )

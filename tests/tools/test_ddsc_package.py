@@ -109,7 +109,7 @@ def test_no_requirement_names_it() -> None:
     """It is on no index, where pip would search for it, and could get a stranger's."""
     for path in (ROOT / "pyproject.toml", *ROOT.glob("packages/*/pyproject.toml")):
         if path.parent != PACKAGE:
-            assert "tfloom-ddsc" not in path.read_text("utf-8"), path
+            assert '"tfloom-ddsc' not in path.read_text("utf-8"), path
 
 
 @pytest.mark.slow
