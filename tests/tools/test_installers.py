@@ -1,4 +1,9 @@
-"""A clone installed by pip, uv and pipx, each into a separate folder: each results in a working `ros2`."""
+"""A clone installed by pip, uv and pipx, each into a separate folder: each results in a working `ros2`.
+
+Only pip compiles the clone. In its place uv and pipx get the wheel of a release, because each would compile the same
+files with the same backend, for a minute. The command `ros2`, in Python alone, each of them builds from the clone; and
+uv reads the clone's own project, too.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +13,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from tests.wheels import copy_checkout
+from tests.wheels import copy_checkout, release_files, wheel_of
 
 ROOT = Path(__file__).parents[2]
 COMMAND = "./packages/tfloom-ros2"
@@ -34,6 +39,12 @@ def tools(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="module")
 def clone(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return copy_checkout(tmp_path_factory.mktemp("a clone") / "tfloom")
+
+
+@pytest.fixture(scope="module")
+def with_extras(tmp_path_factory: pytest.TempPathFactory) -> str:
+    """Return the requirement of a release's wheel with all extras."""
+    return f"tfloom[all] @ {wheel_of(release_files(tmp_path_factory), 'tfloom').as_uri()}"
 
 
 def run(home: Path, *command: str | Path, cwd: Path = ROOT, **environment: object) -> None:
@@ -80,27 +91,33 @@ def test_pip_installs_all_packages(clone: Path, tmp_path: Path) -> None:
 
 @pytest.fixture(scope="module")
 def home_of_uv(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Return a home where uv keeps what it has built of a clone."""
+    """Return a home where uv keeps what it has downloaded and built."""
     return tmp_path_factory.mktemp("home")
 
 
-def test_uv_pip_installs_both_packages(tools: Path, clone: Path, home_of_uv: Path, tmp_path: Path) -> None:
+def test_uv_pip_installs_both_packages(
+    tools: Path, clone: Path, home_of_uv: Path, with_extras: str, tmp_path: Path
+) -> None:
     venv = tmp_path / "venv"
     run(home_of_uv, tools / "uv", "venv", "--python", sys.executable, venv, cwd=clone)
-    run(home_of_uv, tools / "uv", "pip", "install", ".[all]", COMMAND, cwd=clone, VIRTUAL_ENV=venv)
+    install = [tools / "uv", "pip", "install"]
+    run(home_of_uv, *install, "--dry-run", ".[all]", COMMAND, cwd=clone, VIRTUAL_ENV=venv)
+    run(home_of_uv, *install, with_extras, COMMAND, cwd=clone, VIRTUAL_ENV=venv)
     expect_working(venv / "bin" / "ros2")
 
 
-def test_uv_installs_a_tool(tools: Path, clone: Path, home_of_uv: Path, tmp_path: Path) -> None:
+def test_uv_installs_a_tool(
+    tools: Path, clone: Path, home_of_uv: Path, with_extras: str, tmp_path: Path
+) -> None:
     folders = {"UV_TOOL_DIR": tmp_path / "tools", "UV_TOOL_BIN_DIR": tmp_path / "bin"}
-    command = ["tool", "install", "--python", sys.executable, COMMAND, "--with", ".[all]"]
+    command = ["tool", "install", "--python", sys.executable, COMMAND, "--with", with_extras]
     run(home_of_uv, tools / "uv", *command, cwd=clone, **folders)
     expect_working(tmp_path / "bin" / "ros2")
 
 
-def test_pipx_installs_and_injects(tools: Path, clone: Path, tmp_path: Path) -> None:
+def test_pipx_installs_and_injects(tools: Path, clone: Path, with_extras: str, tmp_path: Path) -> None:
     folders = {"PIPX_HOME": tmp_path / "pipx", "PIPX_BIN_DIR": tmp_path / "bin"}
-    run(tmp_path, tools / "pipx", "install", "--python", sys.executable, ".[all]", cwd=clone, **folders)
+    run(tmp_path, tools / "pipx", "install", "--python", sys.executable, with_extras, cwd=clone, **folders)
     run(tmp_path, tools / "pipx", "inject", "tfloom", COMMAND, "--include-apps", cwd=clone, **folders)
     for name in ("ros2", "tfloom"):
         expect_working(tmp_path / "bin" / name)
