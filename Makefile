@@ -59,6 +59,7 @@ stub:
 facades:
 	$(set_up) demo
 	"$(BIN)/python" -m tools.facades
+	"$(BIN)/python" -m tools.manifests
 
 # Install the real rclpy, on Fast DDS, in build/ros-peer: the peer of tests and benchmarks.
 ros-peer:

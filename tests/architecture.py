@@ -99,7 +99,8 @@ def imports(house: Path) -> list[Import]:
     return [
         statement
         for statement in imports_of_package(house)
-        if "ros_names" not in statement.path.parts and not statement.path.name.endswith(LAUNCH_FILE)
+        if {"ros_names", "share"}.isdisjoint(statement.path.relative_to(house).parts)
+        and not statement.path.name.endswith(LAUNCH_FILE)
     ]
 
 

@@ -128,7 +128,8 @@ def test_packages_are_listed() -> None:
     assert transcript.run("pkg", "prefix", "turtlesim").text == str(index.OWN_PREFIX)
     share = Path(transcript.run("pkg", "prefix", "--share", "turtlesim").text)
     assert (share / "msg" / "Pose.msg").is_file()
-    assert transcript.run("pkg", "xml", "turtlesim").exit_code == 1
+    assert "<name>turtlesim</name>" in (share / "package.xml").read_text("utf-8")
+    assert transcript.run("pkg", "xml", "rclpy", "-t", "name").text == "rclpy"
 
 
 def test_new_package_builds_and_runs(

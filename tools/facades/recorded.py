@@ -159,7 +159,7 @@ def is_only_imported(name: Name) -> bool:
 def is_of(name: Name, pattern: str) -> bool:
     """Return whether a pattern of `missing.txt` matches a name."""
     if pattern.endswith("()"):
-        return name.kind == "class" and name.full == pattern[:-2]
+        return name.kind in {"class", "function"} and name.full == pattern[:-2]
     return fnmatchcase(name.full, pattern) or fnmatchcase(name.full, f"{pattern}.*")
 
 

@@ -1,6 +1,6 @@
 """ROS workspaces: packages that colcon has built, and tfloom's own programs.
 
-- ament, index, unsourced: packages of prefixes, tfloom's programs, packages that no program finds
+- ament, index, ament_index, unsourced: packages of prefixes, tfloom's programs, packages that no program finds
 - program_scripts: a path for each of tfloom's programs
 - create, package_templates: new packages
 - interfaces, interface_stubs, get_interfaces: definitions in prefixes, and their types for checkers

@@ -18,6 +18,14 @@ LEFT_OUT = "tfloom_left_out"
 """The type of the resource about a package's C++ that a build has left out: the reason, and a line for each program."""
 
 PROGRAMS: dict[str, dict[str, str]] = {
+    "demo_nodes_cpp": {
+        "add_two_ints_client": "tfloom.demos.demo_nodes_cpp.add_two_ints_client:main",
+        "add_two_ints_client_async": "tfloom.demos.demo_nodes_cpp.add_two_ints_client_async:main",
+        "add_two_ints_server": "tfloom.demos.demo_nodes_py.add_two_ints_server:main",
+        "listener": "tfloom.demos.demo_nodes_py.listener:main",
+        "parameter_blackboard": "tfloom.demos.demo_nodes_py.parameter_blackboard:main",
+        "talker": "tfloom.demos.demo_nodes_cpp.talker:main",
+    },
     "demo_nodes_py": {
         "add_two_ints_client": "tfloom.demos.demo_nodes_py.add_two_ints_client:main",
         "add_two_ints_client_async": "tfloom.demos.demo_nodes_py.add_two_ints_client_async:main",
@@ -125,14 +133,15 @@ def own_packages() -> dict[str, Path]:
 def share_folder(package: str, prefix: str | None) -> Path:
     """Return the folder of a package's files: under its prefix, or, with None, of one of tfloom's own.
 
-    The folder of one of tfloom's interface packages holds `msg/*.msg`, as an installed one does; the others have none.
+    That of one of tfloom's interface packages holds `msg/*.msg`, as an installed one does; each has a package.xml.
     """
     if prefix is not None:
         return Path(prefix, "share", package)
     from tfloom.rosidl.definition_files import own_folders
 
     folders = (folder / package for folder in own_folders())
-    return next((folder for folder in folders if folder.is_dir()), OWN_PREFIX / "share" / package)
+    otherwise = own_packages().get(package, OWN_PREFIX) / "share" / package
+    return next((folder for folder in folders if folder.is_dir()), otherwise)
 
 
 def package_programs(package: str, prefix: str) -> list[Path]:

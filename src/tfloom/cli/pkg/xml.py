@@ -19,7 +19,7 @@ def main(args: argparse.Namespace) -> int:
     """Print the file, or the text of each of its tags of that name."""
     path = index.share_folder(args.package_name, package_prefix(args.package_name)) / "package.xml"
     if not path.is_file():
-        raise CommandError(f"{args.package_name} has no package.xml: it is part of tfloom")
+        raise CommandError(f"{args.package_name} has no package.xml in {path.parent}")
     text = path.read_text("utf-8")
     if args.tag is None:
         print(text, end="")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from tfloom.interfaces.example_interfaces.srv import AddTwoInts
 from tfloom.node.client_library import ok, spin_until_future_complete
 from tfloom.node.endpoints.client import Client
@@ -11,14 +13,18 @@ from tfloom.node.program import expect_no_arguments, run_program
 __all__ = ["main", "wait_for_server"]
 
 
-def wait_for_server(client: Client) -> bool:
-    """Wait until the server is ready, and log a line each second; return False if the program was stopped before."""
+def wait_for_server(client: Client, report: Callable[[str], object] | None = None) -> bool:
+    """Wait until the server is ready, and report a line each second; return False if the program was stopped before."""
     while ok():
         if client.wait_for_service(timeout_sec=1.0):
             return True
         if ok():
-            print("service not available, waiting again...", flush=True)
+            (report or _print)("service not available, waiting again...")
     return False
+
+
+def _print(text: str) -> None:
+    print(text, flush=True)
 
 
 def call() -> None:

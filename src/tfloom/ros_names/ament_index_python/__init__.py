@@ -19,6 +19,7 @@ __all__ = [
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from ament_index_python import cli as cli
     from ament_index_python import constants as constants
     from ament_index_python import packages as packages
     from ament_index_python import resources as resources
@@ -45,6 +46,7 @@ else:
         InvalidResourceTypeNameError="tfloom.workspace.ament",
         PackageNotFoundError="tfloom.workspace.ament",
         RESOURCE_INDEX_SUBFOLDER="tfloom.workspace.ament",
+        cli="ament_index_python",
         constants="ament_index_python",
         get_package_prefix="tfloom.workspace.ament",
         get_package_share_directory="tfloom.workspace.ament",

@@ -1,0 +1,40 @@
+"""The package.xml of each package that tfloom stands for."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from catkin_pkg.package import parse_package
+from tools.facades.rooms import ROOT
+from tools.manifests import generate_all
+
+from tfloom import __version__
+from tfloom.workspace import index
+from tfloom.workspace.ament import get_package_share_directory
+
+
+def test_files_are_the_generated_ones() -> None:
+    files = generate_all()
+    assert [name for name, text in files.items() if (ROOT / name).read_text("utf-8") != text] == []
+    written = {
+        path.relative_to(ROOT).as_posix()
+        for house in ("src", "packages")
+        for path in (ROOT / house).rglob("package.xml")
+    }
+    assert written == {*files}
+
+
+def test_each_package_has_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("AMENT_PREFIX_PATH", raising=False)
+    packages = index.own_packages()
+    assert {"rclpy", "turtlesim", "demo_nodes_cpp", "cv_bridge", "nav2_msgs", "xacro"} <= {*packages}
+    for name in packages:
+        package = parse_package(Path(get_package_share_directory(name), "package.xml"))
+        assert (package.name, package.version) == (name, __version__)
+
+
+def test_colcon_takes_none_of_them_for_sources() -> None:
+    """A virtual environment may be below a workspace, whose packages colcon looks for in all folders."""
+    for name in generate_all():
+        assert (ROOT / name).parents[1].joinpath("COLCON_IGNORE").is_file()

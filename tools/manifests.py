@@ -1,0 +1,93 @@
+"""Write the `package.xml` of each package that tfloom stands for: `python -m tools.manifests`, in `make facades`.
+
+Programs ask for a package's share folder, and read this file in it: `FindPackageShare`, `ros2 pkg xml`.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from xml.sax.saxutils import escape
+
+from tools.facades.rooms import ROOT
+from tools.facades.table import read_table
+
+from tfloom import __version__
+from tfloom.workspace.index import PROGRAMS
+
+__all__ = ["generate_all"]
+
+_DEFINITIONS = (
+    "src/tfloom/rosidl/definitions",
+    "packages/tfloom-interfaces/src/tfloom_interfaces/definitions",
+)
+_OF_PROGRAMS = {
+    "demo_nodes_cpp": "Demonstration nodes, of which the original's are in C++.",
+    "robot_state_publisher": "The frames of a robot, by its description and the states of its joints.",
+    "turtle_tf2_py": "Demonstration of tf2 with turtlesim.",
+    "turtlesim": "A simulator of turtles, with its messages, services and actions.",
+    "xacro": "Macros in XML, for descriptions of robots.",
+}
+"""What is in the packages that have programs, and no façade that tells it."""
+
+
+def generate_all() -> dict[str, str]:
+    """Return the files, by path within the repository."""
+    files = {}
+    for folder, name in _folders_of_definitions():
+        description = _OF_PROGRAMS.get(name, f"Messages, services and actions of {name}.")
+        files[f"{folder}/{name}/package.xml"] = _manifest(name, description, has_interfaces=True)
+    with_definitions = {name for _, name in _folders_of_definitions()}
+    others = {
+        name: (Path(package.folder).parent, package.modules[name].doc)
+        for name, package in read_table().items()
+    }
+    of_programs = {
+        name: (Path("src/tfloom"), _OF_PROGRAMS[name]) for name in {*PROGRAMS} - {*others} - with_definitions
+    }
+    for name, (prefix, description) in sorted((others | of_programs).items()):
+        if name not in with_definitions:
+            path = f"{prefix.as_posix()}/share/{name}/package.xml"
+            files[path] = _manifest(name, description, has_interfaces=False)
+    return files
+
+
+def _folders_of_definitions() -> Iterator[tuple[str, str]]:
+    for folder in _DEFINITIONS:
+        yield from ((folder, path.name) for path in sorted((ROOT / folder).iterdir()) if path.is_dir())
+
+
+def _manifest(name: str, description: str, *, has_interfaces: bool) -> str:
+    group = "  <member_of_group>rosidl_interface_packages</member_of_group>\n" if has_interfaces else ""
+    build_type = "ament_cmake" if has_interfaces else "ament_python"
+    first_line = description.splitlines()[0]
+    return (
+        '<?xml version="1.0"?>\n'
+        '<package format="3">\n'
+        f"  <name>{name}</name>\n"
+        f"  <version>{__version__}</version>\n"
+        f"  <description>{escape(first_line)} Provided by tfloom.</description>\n"
+        '  <maintainer email="tfloom@example.org">The tfloom developers</maintainer>\n'
+        "  <license>Apache-2.0</license>\n"
+        f"{group}"
+        "  <export>\n"
+        f"    <build_type>{build_type}</build_type>\n"
+        "  </export>\n"
+        "</package>\n"
+    )
+
+
+def main() -> int:
+    """Write each file that differs, and return 0."""
+    for name, text in generate_all().items():
+        path = ROOT / name
+        if not path.is_file() or path.read_text("utf-8") != text:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, "utf-8")
+            print(f"wrote {name}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
