@@ -127,18 +127,9 @@ def print_a_launch_file(*, launch_file_path: str) -> None:
 
 def print_arguments_of_launch_description(*, launch_description: LaunchDescription) -> None:
     """Print the arguments of a launch description, each with its description and default."""
-    print("Arguments (pass arguments as '<name>:=<value>'):")
-    arguments = launch_description.get_launch_arguments()
-    conditional = [argument for argument in arguments if argument._conditionally_included]  # noqa: SLF001  # launch's own
-    for argument in arguments:
-        print(f"\n    '{argument.name}':{'*' if argument in conditional else ''}")
-        print(f"        {argument.description}")
-        if argument.default_value is not None:
-            print(f"        (default: {' + '.join(part.describe() for part in argument.default_value)})")
-    if not arguments:
-        print("\n  No arguments.")
-    if conditional:
-        print("\n* argument(s) which are only used if specific conditions occur")
+    from tfloom.launch.testing import arguments
+
+    arguments.print_arguments_of_launch_description(launch_description=launch_description)
 
 
 def arguments_of_launch_file(path: str) -> list[Any]:

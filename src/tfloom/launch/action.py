@@ -79,7 +79,5 @@ class Action(LaunchDescriptionEntity):
         return following
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
-        """Do what the action stands for, and return the entities to visit next; derived classes implement it."""
-        raise NotImplementedError(
-            f"{type(self).__name__} has no method 'execute', which does what the action stands for"
-        )
+        """Do what the action stands for, and return the entities to visit next; derived classes override it."""
+        return None

@@ -13,7 +13,7 @@ class Condition:
     """A predicate that decides, when an action is visited, whether it is executed.
 
     Args:
-        predicate: Called with the context; None: a condition that is always true.
+        predicate: Called with the context; None: a condition that never holds.
     """
 
     def __init__(self, *, predicate: Callable[[LaunchContext], bool] | None = None) -> None:
@@ -25,4 +25,4 @@ class Condition:
 
     def evaluate(self, context: LaunchContext) -> bool:
         """Return whether the condition holds now."""
-        return self._predicate is None or self._predicate(context)
+        return self._predicate is not None and self._predicate(context)

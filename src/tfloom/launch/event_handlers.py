@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from typing import Any, ClassVar, cast
 
 from tfloom.launch.action import Action
@@ -45,7 +45,7 @@ class OnActionEventBase(BaseEventHandler):
         kwargs: As for BaseEventHandler.
 
     Raises:
-        RuntimeError: `action_matcher` or `on_event` is of another type.
+        TypeError: `action_matcher` or `on_event` is of another type.
     """
 
     _target_name: ClassVar[str | None] = None
@@ -60,27 +60,21 @@ class OnActionEventBase(BaseEventHandler):
         target_action_cls: type[Action],
         **kwargs: Any,
     ) -> None:
-        name = type(self).__name__
         self._target = self._target_name or target_action_cls.__name__
+        # By `__class__`, which a mock of an action has from the class that it stands for.
+        classes = action_matcher.__class__.__mro__
         if not (
             action_matcher is None
-            or self._target in (cls.__name__ for cls in type(action_matcher).__mro__)
             or callable(action_matcher)
+            or self._target in (cls.__name__ for cls in classes)
         ):
-            raise RuntimeError(
-                f"{name} requires a '{self._target}' action as the target, a function that matches "
-                f"one, or None, and not '{action_matcher!r}'"
-            )
-        if not (callable(on_event) or isinstance(on_event, (LaunchDescriptionEntity, Iterable))):
-            raise RuntimeError(  # noqa: TRY004  # programs catch this one
-                f"{name} requires a function or launch description entities for its event, and not '{on_event!r}'"
-            )
+            raise TypeError(f"action_matcher must be an '{self._target}' instance or a callable")
         self._action_matcher = action_matcher
         self._target_event_cls = target_event_cls
         self._on_event = on_event
         self._actions: list[LaunchDescriptionEntity] | None = None
         if not callable(on_event):
-            self._actions = normalize_to_list_of_entities([on_event])
+            self._actions = normalize_to_list_of_entities([on_event], name="on_event")
         super().__init__(matcher=self._is_target_event, **kwargs)
 
     def _is_target_event(self, event: Any) -> bool:

@@ -24,13 +24,18 @@ class Performs(Protocol):
 
 
 class Locals:
-    """The context's variables as attributes."""
+    """The context's variables as attributes, which can be read."""
 
     def __init__(self, variables: Mapping[str, Any]) -> None:
         self.__dict__.update(variables)
 
     def __getattr__(self, name: str) -> Any:
-        raise AttributeError(f"context.locals does not contain attribute '{name}'")
+        raise AttributeError(
+            f"context.locals does not contain attribute '{name}', it contains: [{', '.join(self.__dict__)}]"
+        )
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError(f"can't set attribute '{name}', locals are read-only")
 
 
 class LaunchContext:
@@ -57,7 +62,6 @@ class LaunchContext:
         self._launch_configurations_stack: list[dict[str, str]] = []
         self._initial_environment = dict(os.environ)
         self._environment_stack: list[dict[str, str]] = []
-        self._process_count = 0
         self._logger = get_logger("launch.launch_context")
 
     @property
@@ -89,10 +93,6 @@ class LaunchContext:
     def add_completion_future(self, completion_future: Future[Any]) -> None:
         """Keep the launch running until a future is done."""
         self.run_state.add_future(completion_future)
-
-    def _next_process_number(self) -> int:
-        self._process_count += 1
-        return self._process_count
 
     # Variables
 

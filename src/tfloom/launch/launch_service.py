@@ -16,10 +16,12 @@ Read `run_async` first; what it calls follows in that order, and after it what o
 from __future__ import annotations
 
 import asyncio
+import atexit
 import logging
 import signal
 import threading
 import traceback
+import warnings
 from collections.abc import Coroutine, Iterable, Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -106,7 +108,8 @@ class LaunchService:
         Raises:
             RuntimeError: the launch runs already, or this thread runs an asyncio loop.
         """
-        return asyncio.run(self.run_async(shutdown_when_idle=shutdown_when_idle), debug=self._debug)
+        with _event_loop_after():
+            return asyncio.run(self.run_async(shutdown_when_idle=shutdown_when_idle), debug=self._debug)
 
     async def run_async(self, *, shutdown_when_idle: bool = True) -> int:
         """Run the launch until its end, as `run` does."""
@@ -141,7 +144,7 @@ class LaunchService:
             if state.events:
                 self._handle(state.events.popleft())
                 await asyncio.sleep(0)  # processes and timers go on between events
-            elif self._has_open_futures():
+            elif not self._is_idle():
                 await self._wake.wait()
             elif state.is_shutdown:
                 return
@@ -188,6 +191,10 @@ class LaunchService:
                 self._fail(error)
         self._open = [pair for pair in self._open if not pair[1].done()]
         return bool(self._open) or self._state.has_open_futures()
+
+    def _is_idle(self) -> bool:
+        """Return whether no event waits, and no entity goes on."""
+        return not self._state.events and not self._has_open_futures()
 
     # Its end
 
@@ -289,3 +296,32 @@ class LaunchService:
             return self._context.emit_event(event)
         self.emit_event(event)
         return None
+
+
+@contextmanager
+def _event_loop_after() -> Iterator[None]:
+    """Leave the thread with the event loop that it had before, because `asyncio.run` leaves it without one.
+
+    A program that calls `asyncio.get_event_loop()` after a launch on the main thread gets a loop, as before it.
+    """
+    loop = _current_event_loop()
+    try:
+        yield
+    finally:
+        if loop is None and threading.current_thread() is threading.main_thread():
+            loop = asyncio.new_event_loop()
+            atexit.register(loop.close)
+        if loop is not None:
+            asyncio.set_event_loop(loop)
+
+
+def _current_event_loop() -> asyncio.AbstractEventLoop | None:
+    """Return the event loop that was set for this thread, and is open; None if there is none."""
+    with warnings.catch_warnings():
+        # Python 3.12 and 3.13 warn before they create one; later ones raise RuntimeError.
+        warnings.simplefilter("error", DeprecationWarning)
+        try:
+            loop = asyncio.get_event_loop()
+        except (RuntimeError, DeprecationWarning):
+            return None
+    return None if loop.is_closed() else loop

@@ -38,6 +38,8 @@ OUTPUTS: dict[str, dict[str, set[str]]] = {
 STAMPED = "{created:.7f} [{levelname}] [{name}]: {msg}"
 SCREEN_FORMATS = {"default": "[{levelname}] [{name}]: {msg}", "default_with_timestamp": STAMPED}
 LOG_FORMATS = {"default": STAMPED}
+STYLES = ("{", "%", "$")
+"""Styles of formats, as `logging.Formatter` has them."""
 LINE_FORMAT = "{msg}"
 """Of a process's output, whose prefix is part of the line."""
 
@@ -55,9 +57,50 @@ class LaunchLogger(logging.Logger):
         super().setLevel(level)
         self._cache.clear()  # type: ignore[attr-defined]  # the base class clears those of its own loggers only
 
+    def addHandler(self, hdlr: logging.Handler) -> None:  # noqa: N802  # of the base class
+        """Add a handler; those of `launch_config`, which each logger has from the start, write a record once."""
+        self.handlers = [
+            handler
+            for handler in self.handlers
+            if not (isinstance(handler, _DeferredHandler) and handler.stands_for(hdlr))
+        ]
+        super().addHandler(hdlr)
 
-def _file_handler(path: str) -> logging.Handler:
-    return FileHandler(path, encoding="utf-8")
+
+def _file_handler(path: str, encoding: str | None = None) -> logging.Handler:
+    return FileHandler(path, encoding=encoding)
+
+
+def _given_format(
+    destination: str, given: str, style: str | None, defaults: Mapping[str, str]
+) -> tuple[str, str]:
+    """Return a format and its style, as the environment or the program gives them.
+
+    Raises:
+        ValueError: there is no such style, or it is given for a default.
+    """
+    if override := os.environ.get(f"OVERRIDE_LAUNCH_{destination}_FORMAT"):
+        # A shell passes `\n` and `\033[1m` on as they are typed.
+        return defaults.get(override) or _unescaped(override), "{"
+    if style is not None and given in defaults:
+        raise ValueError(f"a style can't be set for the format '{given}': it has one of its own")
+    if style is not None and style not in STYLES:
+        raise ValueError(f"'{style}' is no style of formats: use one of {' '.join(STYLES)}")
+    return defaults.get(given, given), style or "{"
+
+
+def _unescaped(text: str) -> str:
+    """Return a text with the escape sequences of Python's literals replaced."""
+    import codecs
+
+    decoded, _ = codecs.escape_decode(text.encode("utf-8"))  # type: ignore[attr-defined]  # typeshed has it not
+    return bytes(decoded).decode("utf-8")
+
+
+def _formatter(text: str, style: str, stream: Any = None) -> logging.Formatter:
+    if style == "{":
+        return BraceFormatter(text, stream)
+    return logging.Formatter(text, style=style)  # type: ignore[arg-type]  # checked by `_given_format`
 
 
 class LaunchConfig:
@@ -73,9 +116,10 @@ class LaunchConfig:
         self._file_handlers: dict[str, logging.Handler] = {}
         self._screen: dict[str, logging.Handler] = {}
         self.level = logging.INFO
-        self.log_handler_factory: Callable[[str], logging.Handler] = _file_handler
-        self.set_screen_format(os.environ.get("OVERRIDE_LAUNCH_SCREEN_FORMAT", "default"))
-        self.set_log_format(os.environ.get("OVERRIDE_LAUNCH_LOG_FORMAT", "default"))
+        self.log_handler_factory: Callable[..., logging.Handler] = _file_handler
+        """Takes the path of a log file and, by keyword, its encoding."""
+        self.set_screen_format("default")
+        self.set_log_format("default")
 
     @property
     def level(self) -> int:
@@ -93,7 +137,7 @@ class LaunchConfig:
         """Folder of this launch's log files, created at the first use.
 
         Raises:
-            ValueError: (on setting) it is another one already.
+            ValueError: (on setting) it is no folder, or another one is set already.
         """
         if self._log_dir is None:
             self._log_dir = _create_log_dir()
@@ -101,20 +145,47 @@ class LaunchConfig:
 
     @log_dir.setter
     def log_dir(self, log_dir: str) -> None:
-        if self._log_dir is not None and self._log_dir != log_dir:
-            raise ValueError(f"Cannot set log directory to '{log_dir}': it is '{self._log_dir}' already")
         path = Path(log_dir).expanduser()
-        path.mkdir(parents=True, exist_ok=True)
+        if not path.is_dir():
+            raise ValueError(f"{log_dir} is not a directory")
+        if self._log_dir is not None and self._log_dir != str(path):
+            raise ValueError(f"Cannot set log directory to '{log_dir}': it is '{self._log_dir}' already")
         self._log_dir = str(path)
 
     def set_screen_format(self, screen_format: str, *, screen_style: str | None = None) -> None:
-        """Set the format of lines on the screen: "default", "default_with_timestamp", or a format of `str.format`."""
-        self.screen_format = SCREEN_FORMATS.get(screen_format, screen_format)
-        self._screen.clear()
+        """Set the format of lines on the screen; the environment variable OVERRIDE_LAUNCH_SCREEN_FORMAT overrides it.
+
+        Args:
+            screen_format: "default", "default_with_timestamp", or a format of `logging.Formatter`.
+            screen_style: Style of a format that is none of the defaults: `{` (also for None), `%` or `$`.
+
+        Raises:
+            ValueError: there is no such style, or it is given for a default.
+        """
+        given = _given_format("SCREEN", screen_format, screen_style, SCREEN_FORMATS)
+        self.screen_format, self._screen_style = given
+        if "records" in self._screen:
+            self._screen["records"].setFormatter(self._screen_formatter())
 
     def set_log_format(self, log_format: str, *, log_style: str | None = None) -> None:
-        """Set the format of lines in log files: "default", or a format of `str.format`."""
-        self.log_format = LOG_FORMATS.get(log_format, log_format)
+        """Set the format of lines in log files; the environment variable OVERRIDE_LAUNCH_LOG_FORMAT overrides it.
+
+        Args:
+            log_format: "default", or a format of `logging.Formatter`.
+            log_style: Style of a format that is not the default: `{` (also for None), `%` or `$`.
+
+        Raises:
+            ValueError: there is no such style, or it is given for the default.
+        """
+        self.log_format, self._log_style = _given_format("LOG", log_format, log_style, LOG_FORMATS)
+        if "launch.log" in self._file_handlers:
+            self._file_handlers["launch.log"].setFormatter(self._log_formatter())
+
+    def _screen_formatter(self) -> logging.Formatter:
+        return _formatter(self.screen_format, self._screen_style, sys.stdout)
+
+    def _log_formatter(self) -> logging.Formatter:
+        return _formatter(self.log_format, self._log_style)
 
     def get_log_file_path(self, file_name: str = "launch.log") -> str:
         """Return the path of a file in the log folder."""
@@ -125,7 +196,9 @@ class LaunchConfig:
         name = "lines" if lines else "records"
         if name not in self._screen:
             handler = StdoutHandler()
-            handler.setFormatter(BraceFormatter(LINE_FORMAT if lines else self.screen_format, sys.stdout))
+            handler.setFormatter(
+                BraceFormatter(LINE_FORMAT, sys.stdout) if lines else self._screen_formatter()
+            )
             self._screen[name] = handler
         return self._screen[name]
 
@@ -133,12 +206,28 @@ class LaunchConfig:
         """Return the handler that writes to a file in the log folder."""
         key = f"{file_name}{'/lines' if lines else ''}"
         if key not in self._file_handlers:
-            handler = self.log_handler_factory(self.get_log_file_path(file_name))
-            is_own = file_name != "launch.log"
-            text = LINE_FORMAT if is_own else "{created:.7f} {msg}" if lines else self.log_format
-            handler.setFormatter(BraceFormatter(text))
+            handler = self._make_file_handler(self.get_log_file_path(file_name))
+            if file_name != "launch.log":
+                handler.setFormatter(BraceFormatter(LINE_FORMAT))
+            else:
+                handler.setFormatter(
+                    BraceFormatter("{created:.7f} {msg}") if lines else self._log_formatter()
+                )
             self._file_handlers[key] = handler
         return self._file_handlers[key]
+
+    def _make_file_handler(self, path: str) -> logging.Handler:
+        import inspect  # which a command that logs nothing does not need
+
+        try:
+            inspect.signature(self.log_handler_factory).bind(path, encoding="utf-8")
+        except TypeError:  # a factory that takes the path alone
+            return self.log_handler_factory(path)
+        return self.log_handler_factory(path, encoding="utf-8")
+
+    def has_handler(self, handler: logging.Handler, *, is_screen: bool) -> bool:
+        """Return whether a handler is that of the screen, or else that of the launch's log file."""
+        return handler is (self._screen.get("records") if is_screen else self._file_handlers.get("launch.log"))
 
     def add_logger(self, logger: logging.Logger) -> None:
         """Make `level` that of a logger, too."""
@@ -166,8 +255,8 @@ def get_logger(name: str | None = None) -> logging.Logger:
     if not logger.handlers:
         launch_config.add_logger(logger)
         logger.propagate = False
-        logger.addHandler(_DeferredHandler(launch_config.get_screen_handler))
-        logger.addHandler(_DeferredHandler(launch_config.get_log_file_handler))
+        logger.addHandler(_DeferredHandler(is_screen=True))
+        logger.addHandler(_DeferredHandler(is_screen=False))
     return logger
 
 
@@ -217,15 +306,24 @@ def reset() -> None:
 
 
 class _DeferredHandler(logging.Handler):
-    """Passes records on to a handler that exists from the first record on: most commands log nothing."""
+    """Passes records on to a handler of `launch_config` that exists from the first record on: most commands log nothing.
 
-    def __init__(self, make: Callable[[], logging.Handler]) -> None:
+    Args:
+        is_screen: Whether that is the handler of the screen; otherwise it is that of the launch's log file.
+    """
+
+    def __init__(self, *, is_screen: bool) -> None:
         super().__init__()
-        self._make = make
+        self._is_screen = is_screen
 
     def emit(self, record: logging.LogRecord) -> None:
         """Pass a record on."""
-        self._make().handle(record)
+        config = launch_config
+        (config.get_screen_handler() if self._is_screen else config.get_log_file_handler()).handle(record)
+
+    def stands_for(self, handler: logging.Handler) -> bool:
+        """Return whether records are passed on to a handler."""
+        return launch_config.has_handler(handler, is_screen=self._is_screen)
 
 
 def _sinks(process_name: str, output_config: OutputConfig) -> dict[str, set[str]]:
@@ -253,15 +351,19 @@ def _sinks(process_name: str, output_config: OutputConfig) -> dict[str, set[str]
     return sinks
 
 
-def _create_log_dir() -> str:
-    """Create `<root>/<time>-<host>-<pid>` under ROS_LOG_DIR, else ROS_HOME/log, else ~/.ros/log."""
-    import socket  # which printing the arguments of a file does not need
-
+def _get_logging_directory() -> str:
+    """Return the folder of all launches' log folders: ROS_LOG_DIR, else ROS_HOME/log, else ~/.ros/log."""
     environment = os.environ
     if environment.get("ROS_LOG_DIR"):
-        root = Path(environment["ROS_LOG_DIR"]).expanduser()
-    else:
-        root = Path(environment.get("ROS_HOME") or "~/.ros").expanduser() / "log"
+        return str(Path(environment["ROS_LOG_DIR"]).expanduser())
+    return str(Path(environment.get("ROS_HOME") or "~/.ros").expanduser() / "log")
+
+
+def _create_log_dir() -> str:
+    """Create `<root>/<time>-<host>-<pid>`."""
+    import socket  # which printing the arguments of a file does not need
+
+    root = Path(_get_logging_directory())
     try:
         root.mkdir(parents=True, exist_ok=True)
     except OSError as error:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from tfloom.launch.action import Action
 from tfloom.launch.actions.process_output import ProcessOutput
+from tfloom.launch.conditions import evaluate_condition_expression
 from tfloom.launch.descriptions.executable import Executable
 from tfloom.launch.event import Event
 from tfloom.launch.event_handler import BaseEventHandler, EventHandler
@@ -53,7 +54,8 @@ class ExecuteLocal(Action):
         shell: Whether a shell runs the command line.
         sigterm_timeout: Time between SIGINT and SIGTERM [s].
         sigkill_timeout: Time between SIGTERM and SIGKILL [s].
-        emulate_tty: Whether its stdout and stderr are terminals, so that it writes colors, and each line at once.
+        emulate_tty: Whether its stdout and stderr are terminals, so that it writes colors, and each line at once. The
+            launch configuration `emulate_tty` overrides it, as in `ros2 launch … emulate_tty:=true`.
         output: Where its output goes: "screen", "log" (and stderr on the screen), "both", "own_log" (files of its own),
             "full" (all of them), or a dictionary from "stdout", "stderr", "both" to sets of "screen", "log", "own_log".
             The environment variable OVERRIDE_LAUNCH_PROCESS_OUTPUT overrides it.
@@ -67,6 +69,9 @@ class ExecuteLocal(Action):
         respawn_max_retries: How often; negative: always.
         kwargs: As for Action.
     """
+
+    _blocks_signals = False
+    """Whether the process starts with SIGINT and SIGTERM blocked, which it unblocks when it has its handlers."""
 
     def __init__(
         self,
@@ -93,6 +98,7 @@ class ExecuteLocal(Action):
         self._sigkill_timeout = normalize_to_list_of_substitutions(sigkill_timeout)
         # The attributes have double underscores upstream, too; programs set this one.
         self.__emulate_tty = emulate_tty
+        self._has_terminals = self._has_shell = False
         destination = os.environ.get("OVERRIDE_LAUNCH_PROCESS_OUTPUT", output)
         self._given_output = (
             destination if isinstance(destination, dict) else normalize_to_list_of_substitutions(destination)
@@ -187,7 +193,8 @@ class ExecuteLocal(Action):
 
         Raises:
             RuntimeError: it was executed before, or no launch runs.
-            ValueError: `output` is no output, or a timeout no number.
+            ValueError: `output` is no output, a timeout no number, or the configuration `emulate_tty` neither true nor
+                false.
         """
         self.prepare(context)
         name = str(self._process_description.final_name)
@@ -203,6 +210,8 @@ class ExecuteLocal(Action):
             if isinstance(self._given_output, dict)
             else perform_substitutions(context, self._given_output)
         )
+        self._has_terminals = self._emulates_terminals(context)
+        self._has_shell = _flag(context, self._shell)
         self._output = ProcessOutput(self, name, output, self._output_format, is_cached=self._cached_output)
         timeouts = {
             number: _seconds(context, name, text)
@@ -217,6 +226,11 @@ class ExecuteLocal(Action):
         self._register_handlers(context, timeouts)
         self._task = loop.create_task(self._run(context, respawns=respawns))
         return None
+
+    def _emulates_terminals(self, context: LaunchContext) -> bool:
+        if "emulate_tty" in context.launch_configurations:
+            return evaluate_condition_expression(context, [LaunchConfiguration("emulate_tty")])
+        return _flag(context, self.__emulate_tty)
 
     def _register_handlers(self, context: LaunchContext, timeouts: dict[str, tuple[str, float]]) -> None:
         self._handlers = [
@@ -265,8 +279,9 @@ class ExecuteLocal(Action):
                 lambda: self._output is not None and self._output.is_behind(context),
                 cwd=executable.final_cwd,
                 env=guard.environment(environment),
-                shell=self._shell,
-                emulate_tty=self.__emulate_tty,
+                shell=self._has_shell,
+                emulate_tty=self._has_terminals,
+                blocks_signals=self._blocks_signals,
             )
         except (OSError, ValueError) as error:
             logger.error(  # noqa: TRY400  # a traceback says no more
@@ -416,6 +431,11 @@ class _Targeted(EventHandler):
     def handle(self, event: Event, context: LaunchContext) -> None:
         super().handle(event, context)
         self._handle(event, context)
+
+
+def _flag(context: LaunchContext, value: Any) -> bool:
+    """Return whether something is on, which XML and YAML files may give as substitutions."""
+    return bool(perform_typed_substitution(context, normalize_typed_substitution(value, bool), bool))
 
 
 def _seconds(context: LaunchContext, name: str, substitutions: Any) -> tuple[str, float]:

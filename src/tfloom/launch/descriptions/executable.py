@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 import shlex
 from collections.abc import Iterable, Mapping
@@ -22,6 +23,9 @@ __all__ = ["Executable"]
 
 Substitutions = list[Substitution]
 Variables = list[tuple[Substitutions, Substitutions]]
+
+_process_numbers = itertools.count(1)
+"""Numbers of processes, which are unique among all launches of a program: the names of processes have them."""
 
 
 class Executable:
@@ -129,7 +133,7 @@ class Executable:
         if not cmd or not cmd[0]:
             raise ValueError("a command line is empty: its first word is the program to start")
         name = Path(cmd[0]).name if self._name is None else perform_substitutions(context, self._name)
-        self._final_name = f"{name}-{context._next_process_number()}"  # noqa: SLF001  # of this room
+        self._final_name = f"{name}-{next(_process_numbers)}"
         prefix = shlex.split(perform_substitutions(context, self._prefix))
         if prefix and self._is_filtered:
             pattern = perform_substitutions(context, self._prefix_filter)

@@ -8,8 +8,8 @@ import shutil
 import signal
 import subprocess
 import sys
-from collections.abc import Callable, Mapping, Sequence
-from contextlib import suppress
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager, nullcontext, suppress
 from pathlib import Path
 from typing import Any, cast
 
@@ -57,6 +57,7 @@ class LocalProcess:
         env: Mapping[str, str],
         shell: bool,
         emulate_tty: bool,
+        blocks_signals: bool = False,
     ) -> LocalProcess:
         """Start a process.
 
@@ -69,6 +70,7 @@ class LocalProcess:
             env: Its environment variables.
             shell: Whether a shell runs the command line.
             emulate_tty: Whether its stdout and stderr are terminals.
+            blocks_signals: Whether it starts with SIGINT and SIGTERM blocked, where the system can do so.
 
         Raises:
             OSError: the program can't be started.
@@ -81,11 +83,12 @@ class LocalProcess:
         if ends:
             options.update(stdout=ends[0][1], stderr=ends[1][1])
         try:
-            if shell:
-                started = await loop.subprocess_shell(lambda: self._protocol, " ".join(cmd), **options)
-            else:
-                words = _executable(cmd, env)
-                started = await loop.subprocess_exec(lambda: self._protocol, *words, **options)
+            with _blocked_signals() if blocks_signals else nullcontext():
+                if shell:
+                    started = await loop.subprocess_shell(lambda: self._protocol, " ".join(cmd), **options)
+                else:
+                    words = _executable(cmd, env)
+                    started = await loop.subprocess_exec(lambda: self._protocol, *words, **options)
         except BaseException:
             for ours, _ in ends:
                 os.close(ours)
@@ -160,6 +163,19 @@ def _executable(cmd: Sequence[str], env: Mapping[str, str]) -> Sequence[str]:
     path = shutil.which(cmd[0], path=env.get("PATH"))
     interpreter = [] if path is None else interpreter_with_space(Path(path))
     return [*interpreter, str(path), *cmd[1:]] if interpreter else cmd
+
+
+@contextmanager
+def _blocked_signals() -> Iterator[None]:
+    """Block the signals of the end in this thread, because a new process inherits what is blocked."""
+    if sys.platform == "win32":
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT, signal.SIGTERM])
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _own_group() -> dict[str, Any]:

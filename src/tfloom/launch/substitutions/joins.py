@@ -55,7 +55,7 @@ class PathJoinSubstitution(Substitution):
 
     def describe(self) -> str:
         """Return a description for people."""
-        return f"PathJoin({', '.join(described(part) for part in self._parts)})"
+        return f"PathJoinSubstitution('{', '.join(described(part) for part in self._parts)}')"
 
     def perform(self, context: LaunchContext) -> str:
         """Return the path."""

@@ -29,11 +29,13 @@ def print_arguments_of_launch_description(*, launch_description: LaunchDescripti
     """Print the arguments that a description declares, with what each is for and its default."""
     print("Arguments (pass arguments as '<name>:=<value>'):")
     arguments = launch_description.get_launch_arguments()
+    conditional = [argument for argument in arguments if argument._conditionally_included]  # noqa: SLF001  # launch's own
+    for argument in arguments:
+        print(f"\n    '{argument.name}':{'*' if argument in conditional else ''}")
+        print(f"        {argument.description}")
+        if argument.default_value is not None:
+            print(f"        (default: {described(argument.default_value)})")
     if not arguments:
         print("\n  No arguments.")
-    for action in arguments:
-        print(f"\n    '{action.name}':")
-        description = action.description or "no description given"
-        print("        " + "\n        ".join(str(description).splitlines()))
-        if action.default_value is not None:
-            print(f"        (default: {described(action.default_value)})")
+    if conditional:
+        print("\n* argument(s) which are only used if specific conditions occur")

@@ -17,13 +17,12 @@ class SequentialTextChecker:
     """Finds texts in an output, each after the one before.
 
     Args:
-        output: Lines, or parts of any length.
+        output: Lines with their line breaks, or parts of any length.
     """
 
     def __init__(self, output: Sequence[str]) -> None:
-        self._lines = [line for part in output for line in part.splitlines()]
-        self._at = 0  # the line that the last text was found in
-        self._column = 0  # after this text
+        self._output = "".join(output)
+        self._at = 0  # after the last text that was found
 
     def assertInStdout(self, msg: str) -> None:  # noqa: N802  # launch_testing's name
         """Assert that a text follows the ones that were found before.
@@ -31,15 +30,15 @@ class SequentialTextChecker:
         Raises:
             AssertionError: it is not there, or only before.
         """
-        column = self._column
-        for number in range(self._at, len(self._lines)):
-            begin = self._lines[number].find(msg, column)
-            if begin >= 0:
-                self._at, self._column = number, begin + len(msg)
-                return
-            column = 0
+        begin = self._output.find(msg, self._at)
+        if begin >= 0:
+            self._at = begin + len(msg)
+            return
         nearby = "\n".join(self.get_nearby_lines())
-        raise AssertionError(f"'{msg}' not found in output after the last match. Nearby lines:\n{nearby}")
+        raise AssertionError(
+            f"'{msg}' not found in sequence after previous match.  "
+            f"The output near the last matched line:\n{nearby}"
+        )
 
     def assertInText(self, msg: str) -> None:  # noqa: N802  # launch_testing's name
         """Assert that a text follows the ones that were found before, as `assertInStdout` does."""
@@ -47,7 +46,8 @@ class SequentialTextChecker:
 
     def get_nearby_lines(self) -> list[str]:
         """Return the lines around the last text that was found."""
-        return self._lines[max(self._at - _NEARBY, 0) : self._at + _NEARBY + 1]
+        before = self._output.count("\n", 0, self._at)
+        return self._output.splitlines()[max(before - _NEARBY, 0) : before + _NEARBY + 1]
 
 
 @contextmanager

@@ -37,7 +37,8 @@ def unittestResultToXml(name: str, test_result: unittest.TestResult) -> ET.Eleme
 
     Args:
         name: Of the launch.
-        test_result: Its result; of a launch that failed or was skipped there is one element, `launch`.
+        test_result: Its result; of a launch that failed there is one element, `launch`, and of one that was skipped
+            `skipped_launch`.
     """
     suite = ET.Element("testsuite", {"name": name, "time": f"{_seconds(test_result):.3f}"})
     counts = {
@@ -47,8 +48,10 @@ def unittestResultToXml(name: str, test_result: unittest.TestResult) -> ET.Eleme
         "skipped": len(test_result.skipped),
     }
     if isinstance(test_result, (FailResult, SkipResult)):
-        case = ET.SubElement(suite, "testcase", {"classname": name, "name": "launch", "time": "0.000"})
-        kind, key = ("failure", "failures") if isinstance(test_result, FailResult) else ("skipped", "skipped")
+        is_failure = isinstance(test_result, FailResult)
+        kind, key = ("failure", "failures") if is_failure else ("skipped", "skipped")
+        case_name = "launch" if is_failure else "skipped_launch"
+        case = ET.SubElement(suite, "testcase", {"classname": name, "name": case_name, "time": "0.000"})
         element = ET.SubElement(case, kind, {"message": _xml_text(test_result.message)})
         element.text = _xml_text(getattr(test_result, "details", ""))
         counts = {**counts, "tests": counts["tests"] + 1, key: counts[key] + 1}
@@ -66,9 +69,14 @@ def unittestCaseToXml(test_result: unittest.TestResult, test_case: unittest.Test
     """Return the element of one test, with what it failed of or why it was skipped."""
     times: Mapping[Any, float] = getattr(test_result, "testTimes", {})
     name = getattr(test_case, "_testMethodName", None) or test_case.id()
+    kind_of_case = type(test_case)
     element = ET.Element(
         "testcase",
-        {"classname": type(test_case).__name__, "name": name, "time": f"{times.get(test_case, 0.0):.3f}"},
+        {
+            "classname": f"{kind_of_case.__module__}.{kind_of_case.__qualname__}",
+            "name": name,
+            "time": f"{times.get(test_case, 0.0):.3f}",
+        },
     )
     for kind, texts in (
         ("failure", test_result.failures),

@@ -12,9 +12,17 @@ _PROGRAM = """\
 import signal, sys, time
 signal.signal(signal.SIGINT, lambda *_: sys.exit(0))
 signal.signal(signal.SIGTERM, lambda *_: sys.exit(0))
+if hasattr(signal, "pthread_sigmask"):
+    signal.pthread_sigmask(signal.SIG_UNBLOCK, [signal.SIGINT, signal.SIGTERM])
 while True:
     time.sleep(3600)
 """
+
+
+class _KeepAlive(ExecuteProcess):
+    """Runs the program, which gets a signal that is sent before it has its handlers once it has them."""
+
+    _blocks_signals = True
 
 
 def KeepAliveProc() -> ExecuteProcess:  # noqa: N802  # launch_testing's name
@@ -23,4 +31,4 @@ def KeepAliveProc() -> ExecuteProcess:  # noqa: N802  # launch_testing's name
     A launch ends with its last process, and fails tests that still run. Where all processes under test end by
     themselves, this one keeps the launch going.
     """
-    return ExecuteProcess(cmd=[sys.executable, "-S", "-c", _PROGRAM], name="keep_alive")
+    return _KeepAlive(cmd=[sys.executable, "-S", "-c", _PROGRAM], name="keep_alive")

@@ -66,7 +66,10 @@ def run(
         logging.getLogger("launch").setLevel(logging.DEBUG)
     try:
         name = path.name.split(".")[0]
-        runs = LoadTestsFromPythonModule(import_file(path), name=args.package_name or name)
+        suite_name = f"{args.package_name or name}.{path.stem}.launch_tests"
+        runs = LoadTestsFromPythonModule(import_file(path), name=suite_name)
+        for launch in runs:
+            launch.module_name = args.package_name
         if args.show_args:
             print_arguments_of_launch_description(launch_description=runs[0].get_launch_description())
             return 0
@@ -80,7 +83,7 @@ def run(
     if args.xmlpath:
         document = BytesIO()
         document_of = unittestResultsToXml(
-            name=f"{args.package_name or name}.launch_tests",
+            name=suite_name,
             test_results={str(run): result for run, result in results.items()},
         )
         document_of.write(document, encoding="utf-8", xml_declaration=True)

@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any, TypeAlias
 
 from tfloom.launch.launch_description import LaunchDescription
+from tfloom.launch.testing.actions import ReadyToTest
 from tfloom.launch.testing.markers import is_kept_alive
 from tfloom.launch.testing.readiness import timeout_of
 
@@ -68,6 +69,8 @@ class TestRun:
         self.param_args = dict(param_args)
         self.pre_shutdown_tests = list(pre_shutdown_tests)
         self.post_shutdown_tests = list(post_shutdown_tests)
+        self.module_name: str | None = None
+        """Name of the module of the cases, as reports have it; None: the one that it has."""
         self.is_kept_alive = is_kept_alive(test_description_function)
         self.ready_timeout_s = timeout_of(test_description_function)
 
@@ -112,7 +115,8 @@ class TestRun:
             ready_fn: What an older description calls in place of the ReadyToTest action.
 
         Raises:
-            DescriptionError: the function has other arguments, or returns something else.
+            DescriptionError: the function has other arguments, returns something else, or has neither a ReadyToTest
+                action in its description nor the argument `ready_fn`.
         """
         self.validate()
         takes_ready_fn = READY_FN in inspect.signature(self.test_description_function).parameters
@@ -121,6 +125,11 @@ class TestRun:
         if not isinstance(description, LaunchDescription) or not isinstance(context, Mapping):
             raise DescriptionError(
                 f"{ENTRY_POINT} must return a LaunchDescription, or one and a dictionary, and returned {made!r}"
+            )
+        if not takes_ready_fn and not any(iterate_ready_to_test_actions(description.entities, ReadyToTest)):
+            raise DescriptionError(
+                f"{ENTRY_POINT} functions without a {READY_FN} argument must return a LaunchDescription "
+                "containing a ReadyToTest action"
             )
         return description, dict(context)
 
@@ -140,7 +149,7 @@ class TestRun:
         """
         loader = unittest.TestLoader()
         everything = {**arguments, **self.param_args}
-        suites = (loader.loadTestsFromTestCase(_bound_case(case, attributes, everything)) for case in cases)
+        suites = (loader.loadTestsFromTestCase(_bound_case(case, attributes, everything, self.module_name)) for case in cases)
         return unittest.TestSuite(suites)
 
     def __str__(self) -> str:
@@ -212,7 +221,9 @@ def iterate_ready_to_test_actions(entities: Iterable[Any], kind: type[Any]) -> I
             yield from iterate_ready_to_test_actions(conditional, kind)
 
 
-def _bound_case(case: _Case, attributes: Mapping[str, Any], arguments: Mapping[str, Any]) -> _Case:
+def _bound_case(
+    case: _Case, attributes: Mapping[str, Any], arguments: Mapping[str, Any], module_name: str | None
+) -> _Case:
     """Return a case with the same tests, whose methods get the arguments that they have by name."""
     methods: dict[str, Any] = {}
     for name in (*unittest.TestLoader().getTestCaseNames(case), "setUp", "tearDown"):
@@ -220,7 +231,7 @@ def _bound_case(case: _Case, attributes: Mapping[str, Any], arguments: Mapping[s
         methods[name] = _with_arguments(method, arguments)
     for name in ("setUpClass", "tearDownClass"):
         methods[name] = classmethod(_with_arguments(getattr(case, name).__func__, arguments))
-    named = {"__module__": case.__module__, "__qualname__": case.__qualname__, "__doc__": case.__doc__}
+    named = {"__module__": module_name or case.__module__, "__qualname__": case.__qualname__, "__doc__": case.__doc__}
     return type(case.__name__, (case,), {**attributes, **methods, **named})
 
 

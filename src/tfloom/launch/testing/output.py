@@ -75,15 +75,16 @@ def expect_output(
             `expected_lines`.
         expected_lines: What is expected, each in a line after that of the one before.
         strip_ansi_escape_sequences: Whether codes for colours are removed first.
-        strict: Whether there is nothing but what is expected.
+        strict: Whether it is at the begin, lines without others between, and texts at the begin of their lines. More
+            may follow.
 
     Raises:
         ValueError: neither or both of `expected_text` and `expected_lines`, or of `text` and `lines`, are given.
     """
     if (expected_text is None) == (expected_lines is None):
-        raise ValueError("give one of expected_text and expected_lines")
+        raise ValueError("Either expected lines or text, but not both, must be specified")
     if (text is None) == (lines is None):
-        raise ValueError("give one of text and lines")
+        raise ValueError("Either lines or text, but not both, must be specified")
     whole = text if text is not None else os.linesep.join(lines or ())
     if strip_ansi_escape_sequences:
         whole = remove_ansi_escape_sequences(whole)

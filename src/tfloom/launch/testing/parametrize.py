@@ -40,7 +40,7 @@ def parametrize(
     Args:
         argnames: Name of an argument, or several, as a sequence or with commas between them. The tests of each launch
             get the values by the same names.
-        argvalues: A value for each launch, or a sequence of as many as there are names.
+        argvalues: A value for each launch, or a sequence of as many as there are names, as `(1,)` for one name.
 
     Raises:
         ValueError: there are more or fewer values than names.
@@ -49,7 +49,8 @@ def parametrize(
     names = [name.strip() for name in words if name.strip()]
     sets = []
     for values in argvalues:
-        row = [values] if len(names) == 1 else list(values)
+        is_row = len(names) > 1 or (isinstance(values, (tuple, list)) and len(values) == 1)
+        row = list(values) if is_row else [values]
         if len(row) != len(names):
             raise ValueError(
                 f"parametrize: {len(names)} names ({', '.join(names)}), but {len(row)} values: {values!r}"

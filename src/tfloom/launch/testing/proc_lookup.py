@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Final, Protocol
 
-from tfloom.launch.actions.execute_process import ExecuteProcess
+from tfloom.launch.actions.execute_local import ExecuteLocal
 from tfloom.launch.substitutions.text_substitution import TextSubstitution
 
 __all__ = ["NO_CMD_ARGS", "CmdArgs", "NoMatchingProcessException", "Process", "resolveProcesses"]
@@ -21,7 +21,7 @@ class _NoCmdArgs:
 NO_CMD_ARGS: Final = _NoCmdArgs()
 """In place of arguments: a process that was started without any."""
 
-Process = ExecuteProcess | str | None
+Process = ExecuteLocal | str | None
 """An action, a part of a process's name, or None for all processes."""
 CmdArgs = Sequence[str] | str | _NoCmdArgs | None
 """An argument, several that are all there, NO_CMD_ARGS, or None for any."""
@@ -34,7 +34,7 @@ class NoMatchingProcessException(Exception):  # noqa: N818  # launch_testing's n
 class HasProcesses(Protocol):
     """What records events of processes: an IoHandler or a ProcInfoHandler."""
 
-    def processes(self) -> Iterable[ExecuteProcess]:
+    def processes(self) -> Iterable[ExecuteLocal]:
         """Return the actions of the processes, each once."""
 
 
@@ -44,7 +44,7 @@ def resolveProcesses(  # noqa: N802  # launch_testing's name
     process: Process = None,
     cmd_args: CmdArgs = None,
     strict_proc_matching: bool = True,
-) -> list[ExecuteProcess]:
+) -> list[ExecuteLocal]:
     """Return the actions of the processes that match, at least one.
 
     Args:
@@ -63,12 +63,12 @@ def resolveProcesses(  # noqa: N802  # launch_testing's name
         if not recorded_actions:
             raise NoMatchingProcessException("No processes were recorded")
         return recorded_actions
-    if isinstance(process, ExecuteProcess):
+    if isinstance(process, ExecuteLocal):
         if process not in recorded_actions:
             raise NoMatchingProcessException(f"No data recorded for proc {_describe(process)}")
         return [process]
     if not isinstance(process, str):
-        raise TypeError(f"process must be an ExecuteProcess action or a text, and is {process!r}")
+        raise TypeError(f"process must be an ExecuteLocal action or a text, and is {process!r}")
     matches = [
         action
         for action in recorded_actions
@@ -88,7 +88,7 @@ def resolveProcesses(  # noqa: N802  # launch_testing's name
     return matches
 
 
-def process_name(process: ExecuteProcess) -> str:
+def process_name(process: ExecuteLocal) -> str:
     """Return the name of a process with its number; of one that was not started, what is known of it."""
     details = process.process_details
     if details is None:
@@ -96,7 +96,7 @@ def process_name(process: ExecuteProcess) -> str:
     return str(details["name"])
 
 
-def _has_arguments(process: ExecuteProcess, cmd_args: CmdArgs) -> bool:
+def _has_arguments(process: ExecuteLocal, cmd_args: CmdArgs) -> bool:
     if cmd_args is None:
         return True
     details = process.process_details
@@ -107,7 +107,7 @@ def _has_arguments(process: ExecuteProcess, cmd_args: CmdArgs) -> bool:
     return all(argument in arguments for argument in expected_arguments)
 
 
-def _describe(process: ExecuteProcess) -> str:
+def _describe(process: ExecuteLocal) -> str:
     """Return the name of a process, or its command line if that is of texts alone."""
     if process.process_details is not None:
         return process_name(process)
@@ -122,5 +122,5 @@ def _describe(process: ExecuteProcess) -> str:
     return f"'{' '.join(words)}', which was not started"
 
 
-def _names(processes: Iterable[ExecuteProcess]) -> str:
+def _names(processes: Iterable[ExecuteLocal]) -> str:
     return ", ".join(process_name(process) for process in processes) or "none"

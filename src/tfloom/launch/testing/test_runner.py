@@ -22,7 +22,6 @@ from tfloom.launch.testing.arguments import parse_launch_arguments
 from tfloom.launch.testing.assert_exit_codes import describe_exit_code
 from tfloom.launch.testing.assert_output import text_of
 from tfloom.launch.testing.io_handler import ActiveIoHandler
-from tfloom.launch.testing.keep_alive import KeepAliveProc
 from tfloom.launch.testing.loader import TestRun
 from tfloom.launch.testing.proc_info_handler import ActiveProcInfoHandler
 from tfloom.launch.testing.test_result import FailResult, SkipResult, TestResult
@@ -114,7 +113,7 @@ class _Launch:
         # The launch runs here until its end, which the thread of the tests asks for when they are done. If it ends
         # before, the tests may still wait for a process or for the begin: closing the records and setting the event
         # ends these waits, so that `join` returns.
-        code = self._service.run()
+        code = self._service.run(shutdown_when_idle=not self._run.is_kept_alive)
         has_ended_early = not self._tests_are_done
         self._proc_info.close()
         self._proc_output.close()
@@ -146,8 +145,7 @@ class _Launch:
         ]
         for handler in handlers:
             self._service.context.register_event_handler(handler)
-        kept_alive: list[LaunchDescriptionEntity] = [KeepAliveProc()] if self._run.is_kept_alive else []
-        return LaunchDescription([*self._preamble, *kept_alive, description])
+        return LaunchDescription([*self._preamble, description])
 
     def _on_ready(self) -> None:
         self._is_ready = True

@@ -29,9 +29,8 @@ def ensure_argument_type(
             raise TypeError(f"'{kind!r}' in 'types' is not a type")
         if isinstance(argument, origin) or (isinstance(argument, type) and issubclass(argument, origin)):
             return
-    named = "', '".join(kind.__name__ for kind in allowed)
-    of_caller = f" to {caller}" if caller else ""
+    named = ", ".join(map(repr, allowed))
+    start = f"'{caller}' expected" if caller else "Expected"
     raise TypeError(
-        f"Expected '{argument_name}' given{of_caller} to be one of ['{named}'], "
-        f"but got '{argument}' of type '{type(argument)}'"
+        f"{start} '{argument_name}' to be one of [{named}], but got '{argument}' of type '{type(argument)}'"
     )

@@ -11,13 +11,26 @@ __all__ = ["normalize_to_list_of_entities"]
 
 
 def normalize_to_list_of_entities(
-    entities: Iterable[SomeEntitiesType],
+    entities: Iterable[SomeEntitiesType], *, name: str = "entities"
 ) -> list[LaunchDescriptionEntity]:
-    """Return all entities of nested lists, in order."""
+    """Return all entities of nested lists, in order.
+
+    Args:
+        entities: The entities, and lists of them.
+        name: What the error calls it.
+
+    Raises:
+        TypeError: an item is no entity.
+    """
     flat: list[LaunchDescriptionEntity] = []
     for item in entities:
-        if isinstance(item, Iterable):
-            flat += normalize_to_list_of_entities(item)
-        else:
+        if isinstance(item, LaunchDescriptionEntity):
             flat.append(item)
+        elif isinstance(item, Iterable) and not isinstance(item, (str, bytes)):
+            flat += normalize_to_list_of_entities(item, name=name)
+        else:
+            raise TypeError(
+                f"expected all items in '{name}' iterable to be of type 'LaunchDescriptionEntity' "
+                f"but got '{type(item)}'"
+            )
     return flat

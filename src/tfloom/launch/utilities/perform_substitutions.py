@@ -20,12 +20,17 @@ MAX_CHARACTERS = 10_000_000
 def perform_substitutions(context: LaunchContext, subs: Iterable[Substitution]) -> str:
     """Return the texts of substitutions, concatenated.
 
+    Programs that have no launch pass None as the context, for substitutions of which none needs one.
+
     Raises:
         SubstitutionFailure: the text is longer than MAX_CHARACTERS, as by configurations that double one another.
     """
     texts, length = [], 0
     for substitution in subs:
-        texts.append(context.perform_substitution(substitution))
+        has_context: bool = context is not None
+        texts.append(
+            context.perform_substitution(substitution) if has_context else substitution.perform(context)
+        )
         length += len(texts[-1])
         if length > MAX_CHARACTERS:
             raise SubstitutionFailure(

@@ -67,10 +67,13 @@ NormalizedScalarType = Union[list[Substitution], int, float, bool, str]
 NormalizedSequenceType = list[NormalizedScalarType]
 NormalizedValueType = Any
 
+MAX_SHOWN = 500
+"""Characters of a value that the text of an error has."""
+
 
 def is_typing_list(data_type: Any) -> bool:
-    """Return whether a type is `typing.List`, `list`, or one of them with an item type."""
-    return data_type is list or data_type is List or getattr(data_type, "__origin__", None) is list  # noqa: UP006
+    """Return whether a type is `typing.List`, or one of it or of `list` with an item type; `list` alone is none."""
+    return getattr(data_type, "__origin__", None) is list
 
 
 def is_valid_scalar_type(data_type: Any) -> bool:
@@ -131,7 +134,63 @@ def is_instance_of(value: Any, data_type: Any = None, *, can_be_str: bool = Fals
     )
 
 
-def _from_yaml(text: str) -> Any:
+def coerce_to_type(value: str, data_type: Any = None, *, can_be_str: bool = False) -> Any:
+    """Return the value that a text stands for.
+
+    A float or an int is read as by Python (`1e-3`, `nan`), a bool as one of YAML's words in any case, or 1 or 0, and a
+    list, or a value without a type, by the rules of YAML.
+
+    Args:
+        value: The text.
+        data_type: The type; None: any of AllowedTypesTuple.
+        can_be_str: Whether the text is returned if it is no value of the type, and whether items of a list may be texts.
+
+    Raises:
+        ValueError: the text is no value of the type.
+    """
+    if data_type is str:
+        return value
+    try:
+        if data_type is None:
+            return _from_yaml(value, f"Failed to convert '{_short(value)}' using yaml rules", can_be_str)
+        scalar, is_list = extract_type(data_type)
+        return _as_list(value, scalar, can_be_str) if is_list else _as_scalar(value, scalar)
+    except ValueError:
+        if can_be_str:
+            return value
+        raise
+
+
+_BOOLEANS = {"true": True, "yes": True, "on": True, "1": True, "false": False, "no": False, "off": False, "0": False}
+
+
+def _as_scalar(text: str, scalar: type) -> Any:
+    if scalar is not bool:
+        return scalar(text)
+    value = _BOOLEANS.get(text.strip().lower())
+    if value is None:
+        raise ValueError(f"Cannot convert value '{_short(text)}' to '{scalar}'")
+    return value
+
+
+def _as_list(text: str, scalar: type, can_be_str: bool) -> list[Any]:
+    fault = f"Cannot convert value '{_short(text)}' to a list of '{scalar}'"
+    value = _from_yaml(text, fault, can_be_str)
+    if scalar is float and is_instance_of(value, list[int]):
+        return [float(item) for item in value]
+    if not is_instance_of(value, list[scalar], can_be_str=can_be_str):  # type: ignore[valid-type]
+        raise ValueError(fault)
+    return list(value)
+
+
+def _from_yaml(text: str, fault: str, can_be_str: bool) -> Any:
+    """Return what YAML reads.
+
+    Raises:
+        ValueError: the text is no YAML, or its value has none of the types that are allowed; it begins with `fault`.
+    """
+    if not text:
+        return text
     # Most values are plain numbers and words, for which yaml needs not be loaded.
     value = plain_value(text)
     if value is not None:
@@ -139,65 +198,34 @@ def _from_yaml(text: str) -> Any:
     from tfloom.rosidl.user_yaml import YamlError, load  # loads yaml
 
     try:
-        return load(text)
-    except YamlError:
-        return text
+        value = load(text)
+    except YamlError as error:
+        raise ValueError(f"{fault}: {error}") from error
+    if not is_instance_of_valid_type(value, can_be_str=can_be_str):
+        raise ValueError(f"{fault}: output type is not allowed, got {type(value)}")
+    return value
 
 
-def _as_scalar(value: Any, scalar: type) -> Any:
-    """Return a value as of a type, where YAML read another one that stands for it; None: it does not."""
-    if _is_scalar(value, scalar):
-        return value
-    return float(value) if scalar is float and _is_scalar(value, int) else None
+def _short(text: str) -> str:
+    """Return the begin of a text for an error, because a robot's description may have a million characters."""
+    return text if len(text) <= MAX_SHOWN else f"{text[:MAX_SHOWN]}…"
 
 
-def coerce_to_type(value: str, data_type: Any = None, *, can_be_str: bool = False) -> Any:
-    """Return the value that a text stands for by the rules of YAML.
-
-    Args:
-        value: The text.
-        data_type: The type; None: any of AllowedTypesTuple, else the text.
-        can_be_str: Whether the text is returned if it is no value of the type.
-
-    Raises:
-        ValueError: the text is no value of the type.
-    """
-    if data_type is str:
-        return value
-    # Without a type, YAML decides; a mapping, a date or a mixed list is no value of a parameter, and stays a text.
-    yaml_value = _from_yaml(value)
-    if data_type is None:
-        return yaml_value if is_instance_of_valid_type(yaml_value) else value
-    # With a type, YAML's answer must be of it, but for two liberties: an int is a float, too, and in a list of texts
-    # any item is one, as in `[1, on]`.
-    scalar, is_list = extract_type(data_type)
-    if is_list:
-        if isinstance(yaml_value, list):
-            items = [str(item) if scalar is str else _as_scalar(item, scalar) for item in yaml_value]
-            if None not in items:
-                return items
-    elif (converted := _as_scalar(yaml_value, scalar)) is not None:
-        return converted
-    if can_be_str:
-        return value
-    raise ValueError(f"Expected an output of type '{data_type}', got '{type(yaml_value)}' ({value!r})")
-
-
-def coerce_list(value: list[str], data_type: Any = None, *, can_be_str: bool = False) -> Any:
+def coerce_list(value: list[str], data_type: Any = None, *, can_be_str: bool = False) -> list[Any]:
     """Return the values that texts stand for, all of one type.
 
     Args:
         value: The texts.
-        data_type: The items' type; None: one that all have, else str.
+        data_type: The items' type; None: one that all have.
         can_be_str: Whether an item that is no value of the type stays a text.
 
     Raises:
-        ValueError: a text is no value of the type.
+        ValueError: a text is no value of the type, or they stand for values of several types.
     """
-    # Each text alone may stand for another type, as in "1", "a": then no type fits all of them but str.
     items = [coerce_to_type(text, data_type, can_be_str=can_be_str) for text in value]
-    if data_type is None and not is_instance_of_valid_type(items, can_be_str=can_be_str):
-        return list(value)
+    # Each text alone may stand for another type, as in "1", "a".
+    if not is_instance_of(items, None if data_type is None else list[data_type], can_be_str=can_be_str):
+        raise ValueError(f"cannot convert value to {data_type}. Got value=`{value}`")
     return items
 
 
@@ -211,6 +239,7 @@ def get_typed_value(value: str | list[str], data_type: Any, *, can_be_str: bool 
 
     Raises:
         ValueError: it is no value of the type.
+        TypeError: it is a list, and the type is none.
     """
     if not isinstance(value, list):
         return coerce_to_type(value, data_type, can_be_str=can_be_str)
@@ -218,7 +247,7 @@ def get_typed_value(value: str | list[str], data_type: Any, *, can_be_str: bool 
         return coerce_list(value, can_be_str=can_be_str)
     scalar, is_list = extract_type(data_type)
     if not is_list:
-        raise ValueError(f"Cannot convert value '{value}' to '{data_type}'")
+        raise TypeError(f"Cannot convert input '{value}' of type '{type(value)}' to '{data_type}'")
     return coerce_list(value, scalar, can_be_str=can_be_str)
 
 
@@ -251,18 +280,16 @@ def normalize_typed_substitution(value: Any, data_type: Any) -> Any:
     """
     if isinstance(value, tuple):
         value = list(value)
-    # A list of texts and substitutions is ambiguous: the parts of one text, or the items of a list. It is one text,
-    # unless the type says that a list is wanted.
-    if is_substitution(value) and (
-        not isinstance(value, list) or data_type is None or not is_typing_list(data_type)
-    ):
+    # A list of texts and substitutions alone is one text, which may be that of a list: `["[", LaunchConfiguration("a"),
+    # ", 2]"]`. The items of a list are lists themselves: `[[LaunchConfiguration("a")], ["2"]]`.
+    if is_substitution(value):
         if data_type is not None:
             extract_type(data_type)  # raises an error of a wrong type now, and not when the launch runs
         return normalize_to_list_of_substitutions(value)
     if is_instance_of(value, data_type):
         return value
     if not isinstance(value, list):
-        raise TypeError(f"value='{value}' is not an instance of {data_type}, and no substitution")
+        raise TypeError(f"value='{value}' is not an instance of {data_type}")
     # A list in which some items are substitutions: their type is checked when they are performed.
     scalar = extract_type(data_type)[0] if data_type is not None else None
     items = []

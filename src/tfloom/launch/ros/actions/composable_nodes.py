@@ -1,30 +1,55 @@
-"""A container of composable nodes, and what loads nodes into one."""
+"""A container of composable nodes, and what loads nodes into one.
+
+Containers and composable nodes are C++, which tfloom has none of: it asks containers of others to load their nodes.
+"""
 
 from __future__ import annotations
 
-from typing import Any, List, Union  # noqa: UP035  # the type that `Entity.get_attr` takes for children
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, List, Union  # noqa: UP035  # the type that `Entity.get_attr` takes for children
 
 from tfloom.launch.action import Action
+from tfloom.launch.event_handlers import OnProcessStart
 from tfloom.launch.frontend.entity import Entity, ParsesActions
 from tfloom.launch.frontend.expose import expose_action
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
+from tfloom.launch.logging import get_logger
 from tfloom.launch.missing import marked_as_missing
+from tfloom.launch.ros import configurations
 from tfloom.launch.ros.actions.node import Node
 from tfloom.launch.ros.descriptions.composable_node import ComposableNode, parse_composable_nodes
+from tfloom.launch.ros.ros_adapters import get_ros_node
+from tfloom.launch.ros.service_calls import call_service
+from tfloom.launch.ros.utilities.evaluate_parameters import evaluate_parameters
+from tfloom.launch.ros.utilities.names import (
+    add_node_name,
+    get_node_name_count,
+    make_namespace_absolute,
+    prefix_namespace,
+)
+from tfloom.launch.ros.utilities.to_parameters_list import to_parameters_list
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple
+from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure
 from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
+from tfloom.launch.utilities.perform_substitutions import perform_some_substitutions, perform_substitutions
+from tfloom.workspace.ament import PackageNotFoundError
+
+if TYPE_CHECKING:
+    from tfloom.interfaces.composition_interfaces.srv import LoadNode_Request, LoadNode_Response
+    from tfloom.node.endpoints.client import Client
 
 __all__ = ["NEEDS_CPP", "ComposableNodeContainer", "LoadComposableNodes", "get_composable_node_load_request"]
 
 
 @expose_action("load_composable_node")
 class LoadComposableNodes(Action):
-    """Describes nodes to be loaded into a container, which needs C++: executing it raises an error.
+    """Asks a container that runs, or will run, to load nodes, one after another.
 
     Args:
         composable_node_descriptions: The nodes.
-        target_container: The container, or its name.
+        target_container: The container, or its full name.
         kwargs: As for Action.
     """
 
@@ -44,6 +69,7 @@ class LoadComposableNodes(Action):
         super().__init__(**kwargs)
         self._composable_nodes = composable_node_descriptions
         self._target_container = target_container
+        self._logger = get_logger("launch_ros.actions.load_composable_nodes")
 
     @classmethod
     def parse(cls, entity: Entity, parser: ParsesActions) -> tuple[type[Action], dict[str, Any]]:
@@ -54,17 +80,125 @@ class LoadComposableNodes(Action):
         kwargs["composable_node_descriptions"] = parse_composable_nodes(elements, parser)
         return cls, kwargs
 
-    def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
-        """Raise RuntimeError, because this needs C++."""
-        raise marked_as_missing(RuntimeError(f"LoadComposableNodes: {NEEDS_CPP}"))
+    def execute(self, context: LaunchContext) -> None:
+        """Send the requests, on a thread that the launch waits for.
+
+        Raises:
+            RuntimeError: no launch runs, or the container is an action that was not executed.
+            TypeError: a parameter's value has a type that parameters don't have.
+        """
+        from tfloom.interfaces.composition_interfaces.srv import LoadNode
+
+        loop = context.asyncio_loop
+        if loop is None:
+            raise RuntimeError("nodes can't be loaded: no LaunchService runs")
+        container = self._container_name(context)
+        requests = [
+            request
+            for node in self._composable_nodes
+            if (request := get_composable_node_load_request(node, context)) is not None
+        ]
+        if requests:
+            client = get_ros_node(context).create_client(LoadNode, f"{container}/_container/load_node")
+            context.add_completion_future(
+                loop.run_in_executor(None, self._load, client, container, requests, context)
+            )
+
+    def _container_name(self, context: LaunchContext) -> str:
+        if isinstance(self._target_container, ComposableNodeContainer):
+            return self._target_container.node_name
+        return perform_some_substitutions(context, self._target_container)
+
+    def _load(
+        self, client: Client, container: str, requests: Sequence[LoadNode_Request], context: LaunchContext
+    ) -> None:
+        """Send the requests, each after the response to the one before it."""
+        for request in requests:
+            response = call_service(client, request, context, self._logger)
+            loop = context.asyncio_loop
+            if response is None or loop is None:
+                return
+            # The names of nodes are a variable of the context, which the launch's thread changes.
+            loop.call_soon_threadsafe(self._report, context, container, request, response)
+
+    def _report(
+        self, context: LaunchContext, container: str, request: LoadNode_Request, response: LoadNode_Response
+    ) -> None:
+        name = response.full_node_name or request.node_name
+        if not response.success:
+            self._logger.error(
+                "Failed to load node '%s' of type '%s' in container '%s': %s",
+                name,
+                request.plugin_name,
+                container,
+                response.error_message,
+            )
+            return
+        self._logger.info("Loaded node '%s' in container '%s'", response.full_node_name, container)
+        if not name:
+            return
+        add_node_name(context, name)
+        if (count := get_node_name_count(context, name)) > 1:
+            container_logger = get_logger(container)
+            container_logger.warning(
+                "there are now at least %d nodes with the name %s created within this launch context", count, name
+            )
 
 
 def get_composable_node_load_request(
-    composable_node_description: ComposableNode,  # noqa: ARG001
-    context: LaunchContext,  # noqa: ARG001
-) -> Any:
-    """Raise RuntimeError, because the request is one to a container, which needs C++."""
-    raise RuntimeError(f"get_composable_node_load_request: {NEEDS_CPP}")
+    composable_node_description: ComposableNode, context: LaunchContext
+) -> LoadNode_Request | None:
+    """Return the request of a container's service that loads a node; None if the node's condition does not hold.
+
+    Args:
+        composable_node_description: The node.
+        context: The launch, whose remappings, parameters and namespace for all nodes the node has, too.
+
+    Raises:
+        TypeError: a parameter's value has a type that parameters don't have.
+    """
+    from tfloom.interfaces.composition_interfaces.srv import LoadNode
+
+    node = composable_node_description
+    condition = node.condition()
+    if condition is not None and not condition.evaluate(context):
+        return None
+    request = LoadNode.Request()
+    request.package_name = perform_substitutions(context, node.package)
+    request.plugin_name = perform_substitutions(context, node.node_plugin)
+    if node.node_name is not None:
+        request.node_name = perform_substitutions(context, node.node_name)
+    given_namespace = (
+        None if node.node_namespace is None else perform_substitutions(context, node.node_namespace)
+    )
+    namespace = prefix_namespace(configurations.namespace(context), given_namespace)
+    if namespace is not None:
+        request.node_namespace = make_namespace_absolute(namespace)
+    rules = [
+        (perform_substitutions(context, name), perform_substitutions(context, replacement))
+        for name, replacement in node.remappings or ()
+    ]
+    request.remap_rules = [
+        f"{name}:={replacement}" for name, replacement in [*configurations.remappings(context), *rules]
+    ]
+    given = evaluate_parameters(context, node.parameters or [])
+    request.parameters = _messages(context, request, [*_global_parameters(context), *given])
+    extra = evaluate_parameters(context, node.extra_arguments or [])
+    request.extra_arguments = _messages(context, request, extra)
+    return request
+
+
+def _global_parameters(context: LaunchContext) -> list[Any]:
+    """Return what SetParameter and SetParametersFromFile have set, evaluated."""
+    return [
+        dict([parameter]) if isinstance(parameter, tuple) else Path(parameter).absolute()
+        for parameter in configurations.global_parameters(context)
+    ]
+
+
+def _messages(context: LaunchContext, request: LoadNode_Request, evaluated: Sequence[Any]) -> list[Any]:
+    parameters = to_parameters_list(context, request.node_name, request.node_namespace, evaluated)
+    return [parameter.to_parameter_msg() for parameter in parameters]
 
 
 NEEDS_CPP = (
@@ -75,7 +209,9 @@ NEEDS_CPP = (
 
 @expose_action("node_container")
 class ComposableNodeContainer(Node):
-    """Describes a container of composable nodes, which needs C++: executing it raises an error.
+    """Starts a container of composable nodes, and has it load nodes.
+
+    Containers are C++ programs: where there is none, executing it raises an error.
 
     Args:
         name: Name of the container.
@@ -107,5 +243,19 @@ class ComposableNodeContainer(Node):
         return cls, kwargs
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
-        """Raise RuntimeError, because this needs C++."""
-        raise marked_as_missing(RuntimeError(f"ComposableNodeContainer: {NEEDS_CPP}"))
+        """Start the container; when it has started, ask it to load the nodes.
+
+        Raises:
+            RuntimeError: there is no such package or program.
+        """
+        try:
+            entities = super().execute(context)
+        except (PackageNotFoundError, SubstitutionFailure) as error:
+            raise marked_as_missing(RuntimeError(f"ComposableNodeContainer: {NEEDS_CPP} ({error})")) from error
+        if self._composable_nodes:
+            load = LoadComposableNodes(
+                composable_node_descriptions=self._composable_nodes, target_container=self
+            )
+            on_start = OnProcessStart(target_action=self, on_start=[load], handle_once=True)
+            context.register_event_handler(on_start)
+        return entities

@@ -18,15 +18,13 @@ from tfloom.launch.logging import get_logger
 from tfloom.launch.ros.actions.node import Node
 from tfloom.launch.ros.events.lifecycle_events import ChangeState, StateTransition
 from tfloom.launch.ros.ros_adapters import get_ros_node
+from tfloom.launch.ros.service_calls import call_service
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 
 if TYPE_CHECKING:
     from tfloom.node.endpoints.client import Client
 
 __all__ = ["LifecycleNode"]
-
-_POLL_S = 0.2
-"""The longest time until a wait notices the shutdown of the launch [s]."""
 
 
 @expose_action("lifecycle_node")
@@ -110,45 +108,15 @@ class LifecycleNode(Node):
 
     def _call_change_state(self, transition_id: int, context: LaunchContext) -> None:
         from tfloom.interfaces.lifecycle_msgs.srv import ChangeState as ChangeStateService
-        from tfloom.node.values.exceptions import InvalidHandle
 
-        client = self._client
-        if client is None:
+        if self._client is None:
             return
         request = ChangeStateService.Request()
         request.transition.id = transition_id
-        # Both waits are polls, because nothing wakes them at the shutdown. The launch's thread destroys the node of the
-        # client then, maybe in the middle of a call: hence InvalidHandle.
-        try:
-            while not client.wait_for_service(timeout_sec=_POLL_S):
-                if context.is_shutdown:
-                    self._warn_of_abandoned_wait(f"'{client.srv_name}' service")
-                    return
-            future = client.call_async(request)
-            if not _wait(future, context):
-                self._warn_of_abandoned_wait(f"'{client.srv_name}' service response")
-                return
-            response = future.result()
-        except InvalidHandle:  # the launch was shut down in between
-            return
+        response = call_service(self._client, request, context, self._transition_logger)
         if response is None or not response.success:
             self._transition_logger.error(
                 "Failed to make transition '%s' for LifecycleNode '%s'",
                 ChangeState.valid_transitions[transition_id],
                 self.node_name,
             )
-
-    def _warn_of_abandoned_wait(self, what: str) -> None:
-        self._transition_logger.warning("Abandoning wait for the %s, due to shutdown.", what)
-
-
-def _wait(future: Any, context: LaunchContext) -> bool:
-    """Wait for a reply, and return whether it came before the shutdown of the launch."""
-    import threading
-
-    done = threading.Event()
-    future.add_done_callback(lambda _: done.set())
-    while not done.wait(_POLL_S):
-        if context.is_shutdown:
-            return False
-    return True

@@ -50,7 +50,7 @@ class LifecycleTransition(Action):
         kwargs: As for Action.
 
     Raises:
-        RuntimeError: there are no nodes, or no transitions.
+        ValueError: there are no nodes, or no transitions.
     """
 
     transition_targets = {  # noqa: RUF012  # never changed
@@ -78,9 +78,9 @@ class LifecycleTransition(Action):
             for number in transition_ids
         ]
         if not self._names:
-            raise RuntimeError("No lifecycle_node_names provided.")
+            raise ValueError("No lifecycle_node_names provided.")
         if not self._transitions:
-            raise RuntimeError("No transition_ids provided.")
+            raise ValueError("No transition_ids provided.")
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity]:
         """Request the first transition of each node, and follow the node's transitions.

@@ -78,7 +78,8 @@ class Node(ExecuteProcess):
         if name is not None:
             cmd += ["-r", LocalSubstitution("ros_specific_arguments['name']", description="node name")]
         if parameters is not None:
-            ensure_argument_type(parameters, (list, tuple), "parameters", "Node")
+            if not isinstance(parameters, tuple):
+                ensure_argument_type(parameters, [list], "parameters", "Node")
         super().__init__(cmd=cmd, name=exec_name, **kwargs)
         self._package = package
         self._executable = executable
@@ -138,33 +139,19 @@ class Node(ExecuteProcess):
         Raises:
             RuntimeError: it was not.
         """
-        return self._after_execution(self._final_node_name, "node_name")
+        if self._final_node_name is None:
+            raise RuntimeError("cannot access 'node_name' before executing action")
+        return self._final_node_name
 
     @property
     def expanded_node_namespace(self) -> str:
-        """Namespace of the node, or UNSPECIFIED_NODE_NAMESPACE; after the action was executed.
-
-        Raises:
-            RuntimeError: it was not.
-        """
-        self._after_execution(self._final_node_name, "expanded_node_namespace")
+        """Namespace of the node; UNSPECIFIED_NODE_NAMESPACE without one, and before the action is executed."""
         return self._expanded_namespace
 
     @property
     def expanded_remapping_rules(self) -> list[tuple[str, str]] | None:
-        """Remappings of the node, those of SetRemap first; None without any; after the action was executed.
-
-        Raises:
-            RuntimeError: it was not.
-        """
-        self._after_execution(self._final_node_name, "expanded_remapping_rules")
+        """Remappings of the node, those of SetRemap first; None without any, and before the action is executed."""
         return self._expanded_remappings or None
-
-    @staticmethod
-    def _after_execution(value: str | None, name: str) -> str:
-        if value is None:
-            raise RuntimeError(f"cannot access '{name}' before executing action")
-        return value
 
     def is_node_name_fully_specified(self) -> bool:
         """Return whether both the name and the namespace are given."""

@@ -175,7 +175,7 @@ class SetROSLogDir(Action):
     """Sets the folder of the logs of processes that are started later, by the variable ROS_LOG_DIR.
 
     Args:
-        new_log_dir: The folder, or substitutions for it; a relative path is one within the present folder.
+        new_log_dir: The folder, or substitutions for it; a relative path is one within that of ROS_LOG_DIR.
         kwargs: As for Action.
     """
 
@@ -197,9 +197,7 @@ class SetROSLogDir(Action):
 
     def execute(self, context: LaunchContext) -> None:
         """Set the folder of later processes."""
-        from tfloom.node.log.logging import get_logging_directory
-
-        present = context.environment.get("ROS_LOG_DIR") or str(get_logging_directory())
+        present = context.environment.get("ROS_LOG_DIR", "")
         folder = Path(present, perform_substitutions(context, self._log_dir))
         context.environment["ROS_LOG_DIR"] = str(folder)
 

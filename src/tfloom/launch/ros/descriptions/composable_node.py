@@ -1,4 +1,4 @@
-"""Nodes in C++ that a container loads: described only, because a container is a C++ program."""
+"""Nodes in C++ that a container loads."""
 
 from __future__ import annotations
 
@@ -60,8 +60,9 @@ class ComposableNode:
         kwargs: dict[str, Any] = {
             "package": parser.parse_substitution(entity.get_attr("pkg")),
             "plugin": parser.parse_substitution(entity.get_attr("plugin")),
-            "name": parser.parse_substitution(entity.get_attr("name")),
         }
+        if (name := entity.get_attr("name", optional=True)) is not None:
+            kwargs["name"] = parser.parse_substitution(name)
         if (namespace := entity.get_attr("namespace", optional=True)) is not None:
             kwargs["namespace"] = parser.parse_substitution(namespace)
         if (condition := parser.parse_condition(entity)) is not None:

@@ -47,7 +47,7 @@ class FindPackage(Substitution):
 
     def describe(self) -> str:
         """Return a description for people."""
-        return f"Pkg(pkg={described(self._package)})"
+        return f"{type(self).__name__}(pkg={described(self._package)})"
 
     def find(self, package_name: str) -> str:
         """Return the folder of a package; derived classes implement it."""

@@ -77,6 +77,8 @@ def _evaluate_value(context: LaunchContext, name: str, value: Any) -> EvaluatedP
         if isinstance(value[0], Sequence) and not isinstance(value[0], (str, bytes)):
             items = [_read(name, perform_substitutions(context, item)) for item in value]
             return cast("EvaluatedParameterValue", tuple(_checked_array(name, items)))
+    if value == ():
+        ensure_argument_type(value, (float, int, str, bool, bytes), "value")
     return cast("EvaluatedParameterValue", value)
 
 
@@ -105,6 +107,6 @@ def _checked_array(name: str, items: list[Any]) -> list[Any]:
     if len(kinds) != 1 or not kinds <= set(_SCALARS):
         raise TypeError(
             "Expected a non-empty sequence, with items of uniform type. Allowed sequence item types are bool, int, "
-            f"float, str. Got {items!r} for parameter {name}. {_WRAP}"
+            f'float, str. Got inconsistent input for "{name}": {items!r}. {_WRAP}'
         )
     return items

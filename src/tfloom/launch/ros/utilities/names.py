@@ -47,7 +47,7 @@ def make_namespace_absolute(ns: OptionalText) -> OptionalText:
 def prefix_namespace(base_ns: str | None, ns: str | None) -> str | None:
     """Return a namespace under another; an absolute one alone. It has no slash at its end."""
     if not ns:
-        joined = base_ns or ns
+        joined = ns if base_ns is None else base_ns
     elif not base_ns or is_namespace_absolute(ns):
         joined = ns
     else:

@@ -109,6 +109,8 @@ def _as_yaml(text: str) -> str:
 def _normalize_array(name: Any, array: Sequence[Any]) -> ParameterValue:
     """Return an array of one type, or the substitutions that are concatenated, or those of each item."""
     for item in array:
+        if isinstance(item, Mapping):
+            raise RuntimeError(f"Failed to handle type {item}: it is an item of the parameter {name!r}")  # noqa: TRY004  # the reference's type
         ensure_argument_type(
             item, (float, int, str, bool, Substitution, Sequence), "subvalue", "normalize_parameters"
         )
@@ -123,6 +125,11 @@ def _normalize_array(name: Any, array: Sequence[Any]) -> ParameterValue:
     return tuple(tuple(normalize_to_list_of_substitutions(item)) for item in array)
 
 
+def _shown(name: Any) -> str:
+    parts = normalize_to_list_of_substitutions(name)
+    return "".join(part.text if isinstance(part, TextSubstitution) else part.describe() for part in parts)
+
+
 def _item_type(item: Any) -> type:
     for kind in (bool, int, float, str, Substitution):
         if isinstance(item, kind):
@@ -134,9 +141,8 @@ def _plain_array(name: Any, array: Sequence[Any], kinds: set[type]) -> Parameter
     if kinds == {int, float}:
         return tuple(float(item) for item in array)
     if len(kinds) > 1:
-        type_names = ", ".join(sorted(kind.__name__ for kind in kinds))
         raise TypeError(
-            f"Expected a non-empty sequence, with items of uniform type, as the value of parameter {name!r}, got "
-            f"{type_names} in {list(array)!r}. Allowed sequence item types are bool, int, float, str."
+            "Expected a non-empty sequence, with items of uniform type. Allowed sequence item types are bool, int, "
+            f'float, str. Got inconsistent input for "{_shown(name)}": {list(array)!r}'
         )
     return tuple(array)
