@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import os
 from collections.abc import Callable, Iterator
 from typing import NamedTuple
@@ -9,6 +10,7 @@ from typing import NamedTuple
 import pytest
 
 from tfloom.launch import logging as launch_logging
+from tfloom.launch.descriptions import executable
 from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.launch_service import LaunchService
@@ -29,6 +31,12 @@ def _logs(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPa
     launch_logging.reset()
     yield
     launch_logging.reset()
+
+
+@pytest.fixture(autouse=True)
+def _process_numbers(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Begin the numbers of processes anew, which count on within a program."""
+    monkeypatch.setattr(executable, "_process_numbers", itertools.count(1))
 
 
 @pytest.fixture(autouse=True)

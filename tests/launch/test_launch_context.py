@@ -100,7 +100,9 @@ def test_arguments_are_checked() -> None:
     ensure_argument_type(1, int, "count")
     ensure_argument_type("a", [int, str], "count")
     ensure_argument_type(bool, int, "count")
-    with pytest.raises(TypeError, match=r"'count' given to f to be one of \['int', 'str'\]"):
+    with pytest.raises(
+        TypeError, match=r"'f' expected 'count' to be one of \[<class 'int'>, <class 'str'>\]"
+    ):
         ensure_argument_type(1.5, [int, str], "count", "f")
     with pytest.raises(TypeError, match="not a type"):
         ensure_argument_type(1, ["int"], "count")

@@ -76,7 +76,7 @@ def test_a_handler_that_handles_once_leaves(launch: Launch) -> None:
 
 def test_an_action_whose_condition_is_false_is_not_executed(launch: Launch) -> None:
     written: list[str] = []
-    no, yes = Condition(predicate=lambda _: False), Condition()
+    no, yes = Condition(), Condition(predicate=lambda _: True)
     launch(Note(written, "no", condition=no), Note(written, "yes", condition=yes))
     assert written == ["yes"]
 

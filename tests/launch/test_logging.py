@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import io
 import logging
+import logging.handlers
 import os
 import re
 import socket
@@ -14,6 +15,7 @@ from pathlib import Path
 import pytest
 
 from tfloom.launch import logging as launch_logging
+from tfloom.launch import standard_handlers
 from tfloom.launch.logging import get_logger, get_output_loggers, launch_config
 
 
@@ -36,6 +38,8 @@ def test_the_folder_is_named_after_time_host_and_process() -> None:
     assert re.fullmatch(f"{stamp}-{re.escape(socket.gethostname())}-{os.getpid()}", folder.name)
     assert launch_config.log_dir == str(folder)
     with pytest.raises(ValueError, match="Cannot set log directory"):
+        launch_config.log_dir = str(folder.parent)
+    with pytest.raises(ValueError, match="/elsewhere is not a directory"):
         launch_config.log_dir = "/elsewhere"
 
 
@@ -130,3 +134,88 @@ def test_a_log_folder_that_cannot_be_created_is_named(
     monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path / "file" / "log"))
     with pytest.raises(OSError, match="set ROS_LOG_DIR"):
         get_logger("launch.user").warning("nowhere")
+
+
+@pytest.mark.parametrize("variable", ["OVERRIDE_LAUNCH_SCREEN_FORMAT", "OVERRIDE_LAUNCH_LOG_FORMAT"])
+def test_the_environment_overrides_the_format_that_a_program_sets(
+    variable: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv(variable, r"{levelname}\t{msg}")
+    launch_config.set_screen_format("%(msg)s", screen_style="%")
+    launch_config.set_log_format("$name", log_style="$")
+    get_logger("a").info("hi")
+    log = Path(launch_config.get_log_file_path()).read_text("utf-8")
+    if "SCREEN" in variable:
+        assert (lines(capsys), log) == (["INFO\thi"], "a\n")
+    else:
+        assert (lines(capsys), log) == (["hi"], "INFO\thi\n")
+
+
+def test_a_format_applies_to_loggers_that_are_there(capsys: pytest.CaptureFixture[str]) -> None:
+    logger = get_logger("a")
+    logger.info("one")
+    launch_config.set_screen_format("default_with_timestamp")
+    launch_config.set_log_format("{msg}!")
+    logger.info("two")
+    assert re.fullmatch(r"\d+\.\d{7} \[INFO\] \[a\]: two", lines(capsys)[1])
+    assert Path(launch_config.get_log_file_path()).read_text("utf-8").splitlines()[1] == "two!"
+
+
+def test_a_style_that_does_not_exist_or_is_that_of_a_default_is_refused() -> None:
+    with pytest.raises(ValueError, match=r"'\?' is no style of formats: use one of \{ % "):
+        launch_config.set_screen_format("{msg}", screen_style="?")
+    with pytest.raises(ValueError, match="a style can't be set for the format 'default'"):
+        launch_config.set_screen_format("default", screen_style="{")
+    with pytest.raises(ValueError, match="a style can't be set for the format 'default'"):
+        launch_config.set_log_format("default", log_style="%")
+
+
+def test_the_handlers_that_a_logger_has_write_a_record_once(capsys: pytest.CaptureFixture[str]) -> None:
+    logger = get_logger("some-process")
+    logger.addHandler(launch_config.get_screen_handler())
+    logger.addHandler(launch_config.get_log_file_handler())
+    logger.error("once")
+    assert lines(capsys) == ["[ERROR] [some-process]: once"]
+    assert len(Path(launch_config.get_log_file_path()).read_text("utf-8").splitlines()) == 1
+
+
+def test_a_factory_makes_the_handlers_of_log_files() -> None:
+    written: dict[str, list[str]] = {}
+
+    class Keeping(standard_handlers.Handler):
+        def __init__(self, path: str) -> None:
+            super().__init__()
+            self._path = path
+
+        def emit(self, record: logging.LogRecord) -> None:
+            written.setdefault(self._path, []).append(self.format(record))
+
+    launch_config.log_handler_factory = lambda path, encoding=None: Keeping(f"{path} {encoding}")
+    get_logger("a").error("bar")
+    launch_logging.reset()
+    assert written.popitem()[1][0].endswith("[ERROR] [a]: bar")
+    launch_config.log_handler_factory = Keeping
+    get_logger("b").error("bar")
+    assert written.popitem()[0] == launch_config.get_log_file_path()
+
+
+def test_standard_handlers_format_by_logger() -> None:
+    stream = io.StringIO()
+    handler = standard_handlers.StreamHandler(stream)
+    handler.setFormatter(logging.Formatter("%(message)s"))
+    loud, quiet = logging.Logger("loud"), logging.Logger("quiet")  # noqa: LOG001  # not in the registry
+    for logger in (loud, quiet):
+        logger.addHandler(handler)
+    handler.setFormatterFor(loud, logging.Formatter("%(message)s!"))
+    loud.info("a")
+    quiet.info("b")
+    handler.unsetFormatterFor(loud)
+    loud.info("c")
+    assert stream.getvalue() == "a!\nb\nc\n"
+    assert handler.getFormatterFor(loud) is handler.formatter
+
+
+@pytest.mark.parametrize("name", standard_handlers.__all__)
+def test_each_standard_handler_is_one_of_that_name(name: str) -> None:
+    base = getattr(logging, name, None) or getattr(logging.handlers, name)
+    assert issubclass(getattr(standard_handlers, name), base)

@@ -16,14 +16,13 @@ Read `run_async` first; what it calls follows in that order, and after it what o
 from __future__ import annotations
 
 import asyncio
-import atexit
 import logging
 import signal
+import sys
 import threading
 import traceback
-import warnings
 from collections.abc import Coroutine, Iterable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import Any
 
 from tfloom.launch.background_writing import background_writing
@@ -108,8 +107,7 @@ class LaunchService:
         Raises:
             RuntimeError: the launch runs already, or this thread runs an asyncio loop.
         """
-        with _event_loop_after():
-            return asyncio.run(self.run_async(shutdown_when_idle=shutdown_when_idle), debug=self._debug)
+        return _run(self.run_async(shutdown_when_idle=shutdown_when_idle), debug=self._debug)
 
     async def run_async(self, *, shutdown_when_idle: bool = True) -> int:
         """Run the launch until its end, as `run` does."""
@@ -298,30 +296,24 @@ class LaunchService:
         return None
 
 
-@contextmanager
-def _event_loop_after() -> Iterator[None]:
-    """Leave the thread with the event loop that it had before, because `asyncio.run` leaves it without one.
+def _run(main: Coroutine[Any, Any, int], *, debug: bool) -> int:
+    """Run a coroutine as `asyncio.run` does, on a loop that is not set as that of the thread.
 
-    A program that calls `asyncio.get_event_loop()` after a launch on the main thread gets a loop, as before it.
+    `asyncio.run` would leave the thread without a loop, and a program that calls `asyncio.get_event_loop()` after a
+    launch would get an error in place of the loop that it had before.
     """
-    loop = _current_event_loop()
+    if sys.version_info >= (3, 11):
+        with asyncio.Runner(debug=debug, loop_factory=asyncio.new_event_loop) as runner:
+            return runner.run(main)
+    loop = asyncio.new_event_loop()
     try:
-        yield
+        loop.set_debug(debug)
+        return loop.run_until_complete(main)
     finally:
-        if loop is None and threading.current_thread() is threading.main_thread():
-            loop = asyncio.new_event_loop()
-            atexit.register(loop.close)
-        if loop is not None:
-            asyncio.set_event_loop(loop)
-
-
-def _current_event_loop() -> asyncio.AbstractEventLoop | None:
-    """Return the event loop that was set for this thread, and is open; None if there is none."""
-    with warnings.catch_warnings():
-        # Python 3.12 and 3.13 warn before they create one; later ones raise RuntimeError.
-        warnings.simplefilter("error", DeprecationWarning)
-        try:
-            loop = asyncio.get_event_loop()
-        except (RuntimeError, DeprecationWarning):
-            return None
-    return None if loop.is_closed() else loop
+        for task in asyncio.all_tasks(loop):
+            task.cancel()
+            with suppress(asyncio.CancelledError):
+                loop.run_until_complete(task)
+        loop.run_until_complete(loop.shutdown_asyncgens())
+        loop.run_until_complete(loop.shutdown_default_executor())
+        loop.close()

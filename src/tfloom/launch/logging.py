@@ -227,7 +227,9 @@ class LaunchConfig:
 
     def has_handler(self, handler: logging.Handler, *, is_screen: bool) -> bool:
         """Return whether a handler is that of the screen, or else that of the launch's log file."""
-        return handler is (self._screen.get("records") if is_screen else self._file_handlers.get("launch.log"))
+        return handler is (
+            self._screen.get("records") if is_screen else self._file_handlers.get("launch.log")
+        )
 
     def add_logger(self, logger: logging.Logger) -> None:
         """Make `level` that of a logger, too."""

@@ -199,9 +199,9 @@ def test_wrong_arguments_are_refused() -> None:
         OnStateTransition(entities=[], target_lifecycle_node=Node(executable="x"))
     with pytest.raises(ValueError, match="transition_id 77 is no transition of a lifecycle node"):
         ChangeState(lifecycle_node_matcher=lambda _: True, transition_id=77)
-    with pytest.raises(RuntimeError, match=r"No lifecycle_node_names provided\."):
+    with pytest.raises(ValueError, match=r"No lifecycle_node_names provided\."):
         LifecycleTransition(lifecycle_node_names=[], transition_ids=[1])
-    with pytest.raises(RuntimeError, match=r"No transition_ids provided\."):
+    with pytest.raises(ValueError, match=r"No transition_ids provided\."):
         LifecycleTransition(lifecycle_node_names=["a"], transition_ids=[])
 
 

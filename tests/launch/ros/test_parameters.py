@@ -47,7 +47,7 @@ def evaluated(*parameters: Any) -> Any:
         ({"a": text("[1, x]")}, TypeError),
         ({"a": text("[[1]]")}, TypeError),
         ({"a": text("2020-01-01")}, TypeError),
-        ({"a": []}, {"a": ()}),
+        ({"a": []}, TypeError),
         ({"a": [True, False]}, {"a": (True, False)}),
         ({"a": [1, 2.0]}, {"a": (1.0, 2.0)}),
         ({"a": [True, 1]}, TypeError),

@@ -50,7 +50,7 @@ def test_unknown_package_is_an_error_with_the_nearest(toys: Path) -> None:
 
 
 def test_describe() -> None:
-    assert FindPackageShare("a").describe() == "Pkg(pkg='a')"
+    assert FindPackageShare("a").describe() == "FindPackageShare(pkg='a')"
     assert Parameter("a").describe() == "Parameter('a')"
     with pytest.raises(NotImplementedError, match="FindPackage has no method 'find'"):
         FindPackage("turtlesim").perform(LaunchContext())

@@ -63,7 +63,7 @@ YES = LaunchConfiguration("yes")
         (EnvironmentVariable("NO_SUCH", default_value=""), "", "EnvVar('NO_SUCH')"),
         (PathJoinSubstitution(["/a", WHO, "b.yaml"]), "/a/world/b.yaml", None),
         (PathJoinSubstitution(["/a", ["c_", WHO, ".yaml"]]), "/a/c_world.yaml", None),
-        (PathJoinSubstitution([WHO, ""]), "world/", "PathJoin(LaunchConfig('who'), '')"),
+        (PathJoinSubstitution([WHO, ""]), "world/", "PathJoinSubstitution('LaunchConfig('who'), ''')"),
         (PathSubstitution("/a") / WHO / ["b", ".x"], "/a/world/b.x", None),
         (
             StringJoinSubstitution([["https://", WHO], "ros", "org"], delimiter="."),

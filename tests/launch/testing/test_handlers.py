@@ -9,7 +9,9 @@ import time
 
 import pytest
 
+from tfloom.launch.actions.execute_local import ExecuteLocal
 from tfloom.launch.actions.execute_process import ExecuteProcess
+from tfloom.launch.descriptions.executable import Executable
 from tfloom.launch.events.process import ProcessExited, ProcessStarted, ProcessStderr, ProcessStdout
 from tfloom.launch.substitutions.variables import LocalSubstitution
 from tfloom.launch.testing.assert_exit_codes import EXIT_SIGINT, assertExitCodes
@@ -120,7 +122,7 @@ def test_process_that_never_started_is_described() -> None:
         resolveProcesses(ProcInfoHandler(), process=unknown)
     with pytest.raises(NoMatchingProcessException, match="No processes were recorded"):
         resolveProcesses(ProcInfoHandler())
-    with pytest.raises(TypeError, match="ExecuteProcess action or a text"):
+    with pytest.raises(TypeError, match="ExecuteLocal action or a text"):
         resolveProcesses(ProcInfoHandler(), process=7)  # type: ignore[arg-type]
 
 
@@ -159,12 +161,24 @@ def test_order_is_checked(output: IoHandler) -> None:
     with assertSequentialStdout(output, "talker-1") as checker:
         checker.assertInStdout("first")
         checker.assertInStdout("second")
-        with pytest.raises(AssertionError, match="'first' not found in output after the last match"):
+        with pytest.raises(AssertionError, match="'first' not found in sequence after previous match"):
             checker.assertInStdout("first")
         checker.assertInText("third")
     assert checker.get_nearby_lines() == ["first", "second", "third"]
     with pytest.raises(Exception, match="multiple processes"), assertSequentialStdout(output, None):
         pass
+
+
+def test_a_text_over_several_lines_is_found() -> None:
+    checker = SequentialTextChecker(["output 10\n", "output 15\n"])
+    checker.assertInStdout("output 10\noutput")
+    checker.assertInStdout("15\n")
+
+
+def test_a_process_is_found_by_any_action_that_runs_it() -> None:
+    action = ExecuteLocal(process_description=Executable(cmd=["talker"]))
+    with pytest.raises(NoMatchingProcessException, match="'talker', which was not started"):
+        resolveProcesses(ProcInfoHandler(), process=action)
 
 
 def test_order_within_a_line() -> None:

@@ -33,7 +33,8 @@ def test_tests_run_with_arguments_and_results_are_written(tmp_path: Path) -> Non
     root = ET.parse(tmp_path / "out.xml").getroot()
     (suite,) = root
     (case,) = suite
-    assert (root.get("failures"), suite.get("name"), case.get("name")) == ("0", "some", "test_values")
+    assert (root.get("failures"), case.get("name")) == ("0", "test_values")
+    assert root.get("name") == suite.get("name") == "some.some.launch.test.launch_tests"
 
 
 def test_failed_test_is_the_exit_code(tmp_path: Path) -> None:
@@ -43,7 +44,9 @@ def test_failed_test_is_the_exit_code(tmp_path: Path) -> None:
     assert result.returncode == 1
     assert "AssertionError: cannot add" in result.stderr
     suite = ET.parse(tmp_path / "out.xml").getroot()[0]
-    assert (suite.get("name"), suite.get("tests"), suite.get("failures")) == ("mine", "3", "3")
+    assert (suite.get("tests"), suite.get("failures")) == ("3", "3")
+    assert suite.get("name") == "mine.some.launch.test.launch_tests"
+    assert {str(case.get("classname")).partition(".")[0] for case in suite} == {"mine"}
 
 
 def test_dead_process_is_the_exit_code(tmp_path: Path) -> None:

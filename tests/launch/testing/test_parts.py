@@ -11,6 +11,7 @@ from types import ModuleType
 
 import pytest
 
+from tfloom.launch.actions.timer_action import TimerAction
 from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.testing import legacy_output
 from tfloom.launch.testing.arguments import parse_launch_arguments
@@ -61,10 +62,14 @@ def test_part_of_the_output_is_enough_unless_strict() -> None:
         "\x1b[1mred\x1b[0m", expected_text="red", strict=True, strip_ansi_escape_sequences=False
     )
     assert not expect_output(expected_lines=["blue", "red"], text=TEXT)
-    assert not expect_output(expected_lines=LINES[:3], text=TEXT, strict=True)
-    with pytest.raises(ValueError, match="one of expected_text and expected_lines"):
+    assert expect_output(expected_lines=LINES[:3], text=TEXT, strict=True)
+    assert not expect_output(expected_lines=LINES[1:], text=TEXT, strict=True)
+    assert not expect_output(expected_lines=LINES[::2], text=TEXT, strict=True)
+    assert expect_output(expected_lines=["[talker] red\n[listener]", "blue"], text=TEXT)
+    assert not expect_output(expected_lines=[re.compile("red")], text=TEXT)
+    with pytest.raises(ValueError, match="Either expected lines or text, but not both, must be specified"):
         expect_output(text=TEXT)
-    with pytest.raises(ValueError, match="one of text and lines"):
+    with pytest.raises(ValueError, match="Either lines or text, but not both, must be specified"):
         expect_output(expected_text=TEXT)
 
 
@@ -117,6 +122,8 @@ def test_parametrize_gives_each_set_of_values() -> None:
         ("blue 2", {"colour": "blue", "size": 2}),
     ]
     assert [function() for function, _ in parametrize("size", [1, 2])(lambda size: size)] == [1, 2]
+    rows = parametrize("size", [(1,), [2], (3, 4), "5"])(lambda size: size)
+    assert [function() for function, _ in rows] == [1, 2, (3, 4), "5"]
     with pytest.raises(ValueError, match=r"2 names \(colour, size\), but 1 values"):
         parametrize(["colour", "size"], [["red"]])
 
@@ -211,6 +218,10 @@ def test_cases_before_and_after_the_end_are_told_apart() -> None:
         (parametrize("size", [1])(lambda: None), "Could not find an argument 'size'"),
         (lambda: (LaunchDescription(), 7), "must return a LaunchDescription"),
         (lambda: None, "and returned None"),
+        (
+            lambda: LaunchDescription([TimerAction(period=1.0, actions=[])]),
+            "must return a LaunchDescription containing a ReadyToTest action",
+        ),
     ],
 )
 def test_wrong_description_is_an_error(description: object, text: str) -> None:
@@ -281,7 +292,7 @@ def test_results_as_xml() -> None:
         "skipped": "1",
     }
     cases = {case.get("name"): case for case in tests}
-    assert cases["test_good"].get("classname") == "Mixed"
+    assert cases["test_good"].get("classname") == f"{__name__}.Mixed"
     assert not list(cases["test_good"])
     assert "1 != 2" in cases["test_fail"].find("failure").get("message")  # type: ignore[union-attr, operator]
     assert cases["test_error"].find("error").get("message") == "RuntimeError: broken  thing"  # type: ignore[union-attr]
@@ -289,3 +300,4 @@ def test_results_as_xml() -> None:
     assert any("setUpClass" in str(name) for name in cases)
     assert failed.find("testcase/failure").get("message") == "processes died"  # type: ignore[union-attr]
     assert skipped.find("testcase/skipped").get("message") == "no robot"  # type: ignore[union-attr]
+    assert skipped.find("testcase").get("name") == "skipped_launch"  # type: ignore[union-attr]

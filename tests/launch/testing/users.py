@@ -139,6 +139,7 @@ class TestShort(unittest.TestCase):
     def test_end(self, proc_info, proc_output):
         proc_info.assertWaitForStartup("short", timeout=30)
         proc_info.assertWaitForShutdown("short", timeout=30)
+        assert [name.split("-")[0] for name in proc_info.process_names()] == ["short"]
         launch_testing.asserts.assertExitCodes(proc_info, process="short")
         launch_testing.asserts.assertInStdout(proc_output, "short", "short")
 

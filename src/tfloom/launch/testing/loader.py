@@ -149,7 +149,10 @@ class TestRun:
         """
         loader = unittest.TestLoader()
         everything = {**arguments, **self.param_args}
-        suites = (loader.loadTestsFromTestCase(_bound_case(case, attributes, everything, self.module_name)) for case in cases)
+        suites = (
+            loader.loadTestsFromTestCase(_bound_case(case, attributes, everything, self.module_name))
+            for case in cases
+        )
         return unittest.TestSuite(suites)
 
     def __str__(self) -> str:
@@ -231,7 +234,11 @@ def _bound_case(
         methods[name] = _with_arguments(method, arguments)
     for name in ("setUpClass", "tearDownClass"):
         methods[name] = classmethod(_with_arguments(getattr(case, name).__func__, arguments))
-    named = {"__module__": module_name or case.__module__, "__qualname__": case.__qualname__, "__doc__": case.__doc__}
+    named = {
+        "__module__": module_name or case.__module__,
+        "__qualname__": case.__qualname__,
+        "__doc__": case.__doc__,
+    }
     return type(case.__name__, (case,), {**attributes, **methods, **named})
 
 

@@ -92,7 +92,7 @@ def process_name(process: ExecuteLocal) -> str:
     """Return the name of a process with its number; of one that was not started, what is known of it."""
     details = process.process_details
     if details is None:
-        return str(process.name or "")
+        return str(getattr(process, "name", None) or process.process_description.name or "")
     return str(details["name"])
 
 
@@ -111,11 +111,10 @@ def _describe(process: ExecuteLocal) -> str:
     """Return the name of a process, or its command line if that is of texts alone."""
     if process.process_details is not None:
         return process_name(process)
-    words = []
-    for word in process.cmd:
-        if isinstance(word, str):
-            words.append(word)
-        elif all(isinstance(part, TextSubstitution) for part in word):
+    executable = process.process_description
+    words = list(executable.final_cmd or ())
+    for word in () if words else executable.cmd:
+        if all(isinstance(part, TextSubstitution) for part in word):
             words.append("".join(part.text for part in word if isinstance(part, TextSubstitution)))
         else:
             return "Unknown: it was not started, and its command line has substitutions"

@@ -69,7 +69,8 @@ def build_line_match(
 
     Args:
         expected_lines: A text, a pattern, or several: each is found in a line after that of the one before.
-        strict: Whether they are the first lines, without other lines between, and each text is at the begin of its line.
+        strict: Whether they are the first lines, without other lines between, and each text is at the begin of its
+            line.
 
     Raises:
         ValueError: `expected_lines` is of another type.
@@ -106,7 +107,9 @@ def _flat(expected: Expected) -> Iterator[str | re.Pattern[str]]:
         for part in expected:
             yield from _flat(part)
     else:
-        raise ValueError(f"a text, a pattern or a list of them is expected, and {expected!r} is none")
+        raise ValueError(  # noqa: TRY004  # launch_testing's type
+            f"a text, a pattern or a list of them is expected, and {expected!r} is none"
+        )
 
 
 def _expected_lines_of(expected: str | re.Pattern[str]) -> Sequence[str | re.Pattern[str]]:

@@ -143,7 +143,8 @@ def coerce_to_type(value: str, data_type: Any = None, *, can_be_str: bool = Fals
     Args:
         value: The text.
         data_type: The type; None: any of AllowedTypesTuple.
-        can_be_str: Whether the text is returned if it is no value of the type, and whether items of a list may be texts.
+        can_be_str: Whether the text is returned if it is no value of the type, and whether items of a list may be
+            texts.
 
     Raises:
         ValueError: the text is no value of the type.
@@ -161,7 +162,16 @@ def coerce_to_type(value: str, data_type: Any = None, *, can_be_str: bool = Fals
         raise
 
 
-_BOOLEANS = {"true": True, "yes": True, "on": True, "1": True, "false": False, "no": False, "off": False, "0": False}
+_BOOLEANS = {
+    "true": True,
+    "yes": True,
+    "on": True,
+    "1": True,
+    "false": False,
+    "no": False,
+    "off": False,
+    "0": False,
+}
 
 
 def _as_scalar(text: str, scalar: type) -> Any:

@@ -141,7 +141,9 @@ class LoadComposableNodes(Action):
         if (count := get_node_name_count(context, name)) > 1:
             container_logger = get_logger(container)
             container_logger.warning(
-                "there are now at least %d nodes with the name %s created within this launch context", count, name
+                "there are now at least %d nodes with the name %s created within this launch context",
+                count,
+                name,
             )
 
 
@@ -251,7 +253,9 @@ class ComposableNodeContainer(Node):
         try:
             entities = super().execute(context)
         except (PackageNotFoundError, SubstitutionFailure) as error:
-            raise marked_as_missing(RuntimeError(f"ComposableNodeContainer: {NEEDS_CPP} ({error})")) from error
+            raise marked_as_missing(
+                RuntimeError(f"ComposableNodeContainer: {NEEDS_CPP} ({error})")
+            ) from error
         if self._composable_nodes:
             load = LoadComposableNodes(
                 composable_node_descriptions=self._composable_nodes, target_container=self

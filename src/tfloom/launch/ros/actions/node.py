@@ -77,9 +77,8 @@ class Node(ExecuteProcess):
         # The name stands in a local variable, which `execute` sets: extensions may change it until then.
         if name is not None:
             cmd += ["-r", LocalSubstitution("ros_specific_arguments['name']", description="node name")]
-        if parameters is not None:
-            if not isinstance(parameters, tuple):
-                ensure_argument_type(parameters, [list], "parameters", "Node")
+        if parameters is not None and not isinstance(parameters, tuple):
+            ensure_argument_type(parameters, [list], "parameters", "Node")
         super().__init__(cmd=cmd, name=exec_name, **kwargs)
         self._package = package
         self._executable = executable
