@@ -149,7 +149,7 @@ def test_cached_output_is_kept(launch: Launch) -> None:
 def test_a_terminal_is_emulated(launch: Launch) -> None:
     code = "import sys; print(sys.stdout.isatty(), sys.stderr.isatty(), file=sys.stderr)"
     assert "[python-1] True True" in launch(python(code, emulate_tty=True)).lines
-    assert "[python-1] False False" in launch(python(code)).lines
+    assert "[python-2] False False" in launch(python(code)).lines
 
 
 def test_folder_and_environment_of_a_process(
@@ -159,10 +159,10 @@ def test_folder_and_environment_of_a_process(
     code = "import os, json; print(json.dumps([os.getcwd(), os.environ.get('OF_THE_LAUNCH'), os.environ.get('MORE')]))"
     options = {"cwd": str(tmp_path), "additional_env": {"MORE": [TextSubstitution(text="mo"), "re"]}}
     printed = [
-        json.loads(line.removeprefix("[python-1] "))
+        json.loads(line.partition("] ")[2])
         for action in (python(code, **options), python(code, env={"MORE": "alone"}))
         for line in launch(action).lines
-        if line.startswith("[python-1] ")
+        if line.startswith("[python-")
     ]
     assert printed == [[str(tmp_path), "1", "more"], [str(Path.cwd()), None, "alone"]]
 
@@ -507,5 +507,5 @@ def test_a_script_runs_whose_interpreter_has_a_space_in_its_path(
         in launch(ExecuteProcess(cmd=[str(script), "by-path"], output="screen")).lines
     )
     assert (
-        "[program-1] ran by-name" in launch(ExecuteProcess(cmd=["program", "by-name"], output="screen")).lines
+        "[program-2] ran by-name" in launch(ExecuteProcess(cmd=["program", "by-name"], output="screen")).lines
     )

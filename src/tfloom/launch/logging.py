@@ -93,7 +93,7 @@ def _unescaped(text: str) -> str:
     """Return a text with the escape sequences of Python's literals replaced."""
     import codecs
 
-    decoded, _ = codecs.escape_decode(text.encode("utf-8"))  # type: ignore[attr-defined]  # typeshed has it not
+    decoded, _ = codecs.escape_decode(text.encode("utf-8"))  # of CPython
     return bytes(decoded).decode("utf-8")
 
 
@@ -308,7 +308,7 @@ def reset() -> None:
 
 
 class _DeferredHandler(logging.Handler):
-    """Passes records on to a handler of `launch_config` that exists from the first record on: most commands log nothing.
+    """Passes records on to a handler of `launch_config`, which is made for the first record: most commands log nothing.
 
     Args:
         is_screen: Whether that is the handler of the screen; otherwise it is that of the launch's log file.

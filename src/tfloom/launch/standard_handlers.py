@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import logging
 import logging.handlers as standard
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 __all__ = [
     "BufferingHandler",
@@ -54,7 +54,7 @@ class _FormatsByLogger(logging.Handler):
 
 
 if TYPE_CHECKING:
-    _Stream = logging.StreamHandler[object]
+    _Stream = logging.StreamHandler[Any]
     _Queue = standard.QueueHandler
 else:
     _Stream, _Queue = logging.StreamHandler, standard.QueueHandler

@@ -6,6 +6,7 @@ import threading
 from collections.abc import Iterator
 from typing import Generic, Protocol, TypeVar
 
+from tfloom.launch.actions.execute_local import ExecuteLocal
 from tfloom.launch.actions.execute_process import ExecuteProcess
 
 __all__ = ["ActiveRecord"]
@@ -29,7 +30,7 @@ class Record(Protocol[Event, Found_co]):
     def process_names(self) -> list[str]:
         """Return the names of the processes."""
 
-    def __getitem__(self, key: ExecuteProcess | str, /) -> Found_co: ...
+    def __getitem__(self, key: ExecuteLocal | str, /) -> Found_co: ...
 
 
 class ActiveRecord(Generic[Event, Found]):
@@ -70,7 +71,7 @@ class ActiveRecord(Generic[Event, Found]):
         with self._changed:
             return self._record.process_names()
 
-    def __getitem__(self, key: ExecuteProcess | str) -> Found:
+    def __getitem__(self, key: ExecuteLocal | str) -> Found:
         """Return what is recorded of a process, by its action or its name.
 
         Raises:

@@ -7,6 +7,7 @@ import signal
 from collections.abc import Iterable, Sequence
 from typing import Protocol
 
+from tfloom.launch.actions.execute_local import ExecuteLocal
 from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.events.process import ProcessExited
 from tfloom.launch.testing.proc_lookup import CmdArgs, Process, process_name, resolveProcesses
@@ -38,7 +39,7 @@ class ProcInfo(Protocol):
     def processes(self) -> Iterable[ExecuteProcess]:
         """Return the actions of the processes."""
 
-    def __getitem__(self, key: ExecuteProcess | str) -> object: ...
+    def __getitem__(self, key: ExecuteLocal | str) -> object: ...
 
 
 def assertExitCodes(  # noqa: N802  # launch_testing's name

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from typing import Protocol
 
+from tfloom.launch.actions.execute_local import ExecuteLocal
 from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.events.process import ProcessIO
 from tfloom.launch.testing.proc_lookup import CmdArgs, Process, process_name, resolveProcesses
@@ -19,7 +20,7 @@ class ProcOutput(Protocol):
     def processes(self) -> Iterable[ExecuteProcess]:
         """Return the actions of the processes."""
 
-    def __getitem__(self, key: ExecuteProcess | str) -> Sequence[ProcessIO]: ...
+    def __getitem__(self, key: ExecuteLocal | str) -> Sequence[ProcessIO]: ...
 
 
 def assertInStdout(  # noqa: N802  # launch_testing's name

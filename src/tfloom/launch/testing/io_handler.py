@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator
 from typing import Any, cast
 
 from tfloom.launch.action import Action
+from tfloom.launch.actions.execute_local import ExecuteLocal
 from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.events.process import ProcessIO
 from tfloom.launch.testing.active_record import ActiveRecord
@@ -56,7 +57,7 @@ class IoHandler:
         """Return the names of all known processes."""
         return list(self._by_name)
 
-    def __getitem__(self, key: ExecuteProcess | str) -> list[ProcessIO]:
+    def __getitem__(self, key: ExecuteLocal | str) -> list[ProcessIO]:
         """Return the events of a process, by its action or its name.
 
         Raises:

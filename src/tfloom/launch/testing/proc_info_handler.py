@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import TypeAlias, cast
 
 from tfloom.launch.action import Action
+from tfloom.launch.actions.execute_local import ExecuteLocal
 from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.events.process import ProcessExited, ProcessStarted
 from tfloom.launch.testing.active_record import ActiveRecord
@@ -43,7 +44,7 @@ class ProcInfoHandler:
         """Return the names of all processes."""
         return [event.process_name for event in self._by_action.values()]
 
-    def __getitem__(self, key: ExecuteProcess | str) -> Info:
+    def __getitem__(self, key: ExecuteLocal | str) -> Info:
         """Return the last event of a process, by its action or its name.
 
         Raises:
