@@ -106,8 +106,6 @@ DIFFERENCES: dict[str, dict[str, Ours]] = {
         ),
     },
 }
-PACKAGES = ("58 ", "58b ", "58c ")
-"""Lines about the files of packages, which the tests of `workspace` have."""
 LISTS_NAMES = re.compile(r"3[0-3] ")
 """Lines of `launch_testing_output` with the names of a module: more names are no difference for a program."""
 
@@ -162,8 +160,6 @@ def _with_differences(lines: Iterable[str], differences: dict[str, Ours]) -> Ite
 def masked(lines: Iterable[str], home: Path) -> Iterator[str]:
     """Yield lines without what differs between machines: process ids, folders and addresses."""
     for line in lines:
-        if line.startswith(PACKAGES):
-            continue
         text = line.replace(str(Path(tfloom.__file__).parent), "<tfloom>").replace(str(home), "<home>")
         text = text.replace(sys.prefix, "<prefix>").replace(sys.executable, "<prefix>/bin/python")
         text = re.sub(r"<[\w.]*\.(\w+) obj(ect at 0x\w+>)?", r"<\1 object>", text)
