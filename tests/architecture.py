@@ -23,6 +23,7 @@ SHELVES = [
     ["tf2_ros", "workspace"],
     ["bag"],
     ["tf2_tools", "turtlesim", "robot", "demos", "drop_in", "launch"],
+    ["viewer"],
     ["cli", "pyinstaller", "testing"],
 ]
 """The rooms, from the bottom up; rooms on one shelf don't import each other, except interfaces rosidl."""
@@ -49,7 +50,11 @@ DOORS = {
     "reportlab": ("tf2_tools/drawing/",),
     "rich": ("tf2_tools/top/",),
     "argcomplete": ("cli/tab_key.py",),
-    "PIL": ("turtlesim/picture.py", "tf2_tools/drawing/png.py"),
+    "PIL": ("turtlesim/picture.py", "tf2_tools/drawing/png.py", "viewer/pictures.py"),
+    "viser": ("viewer/",),
+    "websockets": ("viewer/page_server.py",),
+    "msgspec": ("viewer/page_server.py",),
+    "trimesh": ("viewer/",),
     "psutil": ("launch/processes/",),
     "transforms3d": ("tf2_ros/transformations/transformations.py",),
     "pandas": ("tf2/trajectory.py",),

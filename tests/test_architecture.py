@@ -252,12 +252,12 @@ def test_name_of_a_missing_room_or_library_is_found(tmp_path: Path, monkeypatch:
     house = sound_house(tmp_path)
     monkeypatch.setattr(architecture, "SHELVES", [*SHELVES, ["stage"]])
     monkeypatch.setattr(architecture, "NODE_ROOMS", [*NODE_ROOMS, "helpers"])
-    monkeypatch.setattr(architecture, "DOORS", architecture.DOORS | {"viser": ("viewer/",)})
+    monkeypatch.setattr(architecture, "DOORS", architecture.DOORS | {"rerun": ("viewer/",)})
     monkeypatch.setattr(architecture, "EVERYWHERE", architecture.EVERYWHERE | {"scipy"})
     assert architecture.nothing_is_named_that_does_not_exist(house) == [
         "SHELVES names stage",
         "NODE_ROOMS names helpers",
-        "DOORS names viser",
+        "DOORS names rerun",
         "EVERYWHERE names scipy",
     ]
 

@@ -31,7 +31,7 @@ from typing import Any
 ROOT = Path(__file__).resolve().parents[1]
 STAGES: dict[str, tuple[list[str], list[str]]] = {
     "demo": (["build"], []),
-    "test": (["test"], ["turtlesim", "transformations", "workspace", "launch", "bag", "robot"]),
+    "test": (["test"], ["turtlesim", "transformations", "workspace", "launch", "bag", "robot", "view"]),
     "check": (["check", "docs"], []),
     "bench": (["bench"], []),
 }

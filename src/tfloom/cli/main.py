@@ -157,6 +157,7 @@ COMMANDS: dict[str, str | Group] = {
         },
         hidden="topics",
     ),
+    "view": "Show frames, robots and sensors in a browser",
 }
 
 INTERRUPTED = 2

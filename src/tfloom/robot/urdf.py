@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
 
-from tfloom._native import Transform
 from tfloom.robot.description import MOVING, VARIABLES, Description, Joint, Limit, Mimic
 from tfloom.robot.joint_tree import find_root
 from tfloom.robot.mimicry import followers
 from tfloom.robot.urdf_error import UrdfError
+from tfloom.robot.urdf_values import number, origin_of, required, vector
 from tfloom.robot.xml_elements import Element, read_xml
 
 __all__ = ["UrdfError", "parse_urdf"]
@@ -31,7 +30,7 @@ def parse_urdf(text: str | bytes) -> Description:
     if robot.tag != "robot":
         raise UrdfError(robot.line, f"the outermost element is <{robot.tag}>, not <robot>")
     _refuse_xacro(robot)
-    name = _required(robot, "name", "the robot")
+    name = required(robot, "name", "the robot")
     links = _links(robot)
     joints = _joints(robot, links)
     root = find_root(links, joints)
@@ -51,7 +50,7 @@ def _links(robot: Element) -> dict[str, int]:
     """Return the line of each link, by name."""
     links: dict[str, int] = {}
     for element in robot.all_of("link"):
-        name = _required(element, "name", "a link")
+        name = required(element, "name", "a link")
         if name in links:
             reason = f"the link '{name}' exists already: line {links[name]} has it"
             raise UrdfError(element.line, reason)
@@ -73,9 +72,9 @@ def _joints(robot: Element, links: dict[str, int]) -> dict[str, Joint]:
 
 
 def _joint(element: Element, links: dict[str, int]) -> Joint:
-    name = _required(element, "name", "a joint")
+    name = required(element, "name", "a joint")
     what = f"the joint '{name}'"
-    kind = _required(element, "type", what)
+    kind = required(element, "type", what)
     if kind not in VARIABLES:
         raise UrdfError(element.line, f"{what} is of type '{kind}', which is none of: {', '.join(VARIABLES)}")
     return Joint(
@@ -83,7 +82,7 @@ def _joint(element: Element, links: dict[str, int]) -> Joint:
         type=kind,
         parent=_link(element, "parent", what, links),
         child=_link(element, "child", what, links),
-        origin=_origin(element, what),
+        origin=origin_of(element, what),
         axis=_axis(element, kind, what),
         line=element.line,
         limit=_limit(element, kind, what),
@@ -96,26 +95,17 @@ def _link(element: Element, end: str, what: str, links: dict[str, int]) -> str:
     end_element = element.first(end)
     if end_element is None:
         raise UrdfError(element.line, f"{what} has no <{end}> link")
-    name = _required(end_element, "link", f"<{end}> of {what}")
+    name = required(end_element, "link", f"<{end}> of {what}")
     if name not in links:
         raise UrdfError(end_element.line, f"{what} has the {end} link '{name}', which does not exist")
     return name
-
-
-def _origin(element: Element, what: str) -> Transform:
-    origin = element.first("origin")
-    if origin is None:
-        return Transform()
-    xyz = _vector(origin, "xyz", "0 0 0", what)
-    roll, pitch, yaw = _vector(origin, "rpy", "0 0 0", what)
-    return Transform.from_rpy(roll, pitch, yaw, xyz)
 
 
 def _axis(element: Element, kind: str, what: str) -> tuple[float, float, float]:
     axis = element.first("axis")
     if axis is None or kind in {"fixed", "floating"}:
         return 1.0, 0.0, 0.0
-    x, y, z = _vector(axis, "xyz", "1 0 0", what)
+    x, y, z = vector(axis, "xyz", "1 0 0", what)
     largest = max(abs(x), abs(y), abs(z))
     if not largest:
         raise UrdfError(axis.line, f"the axis of {what} has no direction: it is zero")
@@ -131,62 +121,22 @@ def _limit(element: Element, kind: str, what: str) -> Limit | None:
             other = "; one without limits is 'continuous'" if kind == "revolute" else ""
             raise UrdfError(element.line, f"{what} is of type '{kind}' and has no <limit>{other}")
         return None
-    for required in ("effort", "velocity"):
-        _number(limit, required, None, f"<limit> of {what}")
-    return Limit(_number(limit, "lower", 0.0, what), _number(limit, "upper", 0.0, what))
+    for attribute in ("effort", "velocity"):
+        number(limit, attribute, None, f"<limit> of {what}")
+    return Limit(number(limit, "lower", 0.0, what), number(limit, "upper", 0.0, what))
 
 
 def _soft_limit(element: Element, what: str) -> Limit | None:
     controller = element.first("safety_controller")
     if controller is None:
         return None
-    lower = _number(controller, "soft_lower_limit", -math.inf, what)
-    return Limit(lower, _number(controller, "soft_upper_limit", math.inf, what))
+    lower = number(controller, "soft_lower_limit", -math.inf, what)
+    return Limit(lower, number(controller, "soft_upper_limit", math.inf, what))
 
 
 def _mimic(element: Element, kind: str, what: str) -> Mimic | None:
     mimic = element.first("mimic")
     if mimic is None or kind not in MOVING:
         return None
-    joint = _required(mimic, "joint", f"<mimic> of {what}")
-    return Mimic(joint, _number(mimic, "multiplier", 1.0, what), _number(mimic, "offset", 0.0, what))
-
-
-def _required(element: Element, attribute: str, what: str) -> str:
-    value = element.attributes.get(attribute, "")
-    if not value:
-        raise UrdfError(element.line, f"{what} has no {attribute}")
-    return value
-
-
-def _number(element: Element, attribute: str, default: float | None, what: str) -> float:
-    text = element.attributes.get(attribute)
-    if text is None:
-        if default is None:
-            raise UrdfError(element.line, f"{what} has no {attribute}")
-        return default
-    return _finite([text], element, attribute, what)[0]
-
-
-def _vector(element: Element, attribute: str, default: str, what: str) -> tuple[float, float, float]:
-    words = element.attributes.get(attribute, default).split()
-    if len(words) != 3:
-        reason = f"{attribute} of <{element.tag}> of {what} has {len(words)} numbers, not 3"
-        raise UrdfError(element.line, reason)
-    x, y, z = _finite(words, element, attribute, what)
-    return x, y, z
-
-
-def _finite(words: Iterable[str], element: Element, attribute: str, what: str) -> list[float]:
-    """Return the numbers that words stand for."""
-    numbers = []
-    for word in words:
-        try:
-            number = math.nan if "_" in word else float(word)
-        except ValueError:
-            number = math.nan
-        if not math.isfinite(number):
-            reason = f"{attribute} of <{element.tag}> of {what}: '{word}' is not a number"
-            raise UrdfError(element.line, reason)
-        numbers.append(number)
-    return numbers
+    joint = required(mimic, "joint", f"<mimic> of {what}")
+    return Mimic(joint, number(mimic, "multiplier", 1.0, what), number(mimic, "offset", 0.0, what))

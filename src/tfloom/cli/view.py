@@ -1,0 +1,156 @@
+"""Show frames, robots and sensors in a browser, of a live graph or of a recording."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import signal
+import sys
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from tfloom.cli.errors import CommandError
+from tfloom.cli.names import full_topic_name
+from tfloom.cli.numbers import seconds
+from tfloom.tf2_tools.watch.model import STATIC_TOPIC, TF_TOPIC
+
+if TYPE_CHECKING:
+    from tfloom.viewer.program import Viewer
+
+PORT = 8765
+HISTORY_S = 60.0
+MISSING = "`tfloom view` needs viser, which is not installed: pip install 'tfloom[view]'"
+OPEN_TO_ALL = """\
+Whoever has this address can see what is published here, and can drive robots: it has a token, and is not encrypted."""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the arguments of `view`."""
+    parser.add_argument(
+        "-b", "--bag", metavar="PATH", type=Path, help="a recording, in place of the live graph"
+    )
+    parser.add_argument("--fixed-frame", metavar="FRAME", default="", help="the frame that stands still")
+    parser.add_argument(
+        "-d", "--display", metavar="TOPIC", action="append", default=[], help="show a topic from the start"
+    )
+    parser.add_argument(
+        "--history",
+        metavar="S",
+        type=seconds,
+        default=HISTORY_S,
+        help=f"how far the time can be turned back in seconds (default: {HISTORY_S:g})",
+    )
+    parser.add_argument(
+        "--host",
+        default="127.0.0.1",
+        help="the address at which to listen (default: 127.0.0.1); at another one, pages need a token",
+    )
+    parser.add_argument(
+        "--port", type=_port, default=None, help=f"the port (default: {PORT}, or a free one if it is used)"
+    )
+    parser.add_argument("--no-open", action="store_true", help="don't open a browser, only print the address")
+    parser.add_argument("--tf-topic", default=TF_TOPIC, help=f"topic of transforms (default: {TF_TOPIC})")
+    parser.add_argument(
+        "--tf-static-topic",
+        default=STATIC_TOPIC,
+        help=f"topic of static transforms (default: {STATIC_TOPIC})",
+    )
+    parser.add_argument("-s", "--use-sim-time", action="store_true", help="take the time from /clock")
+
+
+def _port(text: str) -> int:
+    port = int(text) if text.isascii() and text.isdigit() else -1
+    if not 0 <= port <= 65535:
+        raise argparse.ArgumentTypeError(f"{text!r} is no port: it has to be from 0 to 65535")
+    return port
+
+
+def main(args: argparse.Namespace) -> int:
+    """Serve pages until Ctrl-C."""
+    if not args.history > 0.0:
+        raise CommandError(f"argument --history: must be above 0, not {args.history:g}")
+    if not is_installed():
+        raise CommandError(MISSING)
+    over = threading.Event()
+    for name in ("SIGINT", "SIGTERM"):
+        signal.signal(getattr(signal, name), lambda *_: over.set())
+    with _open_viewer(args) as viewer:
+        start_pages(viewer, args.host, args.port)
+        for topic in args.display:
+            viewer.view.want(full_topic_name(topic))
+        print(f"Open {viewer.pages.address}", flush=True)
+        if "?token=" in viewer.pages.address:
+            print(OPEN_TO_ALL, flush=True)
+        if not args.no_open and _has_browser():
+            import webbrowser
+
+            webbrowser.open(viewer.pages.address)
+        viewer.run(over.is_set)
+    return 0
+
+
+def is_installed() -> bool:
+    """Return whether the extra `view` is installed."""
+    from importlib.util import find_spec
+
+    return all(find_spec(name) is not None for name in ("viser", "websockets", "msgspec", "trimesh"))
+
+
+@contextmanager
+def _open_viewer(args: argparse.Namespace) -> Iterator[Viewer]:
+    topics = full_topic_name(args.tf_topic), full_topic_name(args.tf_static_topic)
+    if args.bag is None:
+        from tfloom.cli.graph import joined_participant, wait_until_quiet
+        from tfloom.viewer.live import live_viewer
+
+        with (
+            joined_participant() as participant,
+            live_viewer(
+                participant,
+                topics=topics,
+                history_s=args.history,
+                fixed_frame=args.fixed_frame,
+                simulated=args.use_sim_time,
+            ) as viewer,
+        ):
+            wait_until_quiet(participant.graph, 1.0)
+            yield viewer
+        return
+    from tfloom.bag.errors import BagError
+    from tfloom.viewer.recorded import recorded_viewer
+
+    try:
+        with recorded_viewer(args.bag, topics=topics, fixed_frame=args.fixed_frame) as viewer:
+            yield viewer
+    except BagError as error:
+        raise CommandError(str(error)) from None
+
+
+def start_pages(viewer: Viewer, host: str, port: int | None) -> None:
+    """Listen at an address; without a port at the usual one, or at a free one where that is used.
+
+    Raises:
+        CommandError: the address can't be used.
+    """
+    from tfloom.viewer.page_server import ServerError
+
+    try:
+        viewer.pages.start(host, PORT if port is None else port)
+    except ServerError as error:
+        if port is not None:
+            raise CommandError(str(error)) from None
+        try:
+            viewer.pages.start(host, 0)
+        except ServerError:
+            raise CommandError(str(error)) from None
+
+
+def _has_browser() -> bool:
+    """Return whether a person is there who would see a browser."""
+    has_screen = sys.platform in {"win32", "darwin"} or any(
+        name in os.environ for name in ("DISPLAY", "WAYLAND_DISPLAY")
+    )
+    return has_screen and sys.stdout is not None and sys.stdout.isatty()

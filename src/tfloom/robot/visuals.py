@@ -1,0 +1,149 @@
+"""What is seen of a robot: the forms, meshes and colours of its links, as its URDF describes them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from tfloom._native import Transform
+from tfloom.robot.urdf_error import UrdfError
+from tfloom.robot.urdf_values import number, origin_of, required, vector
+from tfloom.robot.xml_elements import Element, read_xml
+
+__all__ = ["BallForm", "BoxForm", "CylinderForm", "Form", "MeshForm", "Visual", "read_visuals"]
+
+GREY = (180, 180, 180)
+"""Colour of what has none."""
+
+
+@dataclass(frozen=True)
+class BoxForm:
+    """A box around its origin."""
+
+    size: tuple[float, float, float]
+    """[m]."""
+
+
+@dataclass(frozen=True)
+class CylinderForm:
+    """A cylinder around its origin, along z."""
+
+    radius: float
+    """[m]."""
+    length: float
+    """[m]."""
+
+
+@dataclass(frozen=True)
+class BallForm:
+    """A ball around its origin."""
+
+    radius: float
+    """[m]."""
+
+
+@dataclass(frozen=True)
+class MeshForm:
+    """A file with a mesh."""
+
+    uri: str
+    """As `package://my_robot/meshes/base.stl`."""
+    scale: tuple[float, float, float]
+
+
+Form = BoxForm | CylinderForm | BallForm | MeshForm
+"""Any of them."""
+
+
+@dataclass(frozen=True)
+class Visual:
+    """One form of a link."""
+
+    link: str
+    origin: Transform
+    """link_from_form."""
+    form: Form
+    color: tuple[int, int, int] = GREY
+    """Red, green and blue, each from 0 to 255."""
+    opacity: float = 1.0
+    has_color: bool = False
+    """Whether the description has the colour; one of a mesh's own counts otherwise."""
+
+
+def read_visuals(text: str | bytes) -> list[Visual]:
+    """Return what is seen of a robot, in the order of its URDF. Its joints are not looked at.
+
+    Args:
+        text: A str, or the bytes of a file, whose encoding its first line names.
+
+    Raises:
+        UrdfError: the text is no valid description; its message has the line.
+    """
+    robot = read_xml(text)
+    if robot.tag != "robot":
+        raise UrdfError(robot.line, f"the outermost element is <{robot.tag}>, not <robot>")
+    materials = {
+        material.attributes.get("name", ""): rgba
+        for material in robot.all_of("material")
+        if (rgba := _rgba(material)) is not None
+    }
+    visuals = []
+    for link in robot.all_of("link"):
+        name = required(link, "name", "a link")
+        for visual in link.all_of("visual"):
+            visuals.append(_visual(visual, name, materials))
+            material = visual.first("material")
+            # A material that one link defines may be used by those after it, by its name.
+            if material is not None and (rgba := _rgba(material)) is not None:
+                materials.setdefault(material.attributes.get("name", ""), rgba)
+    return visuals
+
+
+def _visual(element: Element, link: str, materials: dict[str, tuple[float, ...]]) -> Visual:
+    what = f"a visual of the link '{link}'"
+    geometry = element.first("geometry")
+    form = next((_form(child, what) for child in geometry.children), None) if geometry else None
+    if form is None:
+        raise UrdfError(element.line, f"{what} has no geometry")
+    material = element.first("material")
+    rgba = None
+    if material is not None:
+        rgba = _rgba(material) or materials.get(material.attributes.get("name", ""))
+    origin = origin_of(element, what)
+    if rgba is None:
+        return Visual(link, origin, form)
+    red, green, blue, opacity = (min(max(part, 0.0), 1.0) for part in rgba)
+    color = round(255 * red), round(255 * green), round(255 * blue)
+    return Visual(link, origin, form, color, opacity, has_color=True)
+
+
+def _rgba(material: Element) -> tuple[float, ...] | None:
+    color = material.first("color")
+    if color is None:
+        return None
+    what = f"the material '{material.attributes.get('name', '')}'"
+    words = required(color, "rgba", f"<color> of {what}").split()
+    if len(words) != 4:
+        raise UrdfError(color.line, f"rgba of {what} has {len(words)} numbers, not 4")
+    return tuple(number(Element("color", {"rgba": word}, color.line), "rgba", None, what) for word in words)
+
+
+def _form(element: Element, what: str) -> Form:
+    if element.tag == "box":
+        return BoxForm(_sizes(element, vector(element, "size", "", what), what))
+    if element.tag == "cylinder":
+        radius, length = number(element, "radius", None, what), number(element, "length", None, what)
+        _sizes(element, (radius, length, 0.0), what)
+        return CylinderForm(radius, length)
+    if element.tag == "sphere":
+        radius = number(element, "radius", None, what)
+        _sizes(element, (radius, 0.0, 0.0), what)
+        return BallForm(radius)
+    if element.tag == "mesh":
+        return MeshForm(required(element, "filename", what), vector(element, "scale", "1 1 1", what))
+    raise UrdfError(element.line, f"{what} has the geometry <{element.tag}>, which is not known")
+
+
+def _sizes(element: Element, sizes: tuple[float, float, float], what: str) -> tuple[float, float, float]:
+    if min(sizes) < 0.0:
+        raise UrdfError(element.line, f"{what} has a negative size")
+    return sizes

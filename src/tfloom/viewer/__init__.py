@@ -1,0 +1,11 @@
+"""Frames, robots and sensors in a browser: `tfloom view`, by viser, which the extra `view` installs.
+
+- frames, history, camera, playback, shapes: what is shown, without viser
+- displays/: from a message to shapes, a file for each kind
+- feed, topics, recorded: a display and its messages, of a graph or of a recording
+- view: what all pages share, and what follows of it
+- drawing, scene, scene_server, mesh_files: viser's scene and server
+- page_server, access, page_command: the server of our page
+- tools, log_lines, parameters, node_graph, pictures: what is beside the scene
+- program, live, live_parts: the loop, and what it needs of a graph
+"""

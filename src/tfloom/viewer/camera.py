@@ -1,0 +1,43 @@
+"""From a place on the screen to a place on the floor."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from tfloom.tf2.transform import Transform
+
+__all__ = ["Camera", "floor_point"]
+
+MAX_DISTANCE_M = 1e4
+"""A point on the floor that is further away is none: the ray is all but parallel to the floor."""
+
+
+class Camera(NamedTuple):
+    """A page's camera, which looks along its z axis; its x axis is to the right, its y axis down."""
+
+    position: tuple[float, float, float]
+    rotation_xyzw: tuple[float, float, float, float]
+    fov_rad: float
+    """Vertical field of view."""
+    aspect: float
+    """Width by height of the picture."""
+
+
+def floor_point(camera: Camera, across: float, down: float) -> tuple[float, float] | None:
+    """Return the point of the plane z = 0 that a place on the screen shows (x, y) [m]; None if it shows none.
+
+    Args:
+        camera: The camera.
+        across: From 0 at the left edge to 1 at the right edge.
+        down: From 0 at the upper edge to 1 at the lower edge.
+    """
+    half = math.tan(camera.fov_rad / 2.0)
+    ray = ((2.0 * across - 1.0) * half * camera.aspect, (2.0 * down - 1.0) * half, 1.0)
+    x, y, z = Transform(rotation_xyzw=camera.rotation_xyzw).apply(ray)
+    if z * camera.position[2] >= 0.0:  # the ray leaves the floor behind, or the camera is within it
+        return None
+    factor = -camera.position[2] / z
+    if not factor * math.hypot(x, y) < MAX_DISTANCE_M:
+        return None
+    return camera.position[0] + factor * x, camera.position[1] + factor * y

@@ -1,0 +1,140 @@
+"""What all displays have in common: messages in, shapes out; colours and poses of messages."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, Protocol
+
+import numpy as np
+
+from tfloom.viewer.shapes import Color, DisplayError, Placed
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["Display", "Latest", "color_of", "finite_points", "pose_of", "rainbow", "shown_text", "stamp_of"]
+
+Position = tuple[float, float, float]
+Rotation = tuple[float, float, float, float]
+
+MAX_TEXT = 200
+"""Number of characters of a text that are shown."""
+
+
+class Display(Protocol):
+    """Shows the messages of one topic."""
+
+    keeps_all: bool
+    """Whether what is shown depends on all messages so far; if not, on the last one alone."""
+    choices: Sequence[str]
+    """What the user may choose from, as the field by which points are coloured; it may change with a message."""
+    choice: str
+    """What is chosen; empty: what fits best."""
+
+    def take(self, message: Any, stamp_ns: int) -> None:
+        """Take the next message, or the only one that matters, with its stamp [ns since epoch].
+
+        Raises:
+            DisplayError: it can't be shown.
+        """
+
+    def clear(self) -> None:
+        """Forget all messages."""
+
+    def shapes(self, now_ns: int) -> list[Placed]:
+        """Return what is to be drawn at a time [ns since epoch].
+
+        Raises:
+            DisplayError: it can't be shown.
+        """
+
+
+class Latest:
+    """A display of the last message, by a function from a message to shapes."""
+
+    keeps_all = False
+    choices: Sequence[str] = ()
+    choice = ""
+
+    def __init__(self, shapes_of: Callable[[Any], list[Placed]]) -> None:
+        self._shapes_of = shapes_of
+        self._shapes: list[Placed] = []
+
+    def take(self, message: Any, stamp_ns: int) -> None:  # noqa: ARG002  # the header's stamp counts
+        """Take the only message that matters."""
+        self._shapes = []
+        self._shapes = self._shapes_of(message)
+
+    def clear(self) -> None:
+        """Forget the message."""
+        self._shapes = []
+
+    def shapes(self, now_ns: int) -> list[Placed]:  # noqa: ARG002  # they stay until the next message
+        """Return the message's shapes."""
+        return self._shapes
+
+
+def stamp_of(header: Any) -> int:
+    """Return the stamp of a header [ns since epoch]."""
+    return int(header.stamp.sec) * 1_000_000_000 + int(header.stamp.nanosec)
+
+
+def pose_of(pose: Any) -> tuple[Position, Rotation]:
+    """Return position and unit quaternion of a `geometry_msgs/msg/Pose`.
+
+    A quaternion of zeros, which a message has that nobody filled in, is no rotation.
+
+    Raises:
+        DisplayError: a number is not finite.
+    """
+    position = float(pose.position.x), float(pose.position.y), float(pose.position.z)
+    turn = pose.orientation
+    x, y, z, w = float(turn.x), float(turn.y), float(turn.z), float(turn.w)
+    length = math.sqrt(x * x + y * y + z * z + w * w) if max(map(abs, (x, y, z, w))) < 1e100 else math.inf
+    if not (math.isfinite(length) and all(map(math.isfinite, position))):
+        raise DisplayError("a number of its pose is not finite")
+    if length < 1e-9:
+        return position, (0.0, 0.0, 0.0, 1.0)
+    return position, (x / length, y / length, z / length, w / length)
+
+
+def finite_points(points: Sequence[Any]) -> NDArray[np.float32]:
+    """Return those of many points or vectors whose numbers are finite (N, 3)."""
+    table = np.array([(point.x, point.y, point.z) for point in points], np.float32).reshape(-1, 3)
+    return table[np.isfinite(table).all(axis=1)]
+
+
+def color_of(color: Any) -> tuple[Color, float]:
+    """Return red, green and blue, and the opacity, of a `std_msgs/msg/ColorRGBA`; what is not finite is 0."""
+    red, green, blue, opacity = (
+        min(max(float(part), 0.0), 1.0) if math.isfinite(part) else 0.0
+        for part in (color.r, color.g, color.b, color.a)
+    )
+    return (round(255 * red), round(255 * green), round(255 * blue)), opacity
+
+
+def rainbow(values: ArrayLike) -> NDArray[np.uint8]:
+    """Return a colour for each value (N, 3): red is the least, violet the greatest; what is not finite is grey."""
+    numbers = np.asarray(values, np.float64)
+    is_finite = np.isfinite(numbers)
+    colors = np.full((len(numbers), 3), 128, np.uint8)
+    if not is_finite.any():
+        return colors
+    known = numbers[is_finite]
+    # The extremes are those of most points, because a few stray ones would otherwise leave all others one colour.
+    low, high = np.percentile(known, (1.0, 99.0)) if len(known) > 200 else (known.min(), known.max())
+    # Halves, because the difference of two numbers may be beyond what a number holds.
+    known, low, high = known / 2.0, low / 2.0, high / 2.0
+    share = np.clip((known - low) / (high - low), 0.0, 1.0) if high > low else np.zeros(len(known))
+    hue = share * 0.8 * 6.0
+    # The three channels of a hue are one trapezoid, shifted by two sixths of the circle.
+    channels = np.stack([np.abs(hue - 3.0) - 1.0, 2.0 - np.abs(hue - 2.0), 2.0 - np.abs(hue - 4.0)], axis=1)
+    colors[is_finite] = (255.0 * np.clip(channels, 0.0, 1.0)).astype(np.uint8)
+    return colors
+
+
+def shown_text(text: str, most: int = MAX_TEXT) -> str:
+    """Return a text as a page can take it: of limited length, and without halves of surrogate pairs."""
+    cut = text if len(text) <= most else text[: most - 1] + "…"
+    return cut.encode("utf-8", "replace").decode()

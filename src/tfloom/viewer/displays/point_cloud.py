@@ -1,0 +1,90 @@
+"""Point clouds, coloured by a field."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from tfloom.tf2_ros.point_clouds.point_cloud2 import points_view
+from tfloom.viewer.displays.display import rainbow, stamp_of
+from tfloom.viewer.shapes import DisplayError, Placed, Points
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["PointCloudDisplay", "shapes_of_old_cloud"]
+
+MAX_POINTS = 400_000
+"""Number of points that are drawn; of more, every second one is, or every third."""
+COLOR_FIELDS = ("rgb", "rgba")
+"""Fields with a packed colour."""
+USUAL_FIELDS = (*COLOR_FIELDS, "intensity", "z")
+"""Fields that colour the points where none is chosen, the first one that the cloud has."""
+
+
+class PointCloudDisplay:
+    """Shows the last `sensor_msgs/msg/PointCloud2`."""
+
+    keeps_all = False
+
+    def __init__(self) -> None:
+        self.choices: Sequence[str] = ()
+        self.choice = ""
+        self._shapes: list[Placed] = []
+
+    def take(self, message: Any, stamp_ns: int) -> None:  # noqa: ARG002  # the header's stamp counts
+        """Take a cloud.
+
+        Raises:
+            DisplayError: its layout is wrong, or it has no x, y and z.
+        """
+        self._shapes = []
+        try:
+            points = points_view(message).ravel()
+        except (ValueError, AssertionError, TypeError) as error:
+            raise DisplayError(f"its layout is wrong: {error}") from None
+        names = points.dtype.names or ()
+        if not {"x", "y", "z"} <= set(names):
+            raise DisplayError(f"it has no fields x, y and z, but {', '.join(names) or 'none'}")
+        self.choices = names
+        step = -(-len(points) // MAX_POINTS) or 1
+        points = points[::step]
+        positions = np.stack([points[axis].astype(np.float32) for axis in "xyz"], axis=1)
+        is_finite = np.isfinite(positions).all(axis=1)
+        if not is_finite.all():
+            positions, points = positions[is_finite], points[is_finite]
+        if not len(points):
+            return
+        chosen = self.choice if self.choice in names else next(name for name in USUAL_FIELDS if name in names)
+        shape = Points(np.ascontiguousarray(positions), _colors(points[chosen], chosen))
+        self._shapes = [Placed(shape, message.header.frame_id, stamp_of(message.header))]
+
+    def clear(self) -> None:
+        """Forget the cloud."""
+        self._shapes = []
+
+    def shapes(self, now_ns: int) -> list[Placed]:  # noqa: ARG002  # they stay until the next message
+        """Return the cloud's points."""
+        return self._shapes
+
+
+def _colors(values: NDArray[Any], field: str) -> NDArray[np.uint8]:
+    if field in COLOR_FIELDS and values.dtype.itemsize == 4:
+        # The bytes of a number: blue, green, red and opacity, from the least significant one on.
+        packed = np.ascontiguousarray(values).astype(values.dtype.newbyteorder("<")).view("<u4")
+        return np.stack([packed >> shift & 0xFF for shift in (16, 8, 0)], axis=1).astype(np.uint8)
+    return rainbow(values)
+
+
+def shapes_of_old_cloud(message: Any) -> list[Placed]:
+    """Return the points of a `sensor_msgs/msg/PointCloud`, by their height."""
+    step = -(-len(message.points) // MAX_POINTS) or 1
+    table = np.array([(point.x, point.y, point.z) for point in message.points[::step]], np.float32)
+    positions = table.reshape(-1, 3)
+    positions = positions[np.isfinite(positions).all(axis=1)]
+    if not len(positions):
+        return []
+    shape = Points(positions, rainbow(positions[:, 2]))
+    return [Placed(shape, message.header.frame_id, stamp_of(message.header))]

@@ -1,0 +1,251 @@
+"""Shapes as nodes of viser's scene."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from tfloom.viewer import shapes
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+    from viser import SceneApi
+
+__all__ = ["Drawn", "Pose", "shown_name"]
+
+Pose = tuple[tuple[float, float, float], tuple[float, float, float, float]]
+"""Position [m], and quaternion (x, y, z, w)."""
+MAX_NAME = 64
+"""Number of characters of a frame's name that are drawn."""
+MIN_SIZE_M = 1e-4
+"""A thinner box is as thin as this, because a page can't draw one of no thickness."""
+
+
+def shown_name(name: str) -> str:
+    """Return a frame's name as it is drawn: of limited length, and without halves of surrogate pairs."""
+    cut = name if len(name) <= MAX_NAME else name[: MAX_NAME - 1] + "…"
+    return cut.encode("utf-8", "replace").decode()
+
+
+class Drawn:
+    """A shape in the scene.
+
+    Args:
+        scene: The scene.
+        name: The node's name; a node of this name is replaced.
+        shape: The shape.
+    """
+
+    def __init__(self, scene: SceneApi, name: str, shape: shapes.Shape) -> None:
+        self._scene = scene
+        self._name = name
+        self._shape = shape
+        self._offset = np.zeros(3)
+        self._handle = self._add(shape)
+        self._pose: Pose | None = None
+        self._is_visible = True
+
+    def _add(self, shape: shapes.Shape) -> Any:
+        if isinstance(shape, shapes.Picture):
+            # Pictures begin at their corner, viser's are around their middle.
+            self._offset = np.array((shape.size[0] / 2.0, shape.size[1] / 2.0, 0.0))
+        return _ADDERS[type(shape)](self._scene, self._name, shape)
+
+    def change(self, shape: shapes.Shape) -> None:
+        """Draw another shape at the same place."""
+        if shape is self._shape:
+            return
+        before, self._shape = self._shape, shape
+        if isinstance(shape, shapes.Points) and isinstance(before, shapes.Points):
+            # A cloud is changed, not replaced: the page keeps its buffers on the graphics card.
+            self._handle.points = shape.positions
+            self._handle.colors = shape.colors
+            return
+        self._handle = self._add(shape)
+        pose, is_visible = self._pose, self._is_visible
+        self._pose, self._is_visible = None, True
+        self.place(pose if is_visible else None)
+
+    def place(self, pose: Pose | None) -> None:
+        """Move it to a pose in the fixed frame; None hides it."""
+        if (pose is not None) != self._is_visible:
+            self._is_visible = pose is not None
+            self._handle.visible = self._is_visible
+        if pose is None or pose == self._pose:
+            return
+        self._pose = pose
+        (position, (x, y, z, w)) = pose
+        self._handle.position = np.array(position) + _turned((x, y, z, w), self._offset)
+        self._handle.wxyz = (w, x, y, z)
+
+    def remove(self) -> None:
+        """Remove it from the scene."""
+        self._handle.remove()
+
+
+def _turned(
+    rotation_xyzw: tuple[float, float, float, float], vector: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    if not vector.any():
+        return vector
+    axis, w = np.array(rotation_xyzw[:3]), rotation_xyzw[3]
+    cross = 2.0 * np.cross(axis, vector)
+    return vector + w * cross + np.cross(axis, cross)
+
+
+def _add_points(scene: SceneApi, name: str, shape: shapes.Points) -> Any:
+    return scene.add_point_cloud(
+        name,
+        shape.positions,
+        shape.colors,
+        point_size=shape.size_m,
+        precision="float32",
+        point_shape="circle",
+        point_shading="flat",
+    )
+
+
+def _add_lines(scene: SceneApi, name: str, shape: shapes.Lines) -> Any:
+    return scene.add_line_segments(
+        name, shape.ends, shape.colors, thickness=shape.width_px, thickness_units="screen"
+    )
+
+
+def _add_arrows(scene: SceneApi, name: str, shape: shapes.Arrows) -> Any:
+    radius = shape.shaft_radius_m
+    return scene.add_arrows(
+        name,
+        shape.ends,
+        shape.color,
+        shaft_radius=radius,
+        head_radius=2.5 * radius,
+        head_length=5.0 * radius,
+    )
+
+
+def _add_axes(scene: SceneApi, name: str, shape: shapes.Axes) -> Any:
+    return scene.add_batched_axes(
+        name,
+        shape.rotations_xyzw[:, [3, 0, 1, 2]],
+        shape.positions,
+        axes_length=shape.length_m,
+        axes_radius=shape.length_m / 25.0,
+    )
+
+
+def _add_mesh(scene: SceneApi, name: str, shape: shapes.Mesh) -> Any:
+    return scene.add_mesh_simple(
+        name,
+        shape.vertices,
+        shape.faces,
+        color=shape.color,
+        opacity=_opacity(shape.opacity),
+        side="double",
+        flat_shading=True,
+        cast_shadow=False,
+        receive_shadow=False,
+    )
+
+
+def _add_box(scene: SceneApi, name: str, shape: shapes.Box) -> Any:
+    x, y, z = (max(part, MIN_SIZE_M) for part in shape.size)
+    return scene.add_box(
+        name,
+        color=shape.color,
+        dimensions=(x, y, z),
+        opacity=_opacity(shape.opacity),
+        cast_shadow=False,
+        receive_shadow=False,
+    )
+
+
+def _add_ball(scene: SceneApi, name: str, shape: shapes.Ball) -> Any:
+    x, y, z = (max(part, MIN_SIZE_M) for part in shape.radii)
+    return scene.add_icosphere(
+        name,
+        radius=1.0,
+        color=shape.color,
+        opacity=_opacity(shape.opacity),
+        scale=(x, y, z),
+        cast_shadow=False,
+        receive_shadow=False,
+    )
+
+
+def _add_cylinder(scene: SceneApi, name: str, shape: shapes.Cylinder) -> Any:
+    return scene.add_cylinder(
+        name,
+        radius=max(shape.radius_m, MIN_SIZE_M),
+        height=max(shape.height_m, MIN_SIZE_M),
+        color=shape.color,
+        opacity=_opacity(shape.opacity),
+        cast_shadow=False,
+        receive_shadow=False,
+    )
+
+
+def _add_copies(scene: SceneApi, name: str, shape: shapes.Copies) -> Any:
+    import trimesh
+
+    size = [max(part, MIN_SIZE_M) for part in shape.size]
+    if shape.kind == "box":
+        mesh = trimesh.creation.box(size)
+    else:
+        mesh = trimesh.creation.icosphere(subdivisions=1, radius=0.5)
+        mesh.apply_scale(size)
+    return scene.add_batched_meshes_simple(
+        name,
+        np.asarray(mesh.vertices, np.float32),
+        np.asarray(mesh.faces, np.uint32),
+        batched_wxyzs=np.tile(np.array((1.0, 0.0, 0.0, 0.0), np.float32), (len(shape.positions), 1)),
+        batched_positions=shape.positions,
+        batched_colors=shape.colors,
+        opacity=_opacity(shape.opacity),
+        flat_shading=shape.kind == "box",
+        cast_shadow=False,
+        receive_shadow=False,
+    )
+
+
+def _add_text(scene: SceneApi, name: str, shape: shapes.Text) -> Any:
+    return scene.add_label(
+        name, shape.text, font_size_mode="scene", font_scene_height=shape.height_m, anchor="center-center"
+    )
+
+
+def _add_picture(scene: SceneApi, name: str, shape: shapes.Picture) -> Any:
+    # Viser's pictures hang upside down, as those of cameras whose y axis is down.
+    return scene.add_image(
+        name,
+        np.ascontiguousarray(shape.pixels[::-1]),
+        shape.size[0],
+        shape.size[1],
+        cast_shadow=False,
+        receive_shadow=False,
+    )
+
+
+def _add_model(scene: SceneApi, name: str, shape: shapes.Model) -> Any:
+    return scene.add_glb(name, shape.glb, scale=shape.scale, cast_shadow=False, receive_shadow=False)
+
+
+def _opacity(opacity: float) -> float | None:
+    return None if opacity >= 1.0 else max(opacity, 0.0)
+
+
+_ADDERS: dict[type[shapes.Shape], Callable[[SceneApi, str, Any], Any]] = {
+    shapes.Points: _add_points,
+    shapes.Lines: _add_lines,
+    shapes.Arrows: _add_arrows,
+    shapes.Axes: _add_axes,
+    shapes.Mesh: _add_mesh,
+    shapes.Box: _add_box,
+    shapes.Ball: _add_ball,
+    shapes.Cylinder: _add_cylinder,
+    shapes.Copies: _add_copies,
+    shapes.Text: _add_text,
+    shapes.Picture: _add_picture,
+    shapes.Model: _add_model,
+}

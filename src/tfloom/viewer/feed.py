@@ -1,0 +1,179 @@
+"""A display and the messages of its topic: what it shows at a time, and why not."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from tfloom.rosidl.message import DecodeError
+from tfloom.tf2.buffer import LATEST
+from tfloom.tf2.errors import TransformException
+from tfloom.viewer.displays.display import shown_text
+from tfloom.viewer.displays.kinds import Kind, make_display
+from tfloom.viewer.shapes import DisplayError, Placed, Shape
+
+if TYPE_CHECKING:
+    from tfloom.tf2.buffer import Buffer
+    from tfloom.viewer.drawing import Pose
+    from tfloom.viewer.history import Entry, Messages
+
+__all__ = ["Feed", "pose_in"]
+
+MAX_SHAPES = 4000
+"""Number of shapes of one display that are drawn."""
+
+
+class Feed:
+    """What one display shows.
+
+    Args:
+        topic: Its topic.
+        kind: Its kind.
+        messages: The messages of the topic.
+        decode: Returns the message of an entry's bytes.
+    """
+
+    def __init__(self, topic: str, kind: Kind, messages: Messages, decode: Callable[[bytes], Any]) -> None:
+        self.topic = topic
+        self.kind = kind
+        self.messages = messages
+        self.status = "" if not kind.module else "no message yet"
+        """What the page says of it: why it shows nothing, or not all; empty if all is shown."""
+        self.has_failed = False
+        self.display = make_display(kind, topic)
+        self.decode = decode
+        """Returns the message of an entry's bytes."""
+        self._last: Entry | None = None
+        self._fault = ""
+        self._poses: dict[int, Pose] = {}
+        """Poses of shapes that have a stamp, by the shape's place: they are looked up once."""
+        self._poses_of: tuple[str, list[Placed]] = "", []
+
+    def read(self, messages: Messages, decode: Callable[[bytes], Any]) -> None:
+        """Show other messages of the topic from now on; what is shown stays until the first one has come."""
+        self.messages, self.decode = messages, decode
+
+    def fail(self, reason: str) -> None:
+        """Show nothing any more, because of a fault; the display is switched off and on to try again."""
+        self.has_failed = True
+        self.status = shown_text(reason)
+
+    def choose(self, choice: str) -> None:
+        """Choose one of the display's choices, and show the last message anew."""
+        if self.display is not None and choice in self.display.choices:
+            self.display.choice = choice
+            self._last = None
+
+    def draw(
+        self, buffer: Buffer, fixed_frame: str, held_ns: int | None, now_ns: int
+    ) -> list[tuple[Shape, Pose | None]]:
+        """Return the shapes to draw, each with its pose in the fixed frame; None where that is not known.
+
+        Args:
+            buffer: The transforms.
+            fixed_frame: The fixed frame.
+            held_ns: The time that the page shows [ns since epoch]; None: the newest.
+            now_ns: That time, or the present one [ns since epoch].
+        """
+        display = self.display
+        if display is None:
+            return []  # the page asks for images itself
+        self._take(held_ns)
+        if self._last is None:
+            self.status = self._fault or "no message at this time"
+            return []
+        try:
+            placed = display.shapes(now_ns)
+        except DisplayError as error:
+            self.status = shown_text(str(error))
+            return []
+        fault = self._fault
+        if len(placed) > MAX_SHAPES:
+            fault = fault or f"{len(placed)} shapes, of which {MAX_SHAPES} are shown"
+            placed = placed[:MAX_SHAPES]
+        drawn, obstacle = self._place(buffer, fixed_frame, held_ns, placed)
+        self.status = shown_text(fault or obstacle)
+        return drawn
+
+    def _take(self, held_ns: int | None) -> None:
+        """Give the display the messages up to a time."""
+        display = self.display
+        assert display is not None  # noqa: S101  # for the type checker; the caller has asked
+        entry = self.messages.newest(held_ns)
+        if entry is self._last or (entry is not None and entry == self._last):
+            return
+        if entry is None or not display.keeps_all:
+            display.clear()
+            entries = [entry] if entry is not None else []
+        else:
+            # All messages matter. Forward in time, the display has had those up to the last one; back in time, it
+            # begins anew.
+            entries = list(self.messages.until(held_ns))
+            if self._last is not None and self._last.stamp_ns <= entry.stamp_ns:
+                last = self._last
+                entries = [other for other in entries if other.stamp_ns > last.stamp_ns]
+            else:
+                display.clear()
+        self._last, self._fault = entry, ""
+        for one in entries:
+            try:
+                display.take(self.decode(one.data), one.stamp_ns)
+            except (DisplayError, DecodeError) as error:  # noqa: PERF203  # the others are shown
+                self._fault = str(error)
+
+    def _place(
+        self, buffer: Buffer, fixed_frame: str, held_ns: int | None, placed: list[Placed]
+    ) -> tuple[list[tuple[Shape, Pose | None]], str]:
+        if self._poses_of[0] != fixed_frame or self._poses_of[1] is not placed:
+            self._poses_of = fixed_frame, placed
+            self._poses.clear()
+        obstacle = ""
+        drawn: list[tuple[Shape, Pose | None]] = []
+        for number, part in enumerate(placed):
+            pose = self._poses.get(number)
+            if pose is None:
+                try:
+                    pose, is_exact = pose_in(buffer, fixed_frame, part, held_ns)
+                    if is_exact:
+                        self._poses[number] = pose
+                except TransformException as error:
+                    obstacle = obstacle or str(error).rstrip()
+            drawn.append((part.shape, pose))
+        return drawn, obstacle
+
+
+def pose_in(buffer: Buffer, fixed_frame: str, placed: Placed, held_ns: int | None) -> tuple[Pose, bool]:
+    """Return a shape's pose in the fixed frame, and whether it is that of its stamp, which stays.
+
+    A stamp that the transforms have not reached yet, or have left behind, counts as the time that the page shows: a
+    viewer shows what it can.
+
+    Raises:
+        TransformException: the frames are not connected.
+    """
+    frame = placed.frame_id.removeprefix("/") or fixed_frame
+    view_ns = LATEST if held_ns is None else held_ns
+    is_exact = False
+    fixed_from_frame = None
+    if placed.stamp_ns > 0:
+        try:
+            fixed_from_frame = buffer.lookup(fixed_frame, frame, placed.stamp_ns)
+            is_exact = True
+        except TransformException:
+            pass
+    if fixed_from_frame is None:
+        try:
+            fixed_from_frame = buffer.lookup(fixed_frame, frame, view_ns)
+        except TransformException:
+            if frame != fixed_frame and not (frame == "world" and not buffer.has_frame("world")):
+                raise
+            # Nothing is published of the frame, and so everything in it is where it says.
+            return (placed.position, placed.rotation_xyzw), False
+    fixed_from_shape = fixed_from_frame.transform @ _transform(placed)
+    return (fixed_from_shape.translation, fixed_from_shape.rotation_xyzw), is_exact
+
+
+def _transform(placed: Placed) -> Any:
+    from tfloom.tf2.transform import Transform
+
+    return Transform(placed.position, placed.rotation_xyzw)

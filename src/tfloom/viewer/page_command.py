@@ -1,0 +1,66 @@
+"""What a page asks for, checked: it is text from outside."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+__all__ = ["PageError", "flag", "number", "stamp", "text"]
+
+MAX_TEXT = 4096
+"""Number of characters of a text that a page may send."""
+
+
+class PageError(Exception):
+    """A page asks for what can't be done; the text says why, in one sentence for the page."""
+
+
+def text(command: Mapping[str, Any], name: str) -> str:
+    """Return a text of a command.
+
+    Raises:
+        PageError: it is absent, no text, or too long.
+    """
+    value = command.get(name)
+    if not isinstance(value, str) or len(value) > MAX_TEXT:
+        raise PageError(f"{name} has to be a text of at most {MAX_TEXT} characters")
+    return value
+
+
+def number(command: Mapping[str, Any], name: str) -> float:
+    """Return a finite number of a command.
+
+    Raises:
+        PageError: it is absent, no number, or not finite.
+    """
+    value = command.get(name)
+    if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
+        raise PageError(f"{name} has to be a finite number")
+    return float(value)
+
+
+def flag(command: Mapping[str, Any], name: str) -> bool:
+    """Return a truth value of a command.
+
+    Raises:
+        PageError: it is absent, or none.
+    """
+    value = command.get(name)
+    if not isinstance(value, bool):
+        raise PageError(f"{name} has to be true or false")
+    return value
+
+
+def stamp(command: Mapping[str, Any], name: str) -> int | None:
+    """Return a time [ns since epoch], which a page sends as a text of digits, because its numbers end at 2**53.
+
+    Raises:
+        PageError: it is neither null nor digits.
+    """
+    value = command.get(name)
+    if value is None:
+        return None
+    if not isinstance(value, str) or not value.isascii() or not value.isdigit() or len(value) > 19:
+        raise PageError(f"{name} has to be null, or digits")
+    return int(value)

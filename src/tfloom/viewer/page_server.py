@@ -1,0 +1,364 @@
+"""The server of pages: one port for our page, its commands, images, and viser's scene behind it."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import json
+import secrets
+import socket
+import threading
+from collections.abc import Callable, Iterable
+from http import HTTPStatus
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+from urllib.parse import parse_qs, urlsplit
+
+import msgspec
+from websockets.asyncio.client import connect
+from websockets.asyncio.server import Server, ServerConnection, serve
+from websockets.datastructures import Headers
+from websockets.exceptions import ConnectionClosed
+from websockets.http11 import Request, Response
+
+from tfloom.viewer.access import Access
+from tfloom.viewer.page_command import PageError
+from tfloom.viewer.scene_server import KEY_HEADER, PAGE_HEADER
+
+if TYPE_CHECKING:
+    from tfloom.viewer.scene_server import SceneServer
+
+__all__ = ["PageServer", "ServerError"]
+
+MAX_PAGES = 32
+"""Number of pages that may be open at once."""
+MAX_COMMAND_BYTES = 64 * 1024
+"""Size of what a page may send at once [bytes]."""
+MAX_EARLIER_LINES = 500
+"""Number of lines of the log that a new page gets."""
+SCENE_MESSAGES = frozenset(
+    ("ViewerCameraMessage", "SceneNodeClickMessage", "SceneNodeDragMessage", "ScenePointerMessage")
+)
+"""What viser's client may send to its server; the rest, as requests for a tunnel, is dropped."""
+FILES = {
+    "/": ("index.html", "text/html; charset=utf-8"),
+    "/page.css": ("page.css", "text/css; charset=utf-8"),
+    "/page.js": ("page.js", "text/javascript; charset=utf-8"),
+}
+PAGE_POLICY = (
+    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; frame-src 'self'; "
+    "connect-src 'self' {sockets}; base-uri 'none'; form-action 'none'; frame-ancestors 'self'"
+)
+"""What our page may load: from this server alone, and no script or style within a text."""
+SCENE_POLICY = (
+    "default-src 'self' 'unsafe-inline' 'unsafe-eval' data: blob:; connect-src 'self' data: blob: {sockets}; "
+    "base-uri 'none'; form-action 'none'; frame-ancestors 'self'"
+)
+"""What viser's page may load: from this server and itself."""
+
+
+class ServerError(Exception):
+    """The server can't be started; the text says why."""
+
+
+class PageServer:
+    """Serves pages on a thread of its own.
+
+    Each page gets the newest state that there is when it has taken the one before: a slow page skips states.
+
+    Args:
+        scene: Viser's server.
+        on_command: Called with a page's id and its command, on the server's thread; it must not wait.
+        image_of: Returns a picture of a topic (its type, its bytes), or None; called on a thread of a pool.
+    """
+
+    def __init__(
+        self,
+        scene: SceneServer,
+        on_command: Callable[[str, dict[str, Any]], None],
+        image_of: Callable[[str], tuple[str, bytes] | None],
+    ) -> None:
+        self._scene = scene
+        self._on_command = on_command
+        self._image_of = image_of
+        self._loop = asyncio.new_event_loop()
+        self._server: Server | None = None
+        self._thread: threading.Thread | None = None
+        self._access = Access("127.0.0.1", 0)
+        self._host = ""
+        self._port = 0
+        self._pages: dict[str, _Page] = {}
+        self._state = ""
+        self._state_number = 0
+        self._lines: list[str] = []
+        """Lines of the log, as JSON; `_first_line` is the number of the first one."""
+        self._first_line = 0
+
+    def start(self, host: str, port: int, token: str | None = None) -> None:
+        """Listen at an address, until `stop`.
+
+        Args:
+            host: The address; other than one of this machine's own, pages need a token.
+            port: The port; 0: a free one.
+            token: The token; None: a new one.
+
+        Raises:
+            ServerError: the address can't be used.
+        """
+        try:
+            family = socket.AF_INET6 if ":" in host else socket.AF_INET
+            listener = socket.socket(family, socket.SOCK_STREAM)
+            listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+            listener.bind((host, port))
+        except OSError as error:
+            listener.close()
+            raise ServerError(f"can't listen at {host}:{port}: {error.strerror or error}") from None
+        self._host, self._port = host, listener.getsockname()[1]
+        self._access = Access(host, self._port, token)
+        ready = threading.Event()
+        self._thread = threading.Thread(
+            target=self._run, args=(listener, ready), name="tfloom_view_pages", daemon=True
+        )
+        self._thread.start()
+        ready.wait()
+
+    @property
+    def address(self) -> str:
+        """The address to open, with the token where one is needed."""
+        host = {"0.0.0.0": socket.gethostname(), "::": socket.gethostname()}.get(self._host, self._host)  # noqa: S104
+        host = f"[{host}]" if ":" in host else host
+        token = self._access.token
+        return f"http://{host}:{self._port}/" + (f"?token={token}" if token else "")
+
+    @property
+    def page_count(self) -> int:
+        """Number of open pages."""
+        return len(self._pages)
+
+    def _run(self, listener: socket.socket, ready: threading.Event) -> None:
+        asyncio.set_event_loop(self._loop)
+
+        async def run() -> None:
+            self._server = await serve(
+                self._handle,
+                sock=listener,
+                process_request=self._respond,
+                select_subprotocol=lambda _, offered: offered[0] if offered else None,
+                max_size=MAX_COMMAND_BYTES,
+                compression=None,
+                server_header=None,
+            )
+            ready.set()
+            await self._server.wait_closed()
+
+        self._loop.run_until_complete(run())
+        self._loop.close()
+
+    def stop(self) -> None:
+        """Close all pages' connections, and the port."""
+        if self._thread is None or self._server is None:
+            return
+        self._loop.call_soon_threadsafe(self._server.close)
+        self._thread.join(5.0)
+
+    # To pages.
+
+    def publish(self, state: dict[str, Any]) -> None:
+        """Give all pages a new state; on any thread."""
+        text = json.dumps({"state": state}, allow_nan=False)
+        with contextlib.suppress(RuntimeError):  # the loop is closed
+            self._loop.call_soon_threadsafe(self._set_state, text)
+
+    def _set_state(self, text: str) -> None:
+        self._state, self._state_number = text, self._state_number + 1
+        self._wake()
+
+    def add_lines(self, lines: Iterable[dict[str, Any]], most: int) -> None:
+        """Add lines to the log of all pages, which has `most` lines at most; on any thread."""
+        texts = [json.dumps(line, allow_nan=False) for line in lines]
+        if texts:
+            with contextlib.suppress(RuntimeError):
+                self._loop.call_soon_threadsafe(self._set_lines, texts, most)
+
+    def _set_lines(self, texts: list[str], most: int) -> None:
+        self._lines += texts
+        surplus = max(0, len(self._lines) - most)
+        del self._lines[:surplus]
+        self._first_line += surplus
+        self._wake()
+
+    def answer(self, page: str, answer: dict[str, Any]) -> None:
+        """Send an answer to one page; on any thread. A page that takes none gets the last few."""
+        text = json.dumps(answer, allow_nan=False)
+
+        def add() -> None:
+            if (opened := self._pages.get(page)) is not None:
+                opened.answers = [*opened.answers[-MAX_ANSWERS + 1 :], text]
+                opened.news.set()
+
+        with contextlib.suppress(RuntimeError):
+            self._loop.call_soon_threadsafe(add)
+
+    def _wake(self) -> None:
+        for page in self._pages.values():
+            page.news.set()
+
+    # From pages.
+
+    async def _respond(self, _: ServerConnection, request: Request) -> Response | None:
+        """Return the response to a request; None lets a WebSocket open."""
+        headers = dict(request.headers.raw_items())
+        if refusal := self._access.refusal(request.path, headers):
+            return _response(HTTPStatus.FORBIDDEN, f"{refusal}\n".encode(), "text/plain; charset=utf-8")
+        url = urlsplit(request.path)
+        if url.path in {"/api", "/scene/ws"}:
+            if headers.get("Upgrade", "").lower() == "websocket" and len(self._pages) < MAX_PAGES:
+                return None
+            return _response(HTTPStatus.SERVICE_UNAVAILABLE, b"too many pages are open\n", "text/plain")
+        if url.path == "/image":
+            return await self._respond_with_image(parse_qs(url.query).get("topic", [""])[0])
+        return self._respond_with_file(url.path, f"ws://{headers.get('Host', '')}")
+
+    async def _respond_with_image(self, topic: str) -> Response:
+        picture = await self._loop.run_in_executor(None, self._image_of, topic)
+        if picture is None:
+            return _response(HTTPStatus.NO_CONTENT, b"", "text/plain")
+        return _response(HTTPStatus.OK, picture[1], picture[0])
+
+    def _respond_with_file(self, path: str, sockets: str) -> Response:
+        if path == "/scene/":
+            policy = SCENE_POLICY.format(sockets=sockets)
+            return _response(HTTPStatus.OK, self._scene.client_html(), "text/html; charset=utf-8", policy)
+        if path not in FILES:
+            return _response(HTTPStatus.NOT_FOUND, b"there is nothing here\n", "text/plain")
+        name, kind = FILES[path]
+        content = (Path(__file__).parent / "page" / name).read_bytes()
+        response = _response(HTTPStatus.OK, content, kind, PAGE_POLICY.format(sockets=sockets))
+        if cookie := self._access.cookie():
+            response.headers["Set-Cookie"] = cookie
+        return response
+
+    async def _handle(self, connection: ServerConnection) -> None:
+        assert connection.request is not None  # noqa: S101  # the handshake is over
+        url = urlsplit(connection.request.path)
+        with contextlib.suppress(ConnectionClosed):
+            if url.path == "/api":
+                await self._handle_page(connection)
+            else:
+                await self._relay(connection, parse_qs(url.query).get("page", [""])[0])
+
+    async def _handle_page(self, connection: ServerConnection) -> None:
+        name = secrets.token_urlsafe(12)
+        page = self._pages[name] = _Page(
+            max(self._first_line, self._first_line + len(self._lines) - MAX_EARLIER_LINES)
+        )
+        self._on_command(name, {"op": "opened"})
+        sender = asyncio.create_task(self._send(connection, name, page))
+        try:
+            async for text in connection:
+                self._take(name, text)
+        finally:
+            del self._pages[name]
+            self._scene.forget(name)
+            self._on_command(name, {"op": "closed"})
+            sender.cancel()
+            await asyncio.gather(sender, return_exceptions=True)
+
+    def _take(self, name: str, text: str | bytes) -> None:
+        try:
+            command = json.loads(text)
+        except (ValueError, RecursionError):
+            command = None
+        if isinstance(command, dict):
+            self._on_command(name, command)
+        else:
+            self.answer(name, {"error": str(PageError("a command has to be an object of JSON"))})
+
+    async def _send(self, connection: ServerConnection, name: str, page: _Page) -> None:
+        await connection.send(json.dumps({"page": name}))
+        while True:
+            page.news.clear()
+            answers, page.answers = page.answers, []
+            for text in answers:
+                await connection.send(text)
+            if page.state_number != self._state_number:
+                page.state_number = self._state_number
+                await connection.send(self._state)
+            end = self._first_line + len(self._lines)
+            if page.next_line < end:
+                first = max(page.next_line, self._first_line)
+                lines = self._lines[first - self._first_line :]
+                page.next_line = end
+                await connection.send(f'{{"log": [{", ".join(lines)}]}}')
+            await page.news.wait()
+
+    async def _relay(self, connection: ServerConnection, page: str) -> None:
+        """Pass messages between a page's scene and viser.
+
+        What viser sends is passed as it is. `send` waits while a page takes nothing; then nothing more is read from
+        viser, which keeps no queue either: it sends the newest state of each node when it can send again.
+        """
+        if page not in self._pages:
+            await connection.close(1008, "no such page")
+            return
+        async with connect(
+            f"ws://127.0.0.1:{self._scene.port}",
+            subprotocols=[connection.subprotocol] if connection.subprotocol else None,
+            additional_headers={KEY_HEADER: self._scene.key, PAGE_HEADER: page},
+            max_size=None,
+            max_queue=1,
+            compression=None,
+            proxy=None,
+        ) as upstream:
+
+            async def up() -> None:
+                async for message in connection:
+                    if isinstance(message, bytes) and _is_allowed(message):
+                        await upstream.send(message)
+
+            async def down() -> None:
+                async for message in upstream:
+                    await connection.send(message)
+
+            tasks = [asyncio.create_task(up()), asyncio.create_task(down())]
+            _, pending = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
+            for task in pending:
+                task.cancel()
+            await asyncio.gather(*tasks, return_exceptions=True)
+
+
+MAX_ANSWERS = 50
+"""Number of answers that wait for one page."""
+
+
+class _Page:
+    """What one page has been sent, and what waits for it."""
+
+    def __init__(self, next_line: int) -> None:
+        self.news = asyncio.Event()
+        self.state_number = 0
+        self.next_line = next_line
+        self.answers: list[str] = []
+
+
+def _is_allowed(message: bytes) -> bool:
+    try:
+        decoded = msgspec.msgpack.decode(message)
+    except (msgspec.DecodeError, ValueError, RecursionError):
+        return False
+    return isinstance(decoded, dict) and decoded.get("type") in SCENE_MESSAGES
+
+
+def _response(status: HTTPStatus, content: bytes, kind: str, policy: str = "default-src 'none'") -> Response:
+    headers = Headers(
+        {
+            "Content-Type": kind,
+            "Content-Length": str(len(content)),
+            "Content-Security-Policy": policy,
+            "Cache-Control": "no-store",
+            "Referrer-Policy": "no-referrer",
+            "X-Content-Type-Options": "nosniff",
+            "Connection": "close",
+        }
+    )
+    return Response(status, status.phrase, headers, content)

@@ -1,0 +1,109 @@
+"""Images of cameras, as files that browsers show."""
+
+from __future__ import annotations
+
+import io
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from tfloom.viewer.shapes import DisplayError
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["picture_of"]
+
+MAX_BYTES = 64 * 1024 * 1024
+MAX_SIDE_PX = 1280
+"""Longer sides are reduced, because the page shows a picture smaller."""
+JPEG_QUALITY = 80
+BROWSER_FORMATS = {b"\xff\xd8\xff": "image/jpeg", b"\x89PNG\r\n\x1a\n": "image/png", b"RIFF": "image/webp"}
+"""Types of files that browsers show, by their first bytes."""
+
+LAYOUTS: dict[str, tuple[str, int]] = {
+    "mono8": ("u1", 1),
+    "mono16": ("u2", 1),
+    "rgb8": ("u1", 3),
+    "bgr8": ("u1", 3),
+    "rgba8": ("u1", 4),
+    "bgra8": ("u1", 4),
+    "8UC1": ("u1", 1),
+    "8UC3": ("u1", 3),
+    "16UC1": ("u2", 1),
+    "32FC1": ("f4", 1),
+    "bayer_rggb8": ("u1", 1),
+    "bayer_bggr8": ("u1", 1),
+    "bayer_gbrg8": ("u1", 1),
+    "bayer_grbg8": ("u1", 1),
+}
+"""Type and number of the channels of each encoding. Bayer patterns are shown as they are, in grey."""
+
+
+def picture_of(message: Any) -> tuple[str, bytes]:
+    """Return an image as a file: its type, and its bytes.
+
+    Args:
+        message: A `sensor_msgs/msg/Image` or `CompressedImage`.
+
+    Raises:
+        DisplayError: its encoding is unknown, or its sizes are wrong.
+    """
+    if hasattr(message, "format"):
+        return _compressed(message)
+    return "image/jpeg", _jpeg(_pixels(message))
+
+
+def _compressed(message: Any) -> tuple[str, bytes]:
+    data = bytes(message.data)
+    for start, kind in BROWSER_FORMATS.items():
+        if data.startswith(start):
+            return kind, data
+    raise DisplayError(f"its format is {message.format[:60]!r}, and neither JPEG, PNG nor WebP")
+
+
+def _pixels(message: Any) -> NDArray[np.uint8]:
+    """Return the pixels as grey (H, W) or red, green and blue (H, W, 3)."""
+    layout = LAYOUTS.get(message.encoding)
+    if layout is None:
+        raise DisplayError(f"its encoding is {message.encoding[:60]!r}, which is not shown")
+    kind, channels = layout
+    dtype = np.dtype((">" if message.is_bigendian else "<") + kind)
+    width, height, step = int(message.width), int(message.height), int(message.step)
+    row = width * channels * dtype.itemsize
+    if not width or not height:
+        raise DisplayError("it has no pixels")
+    data = memoryview(message.data).cast("B")
+    if step < row or step > MAX_BYTES or len(data) < step * (height - 1) + row or len(data) > MAX_BYTES:
+        raise DisplayError(f"its data has {len(data)} bytes, which don't fit {width} by {height} pixels")
+    table: NDArray[Any] = np.ndarray(
+        (height, width, channels), dtype, data, strides=(step, channels * dtype.itemsize, dtype.itemsize)
+    )
+    reduction = -(-max(width, height) // MAX_SIDE_PX)
+    table = table[::reduction, ::reduction]
+    if channels == 1:
+        return _grey(table[:, :, 0])
+    first = table[:, :, :3]
+    return np.ascontiguousarray(first[:, :, ::-1] if message.encoding.startswith(("bgr", "8UC3")) else first)
+
+
+def _grey(table: NDArray[Any]) -> NDArray[np.uint8]:
+    """Return one channel as grey: bytes as they are, others from their least to their greatest."""
+    if table.dtype == np.uint8:
+        return np.ascontiguousarray(table)
+    numbers = table.astype(np.float64)
+    is_finite = np.isfinite(numbers)
+    if not is_finite.any():
+        return np.zeros(table.shape, np.uint8)
+    low, high = np.percentile(numbers[is_finite], (1.0, 99.0))
+    with np.errstate(over="ignore", invalid="ignore"):
+        share = (numbers - low) / (high - low) if high > low else np.zeros(table.shape)
+    return (255.0 * np.clip(np.nan_to_num(share), 0.0, 1.0)).astype(np.uint8)
+
+
+def _jpeg(pixels: NDArray[np.uint8]) -> bytes:
+    from PIL import Image
+
+    file = io.BytesIO()
+    Image.fromarray(pixels).save(file, "JPEG", quality=JPEG_QUALITY)
+    return file.getvalue()

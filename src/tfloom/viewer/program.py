@@ -1,0 +1,206 @@
+"""The viewer: a loop that draws while a page is open, and rests while none is."""
+
+from __future__ import annotations
+
+import contextlib
+import queue
+import threading
+import time
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from tfloom.rosidl.message import DecodeError
+from tfloom.viewer.camera import floor_point
+from tfloom.viewer.displays.display import shown_text
+from tfloom.viewer.log_lines import MAX_LINES
+from tfloom.viewer.node_graph import node_graph
+from tfloom.viewer.page_command import PageError, number, text
+from tfloom.viewer.page_server import PageServer
+from tfloom.viewer.pictures import picture_of
+from tfloom.viewer.scene import Scene
+from tfloom.viewer.scene_server import SceneServer
+from tfloom.viewer.shapes import DisplayError
+from tfloom.viewer.view import View
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
+
+    from tfloom.tf2_tools.watch.sources import Source
+    from tfloom.viewer.live_parts import LiveParts
+    from tfloom.viewer.topics import Topics
+
+__all__ = ["Viewer"]
+
+DRAW_HZ = 30.0
+STATE_S = 0.25
+"""Period at which pages get what is beside the scene [s]; at once after a command."""
+MAX_COMMANDS = 1000
+"""Number of commands that wait; of more, the newest are dropped."""
+TICK_S = 0.5
+"""Longest wait for a command while no page is open [s]: so long takes an end."""
+
+
+class Viewer:
+    """Shows transforms and topics to pages; a context manager that closes its ports on exit.
+
+    Args:
+        source: The transforms, with a buffer.
+        topics: The topics.
+        live: What else a graph has; None for a recording.
+        fixed_frame: The fixed frame; empty: a usual one, or the root of the largest tree.
+    """
+
+    def __init__(
+        self, source: Source, topics: Topics, live: LiveParts | None = None, *, fixed_frame: str = ""
+    ) -> None:
+        self._live = live
+        self._topics = topics
+        self._commands: queue.Queue[tuple[str, dict[str, Any]]] = queue.Queue(MAX_COMMANDS)
+        self._server = SceneServer()
+        scene = Scene(self._server.scene, lambda frame: self._put("", {"op": "select", "frame": frame}))
+        self.view = View(source, topics, scene, is_live=live is not None, fixed_frame=fixed_frame)
+        self.pages = PageServer(self._server, self._put, self._image_of)
+        self._image_lock = threading.Lock()
+        self._images: dict[str, tuple[Any, tuple[str, bytes] | None]] = {}
+        """The last picture of each topic, with what it was made of."""
+        self._entries: dict[str, Any] = {}
+        """What each topic of images shows now, exchanged by the loop."""
+        self._is_open = False
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.pages.stop()
+        self._server.stop()
+
+    def _put(self, page: str, command: dict[str, Any]) -> None:
+        """Let the loop take a command; on any thread."""
+        with contextlib.suppress(queue.Full):
+            self._commands.put_nowait((page, command))
+
+    def run(self, is_over: Callable[[], bool]) -> None:
+        """Draw for the open pages until it is over."""
+        next_draw_s = next_state_s = 0.0
+        while not is_over():
+            now_s = time.monotonic()
+            has_pages = self.pages.page_count > 0
+            if has_pages != self._is_open:
+                self._open() if has_pages else self._close()
+            wait_s = max(0.0, next_draw_s - now_s) if has_pages else TICK_S
+            if self._take_commands(wait_s):
+                next_state_s = 0.0
+            now_s = time.monotonic()
+            if not self._is_open or now_s < next_draw_s:
+                continue
+            # After a picture that took longer than its time, the next one isn't hurried: others share this machine.
+            next_draw_s = max(next_draw_s + 1.0 / DRAW_HZ, now_s + 0.5 / DRAW_HZ)
+            with self._server.atomic():
+                self.view.draw()
+            self._note_images()
+            if self._live is not None:
+                self._live.tools.stop_silent()
+            if now_s >= next_state_s:
+                next_state_s = now_s + STATE_S
+                self._publish()
+        self._close()
+
+    def _open(self) -> None:
+        self._is_open = True
+        self.view.resume()
+        if self._live is not None:
+            self._live.log.open()
+            self._live.tools.open()
+
+    def _close(self) -> None:
+        self._is_open = False
+        self.view.suspend()
+        if self._live is not None:
+            self._live.log.close()
+            self._live.tools.close()
+
+    def _publish(self) -> None:
+        state = self.view.snapshot()
+        if self._live is not None:
+            state["drive_topics"] = [shown_text(topic) for topic in self._live.tools.drive_topics()]
+            self.pages.add_lines(self._live.log.take(), MAX_LINES)
+        self.pages.publish(state)
+
+    def _take_commands(self, wait_s: float) -> bool:
+        """Do what pages ask for, and wait for the first command; return whether there was one."""
+        try:
+            page, command = self._commands.get(timeout=wait_s) if wait_s else self._commands.get_nowait()
+        except queue.Empty:
+            return False
+        while True:
+            self._do(page, command)
+            try:
+                page, command = self._commands.get_nowait()
+            except queue.Empty:
+                return True
+
+    def _do(self, page: str, command: Mapping[str, Any]) -> None:
+        try:
+            self._run_command(page, command)
+        except PageError as error:
+            if page:
+                self.pages.answer(page, {"error": shown_text(str(error), 500)})
+
+    def _run_command(self, page: str, command: Mapping[str, Any]) -> None:
+        operation = text(command, "op")
+        if operation in {"opened", "closed"}:
+            return
+        if operation not in {"floor", "drive", "graph", "parameters", "set_parameter"}:
+            self.view.command(command)
+            return
+        if self._live is None:
+            raise PageError("this is a recording: there is nobody to ask")
+        if operation == "floor":
+            self._use_tool(page, command)
+        elif operation == "drive":
+            self._live.tools.drive(text(command, "topic"), number(command, "ahead"), number(command, "left"))
+        elif operation == "graph":
+            self.pages.answer(page, {"graph": node_graph(self._live.participant.graph.endpoints())})
+        else:
+            self._live.parameters.ask(command, lambda answer: self.pages.answer(page, answer))
+
+    def _use_tool(self, page: str, command: Mapping[str, Any]) -> None:
+        assert self._live is not None  # noqa: S101  # for the type checker; the caller has asked
+        camera = self._server.camera(page)
+        if camera is None:
+            raise PageError("the scene has not told its camera yet")
+        spots = []
+        for end in ("from", "to"):
+            place = command.get(end)
+            if not isinstance(place, list) or len(place) != 2:
+                raise PageError(f"{end} has to be two numbers")
+            across, down = (number({"at": part}, "at") for part in place)
+            spot = floor_point(camera, across, down)
+            if spot is None:
+                raise PageError("there is no floor at this place")
+            spots.append(spot)
+        done = self._live.tools.use(text(command, "tool"), self.view.fixed_frame, spots[0], spots[1])
+        self.pages.answer(page, {"done": shown_text(done)})
+
+    # Images, which pages ask for when they have shown the one before.
+
+    def _note_images(self) -> None:
+        self._entries = self.view.image_entries()
+
+    def _image_of(self, topic: str) -> tuple[str, bytes] | None:
+        """Return the picture of a topic at the time that is shown; on a thread of the server."""
+        shown = self._entries.get(topic)
+        if shown is None:
+            return None
+        entry, decode = shown
+        with self._image_lock:  # one page makes the picture, the others take it
+            made = self._images.get(topic)
+            if made is None or made[0] is not entry:
+                try:
+                    made = entry, picture_of(decode(entry.data))
+                except (DisplayError, DecodeError) as error:
+                    made = entry, None
+                    self._put("", {"op": "image_fault", "topic": topic, "fault": str(error)})
+                self._images = {name: kept for name, kept in self._images.items() if name in self._entries}
+                self._images[topic] = made
+        return made[1]

@@ -1,0 +1,213 @@
+"""The scene of all pages: frames with their names, arrows to their parents, trails, and what displays show."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from tfloom.viewer.drawing import Drawn, Pose, shown_name
+from tfloom.viewer.shapes import Shape
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+    from viser import SceneApi
+
+    from tfloom.viewer.frames import FramePoses
+
+__all__ = ["Scene"]
+
+MAX_NAMES = 300
+"""Number of frames up to which their names are drawn."""
+AXES_M = 0.3
+"""Length of a frame's axes [m]."""
+MOVED_M = 1e-6
+"""A name that has moved less stays where it is [m]."""
+YELLOW = (255, 205, 60)
+GREY = (120, 120, 125)
+CYAN = np.array((80, 230, 255), np.uint8)
+TRAIL_COLORS = ((255, 90, 200), (90, 220, 255), (255, 160, 60), (140, 255, 110), (190, 150, 255))
+
+
+class Scene:
+    """Draws in viser's scene. One thread may use it.
+
+    Args:
+        scene: Viser's scene, which all pages share.
+        on_frame: Called with a frame's name when it is clicked, on a thread of viser.
+    """
+
+    def __init__(self, scene: SceneApi, on_frame: Callable[[str], None]) -> None:
+        self._scene = scene
+        self._on_frame = on_frame
+        self._axes: Any = None
+        self._axes_names: list[str] = []
+        self._grey: Any = None
+        self._arrows: Any = None
+        self._names: dict[str, tuple[Any, str]] = {}
+        """Each frame's label and its text."""
+        self._name_positions: dict[str, NDArray[np.float64]] = {}
+        self._free_names: list[str] = []
+        self._name_count = 0
+        self._trails: dict[str, Any] = {}
+        self._selection: Any = None
+        self._displays: dict[str, list[Drawn]] = {}
+        self._display_numbers: dict[str, int] = {}
+        scene.set_up_direction("+z")
+        scene.add_grid(
+            "/floor",
+            infinite_grid=True,
+            cell_size=1.0,
+            section_size=5.0,
+            cell_color=(70, 74, 82),
+            section_color=(95, 100, 110),
+            fade_distance=60.0,
+            shadow_opacity=0.0,
+        )
+
+    def draw_frames(
+        self, poses: FramePoses, behind: Collection[str], *, with_names: bool, axes_m: float = AXES_M
+    ) -> None:
+        """Draw frames; those of which the pose is out of date are grey.
+
+        Args:
+            poses: The frames.
+            behind: The names of those that are out of date.
+            with_names: Whether to draw their names.
+            axes_m: Length of their axes [m].
+        """
+        is_behind = np.array([name in behind for name in poses.names], bool)
+        self._draw_axes(poses, ~is_behind, axes_m)
+        self._draw_grey_axes(poses, is_behind, axes_m)
+        self._draw_arrows(poses, is_behind, axes_m)
+        self._draw_names(poses, behind, is_shown=with_names and len(poses.names) <= MAX_NAMES)
+
+    def _draw_axes(self, poses: FramePoses, is_fresh: NDArray[np.bool_], axes_m: float) -> None:
+        names = [name for name, fresh in zip(poses.names, is_fresh, strict=True) if fresh]
+        wxyzs = poses.rotations_xyzw[is_fresh][:, [3, 0, 1, 2]].astype(np.float32)
+        positions = poses.positions[is_fresh].astype(np.float32)
+        # A click is told by its number among the axes, so the names are exchanged before the node is.
+        self._axes_names = names
+        if self._axes is not None and len(names) == len(self._axes.batched_positions):
+            self._axes.batched_positions = positions
+            self._axes.batched_wxyzs = wxyzs
+            return
+        if self._axes is not None:
+            self._axes.remove()
+            self._axes = None
+        if not names:
+            return
+        self._axes = self._scene.add_batched_axes(
+            "/frames/axes", wxyzs, positions, axes_length=axes_m, axes_radius=axes_m / 25.0
+        )
+        self._axes.on_click(self._clicked)
+
+    def _clicked(self, event: Any) -> None:
+        number, names = event.instance_index, self._axes_names
+        if isinstance(number, int) and 0 <= number < len(names):
+            self._on_frame(names[number])
+
+    def _draw_grey_axes(self, poses: FramePoses, is_behind: NDArray[np.bool_], axes_m: float) -> None:
+        x, y, z, w = poses.rotations_xyzw[is_behind].T
+        columns = np.stack(
+            [
+                np.stack([1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)], axis=1),
+                np.stack([2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)], axis=1),
+                np.stack([2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)], axis=1),
+            ],
+            axis=1,
+        )
+        starts = np.repeat(poses.positions[is_behind][:, np.newaxis], 3, axis=1)
+        ends = np.stack([starts, starts + axes_m * columns], axis=2).reshape(-1, 2, 3).astype(np.float32)
+        self._grey = self._set_lines("/frames/stale", self._grey, ends, np.array(GREY, np.uint8), 3.0)
+
+    def _set_lines(
+        self, name: str, handle: Any, ends: NDArray[np.float32], colors: NDArray[np.uint8], width_px: float
+    ) -> Any:
+        if handle is not None and len(ends) and handle.points.shape == ends.shape:
+            handle.points = ends
+            return handle
+        if handle is not None:
+            handle.remove()
+        if not len(ends):
+            return None
+        return self._scene.add_line_segments(name, ends, colors, thickness=width_px, thickness_units="screen")
+
+    def _draw_arrows(self, poses: FramePoses, is_behind: NDArray[np.bool_], axes_m: float) -> None:
+        children = poses.links()
+        ends = np.stack([poses.positions[children], poses.positions[poses.parents[children]]], axis=1)
+        ends = ends.astype(np.float32)
+        colors = np.where(is_behind[children, np.newaxis], np.array(GREY), np.array(YELLOW)).astype(np.uint8)
+        if self._arrows is not None and len(ends) and self._arrows.points.shape == ends.shape:
+            self._arrows.points = ends
+            if not np.array_equal(self._arrows.colors, colors):
+                self._arrows.colors = colors
+            return
+        if self._arrows is not None:
+            self._arrows.remove()
+            self._arrows = None
+        if len(ends):
+            self._arrows = self._scene.add_arrows(
+                "/frames/arrows",
+                ends,
+                colors,
+                shaft_radius=axes_m / 50.0,
+                head_radius=axes_m / 15.0,
+                head_length=axes_m / 5.0,
+            )
+
+    def _draw_names(self, poses: FramePoses, behind: Collection[str], *, is_shown: bool) -> None:
+        shown = dict(zip(poses.names, poses.positions, strict=True)) if is_shown else {}
+        for name in [name for name in self._names if name not in shown]:
+            handle, _ = self._names.pop(name)
+            del self._name_positions[name]
+            self._free_names.append(handle.name)
+            handle.remove()
+        for name, position in shown.items():
+            text = shown_name(name) + (" (stale)" if name in behind else "")
+            handle, before = self._names.get(name, (None, ""))
+            if handle is None:
+                # Nodes' names are used again: the scene keeps a note of each that was ever removed.
+                node = self._free_names.pop() if self._free_names else f"/frames/names/{self._name_count}"
+                self._name_count += node.endswith(f"/{self._name_count}")
+                handle = self._scene.add_label(node, text, position=position, anchor="bottom-left")
+            elif text != before:
+                handle.text = text
+            if np.abs(position - self._name_positions.get(name, position)).max() > MOVED_M:
+                handle.position = position
+            elif name in self._name_positions:
+                continue
+            self._name_positions[name] = position
+            self._names[name] = handle, text
+
+    def draw_trails(self, trails: Mapping[str, NDArray[np.float64]]) -> None:
+        """Draw the ways of frames: points (N, 3) [m] by the frame's name."""
+        for name in [name for name in self._trails if name not in trails]:
+            self._trails.pop(name).remove()
+        for number, (name, points) in enumerate(trails.items()):
+            ends = np.stack([points[:-1], points[1:]], axis=1).astype(np.float32)
+            color = np.array(TRAIL_COLORS[number % len(TRAIL_COLORS)], np.uint8)
+            handle = self._set_lines(f"/trails/{number}", self._trails.get(name), ends, color, 3.0)
+            if handle is None:
+                self._trails.pop(name, None)
+            else:
+                self._trails[name] = handle
+
+    def draw_selection(self, points: Sequence[NDArray[np.float64]]) -> None:
+        """Draw a line between the two selected frames; none with fewer points."""
+        ends = np.array([points], np.float32) if len(points) == 2 else np.empty((0, 2, 3), np.float32)
+        self._selection = self._set_lines("/selection", self._selection, ends, CYAN, 3.0)
+
+    def draw_display(self, topic: str, placed: Sequence[tuple[Shape, Pose | None]]) -> None:
+        """Draw what a display shows, in place of what it showed before; shapes without a pose are hidden."""
+        drawn = self._displays.setdefault(topic, [])
+        number = self._display_numbers.setdefault(topic, len(self._display_numbers))
+        while len(drawn) > len(placed):
+            drawn.pop().remove()
+        for index, (shape, pose) in enumerate(placed):
+            if index == len(drawn):
+                drawn.append(Drawn(self._scene, f"/displays/{number}/{index}", shape))
+            else:
+                drawn[index].change(shape)
+            drawn[index].place(pose)

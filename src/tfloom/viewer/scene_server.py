@@ -1,0 +1,98 @@
+"""Viser's server: on the loopback interface, at a port of its own, for our relay alone."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import secrets
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import viser
+from viser import _messages
+
+from tfloom.viewer.camera import Camera
+
+if TYPE_CHECKING:
+    from viser import SceneApi
+
+__all__ = ["KEY_HEADER", "PAGE_HEADER", "SceneServer"]
+
+KEY_HEADER = "X-Tfloom-Key"
+"""Header by which the relay is known; its value is a secret of this process."""
+PAGE_HEADER = "X-Tfloom-Page"
+"""Header with the id of the page that a connection is for."""
+
+
+class SceneServer:
+    """The server of the scene, which all pages share.
+
+    Viser has no access rules of its own: whoever reaches its port may read the scene, and may ask for a tunnel to the
+    internet. So each connection without the key is closed, and requests for a tunnel are not handled.
+    """
+
+    def __init__(self) -> None:
+        self.key = secrets.token_urlsafe(24)
+        self._clients: dict[str, int] = {}
+        """Viser's number of the client of each page."""
+        with contextlib.redirect_stdout(
+            io.StringIO()
+        ):  # it would print its address, which is nobody's business
+            self._server = viser.ViserServer(host="127.0.0.1", port=0, verbose=False)
+        connections = self._server._websock_server  # noqa: SLF001  # there is no public way to a connection's headers
+        for message in (_messages.ShareUrlRequest, _messages.ShareUrlDisconnect):
+            connections.unregister_handler(message)
+        live = connections._live_connections  # noqa: SLF001  # as above
+
+        async def check(connection: Any) -> None:
+            request = live[connection.client_id].request
+            headers = {} if request is None else request.headers
+            if not secrets.compare_digest(headers.get(KEY_HEADER, "").encode(), self.key.encode()):
+                await live[connection.client_id].close(1008, "this port is not for browsers")
+                return
+            self._clients[headers.get(PAGE_HEADER, "")] = connection.client_id
+
+        connections.on_client_connect(check)
+        self._server.gui.configure_theme(dark_mode=True, show_logo=False, show_share_button=False)
+
+    @property
+    def scene(self) -> SceneApi:
+        """The scene."""
+        return self._server.scene
+
+    @property
+    def port(self) -> int:
+        """The port at which viser listens."""
+        return self._server.get_port()
+
+    def atomic(self) -> contextlib.AbstractContextManager[None]:
+        """Send all changes of the block together."""
+        return self._server.atomic()
+
+    def client_html(self) -> bytes:
+        """Return the page of viser's client, in which only the canvas is shown."""
+        page = Path(viser.__file__).parent / "client" / "build" / "index.html"
+        return page.read_bytes().replace(b"</head>", _STYLE + b"</head>", 1)
+
+    def camera(self, page: str) -> Camera | None:
+        """Return the camera of a page; None until it has told it."""
+        client = self._server.get_clients().get(self._clients.get(page, -1))
+        if client is None:
+            return None
+        state = client.camera
+        w, x, y, z = (float(part) for part in state.wxyz)
+        px, py, pz = (float(part) for part in state.position)
+        return Camera((px, py, pz), (x, y, z, w), float(state.fov), float(state.aspect))
+
+    def forget(self, page: str) -> None:
+        """Forget a page that was closed."""
+        self._clients.pop(page, None)
+
+    def stop(self) -> None:
+        """Close all connections, and the port."""
+        with contextlib.redirect_stdout(io.StringIO()):
+            self._server.stop()
+
+
+_STYLE = b"<style>#root :not(:has(canvas)):not(canvas) { display: none !important }</style>"
+"""Shows the canvas alone: what viser's own panel offers is in our page."""

@@ -1,0 +1,128 @@
+"""The topics of a graph, and the messages of those that are shown."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any, Protocol
+
+from tfloom.rmw.qos import DurabilityPolicy, QoS, ReliabilityPolicy
+from tfloom.rosidl import cdr
+from tfloom.rosidl.class_search import find_class_of_kind
+from tfloom.rosidl.message import Message
+from tfloom.viewer.history import Entry, History, Messages, header_stamp_ns
+from tfloom.viewer.shapes import DisplayError
+
+if TYPE_CHECKING:
+    from tfloom.rmw.base import NodeName, Participant, Reader
+
+__all__ = ["LiveTopics", "Topics", "begins_with_header"]
+
+DEPTH = 50
+"""Number of messages of a topic that wait between two pictures; older ones are dropped."""
+LATCHED_DEPTH = 100
+"""… of a topic whose publishers keep messages for late subscriptions."""
+MAX_TAKEN = 200
+"""Number of messages of a topic that are taken for one picture."""
+
+
+class Topics(Protocol):
+    """Where messages come from: a graph, or a recording."""
+
+    def types(self) -> Mapping[str, str]:
+        """Return the type of each topic, by its name."""
+
+    def open(self, topic: str) -> tuple[Messages, Callable[[bytes], Any]]:
+        """Begin to read a topic; return its messages, and the function that decodes one.
+
+        Raises:
+            DisplayError: it can't be read.
+        """
+
+    def close(self, topic: str) -> None:
+        """End reading a topic."""
+
+    def poll(self) -> None:
+        """Take what has come. Never waits."""
+
+
+class LiveTopics:
+    """The topics of a graph. One thread may use it.
+
+    Readers are best effort, so that no publisher waits for the viewer; those of topics whose publishers keep messages
+    for late subscriptions are not, because such a message is only sent to a reliable reader.
+
+    Args:
+        participant: The participant that reads.
+        node: The node whose readers these are, which was added to the participant.
+        history_ns: Age of the messages that are kept [ns].
+        now_ns: Returns the time that messages without a stamp get [ns since epoch].
+    """
+
+    def __init__(
+        self, participant: Participant, node: NodeName, history_ns: int, now_ns: Callable[[], int]
+    ) -> None:
+        self._participant = participant
+        self._node = node
+        self._history_ns = history_ns
+        self._now_ns = now_ns
+        self._readers: dict[str, tuple[Reader, History, bool]] = {}
+        self._types: dict[str, str] = {}
+        self._changes = -1
+
+    def types(self) -> Mapping[str, str]:
+        """Return the type of each topic that is published, by its name."""
+        graph = self._participant.graph
+        if (changes := graph.changes()) != self._changes:
+            self._changes = changes
+            self._types = {end.topic.name: end.topic.type_name for end in graph.endpoints() if end.is_writer}
+        return self._types
+
+    def open(self, topic: str) -> tuple[Messages, Callable[[bytes], Any]]:
+        """Begin to read a topic; return its messages, and the function that decodes one.
+
+        Raises:
+            DisplayError: nobody publishes it, or its type is unknown here.
+        """
+        self.close(topic)
+        writers = [
+            end for end in self._participant.graph.endpoints() if end.is_writer and end.topic.name == topic
+        ]
+        if not writers:
+            raise DisplayError(f"nobody publishes {topic}")
+        try:
+            message_class: type[Any] = find_class_of_kind(writers[0].topic.type_name, "msg", Message)
+        except (LookupError, ValueError) as error:
+            raise DisplayError(str(error)) from None
+        is_latched = any(end.qos.resolved().durability is DurabilityPolicy.TRANSIENT_LOCAL for end in writers)
+        qos = QoS(ReliabilityPolicy.BEST_EFFORT, DurabilityPolicy.VOLATILE, depth=DEPTH)
+        if is_latched:
+            qos = QoS(ReliabilityPolicy.RELIABLE, DurabilityPolicy.TRANSIENT_LOCAL, depth=LATCHED_DEPTH)
+        reader = self._participant.create_reader(self._node, writers[0].topic, qos)
+        history = History(self._history_ns, is_latched=is_latched)
+        self._readers[topic] = reader, history, begins_with_header(message_class)
+        return history, lambda data: cdr.decode(message_class, data)
+
+    def close(self, topic: str) -> None:
+        """End reading a topic."""
+        if (opened := self._readers.pop(topic, None)) is not None:
+            opened[0].close()
+
+    def close_all(self) -> None:
+        """End reading all topics."""
+        for topic in list(self._readers):
+            self.close(topic)
+
+    def poll(self) -> None:
+        """Take what has come. Never waits."""
+        for reader, history, has_header in self._readers.values():
+            for _ in range(MAX_TAKEN):
+                sample = reader.take()
+                if sample is None:
+                    break
+                stamp_ns = header_stamp_ns(sample.data) if has_header else 0
+                history.add(Entry(stamp_ns or self._now_ns(), sample.data))
+
+
+def begins_with_header(message_class: Any) -> bool:
+    """Return whether the messages of a class begin with a stamp."""
+    return next(iter(message_class._FIELDS.values()), "") == "std_msgs/msg/Header"

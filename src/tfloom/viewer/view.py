@@ -1,0 +1,423 @@
+"""The view that all pages share: fixed frame, time, selected frames, trails and displays; and what follows of it."""
+
+from __future__ import annotations
+
+import contextlib
+import math
+import time
+import traceback
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from tfloom.tf2.buffer import LATEST
+from tfloom.tf2.errors import TransformException
+from tfloom.tf2_tools.doctor.diagnosis import diagnose
+from tfloom.tf2_tools.doctor.subject import Subject
+from tfloom.tf2_tools.text.transform import matrix_from_quaternion, rpy_from_matrix, transform_text
+from tfloom.tf2_tools.top.rows import Health, Rates, Row, rows_of
+from tfloom.tf2_tools.watch.model import stored_name
+from tfloom.viewer.displays.display import shown_text
+from tfloom.viewer.displays.kinds import kind_of
+from tfloom.viewer.feed import Feed
+from tfloom.viewer.frames import (
+    FramePoses,
+    Span,
+    default_fixed_frame,
+    frames_at,
+    frames_behind,
+    span_of,
+    trail_of,
+)
+from tfloom.viewer.page_command import PageError, flag, number, stamp, text
+from tfloom.viewer.playback import Playback
+from tfloom.viewer.shapes import DisplayError
+
+if TYPE_CHECKING:
+    from tfloom.tf2.buffer import Buffer
+    from tfloom.tf2_tools.doctor.finding import Finding
+    from tfloom.tf2_tools.watch.sources import Source
+    from tfloom.viewer.history import Entry
+    from tfloom.viewer.scene import Scene
+    from tfloom.viewer.topics import Topics
+
+__all__ = ["View"]
+
+LOOK_S = 0.5
+"""Period at which rates, ages and publishers are observed [s]."""
+DIAGNOSE_S = 2.0
+"""Period at which the transforms are checked [s]."""
+TRAIL_S = 0.2
+"""Period at which trails are drawn anew [s]."""
+MAX_TRAILS = 20
+MAX_DISPLAYS = 100
+MAX_ROWS = 1000
+"""Number of rows of the tree that a page gets."""
+MAX_FINDINGS = 100
+PLOT_POINTS = 300
+"""Number of points of the plot of the selected frames."""
+
+
+class View:
+    """What is shown. One thread may use it.
+
+    Args:
+        source: The transforms, with a buffer.
+        topics: The topics.
+        scene: The scene to draw in.
+        is_live: Whether they are of a graph, whose newest time is shown until the user holds one; a recording is
+            played.
+        fixed_frame: The fixed frame; empty: a usual one, or the root of the largest tree.
+    """
+
+    def __init__(
+        self, source: Source, topics: Topics, scene: Scene, *, is_live: bool, fixed_frame: str = ""
+    ) -> None:
+        assert source.buffer is not None  # noqa: S101  # the caller gives one
+        self.buffer: Buffer = source.buffer
+        self.topics = topics
+        self._source = source
+        self._scene = scene
+        self._is_live = is_live
+        self._chosen_frame = fixed_frame
+        self._held_ns: int | None = None
+        self._playback = None if is_live else Playback()
+        self._selected: list[str] = []
+        self._trails: list[str] = []
+        self._feeds: dict[str, Feed] = {}
+        self._wanted: list[str] = []
+        """Topics to show as soon as they are there."""
+        self._with_names = True
+        self._axes_m = 0.3
+        self._started_ns = time.time_ns()
+        self._rates = Rates()
+        self._rows: list[Row] = []
+        self._parents: dict[str, str | None] = {}
+        self._findings: list[Finding] = []
+        self._next_look_s = self._next_trail_s = 0.0
+        # A live graph is listened to before it is judged.
+        self._next_diagnosis_s = time.monotonic() + DIAGNOSE_S if is_live else 0.0
+        self._poses = FramePoses([], np.empty((0, 3)), np.empty((0, 4)), np.empty(0, np.int64))
+
+    # What a page asks for.
+
+    def command(self, command: Mapping[str, Any]) -> None:
+        """Do what a page asks for.
+
+        Raises:
+            PageError: it can't be done.
+        """
+        do = {
+            "fixed_frame": self._choose_fixed_frame,
+            "hold": self._hold,
+            "play": self._play,
+            "select": lambda command: self.select(text(command, "frame")),
+            "unselect": self._unselect,
+            "trail": self._set_trail,
+            "display": lambda command: self.set_display(text(command, "topic"), on=flag(command, "on")),
+            "choose": self._choose,
+            "image_fault": self._note_image_fault,
+            "names": self._show_names,
+            "axes": self._set_axes,
+        }.get(text(command, "op"))
+        if do is None:
+            raise PageError("there is no such command")
+        do(command)
+
+    def _choose_fixed_frame(self, command: Mapping[str, Any]) -> None:
+        self._chosen_frame = text(command, "frame")
+
+    def _unselect(self, _: Mapping[str, Any]) -> None:
+        self._selected.clear()
+
+    def _choose(self, command: Mapping[str, Any]) -> None:
+        topic = text(command, "topic")
+        if (feed := self._feeds.get(topic)) is None:
+            raise PageError(f"{topic} is not shown")
+        feed.choose(text(command, "choice"))
+
+    def _note_image_fault(self, command: Mapping[str, Any]) -> None:
+        if (feed := self._feeds.get(text(command, "topic"))) is not None:
+            feed.status = shown_text(text(command, "fault"))
+
+    def _show_names(self, command: Mapping[str, Any]) -> None:
+        self._with_names = flag(command, "on")
+
+    def _set_axes(self, command: Mapping[str, Any]) -> None:
+        length = number(command, "length")
+        if not 0.001 <= length <= 1000.0:
+            raise PageError("axes are from 0.001 m to 1000 m long")
+        self._axes_m = length
+
+    def _hold(self, command: Mapping[str, Any]) -> None:
+        stamp_ns = stamp(command, "stamp_ns")
+        span = span_of(self.buffer)
+        if self._playback is not None:
+            if span is not None:
+                self._playback.pause(span, stamp_ns)
+        else:
+            self._held_ns = stamp_ns if stamp_ns is None or span is None else span.clamped(stamp_ns)
+
+    def _play(self, command: Mapping[str, Any]) -> None:
+        on = flag(command, "on")
+        span = span_of(self.buffer)
+        if self._playback is None or span is None:
+            raise PageError("there is nothing to play")
+        if on:
+            self._playback.play(span)
+        else:
+            self._playback.pause(span)
+
+    def select(self, frame: str) -> None:
+        """Select a frame, in place of the first of two; a selected one is no longer selected."""
+        if frame in self._selected:
+            self._selected.remove(frame)
+        elif self.buffer.has_frame(frame):
+            self._selected = [*self._selected[-1:], frame]
+        else:
+            raise PageError(f"there is no frame {frame!r}")
+
+    def _set_trail(self, command: Mapping[str, Any]) -> None:
+        frame, on = text(command, "frame"), flag(command, "on")
+        if frame in self._trails:
+            self._trails.remove(frame)
+        if on:
+            if len(self._trails) >= MAX_TRAILS:
+                raise PageError(f"there are {MAX_TRAILS} trails already")
+            self._trails.append(frame)
+        self._next_trail_s = 0.0
+
+    def set_display(self, topic: str, *, on: bool) -> None:
+        """Show a topic, or no longer show it.
+
+        Raises:
+            PageError: there is no such topic, or nothing shows messages of its type.
+        """
+        if not on:
+            if topic in self._wanted:
+                self._wanted.remove(topic)
+            self._feeds.pop(topic, None)
+            self.topics.close(topic)
+            self._scene.draw_display(topic, [])
+            return
+        if topic in self._feeds:
+            return
+        type_name = self.topics.types().get(topic)
+        if type_name is None:
+            raise PageError(f"there is no topic {topic!r}")
+        kind = kind_of(topic, type_name)
+        if kind is None:
+            raise PageError(f"no display shows {type_name}")
+        if len(self._feeds) >= MAX_DISPLAYS:
+            raise PageError(f"there are {MAX_DISPLAYS} displays already")
+        try:
+            messages, decode = self.topics.open(topic)
+        except DisplayError as error:
+            raise PageError(str(error)) from None
+        self._feeds[topic] = Feed(topic, kind, messages, decode)
+        if topic in self._wanted:
+            self._wanted.remove(topic)
+
+    def feed(self, topic: str) -> Feed | None:
+        """Return what a display shows; None if the topic isn't shown."""
+        return self._feeds.get(topic)
+
+    def image_entries(self) -> dict[str, tuple[Entry, Callable[[bytes], Any]]]:
+        """Return the message of each image at the time that is shown, and the function that decodes it."""
+        held_ns = self.shown_ns(span_of(self.buffer))
+        entries = {}
+        for topic, feed in self._feeds.items():
+            if feed.display is None and (entry := feed.messages.newest(held_ns)) is not None:
+                entries[topic] = entry, feed.decode
+        return entries
+
+    def want(self, topic: str) -> None:
+        """Show a topic as soon as it is there."""
+        if topic not in self._wanted:
+            self._wanted.append(topic)
+
+    def suspend(self) -> None:
+        """End reading topics, because nobody looks."""
+        for topic in self._feeds:
+            self.topics.close(topic)
+
+    def resume(self) -> None:
+        """Read the topics of the displays again, and show what they have from now on."""
+        for topic, feed in list(self._feeds.items()):
+            try:
+                feed.read(*self.topics.open(topic))
+            except DisplayError:  # noqa: PERF203  # the others are read
+                self.set_display(topic, on=False)
+                self.want(topic)
+
+    def _show_wanted(self) -> None:
+        types = self.topics.types()
+        for topic in [topic for topic in self._wanted if topic in types]:
+            self._wanted.remove(topic)
+            with contextlib.suppress(PageError):
+                self.set_display(topic, on=True)
+
+    # What follows of it.
+
+    @property
+    def fixed_frame(self) -> str:
+        """The fixed frame; empty while there are no frames."""
+        return self._chosen_frame or default_fixed_frame(self.buffer.parents())
+
+    def shown_ns(self, span: Span | None) -> int | None:
+        """Return the time that is shown [ns since epoch]; None: the newest."""
+        if self._playback is not None and span is not None:
+            return self._playback.now_ns(span)
+        if self._held_ns is None or span is None:
+            return None
+        return span.clamped(self._held_ns)
+
+    def draw(self) -> None:
+        """Draw everything anew, and observe what is due."""
+        now_s = time.monotonic()
+        self.topics.poll()
+        if now_s >= self._next_look_s:
+            self._next_look_s = now_s + LOOK_S
+            self._look(now_s)
+            self._show_wanted()
+        span, fixed = span_of(self.buffer), self.fixed_frame
+        held_ns = self.shown_ns(span)
+        self._poses = frames_at(self.buffer, fixed, LATEST if held_ns is None else held_ns)
+        stale = {row.child for row in self._rows if row.health is Health.STALE} if held_ns is None else set()
+        behind = frames_behind(self._parents, stale, fixed, self._poses.names)
+        self._scene.draw_frames(self._poses, behind, with_names=self._with_names, axes_m=self._axes_m)
+        if now_s >= self._next_trail_s:
+            self._next_trail_s = now_s + TRAIL_S
+            self._scene.draw_trails(
+                {frame: trail_of(self.buffer, fixed, frame, held_ns) for frame in self._trails}
+            )
+        places = [self._poses.index_of(frame) for frame in self._selected]
+        self._scene.draw_selection([self._poses.positions[place] for place in places if place >= 0])
+        now_ns = self._source.now_ns() if held_ns is None else held_ns
+        for topic, feed in self._feeds.items():
+            if feed.has_failed:
+                continue
+            try:
+                self._scene.draw_display(topic, feed.draw(self.buffer, fixed, held_ns, now_ns))
+            except Exception as error:  # noqa: BLE001  # a message that nobody thought of must not end the other displays
+                traceback.print_exc()
+                feed.fail(f"it can't be shown: {type(error).__name__}: {error}")
+
+    def _look(self, now_s: float) -> None:
+        seen = self._source.observation()
+        self._rates.add(seen, now_s)
+        self._rows = rows_of(seen, self._source.now_ns(), self._rates)
+        self._parents = self.buffer.parents()
+        if now_s >= self._next_diagnosis_s:
+            self._next_diagnosis_s = now_s + DIAGNOSE_S
+            started_ns = self._started_ns if self._is_live else seen.started_ns
+            self._findings = diagnose(Subject(seen, (started_ns, seen.taken_ns)))
+
+    def snapshot(self) -> dict[str, Any]:
+        """Return what pages show beside the scene, as values for JSON."""
+        span = span_of(self.buffer)
+        held_ns = self.shown_ns(span)
+        return {
+            "is_live": self._is_live,
+            "is_playing": self._playback is not None and self._playback.is_playing,
+            "span": None if span is None else [str(span.start_ns), str(span.end_ns)],
+            "held_ns": None if held_ns is None else str(held_ns),
+            "fixed_frame": shown_text(self.fixed_frame),
+            "frames": sorted(map(_sendable, self._parents))[:MAX_ROWS],
+            "rows": [self._row(row) for row in self._rows[:MAX_ROWS]],
+            "with_names": self._with_names,
+            "axes_m": self._axes_m,
+            "trails": list(map(_sendable, self._trails)),
+            "selection": self._selection(held_ns),
+            "findings": [self._finding(finding) for finding in self._findings[:MAX_FINDINGS]],
+            "displays": self._displays(),
+        }
+
+    def _row(self, row: Row) -> dict[str, Any]:
+        return {
+            "frame": _sendable(stored_name(row.child)),
+            "name": shown_text(row.child),
+            "prefix": row.prefix,
+            "parent": shown_text(row.parent),
+            "rate_hz": _finite(row.rate_hz),
+            "age_s": _finite(row.age_s),
+            "publisher": shown_text(row.publisher),
+            "health": row.health.name.lower(),
+            "note": shown_text(row.note),
+        }
+
+    def _finding(self, finding: Finding) -> dict[str, Any]:
+        return {
+            "code": finding.code,
+            "severity": finding.kind.severity.value,
+            "summary": shown_text(finding.summary, 1000),
+            "mend": finding.kind.mend,
+            "frames": [_sendable(frame) for frame in finding.frames[:20]],
+        }
+
+    def _displays(self) -> list[dict[str, Any]]:
+        types = self.topics.types()
+        rows = []
+        for topic in sorted({*types, *self._feeds}):
+            feed = self._feeds.get(topic)
+            kind = feed.kind if feed is not None else kind_of(topic, types[topic])
+            if kind is None:
+                continue
+            display = None if feed is None else feed.display
+            rows.append(
+                {
+                    "topic": _sendable(topic),
+                    "kind": kind.label,
+                    "on": feed is not None,
+                    "is_image": not kind.module,
+                    "status": "" if feed is None else feed.status,
+                    "choices": [] if display is None else [shown_text(choice) for choice in display.choices],
+                    "choice": "" if display is None else display.choice,
+                }
+            )
+        return rows
+
+    def _selection(self, held_ns: int | None) -> dict[str, Any] | None:
+        if not self._selected:
+            return None
+        frames = list(map(_sendable, self._selected))
+        if len(frames) < 2:
+            return {"frames": frames, "text": "", "plot": None}
+        first, second = self._selected
+        try:
+            found = self.buffer.lookup(first, second, LATEST if held_ns is None else held_ns)
+        except TransformException as error:
+            return {"frames": frames, "text": shown_text(str(error).rstrip(), 1000), "plot": None}
+        echo = transform_text(found.stamp_ns, found.translation, found.rotation_xyzw)
+        return {"frames": frames, "text": echo, "plot": self._plot(first, second)}
+
+    def _plot(self, first: str, second: str) -> dict[str, Any] | None:
+        """Return the transform between two frames over the whole history; None where nothing moves."""
+        try:
+            way = self.buffer.trajectory(first, second, strict=False)
+        except TransformException:
+            return None
+        count = len(way.stamps_ns)
+        if count < 2:
+            return None
+        chosen = np.unique(np.linspace(0, count - 1, min(count, PLOT_POINTS)).astype(int))
+        yaws = [
+            rpy_from_matrix(matrix_from_quaternion(rotation))[2]
+            for rotation in way.rotations_xyzw[chosen].tolist()
+        ]
+        return {
+            "seconds": ((way.stamps_ns[chosen] - way.stamps_ns[-1]) / 1e9).round(4).tolist(),
+            "end_ns": str(int(way.stamps_ns[-1])),
+            **{axis: way.positions[chosen, column].round(5).tolist() for column, axis in enumerate("xyz")},
+            "yaw_deg": np.degrees(np.unwrap(yaws)).round(3).tolist(),
+        }
+
+
+def _sendable(name: str) -> str:
+    """Return a name as JSON and a page can take it: the same one, but for halves of surrogate pairs."""
+    return name.encode("utf-8", "replace").decode()
+
+
+def _finite(value: float | None) -> float | None:
+    return round(value, 4) if value is not None and math.isfinite(value) else None

@@ -1,0 +1,111 @@
+"""A viewer of a graph, and pages that are no browsers."""
+
+from __future__ import annotations
+
+import json
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager, suppress
+from importlib.util import find_spec
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+if TYPE_CHECKING:
+    from websockets.sync.client import ClientConnection
+
+    from tfloom.viewer.program import Viewer
+
+HAS_VISER = all(find_spec(name) is not None for name in ("viser", "websockets", "msgspec", "trimesh"))
+collect_ignore = [] if HAS_VISER else ["test_pages.py", "test_recorded.py", "test_browser.py"]
+"""Tests of pages need the extra `view`; those of what is shown do not."""
+
+TIMEOUT_S = 30.0
+
+
+class Page:
+    """What a page's script does, without a scene."""
+
+    def __init__(self, socket: ClientConnection) -> None:
+        self.socket = socket
+        self.name = ""
+        self.state: dict[str, Any] = {}
+        self.log: list[dict[str, Any]] = []
+        self.answers: list[dict[str, Any]] = []
+
+    def send(self, **command: Any) -> None:
+        self.socket.send(json.dumps(command))
+
+    def wait_for(self, condition: Callable[[], Any], timeout_s: float = TIMEOUT_S) -> Any:
+        """Take messages until a condition of what was taken is true; return its value."""
+        end_s = time.monotonic() + timeout_s
+        while not (value := condition()):
+            assert time.monotonic() < end_s, f"timed out with {self.state} and {self.answers}"
+            with suppress(TimeoutError):
+                self.take(json.loads(self.socket.recv(timeout=0.1)))
+        return value
+
+    def take(self, message: dict[str, Any]) -> None:
+        self.name = message.get("page", self.name)
+        self.state = message.get("state", self.state)
+        self.log += message.get("log", [])
+        if not message.keys() & {"page", "state", "log"}:
+            self.answers.append(message)
+
+    def answer(self, key: str) -> Any:
+        """Wait for an answer, and return its value."""
+        return self.wait_for(lambda: [message for message in self.answers if key in message])[0][key]
+
+    def row(self, frame: str) -> dict[str, Any] | None:
+        return next((row for row in self.state.get("rows", []) if row["frame"] == frame), None)
+
+    def display(self, topic: str) -> dict[str, Any] | None:
+        return next((row for row in self.state.get("displays", []) if row["topic"] == topic), None)
+
+
+@contextmanager
+def running(viewer: Viewer) -> Iterator[Viewer]:
+    """Run a viewer on a thread for the block, at a free port."""
+    viewer.pages.start("127.0.0.1", 0)
+    over = threading.Event()
+    thread = threading.Thread(target=viewer.run, args=(over.is_set,))
+    thread.start()
+    try:
+        yield viewer
+    finally:
+        over.set()
+        thread.join(TIMEOUT_S)
+
+
+@pytest.fixture
+def viewer(domain_id: int) -> Iterator[Viewer]:
+    """A viewer of the test's domain."""
+    from tfloom.rmw.backends import open_participant
+    from tfloom.viewer.live import live_viewer
+
+    participant = open_participant(domain_id)
+    try:
+        with (
+            live_viewer(participant, topics=("/tf", "/tf_static"), history_s=30.0) as made,
+            running(made),
+        ):
+            yield made
+    finally:
+        participant.close()
+
+
+@pytest.fixture
+def open_page() -> Iterator[Callable[[Viewer], Page]]:
+    """Open pages of viewers, which are closed with the test."""
+    from websockets.sync.client import connect
+
+    with ExitStack() as stack:
+
+        def open_one(viewer: Viewer) -> Page:
+            address = viewer.pages.address.replace("http://", "ws://") + "api"
+            page = Page(stack.enter_context(connect(address, max_size=None, proxy=None, ping_interval=None)))
+            page.wait_for(lambda: page.state)
+            return page
+
+        yield open_one

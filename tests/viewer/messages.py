@@ -1,0 +1,55 @@
+"""Messages for the tests of displays."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from tfloom.interfaces.builtin_interfaces.msg import Time
+from tfloom.interfaces.geometry_msgs.msg import Point, Pose, Quaternion, Vector3
+from tfloom.interfaces.sensor_msgs.msg import PointCloud2, PointField
+from tfloom.interfaces.std_msgs.msg import ColorRGBA, Header
+from tfloom.interfaces.visualization_msgs.msg import Marker
+
+
+def header(frame: str = "map", sec: int = 1) -> Header:
+    return Header(stamp=Time(sec=sec), frame_id=frame)
+
+
+def pose(
+    x: float = 0.0, y: float = 0.0, z: float = 0.0, turn: tuple[float, ...] = (0.0, 0.0, 0.0, 1.0)
+) -> Pose:
+    return Pose(
+        position=Point(x=x, y=y, z=z),
+        orientation=Quaternion(x=turn[0], y=turn[1], z=turn[2], w=turn[3]),
+    )
+
+
+def cloud(points: np.ndarray, frame: str = "map") -> PointCloud2:
+    """Return a cloud of a structured array."""
+    kinds = {"f4": PointField.FLOAT32, "f8": PointField.FLOAT64, "u4": PointField.UINT32}
+    fields = [
+        PointField(name=name, offset=offset, datatype=kinds[dtype.str[1:]], count=1)
+        for name, (dtype, offset, *_) in points.dtype.fields.items()
+    ]
+    return PointCloud2(
+        header=header(frame),
+        height=1,
+        width=len(points),
+        fields=fields,
+        point_step=points.dtype.itemsize,
+        row_step=points.dtype.itemsize * len(points),
+        data=points.tobytes(),
+    )
+
+
+def marker(kind: int, number: int = 0, **fields: Any) -> Marker:
+    defaults = {
+        "header": header(),
+        "ns": "test",
+        "pose": pose(),
+        "scale": Vector3(x=1.0, y=2.0, z=3.0),
+        "color": ColorRGBA(r=1.0, g=0.5, b=0.0, a=1.0),
+    }
+    return Marker(type=kind, id=number, **(defaults | fields))

@@ -1,0 +1,300 @@
+"""What each kind of message looks like; and that no message, however wrong, is more than a sentence."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from tests.viewer.messages import cloud, header, marker, pose
+
+from tfloom.interfaces.builtin_interfaces.msg import Duration
+from tfloom.interfaces.geometry_msgs.msg import (
+    Point,
+    Point32,
+    PointStamped,
+    Polygon,
+    PolygonStamped,
+    PoseArray,
+    PoseStamped,
+    PoseWithCovariance,
+    PoseWithCovarianceStamped,
+    Twist,
+    TwistWithCovariance,
+    Vector3,
+)
+from tfloom.interfaces.nav_msgs.msg import MapMetaData, OccupancyGrid, Odometry, Path
+from tfloom.interfaces.sensor_msgs.msg import CameraInfo, LaserScan, Range
+from tfloom.interfaces.std_msgs.msg import ColorRGBA, String
+from tfloom.interfaces.turtlesim.msg import Pose as TurtlePose
+from tfloom.interfaces.visualization_msgs.msg import Marker, MarkerArray
+from tfloom.viewer import shapes
+from tfloom.viewer.displays.display import Display, rainbow, shown_text
+from tfloom.viewer.displays.kinds import KINDS, ROBOT, kind_of, make_display
+
+S = 1_000_000_000
+
+
+def display_of(type_name: str, topic: str = "/topic") -> Display:
+    kind = kind_of(topic, type_name)
+    assert kind is not None
+    display = make_display(kind, topic)
+    assert display is not None
+    return display
+
+
+def shown(message: Any, now_ns: int = S) -> list[shapes.Placed]:
+    display = display_of(message._TYPE_NAME)
+    display.take(message, S)
+    return display.shapes(now_ns)
+
+
+def test_each_kind_has_a_display_except_images_which_are_beside_the_scene() -> None:
+    for type_name, kind in KINDS.items():
+        assert (make_display(kind, "/t") is None) == ("Image" in type_name)
+    assert kind_of("/robot1/robot_description", "std_msgs/msg/String") is ROBOT
+    assert kind_of("/chatter", "std_msgs/msg/String") is None
+    assert kind_of("/x", "my_msgs/msg/Unknown") is None
+
+
+# Point clouds.
+
+
+def test_cloud_has_its_finite_points_coloured_by_a_field() -> None:
+    dtype = [("x", "<f4"), ("y", "<f4"), ("z", "<f4"), ("intensity", "<f4")]
+    points = np.array([(0, 0, 5, 1), (1, 2, 3, 9), (math.nan, 0, 0, 5), (0, math.inf, 0, 5)], dtype)
+    display = display_of("sensor_msgs/msg/PointCloud2")
+    display.take(cloud(points, "lidar"), S)
+    (placed,) = display.shapes(S)
+    assert (placed.frame_id, placed.stamp_ns) == ("lidar", S)
+    assert isinstance(placed.shape, shapes.Points)
+    assert placed.shape.positions.tolist() == [[0, 0, 5], [1, 2, 3]]
+    assert placed.shape.colors.tolist() == rainbow([1, 9]).tolist()
+    assert display.choices == ("x", "y", "z", "intensity")
+    display.choice = "z"
+    display.take(cloud(points, "lidar"), S)
+    assert display.shapes(S)[0].shape.colors.tolist() == rainbow([5, 3]).tolist()
+
+
+def test_cloud_with_packed_colours() -> None:
+    points = np.zeros(1, [("x", "<f4"), ("y", "<f4"), ("z", "<f4"), ("rgb", "<f4")])
+    points["rgb"] = np.array([0x00102030], "<u4").view("<f4")
+    assert shown(cloud(points))[0].shape.colors.tolist() == [[0x10, 0x20, 0x30]]
+
+
+def test_cloud_of_a_wrong_layout_is_a_sentence() -> None:
+    points = np.zeros(3, [("x", "<f4"), ("y", "<f4"), ("z", "<f4")])
+    short = cloud(points)
+    short.data = b"\0" * 7
+    with pytest.raises(shapes.DisplayError, match="its layout is wrong"):
+        shown(short)
+    with pytest.raises(shapes.DisplayError, match="no fields x, y and z"):
+        shown(cloud(np.zeros(1, [("range", "<f4")])))
+    assert shown(cloud(points[:0])) == []
+
+
+def test_large_cloud_is_thinned() -> None:
+    from tfloom.viewer.displays.point_cloud import MAX_POINTS
+
+    points = np.zeros(2 * MAX_POINTS + 5, [("x", "<f4"), ("y", "<f4"), ("z", "<f4")])
+    assert len(shown(cloud(points))[0].shape.positions) <= MAX_POINTS
+
+
+# Laser scans, ranges, cameras.
+
+
+def test_scan_has_the_points_within_its_limits() -> None:
+    scan = LaserScan(
+        header=header("laser"),
+        angle_min=0.0,
+        angle_increment=math.pi / 2,
+        range_min=0.5,
+        range_max=10.0,
+        ranges=[2.0, 3.0, 0.1, math.inf, math.nan],
+    )
+    (placed,) = shown(scan)
+    assert placed.shape.positions == pytest.approx(np.array([[2, 0, 0], [0, 3, 0]]), abs=1e-6)
+    scan.ranges = [math.nan]
+    assert shown(scan) == []
+
+
+def test_range_is_a_cone_and_camera_a_pyramid() -> None:
+    (cone,) = shown(Range(header=header("sonar"), field_of_view=0.5, range=2.0, min_range=0.1, max_range=5.0))
+    assert cone.shape.vertices[:, 0].max() == pytest.approx(2.0)
+    assert cone.shape.vertices[:, 1].max() == pytest.approx(2.0 * math.tan(0.25))
+    k = [100.0, 0, 50, 0, 100.0, 40, 0, 0, 1]
+    (pyramid,) = shown(CameraInfo(header=header("camera"), width=100, height=80, k=k))
+    assert pyramid.shape.ends.shape == (8, 2, 3)
+    assert np.abs(pyramid.shape.ends).max(axis=(0, 1)) == pytest.approx((0.25, 0.2, 0.5))
+    with pytest.raises(shapes.DisplayError, match="field of view"):
+        shown(Range(field_of_view=math.nan))
+    with pytest.raises(shapes.DisplayError, match="not calibrated"):
+        shown(CameraInfo())
+
+
+# Paths, poses, odometry, grids, turtles.
+
+
+def test_path_and_polygon_are_lines() -> None:
+    poses = [PoseStamped(pose=pose(x)) for x in (0.0, 1.0, math.nan, 2.0)]
+    (line,) = shown(Path(header=header(), poses=poses))
+    assert line.shape.ends[:, :, 0].tolist() == [[0, 1], [1, 2]]
+    corners = [Point32(x=float(x)) for x in range(3)]
+    (ring,) = shown(PolygonStamped(header=header(), polygon=Polygon(points=corners)))
+    assert ring.shape.ends[:, :, 0].tolist() == [[0, 1], [1, 2], [2, 0]]
+    assert shown(Path()) == []
+
+
+def test_pose_is_an_arrow_and_its_covariance_an_ellipsoid() -> None:
+    turn = (0.0, 0.0, 1.0, 0.0)
+    (arrow,) = shown(PoseStamped(header=header("odom"), pose=pose(1.0, 2.0, 3.0, turn)))
+    assert (arrow.frame_id, arrow.position, arrow.rotation_xyzw) == ("odom", (1.0, 2.0, 3.0), turn)
+    covariance = np.zeros((6, 6))
+    covariance[0, 0], covariance[1, 1], covariance[2, 2] = 4.0, 1.0, 0.25
+    with_covariance = PoseWithCovariance(pose=pose(1.0), covariance=covariance.ravel())
+    _, ball = shown(PoseWithCovarianceStamped(header=header(), pose=with_covariance))
+    assert sorted(ball.shape.radii) == pytest.approx([0.5, 1.0, 2.0])
+    twist = TwistWithCovariance(twist=Twist(linear=Vector3(x=3.0, y=4.0)))
+    *_, text = shown(Odometry(header=header(), pose=with_covariance, twist=twist))
+    assert text.shape.text == "5.00 m/s"
+    with pytest.raises(shapes.DisplayError, match="not finite"):
+        shown(PoseStamped(pose=pose(math.nan)))
+
+
+@pytest.mark.parametrize("wrong", [-1.0, math.nan, math.inf])
+def test_covariance_that_is_none_is_not_drawn(wrong: float) -> None:
+    covariance = np.zeros((6, 6))
+    covariance[0, 0] = wrong
+    message = PoseWithCovarianceStamped(pose=PoseWithCovariance(pose=pose(), covariance=covariance.ravel()))
+    assert [type(placed.shape) for placed in shown(message)] == [shapes.Arrows]
+
+
+def test_pose_array_has_the_finite_poses_and_zero_quaternions_do_not_turn() -> None:
+    (axes,) = shown(PoseArray(header=header(), poses=[pose(1.0), pose(math.inf), pose(2.0, turn=(0.0,) * 4)]))
+    assert axes.shape.positions[:, 0].tolist() == [1, 2]
+    assert axes.shape.rotations_xyzw.tolist() == [[0, 0, 0, 1], [0, 0, 0, 1]]
+    (ball,) = shown(PointStamped(header=header(), point=Point(x=1.0)))
+    assert ball.position == (1.0, 0.0, 0.0)
+
+
+def test_grid_is_a_picture_with_its_first_row_below() -> None:
+    info = MapMetaData(resolution=0.5, width=2, height=2, origin=pose(-1.0, -2.0))
+    (placed,) = shown(OccupancyGrid(header=header(), info=info, data=[0, 100, -1, 50]))
+    assert placed.position == (-1.0, -2.0, 0.0)
+    assert placed.shape.size == (1.0, 1.0)
+    pixels = placed.shape.pixels
+    assert pixels[1, 0].tolist() == [254, 254, 254, 255]  # the first cell: left and below
+    assert pixels[1, 1].tolist() == [0, 0, 0, 255]
+    assert pixels[0, 0, 3] < 255  # unknown
+    info.width = 3
+    with pytest.raises(shapes.DisplayError, match="its data has 4 cells, and 3 by 2 require 6"):
+        shown(OccupancyGrid(info=info, data=[0, 100, -1, 50]))
+
+
+def test_turtle_is_on_its_water() -> None:
+    water, *turtle = shown(TurtlePose(x=2.0, y=3.0, theta=1.0))
+    assert water.frame_id == "world"
+    assert water.shape.size[0] == pytest.approx(11.09, abs=0.01)
+    assert turtle
+    assert all(placed.position[:2] == (2.0, 3.0) for placed in turtle)
+    outline = np.vstack([placed.shape.vertices for placed in turtle])
+    assert np.ptp(outline, axis=0).max() == pytest.approx(1.0, abs=0.2)
+    with pytest.raises(shapes.DisplayError, match="not finite"):
+        shown(TurtlePose(x=math.nan))
+
+
+# Markers.
+
+
+@pytest.mark.parametrize(
+    ("kind", "shape"),
+    [
+        (Marker.ARROW, shapes.Arrows),
+        (Marker.CUBE, shapes.Box),
+        (Marker.SPHERE, shapes.Ball),
+        (Marker.CYLINDER, shapes.Cylinder),
+        (Marker.LINE_STRIP, shapes.Lines),
+        (Marker.LINE_LIST, shapes.Lines),
+        (Marker.CUBE_LIST, shapes.Copies),
+        (Marker.SPHERE_LIST, shapes.Copies),
+        (Marker.POINTS, shapes.Points),
+        (Marker.TEXT_VIEW_FACING, shapes.Text),
+        (Marker.TRIANGLE_LIST, shapes.Mesh),
+    ],
+)
+def test_each_kind_of_marker_has_a_shape(kind: int, shape: type) -> None:
+    points = [Point(x=float(x)) for x in range(3)] if kind != Marker.ARROW else []
+    (placed,) = shown(marker(kind, points=points, text="<b>text</b>"))
+    assert isinstance(placed.shape, shape)
+
+
+def test_markers_are_added_changed_deleted_and_end() -> None:
+    display = display_of("visualization_msgs/msg/MarkerArray")
+    two = [marker(Marker.CUBE, 1), marker(Marker.CUBE, 2, lifetime=Duration(sec=3))]
+    display.take(MarkerArray(markers=two), 10 * S)
+    assert len(display.shapes(12 * S)) == 2
+    assert len(display.shapes(14 * S)) == 1
+    display.take(MarkerArray(markers=[marker(Marker.SPHERE, 1)]), 11 * S)
+    kinds = [type(placed.shape) for placed in display.shapes(12 * S)]
+    assert sorted(kind.__name__ for kind in kinds) == ["Ball", "Box"]
+    display.take(MarkerArray(markers=[marker(0, 2, action=Marker.DELETE)]), 12 * S)
+    assert len(display.shapes(12 * S)) == 1
+    display.take(MarkerArray(markers=[marker(0, action=Marker.DELETEALL)]), 12 * S)
+    assert display.shapes(12 * S) == []
+
+
+def test_points_of_markers_have_their_own_colours() -> None:
+    colors = [ColorRGBA(r=1.0, a=1.0), ColorRGBA(g=1.0, a=1.0)]
+    (placed,) = shown(marker(Marker.POINTS, points=[Point(), Point(x=1.0)], colors=colors))
+    assert placed.shape.colors.tolist() == [[255, 0, 0], [0, 255, 0]]
+
+
+def test_wrong_marker_is_a_sentence_and_the_others_are_shown() -> None:
+    display = display_of("visualization_msgs/msg/MarkerArray")
+    wrong = (
+        marker(77, 1),
+        marker(Marker.CUBE, 2, pose=pose(math.nan)),
+        marker(Marker.MESH_RESOURCE, 3, mesh_resource="file:///etc/passwd"),
+    )
+    with pytest.raises(shapes.DisplayError, match=r"marker 1 of 'test': its type is 77.* \(and 2 more\)"):
+        display.take(MarkerArray(markers=[*wrong, marker(Marker.CUBE, 4)]), S)
+    assert len(display.shapes(S)) == 1
+
+
+# Robots.
+
+URDF = """<robot name="r"><link name="base"><visual><origin xyz="1 2 3"/><geometry><box size="1 1 2"/></geometry>
+<material name="red"><color rgba="1 0 0 0.5"/></material></visual></link>
+<link name="tip"><visual><geometry><sphere radius="0.5"/></geometry><material name="red"/></visual>
+<visual><geometry><mesh filename="package://no_such_package/a.stl"/></geometry></visual></link></robot>"""
+
+
+def test_robot_has_the_forms_of_its_links_and_says_what_it_lacks() -> None:
+    display = display_of("std_msgs/msg/String", "/robot_description")
+    with pytest.raises(shapes.DisplayError, match="no package 'no_such_package'"):
+        display.take(String(data=URDF), S)
+    box, ball = display.shapes(S)
+    assert (box.frame_id, box.position, box.stamp_ns) == ("base", (1.0, 2.0, 3.0), shapes.AT_VIEW)
+    assert box.shape == shapes.Box((1.0, 1.0, 2.0), (255, 0, 0), 0.5)
+    assert ball.shape == shapes.Ball((0.5, 0.5, 0.5), (255, 0, 0), 0.5)
+    with pytest.raises(shapes.DisplayError, match="it is no URDF: line 1"):
+        display.take(String(data="<robot"), S)
+    assert display.shapes(S) == []
+
+
+# Texts and colours.
+
+
+def test_text_from_the_wire_is_cut_and_can_be_encoded() -> None:
+    assert shown_text("<script>") == "<script>"
+    assert shown_text("a\ud800b").encode()
+    assert len(shown_text("x" * 10_000)) == 200
+
+
+def test_rainbow_of_anything() -> None:
+    assert rainbow([]).shape == (0, 3)
+    assert rainbow([math.nan, math.inf]).tolist() == [[128] * 3] * 2
+    assert rainbow([1.0, 1.0]).tolist() == [[255, 0, 0]] * 2
+    low, high = rainbow([-1e308, 1e308]).tolist()
+    assert low != high

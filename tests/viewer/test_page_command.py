@@ -1,0 +1,43 @@
+"""What a page asks for is checked."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from tfloom.viewer.page_command import MAX_TEXT, PageError, flag, number, stamp, text
+
+
+def test_values_that_are_right() -> None:
+    assert text({"a": "<b>"}, "a") == "<b>"
+    assert number({"a": 3}, "a") == 3.0
+    assert flag({"a": False}, "a") is False
+    assert stamp({"a": "1700000000000000001"}, "a") == 1_700_000_000_000_000_001
+    assert stamp({"a": None}, "a") is None
+
+
+@pytest.mark.parametrize(
+    ("read", "value"),
+    [
+        (text, None),
+        (text, 3),
+        (text, "x" * (MAX_TEXT + 1)),
+        (text, ["a"]),
+        (number, "3"),
+        (number, True),
+        (number, float("nan")),
+        (number, float("inf")),
+        (number, None),
+        (flag, 1),
+        (flag, "true"),
+        (stamp, 5),
+        (stamp, "-5"),
+        (stamp, "²"),
+        (stamp, "9" * 20),
+        (stamp, ""),
+    ],
+)
+def test_values_that_are_wrong(read: Any, value: object) -> None:
+    with pytest.raises(PageError, match="has to be"):
+        read({"a": value}, "a")

@@ -1,0 +1,478 @@
+"""A viewer and its pages, on a live graph: what they show, what they may ask for, and what they cost."""
+
+from __future__ import annotations
+
+import math
+import urllib.error
+import urllib.request
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+from tests.conftest import wait_until
+from tests.viewer.conftest import Page
+from tests.viewer.messages import cloud, header, pose
+from websockets.exceptions import ConnectionClosed, InvalidStatus
+from websockets.sync.client import ClientConnection, connect
+
+from tfloom.interfaces.geometry_msgs.msg import PoseStamped, TransformStamped, Twist
+from tfloom.interfaces.sensor_msgs.msg import Image, PointCloud2
+from tfloom.node.context.context import Context
+from tfloom.node.executing.executors import SingleThreadedExecutor
+from tfloom.node.node import Node
+from tfloom.tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
+from tfloom.tf2_ros.transform_broadcaster import TransformBroadcaster
+from tfloom.tf2_tools.text.transform import transform_text
+from tfloom.viewer import page_server
+from tfloom.viewer.page_server import _is_allowed
+from tfloom.viewer.program import Viewer
+from tfloom.viewer.tools import Tools
+
+OpenPage = Callable[[Viewer], Page]
+EVIL = "<img src=x onerror=alert(1)>"
+
+
+@pytest.fixture
+def node(domain_id: int) -> Iterator[Node]:
+    context = Context()
+    context.init(args=[], domain_id=domain_id)
+    made = Node("feeder", context=context)
+    yield made
+    made.destroy_node()
+    context.try_shutdown()
+
+
+@pytest.fixture
+def spun(node: Node) -> Iterator[Node]:
+    """The node, spun on a thread."""
+    import threading
+
+    executor = SingleThreadedExecutor(context=node.context)
+    executor.add_node(node)
+    thread = threading.Thread(target=executor.spin)
+    thread.start()
+    yield node
+    executor.shutdown()
+    thread.join(10.0)
+
+
+def transform(parent: str, child: str, sec: int, x: float = 0.0) -> TransformStamped:
+    message = TransformStamped(header=header(parent, sec), child_frame_id=child)
+    message.transform.translation.x = x
+    message.transform.rotation.w = 1.0
+    return message
+
+
+def feed(node: Node, viewer: Viewer, evil: str = EVIL) -> None:
+    """Publish map → base, which moves by 1 m/s for 10 s, and two static children of base."""
+    moving, static = TransformBroadcaster(node), StaticTransformBroadcaster(node)
+    static.sendTransform([transform("base", "laser", 1, 0.5), transform("base", evil, 1)])
+    wait_until(lambda: viewer.view.buffer.has_frame("laser"), what="static transforms")
+    wait_until(moving.pub_tf.get_subscription_count, what="a subscription")
+    for sec in range(101, 112):
+        moving.sendTransform(transform("map", "base", sec, sec - 101.0))
+    wait_until(lambda: viewer.view.buffer.can("map", "base", 111 * 10**9), what="moving transforms")
+
+
+def take_all(socket: ClientConnection) -> None:
+    """Take messages until the connection is closed."""
+    while True:
+        socket.recv(timeout=10.0)
+
+
+def axes_of(viewer: Viewer) -> Any:
+    handle = viewer._server.scene.get_handle_by_name("/frames/axes")
+    return None if handle is None else np.sort(handle.batched_positions[:, 0]).tolist()
+
+
+def test_page_shows_frames_their_publisher_and_the_transform_as_tf2_echo_says_it(
+    node: Node, viewer: Viewer, open_page: OpenPage
+) -> None:
+    page = open_page(viewer)
+    feed(node, viewer)
+    page.wait_for(lambda: page.row("base") and page.row("laser") and page.row(EVIL))
+    assert page.row("base")["publisher"] == "/feeder"
+    assert page.row("base")["parent"] == "map"
+    assert page.row("laser")["health"] == "static"
+    assert page.state["fixed_frame"] == "map"
+    assert page.state["span"] == [str(101 * 10**9), str(111 * 10**9)]
+    page.send(op="select", frame="map")
+    page.send(op="select", frame="laser")
+    selection = page.wait_for(lambda: (page.state["selection"] or {}).get("text") and page.state["selection"])
+    expected = viewer.view.buffer.lookup("map", "laser")
+    assert expected.translation[0] == 10.5
+    assert selection["text"] == transform_text(
+        expected.stamp_ns, expected.translation, expected.rotation_xyzw
+    )
+    assert selection["plot"]["x"] == pytest.approx([x + 0.5 for x in range(11)])
+
+
+def test_time_is_turned_back_and_live_again(node: Node, viewer: Viewer, open_page: OpenPage) -> None:
+    page = open_page(viewer)
+    feed(node, viewer)
+    page.wait_for(lambda: page.row("base"))
+    wait_until(
+        lambda: axes_of(viewer) == [0.0], what="the fixed frame alone"
+    )  # what moves is out of date, so it is grey
+    page.send(op="hold", stamp_ns=str(103_500_000_000))
+    page.wait_for(lambda: page.state["held_ns"] == "103500000000")
+    wait_until(lambda: axes_of(viewer) == [0.0, 2.5, 2.5, 3.0], what="the frames of the held time")
+    page.send(op="hold", stamp_ns="1")  # before the history: its first time
+    page.wait_for(lambda: page.state["held_ns"] == str(101 * 10**9))
+    page.send(op="hold", stamp_ns=None)
+    page.wait_for(lambda: page.state["held_ns"] is None)
+
+
+def test_fixed_frame_is_chosen_and_a_trail_drawn(node: Node, viewer: Viewer, open_page: OpenPage) -> None:
+    page = open_page(viewer)
+    feed(node, viewer)
+    page.send(op="hold", stamp_ns=str(111 * 10**9))
+    page.send(op="fixed_frame", frame="base")
+    page.send(op="trail", frame="map", on=True)
+    page.wait_for(lambda: page.state["fixed_frame"] == "base" and page.state["trails"] == ["map"])
+    wait_until(lambda: axes_of(viewer) == [-10.0, 0.0, 0.0, 0.5], what="the frames in base")
+    scene = viewer._server.scene
+    wait_until(lambda: scene.get_handle_by_name("/trails/0") is not None, what="the trail")
+    assert scene.get_handle_by_name("/trails/0").points[:, 0, 0].tolist() == [-x for x in range(10)]
+    page.send(op="trail", frame="map", on=False)
+    wait_until(lambda: scene.get_handle_by_name("/trails/0") is None, what="the trail's end")
+
+
+def test_cloud_is_shown_where_it_stood_and_a_closed_page_reads_nothing(
+    node: Node, viewer: Viewer, open_page: OpenPage
+) -> None:
+    publisher = node.create_publisher(PointCloud2, "/points", 10)
+    page = open_page(viewer)
+    feed(node, viewer)
+    page.wait_for(lambda: page.display("/points"))
+    assert publisher.get_subscription_count() == 0
+    page.send(op="display", topic="/points", on=True)
+    wait_until(lambda: publisher.get_subscription_count() == 1, what="the reader")
+    points = np.zeros(2, [("x", "<f4"), ("y", "<f4"), ("z", "<f4")])
+    for sec in (104, 108):
+        message = cloud(points, "base")
+        message.header.stamp.sec = sec
+        publisher.publish(message)
+    scene = viewer._server.scene
+
+    def place() -> float | None:
+        handle = scene.get_handle_by_name("/displays/0/0")
+        return None if handle is None else float(handle.position[0])
+
+    wait_until(lambda: place() == 7.0, what="the newest cloud")
+    page.send(op="hold", stamp_ns=str(106 * 10**9))
+    wait_until(
+        lambda: place() == 3.0, what="the cloud before"
+    )  # where base was at 104, not where it is at 106
+    page.socket.close()
+    wait_until(lambda: publisher.get_subscription_count() == 0, what="the reader's end")
+    again = open_page(viewer)
+    wait_until(lambda: publisher.get_subscription_count() == 1, what="the reader of the next page")
+    assert again.wait_for(lambda: again.display("/points"))["on"]
+
+
+def test_display_says_why_it_shows_nothing(node: Node, viewer: Viewer, open_page: OpenPage) -> None:
+    publisher = node.create_publisher(PoseStamped, "/pose", 10)
+    page = open_page(viewer)
+    feed(node, viewer)
+    page.wait_for(lambda: page.display("/pose"))
+    page.send(op="display", topic="/pose", on=True)
+    wait_until(lambda: publisher.get_subscription_count() == 1)
+    publisher.publish(PoseStamped(header=header("nowhere"), pose=pose()))
+    page.wait_for(lambda: "nowhere" in page.display("/pose")["status"])
+    publisher.publish(PoseStamped(header=header("map", 2), pose=pose(math.nan)))
+    page.wait_for(lambda: "not finite" in page.display("/pose")["status"])
+    publisher.publish(PoseStamped(header=header("map", 3), pose=pose(1.0)))
+    page.wait_for(lambda: page.display("/pose")["status"] == "")
+
+
+def test_image_is_a_file_that_browsers_show(node: Node, viewer: Viewer, open_page: OpenPage) -> None:
+    publisher = node.create_publisher(Image, "/camera", 10)
+    page = open_page(viewer)
+    page.wait_for(lambda: page.display("/camera"))
+    page.send(op="display", topic="/camera", on=True)
+    wait_until(lambda: publisher.get_subscription_count() == 1)
+    publisher.publish(Image(header=header(), width=4, height=3, step=12, encoding="rgb8", data=bytes(36)))
+
+    def picture() -> bytes:
+        with urllib.request.urlopen(f"{viewer.pages.address}image?topic=/camera") as response:
+            return response.read()
+
+    assert wait_until(lambda: picture().startswith(b"\xff\xd8\xff")) is None
+    publisher.publish(Image(header=header(sec=2), width=4, height=3, step=1, encoding="rgb8", data=b"1"))
+
+    def is_refused() -> bool:
+        return picture() == b"" and "don't fit" in page.wait_for(lambda: page.display("/camera"))["status"]
+
+    def take_and_ask() -> bool:
+        page.state = {}
+        page.wait_for(lambda: page.state)
+        return is_refused()
+
+    wait_until(take_and_ask, what="the sentence about the image")
+
+
+def test_fault_of_one_display_ends_that_one_alone(
+    node: Node, viewer: Viewer, open_page: OpenPage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    publishers = [node.create_publisher(PoseStamped, topic, 10) for topic in ("/bad", "/good")]
+    page = open_page(viewer)
+    feed(node, viewer)
+    page.wait_for(lambda: page.display("/bad") and page.display("/good"))
+    for topic in ("/bad", "/good"):
+        page.send(op="display", topic=topic, on=True)
+    wait_until(lambda: all(publisher.get_subscription_count() for publisher in publishers))
+
+    def fail(*_: object) -> None:
+        raise ZeroDivisionError("a fault")
+
+    monkeypatch.setattr(viewer.view.feed("/bad").display, "shapes", fail)
+    for publisher in publishers:
+        publisher.publish(PoseStamped(header=header("map"), pose=pose()))
+    page.wait_for(lambda: "ZeroDivisionError: a fault" in page.display("/bad")["status"])
+    page.wait_for(lambda: page.display("/good")["status"] == "")
+
+
+WRONG = [
+    ({"op": "no_such"}, "no such command"),
+    ({}, "op has to be a text"),
+    ({"op": ["select"]}, "op has to be a text"),
+    ({"op": "select", "frame": "nowhere"}, "there is no frame"),
+    ({"op": "select", "frame": 3}, "frame has to be a text"),
+    ({"op": "hold", "stamp_ns": 5}, "stamp_ns has to be"),
+    ({"op": "display", "topic": "/nothing", "on": True}, "there is no topic"),
+    ({"op": "display", "topic": "/rosout", "on": True}, "no display shows rcl_interfaces/msg/Log"),
+    ({"op": "play", "on": True}, "nothing to play"),
+    ({"op": "axes", "length": 1e9}, "axes are from"),
+    ({"op": "drive", "topic": "/cmd_vel", "ahead": 1, "left": 0}, "nobody subscribes"),
+    ({"op": "floor", "tool": "goal", "from": [0, 0], "to": [1, 1]}, "has not told its camera"),
+    (
+        {"op": "set_parameter", "node": "/x", "name": "y", "value": "1"},
+        "there is no server of /x/set_parameters",
+    ),
+]
+
+
+def test_wrong_commands_get_a_sentence_and_the_viewer_goes_on(
+    node: Node, viewer: Viewer, open_page: OpenPage
+) -> None:
+    page = open_page(viewer)
+    page.wait_for(lambda: page.state)
+    node.get_logger().info("so that /rosout is there")
+    for command, sentence in WRONG:
+        page.answers.clear()
+        page.send(**command)
+        assert sentence in page.answer("error"), command
+    for text in ("no JSON", "[1]", "[" * 10_000, '{"op": "names", "on": NaN}', b"\x00\xff"):
+        page.answers.clear()
+        page.socket.send(text)
+        assert page.answer("error")
+    page.send(op="names", on=False)
+    page.wait_for(lambda: page.state["with_names"] is False)
+
+
+def test_too_long_a_command_ends_its_page_alone(viewer: Viewer, open_page: OpenPage) -> None:
+    page, other = open_page(viewer), open_page(viewer)
+    page.socket.send("x" * (page_server.MAX_COMMAND_BYTES + 1))
+    with pytest.raises(ConnectionClosed):
+        take_all(page.socket)
+    other.send(op="axes", length=0.7)
+    other.wait_for(lambda: other.state["axes_m"] == 0.7)
+
+
+def test_ten_pages_show_the_same_and_more_than_the_limit_are_refused(
+    viewer: Viewer, open_page: OpenPage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pages = [open_page(viewer) for _ in range(10)]
+    assert len({page.name for page in pages}) == 10
+    pages[0].send(op="axes", length=0.9)
+    for page in pages:
+        page.wait_for(lambda page=page: page.state["axes_m"] == 0.9)
+    monkeypatch.setattr(page_server, "MAX_PAGES", 10)
+    with pytest.raises(InvalidStatus, match="503"):
+        open_page(viewer)
+
+
+def test_page_that_takes_nothing_gets_the_newest_state_and_no_queue(
+    viewer: Viewer, open_page: OpenPage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    slow, other = open_page(viewer), open_page(viewer)
+    monkeypatch.setattr(viewer, "_publish", lambda: None)  # the states below are the only ones
+    count = 100
+    for number in range(count):
+        viewer.pages.publish({"number": number, "padding": "x" * 1_000_000})
+        other.wait_for(lambda number=number: other.state.get("number") == number)
+    taken = []
+
+    def is_newest() -> bool:
+        taken.append(slow.state.get("number"))
+        return slow.state.get("number") == count - 1
+
+    slow.wait_for(is_newest)
+    # What waited in the sockets' buffers was taken; the rest was never kept for it.
+    assert len({number for number in taken if number is not None}) < count / 2
+
+
+def test_viser_is_reached_through_the_relay_alone(viewer: Viewer, open_page: OpenPage) -> None:
+    page = open_page(viewer)
+    port = viewer._server.port
+    with connect(f"ws://127.0.0.1:{port}", subprotocols=["viser-v1.1.1"], proxy=None) as socket:
+        with pytest.raises(ConnectionClosed) as closed:
+            take_all(socket)
+        assert closed.value.rcvd.code == 1008
+    scene = viewer.pages.address.replace("http://", "ws://") + "scene/ws?page="
+    from viser import __version__
+
+    with connect(scene + page.name, subprotocols=[f"viser-v{__version__}"], proxy=None) as socket:
+        assert isinstance(socket.recv(timeout=10.0), bytes)
+    with connect(scene + "unknown", proxy=None) as socket, pytest.raises(ConnectionClosed):
+        socket.recv(timeout=10.0)
+
+
+def test_relay_passes_camera_and_clicks_alone() -> None:
+    def passes(message: object) -> bool:
+        return _is_allowed(msgspec.msgpack.encode(message))
+
+    assert passes({"type": "ViewerCameraMessage"})
+    assert not passes({"type": "ShareUrlRequest"})  # a tunnel to the internet
+    assert not passes({"type": "RunJavascriptMessage", "source": "alert(1)"})
+    assert not passes(["ViewerCameraMessage"])
+    assert not _is_allowed(b"\xc1no msgpack")
+
+
+def test_requests_of_other_sites_and_for_other_files_are_refused(viewer: Viewer) -> None:
+    address = viewer.pages.address
+
+    def status(path: str = "", **headers: str) -> int:
+        request = urllib.request.Request(address + path, headers=headers)
+        try:
+            with urllib.request.urlopen(request) as response:
+                return int(response.status)
+        except urllib.error.HTTPError as error:
+            return error.code
+
+    assert status() == 200
+    assert status("page.js") == 200
+    assert status(Host="evil.example") == 403
+    assert status(Origin="http://evil.example") == 403
+    for path in ("../page_server.py", "%2e%2e/page_server.py", "page/../../view.py", "scene/../x"):
+        assert status(path) == 404
+    with urllib.request.urlopen(address) as response:
+        policy = response.headers["Content-Security-Policy"]
+    assert "script-src 'self'" in policy
+    assert "unsafe-inline" not in policy
+
+
+def test_other_addresses_than_loopback_need_the_token(
+    viewer: Viewer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from tfloom.viewer.access import Access
+
+    monkeypatch.setattr("tfloom.viewer.access.is_loopback", lambda _: False)
+    access = viewer.pages._access = Access("127.0.0.1", viewer.pages._port)
+    assert f"?token={access.token}" in viewer.pages.address
+    with pytest.raises(urllib.error.HTTPError, match="403"):
+        urllib.request.urlopen(viewer.pages.address.partition("?")[0])
+    with urllib.request.urlopen(viewer.pages.address) as response:
+        cookie = response.headers["Set-Cookie"]
+    assert "HttpOnly" in cookie
+    bare = viewer.pages.address.partition("?")[0].replace("http://", "ws://") + "api"
+    with pytest.raises(InvalidStatus, match="403"):
+        connect(bare, proxy=None)
+    with connect(bare, additional_headers={"Cookie": cookie.partition(";")[0]}, proxy=None) as socket:
+        assert "page" in str(socket.recv(timeout=10.0))
+
+
+def test_log_of_nodes_with_texts_as_they_are(node: Node, viewer: Viewer, open_page: OpenPage) -> None:
+    page = open_page(viewer)
+    wait_until(lambda: node.count_subscribers("/rosout") >= 1, what="the reader of /rosout")
+    node.get_logger().warning(EVIL)
+    line = page.wait_for(lambda: [line for line in page.log if line["text"] == EVIL])[0]
+    assert (line["level"], line["name"]) == (30, "feeder")
+    late = open_page(viewer)
+    late.wait_for(lambda: any(line["text"] == EVIL for line in late.log))
+
+
+def test_graph_of_nodes(node: Node, viewer: Viewer, open_page: OpenPage) -> None:
+    publisher = node.create_publisher(Twist, "/cmd_vel", 10)
+    subscription = node.create_subscription(Twist, "/cmd_vel", lambda _: None, 10)
+    page = open_page(viewer)
+
+    def has_both() -> bool:
+        page.answers.clear()
+        page.send(op="graph")
+        graph = page.answer("graph")
+        return ["/feeder", "/cmd_vel"] in graph["published"] and ["/cmd_vel", "/feeder"] in graph[
+            "subscribed"
+        ]
+
+    wait_until(has_both, what="both ends of /cmd_vel")
+    assert not any("_tfloom_view" in name for name in page.answers[-1]["graph"]["subscribers"])
+    del publisher, subscription
+
+
+def test_parameters_are_read_and_set(spun: Node, viewer: Viewer, open_page: OpenPage) -> None:
+    spun.declare_parameter("speed", 1.5)
+    page = open_page(viewer)
+
+    def values() -> dict[str, str]:
+        page.answers.clear()
+        page.send(op="parameters", node="/feeder")
+        page.wait_for(lambda: page.answers)
+        found = page.answers[0].get("parameters", {"values": []})
+        return {value["name"]: value["value"] for value in found["values"]}
+
+    wait_until(lambda: values().get("speed") == "1.5", what="the parameter")
+    page.answers.clear()
+    page.send(op="set_parameter", node="/feeder", name="speed", value="2.5")
+    assert page.answer("done") == "speed of /feeder is 2.5"
+    assert spun.get_parameter("speed").value == 2.5
+    page.answers.clear()
+    page.send(op="set_parameter", node="/feeder", name="speed", value="fast")
+    assert "did not set speed" in page.answer("error")
+
+
+def test_robot_is_driven_and_stopped_when_its_page_says_nothing(
+    spun: Node, viewer: Viewer, open_page: OpenPage
+) -> None:
+    velocities: list[tuple[float, float]] = []
+    spun.create_subscription(
+        Twist, "/cmd_vel", lambda twist: velocities.append((twist.linear.x, twist.angular.z)), 10
+    )
+    page = open_page(viewer)
+    page.wait_for(lambda: "/cmd_vel" in page.state.get("drive_topics", []))
+
+    def is_driven() -> bool:
+        page.send(op="drive", topic="/cmd_vel", ahead=1.0, left=-0.5)
+        return (2.0, -1.0) in velocities
+
+    wait_until(is_driven, what="a velocity")
+    wait_until(lambda: velocities[-1] == (0.0, 0.0), what="the stop")
+    wait_until(is_driven)
+    page.socket.close()  # a page that is closed says nothing more, either
+    wait_until(lambda: velocities[-1] == (0.0, 0.0), what="the stop")
+
+
+def test_tools_publish_what_was_dragged(spun: Node, viewer: Viewer) -> None:
+    goals: list[PoseStamped] = []
+    spun.create_subscription(PoseStamped, "/goal_pose", goals.append, 10)
+    live = viewer._live
+    assert live is not None
+    tools = Tools(live.participant, next(iter(live.participant.graph.nodes())), lambda: 5 * 10**9)
+    try:
+        tools.open()
+        wait_until(lambda: spun.count_publishers("/goal_pose") >= 1)
+
+        def is_there() -> bool:
+            said = tools.use("goal", "map", (1.0, 2.0), (1.0, 3.0))
+            assert said == "goal (1.00, 2.00), 90° in map, published on /goal_pose"
+            return bool(goals)
+
+        wait_until(is_there, what="the goal")
+    finally:
+        tools.close()
+    assert (goals[0].header.frame_id, goals[0].header.stamp.sec) == ("map", 5)
+    assert (goals[0].pose.position.x, goals[0].pose.position.y) == (1.0, 2.0)
+    assert goals[0].pose.orientation.z == pytest.approx(math.sin(math.pi / 4))

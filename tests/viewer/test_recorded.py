@@ -1,0 +1,115 @@
+"""The viewer of a recording: any time of it, played, and messages as they were then."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import closing
+from pathlib import Path
+
+import numpy as np
+import pytest
+from tests.conftest import wait_until
+from tests.tf2_tools.recordings import START_NS, transform
+from tests.viewer.conftest import Page, running
+from tests.viewer.messages import pose
+
+from tfloom.bag.errors import BagError
+from tfloom.bag.values import Topic
+from tfloom.bag.writing.bag_writer import BagWriter
+from tfloom.interfaces.builtin_interfaces.msg import Time
+from tfloom.interfaces.geometry_msgs.msg import PoseStamped
+from tfloom.interfaces.std_msgs.msg import Header
+from tfloom.interfaces.tf2_msgs.msg import TFMessage
+from tfloom.rosidl import cdr
+from tfloom.viewer.program import Viewer
+from tfloom.viewer.recorded import RecordedTopics, recorded_viewer
+
+S = 1_000_000_000
+
+
+@pytest.fixture
+def recording(tmp_path: Path) -> Path:
+    """100 s of map → base along x by 1 m/s, a pose in base every 10 s, and one odd pose at the start alone."""
+    folder = tmp_path / "recording"
+    with closing(BagWriter(folder)) as writer:
+        tf = writer.add_topic(Topic("/tf", "tf2_msgs/msg/TFMessage"))
+        poses = writer.add_topic(Topic("/pose", "geometry_msgs/msg/PoseStamped"))
+        once = writer.add_topic(Topic("/once", "geometry_msgs/msg/PoseStamped"))
+        for second in range(101):
+            stamp_ns = START_NS + second * S
+            moved = TFMessage(transforms=[transform("map", "base", stamp_ns, (float(second), 0.0, 0.0))])
+            writer.push(tf, cdr.encode(moved), stamp_ns, stamp_ns)
+            head = Header(frame_id="base", stamp=Time(sec=stamp_ns // S))
+            data = cdr.encode(PoseStamped(header=head, pose=pose()))
+            if second % 10 == 0:
+                writer.push(poses, data, stamp_ns, stamp_ns)
+            if second == 1:
+                writer.push(once, data, stamp_ns, stamp_ns)
+    return folder
+
+
+@pytest.fixture
+def viewer(recording: Path) -> Iterator[Viewer]:
+    with recorded_viewer(recording, topics=("/tf", "/tf_static")) as made, running(made):
+        yield made
+
+
+def place_of(viewer: Viewer, name: str) -> float | None:
+    handle = viewer._server.scene.get_handle_by_name(name)
+    return None if handle is None else float(handle.position[0])
+
+
+def test_slider_goes_through_the_whole_recording(viewer: Viewer, open_page: Callable[[Viewer], Page]) -> None:
+    page = open_page(viewer)
+    page.wait_for(lambda: page.row("base") and page.display("/pose"))
+    assert page.state["is_live"] is False
+    assert page.state["span"] == [str(START_NS), str(START_NS + 100 * S)]
+    assert page.state["held_ns"] == str(START_NS)
+    page.send(op="display", topic="/pose", on=True)
+    page.send(op="hold", stamp_ns=str(START_NS + 57 * S))
+    wait_until(lambda: place_of(viewer, "/displays/0/0") == 50.0, what="the pose of second 50")
+    axes = viewer._server.scene.get_handle_by_name("/frames/axes")
+    wait_until(lambda: np.sort(axes.batched_positions[:, 0]).tolist() == [0.0, 57.0])
+    page.send(op="hold", stamp_ns=str(START_NS + 12 * S))
+    wait_until(lambda: place_of(viewer, "/displays/0/0") == 10.0, what="the pose of second 10")
+
+
+def test_recording_is_played_and_stands_at_its_end(
+    viewer: Viewer, open_page: Callable[[Viewer], Page]
+) -> None:
+    page = open_page(viewer)
+    page.wait_for(lambda: page.state["span"])
+    page.send(op="hold", stamp_ns=str(START_NS + 99 * S + S // 2))
+    page.send(op="play", on=True)
+    page.wait_for(lambda: page.state["is_playing"])
+    page.wait_for(lambda: not page.state["is_playing"])
+    assert page.state["held_ns"] == str(START_NS + 100 * S)
+    page.send(op="drive", topic="/cmd_vel", ahead=1, left=0)
+    assert "this is a recording" in page.answer("error")
+
+
+def test_message_of_a_time_is_found_however_long_it_is_ago(recording: Path) -> None:
+    from tfloom.bag.opening import open_bag
+
+    with open_bag(recording) as bag:
+        topics = RecordedTopics(bag)
+        messages, decode = topics.open("/once")
+        assert messages.newest(START_NS) is None
+        entry = messages.newest(START_NS + 99 * S)
+        assert entry is not None
+        assert entry.stamp_ns == START_NS + S
+        assert decode(entry.data).header.frame_id == "base"
+        assert messages.newest(START_NS + 98 * S) == entry
+        many, _ = topics.open("/pose")
+        for second in (0, 5, 9, 10, 11, 42, 100, 3, 99):
+            found = many.newest(START_NS + second * S + 1)
+            assert found is not None
+            assert found.stamp_ns == START_NS + second // 10 * 10 * S
+
+
+def test_what_is_no_recording_is_a_sentence(tmp_path: Path) -> None:
+    with (
+        pytest.raises(BagError, match="no such file"),
+        recorded_viewer(tmp_path / "nothing", topics=("/tf", "/tf_static")),
+    ):
+        pass
