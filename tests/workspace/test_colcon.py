@@ -18,6 +18,8 @@ from tests.workspace.conftest import (
     write_python_package,
 )
 
+from tfloom.ros_environment import ROS_ENVIRONMENT
+
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="needs bash")
 
 INTERFACES = """\
@@ -181,12 +183,31 @@ def test_program_runs_in_the_sourced_workspace(shell: str, built: Built) -> None
     ]
 
 
+@pytest.mark.parametrize("shell", ["bash", "zsh", "sh"])
+def test_scripts_set_the_variables_of_a_sourced_ros(
+    shell: str, built: Built, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if shutil.which(shell) is None:
+        pytest.skip(f"{shell} is not installed")
+    for name in ROS_ENVIRONMENT:
+        monkeypatch.delenv(name, raising=False)
+    show = "echo $ROS_DISTRO $ROS_VERSION $ROS_PYTHON_VERSION"
+    assert in_shell(built.folder, show, shell) == "jazzy 2 3"
+    assert in_shell(built.folder, show, shell, ROS_DISTRO="rolling") == "rolling 2 3"
+    package = ". install/ball_node/share/ball_node/package.sh && " + show
+    assert (
+        in_shell(built.folder, f"cd '{built.folder}' && unset ROS_DISTRO && {package}", shell) == "jazzy 2 3"
+    )
+
+
 def test_scripts_of_powershell_set_the_same_paths(built: Built) -> None:
     share = built.folder / "install" / "ball_msgs" / "share" / "ball_msgs"
     assert (built.folder / "install" / "setup.ps1").is_file()
     hooks = (share / "package.ps1").read_text()
     assert "ament_prefix_path.ps1" in hooks
     assert "AMENT_PREFIX_PATH" in (share / "hook" / "ament_prefix_path.ps1").read_text()
+    assert "ros_environment.ps1" in hooks
+    assert '$Env:ROS_DISTRO = "jazzy"' in (share / "hook" / "ros_environment.ps1").read_text()
 
 
 def test_workspace_is_an_underlay_of_another(built: Built, tmp_path: Path) -> None:

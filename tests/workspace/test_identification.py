@@ -9,7 +9,8 @@ from colcon_core.package_descriptor import PackageDescriptor
 from colcon_ros.package_identification.ros import get_package_with_build_type
 from tests.workspace.conftest import write_files, write_manifest
 
-from tfloom.workspace.colcon.identification import READ_TYPE, ROS_ENVIRONMENT, Identification
+from tfloom.ros_environment import ROS_ENVIRONMENT
+from tfloom.workspace.colcon.identification import READ_TYPE, Identification
 
 
 @pytest.mark.filterwarnings("ignore:.*deprecated")  # of pyparsing, in catkin_pkg

@@ -9,8 +9,9 @@ from tfloom.bag.bag import Bag
 from tfloom.bag.metadata import FileInformation, Metadata
 from tfloom.bag.reading.bag_file import BagFile
 from tfloom.bag.reading.compression import COMPRESSED_SUFFIX
-from tfloom.bag.writing.metadata_text import METADATA_VERSION, NO_TIME_NS, ROS_DISTRO
+from tfloom.bag.writing.metadata_text import METADATA_VERSION, NO_TIME_NS
 from tfloom.bag.writing.storage import STORAGES
+from tfloom.ros_environment import ROS_DISTRO
 
 __all__ = ["metadata_from_files", "metadata_of", "size_of", "storage_id_of"]
 

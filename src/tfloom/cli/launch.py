@@ -11,6 +11,7 @@ from typing import Any
 from tfloom.cli import launch_api
 from tfloom.cli.errors import CommandError
 from tfloom.cli.names import did_you_mean, way_to_package
+from tfloom.ros_environment import set_ros_environment
 from tfloom.workspace import index
 
 ALL_OUTPUT_VARIABLE = "OVERRIDE_LAUNCH_PROCESS_OUTPUT"
@@ -79,6 +80,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Launch the file, and return the exit code when all has ended; or print what it consists of, or takes."""
+    set_ros_environment()
     path, arguments = find_launch_file(args)
     try:
         launch_api.parse_launch_arguments(arguments)

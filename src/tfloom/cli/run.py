@@ -11,6 +11,7 @@ from pathlib import Path
 
 from tfloom.cli.errors import CommandError, refuse_bytes
 from tfloom.cli.names import did_you_mean, way_to_package
+from tfloom.ros_environment import set_ros_environment
 from tfloom.workspace import index
 
 
@@ -50,6 +51,7 @@ def package_programs(package: str) -> list[str] | None:
 
 def main(args: argparse.Namespace) -> int:
     """Run the program to its end and return its exit code, -N if signal N ended it."""
+    set_ros_environment()
     # The command of a workspace's program, or, as a str, the function of one of tfloom's own. Such a one runs in this
     # process, if no --prefix asks for another.
     command = find_command(args.package_name, args.executable_name)

@@ -23,6 +23,7 @@ from tfloom.node.executing.signals import (
 )
 from tfloom.node.executing.task import Future
 from tfloom.node.parameters.parameter import Parameter
+from tfloom.ros_environment import set_ros_environment
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -54,6 +55,9 @@ __all__ = [
     "try_shutdown",
     "uninstall_signal_handlers",
 ]
+
+# `rclpy` imports this module, and a program that uses rclpy expects the environment of a sourced ROS.
+set_ros_environment()
 
 
 class InitContextManager:

@@ -8,6 +8,7 @@ from contextlib import contextmanager
 from fnmatch import fnmatchcase
 from pathlib import Path, PurePosixPath
 
+from tfloom.ros_environment import ROS_DISTRO
 from tfloom.workspace.cmake_configure import configured
 from tfloom.workspace.cmake_plan import (
     BINARY_FOLDER,
@@ -108,7 +109,7 @@ class _Reader:
                 "CMAKE_INSTALL_INCLUDEDIR": "include",
                 "PYTHON_INSTALL_DIR": PYTHON_FOLDER,
                 "UNIX": "1",
-                "ROS_DISTRO": "jazzy",
+                "ROS_DISTRO": ROS_DISTRO,
                 "BUILD_TESTING": "ON" if testing else "OFF",
             }
         )

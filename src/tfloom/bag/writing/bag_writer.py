@@ -16,7 +16,6 @@ from tfloom.bag.values import Topic
 from tfloom.bag.writing.metadata_text import (
     METADATA_VERSION,
     NO_TIME_NS,
-    ROS_DISTRO,
     empty_metadata,
     metadata_file_text,
     metadata_text,
@@ -24,6 +23,7 @@ from tfloom.bag.writing.metadata_text import (
 from tfloom.bag.writing.storage import STORAGES, StorageFile, StorageSettings
 from tfloom.bag.writing.storage_files import open_storage_file
 from tfloom.bag.writing.topic_table import TopicTable
+from tfloom.ros_environment import ROS_DISTRO
 from tfloom.whole_files import write_file
 
 __all__ = ["BagWriter", "State", "WriterSettings"]

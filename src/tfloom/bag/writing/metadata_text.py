@@ -6,11 +6,11 @@ from collections.abc import Mapping
 
 from tfloom.bag.metadata import FileInformation, Metadata
 from tfloom.bag.values import Topic
+from tfloom.ros_environment import ROS_DISTRO
 
 __all__ = [
     "METADATA_VERSION",
     "NO_TIME_NS",
-    "ROS_DISTRO",
     "empty_metadata",
     "metadata_file_text",
     "metadata_text",
@@ -18,7 +18,6 @@ __all__ = [
 ]
 
 METADATA_VERSION = 9
-ROS_DISTRO = "jazzy"
 NO_TIME_NS = 0x7FFF_FFFF_FFFF_FFFF
 """The start of a bag without messages [ns]."""
 

@@ -7,9 +7,10 @@ from contextlib import suppress
 from pathlib import Path
 
 from tfloom._native import Chunk
-from tfloom.bag.writing.metadata_text import METADATA_VERSION, ROS_DISTRO
+from tfloom.bag.writing.metadata_text import METADATA_VERSION
 from tfloom.bag.writing.storage import StorageSettings
 from tfloom.bag.writing.topic_table import TopicTable
+from tfloom.ros_environment import ROS_DISTRO
 
 __all__ = ["SqliteFile"]
 

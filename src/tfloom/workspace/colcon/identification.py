@@ -10,6 +10,7 @@ from colcon_core.package_descriptor import PackageDescriptor
 from colcon_core.package_identification import PackageIdentificationExtensionPoint
 from colcon_ros.package_identification.ros import get_package_with_build_type
 
+from tfloom.ros_environment import set_ros_environment
 from tfloom.workspace.missing_dependencies import IGNORE_MARKERS
 from tfloom.workspace.package_faults import find_manifest_fault, find_setup_fault, name_in_manifest
 
@@ -19,8 +20,6 @@ BROKEN_TYPE = "tfloom.broken"
 """The type of a package that can't be built; without the prefix `ros.`, because its package.xml may be broken."""
 FAULT_KEY = "tfloom_fault"
 """The key of the fault in the metadata of such a package's descriptor."""
-ROS_ENVIRONMENT = {"ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3", "ROS_DISTRO": "jazzy"}
-"""What sourcing a ROS sets, and conditions in package.xml ask for: `condition="$ROS_VERSION == 2"`."""
 
 
 class Identification(PackageIdentificationExtensionPoint):
@@ -30,8 +29,7 @@ class Identification(PackageIdentificationExtensionPoint):
 
     def __init__(self) -> None:
         super().__init__()
-        for name, value in ROS_ENVIRONMENT.items():
-            os.environ.setdefault(name, value)
+        set_ros_environment()  # conditions in package.xml ask for it: `condition="$ROS_VERSION == 2"`
 
     def identify(self, desc: PackageDescriptor) -> None:
         """Set type and name of a package that is built here; leave the others to colcon-ros."""
