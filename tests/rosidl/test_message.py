@@ -20,10 +20,11 @@ import numpy as np
 import pytest
 from tests.each import for_each
 
+from tfloom.interfaces.action_msgs.msg import GoalStatus
 from tfloom.interfaces.geometry_msgs import msg as geometry_msgs
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped, Twist, Vector3
 from tfloom.interfaces.sensor_msgs import msg as sensor_msgs
-from tfloom.interfaces.sensor_msgs.msg import CameraInfo, Image, JointState, PointField
+from tfloom.interfaces.sensor_msgs.msg import CameraInfo, Image, JointState, NavSatStatus, PointField
 from tfloom.interfaces.shape_msgs.msg import SolidPrimitive
 from tfloom.interfaces.std_msgs import msg as std_msgs
 from tfloom.interfaces.std_msgs.msg import ColorRGBA, String
@@ -304,3 +305,22 @@ def test_message_package_imports_few_modules() -> None:
     )
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=True)
     assert run.stdout.splitlines() == ["[]", "False"]
+
+
+def test_constants_and_defaults_can_not_be_assigned() -> None:
+    class Derived(GoalStatus):
+        pass
+
+    for cls in (GoalStatus, Derived):
+        with pytest.raises(
+            AttributeError,
+            match=r"^property 'STATUS_UNKNOWN' of 'Metaclass_GoalStatus' object has no setter$",
+        ):
+            cls.STATUS_UNKNOWN = 5
+    with pytest.raises(AttributeError, match="'STATUS_UNKNOWN' is read-only"):
+        GoalStatus().STATUS_UNKNOWN = 5
+    with pytest.raises(AttributeError, match="'STATUS__DEFAULT' of 'Metaclass_NavSatStatus'"):
+        NavSatStatus.STATUS__DEFAULT = 1
+    assert (GoalStatus.STATUS_UNKNOWN, NavSatStatus.STATUS__DEFAULT) == (0, -2)
+    Derived.OF_THE_PROGRAM = 1  # a name that the definition doesn't have
+    Derived.OF_THE_PROGRAM = 2

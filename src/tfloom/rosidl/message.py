@@ -44,7 +44,22 @@ class _Default:
         return getattr(owner(), self._field)
 
 
-class Message(MessageBase):
+class _MessageType(type):
+    """The class of message classes: constants of their definitions, and `X__DEFAULT`, can't be assigned."""
+
+    def __setattr__(cls, name: str, value: object) -> None:
+        # Definitions spell constants, and nothing else, in capitals. A class that derives from a message's may have
+        # names of its own.
+        if name.isupper() and not name.startswith("_"):
+            for base in cls.__mro__:
+                if name in vars(base) and "_FIELDS" in vars(base):
+                    raise AttributeError(
+                        f"property '{name}' of 'Metaclass_{base.__name__}' object has no setter"
+                    )
+        super().__setattr__(name, value)
+
+
+class Message(MessageBase, metaclass=_MessageType):
     """A ROS message: a plain object with a slot for each field.
 
     A numeric sequence is an `array.array`, a numeric array of fixed length a numpy array; values assigned to one are
@@ -71,9 +86,9 @@ class Message(MessageBase):
             return
         for name, type_text in cls._FIELDS.items():
             member = cls.__dict__[f"_{name}"]
-            setattr(cls, name, _converting(name, member) if _is_numeric_array(type_text) else member)
+            type.__setattr__(cls, name, _converting(name, member) if _is_numeric_array(type_text) else member)
         for name in cls._DEFAULTS:
-            setattr(cls, f"{name.upper()}__DEFAULT", _Default(name))
+            type.__setattr__(cls, f"{name.upper()}__DEFAULT", _Default(name))
         cls.__slots__ = [*(f"_{name}" for name in cls._FIELDS), "_check_fields"]
         cls._PLAN = None
 
