@@ -113,6 +113,61 @@ def test_throttle_by_a_clock() -> None:
     assert said(log) == [0, 2]
 
 
+def test_the_first_call_that_is_not_skipped_is_the_one_of_once() -> None:
+    logger = logging.get_logger("x")
+    assert said(lambda number: logger.info(number, skip_first=True, once=True)) == [1]
+
+
+def test_the_period_begins_with_the_call_that_is_skipped() -> None:
+    logger = logging.get_logger("x")
+    clock = ROSClock()
+    clock.set_ros_time_is_active(True)
+
+    def log(second: int) -> bool:
+        clock.set_ros_time_override(Time(seconds=second, clock_type=ClockType.ROS_TIME))
+        return logger.info(second, skip_first=True, throttle_duration_sec=3, throttle_time_source_type=clock)
+
+    assert [second for second in range(10) if log(second)] == [3, 6, 9]
+
+
+def test_each_logger_counts_its_own_calls(make_node: Callable[..., Node]) -> None:
+    loggers = [make_node(name).get_logger() for name in ("first", "second")]
+    assert [logger.info("x", once=True) for logger in loggers * 2] == [True, True, False, False]
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "what"),
+    [
+        ({"once": True}, {"once": False, "skip_first": True}, "Requested logging filters"),
+        ({"skip_first": False, "once": False}, {"skip_first": True}, "Requested logging filters"),
+        ({"throttle_duration_sec": 1.0}, {"throttle_duration_sec": 2.0}, "Logging filter parameters"),
+        (
+            {"throttle_duration_sec": 1.0},
+            {"throttle_duration_sec": 1.0, "throttle_time_source_type": ROSClock()},
+            "Logging filter parameters",
+        ),
+        ({"once": True, "name": "a"}, {"once": True, "name": "b"}, "Logger name"),
+    ],
+)
+def test_a_place_whose_filters_change_raises(
+    first: dict[str, object], second: dict[str, object], what: str
+) -> None:
+    logger = logging.get_logger("x")
+    with pytest.raises(ValueError, match=f"^{what} cannot be changed between calls.$"):  # noqa: PT012  # one place
+        for options in (first, second):
+            logger.info("x", **options)
+
+
+def test_a_place_without_filters_may_change_its_severity() -> None:
+    logger = logging.get_logger("x")
+    assert all(logger.log("x", severity) for severity in (LoggingSeverity.INFO, LoggingSeverity.WARN))
+
+
+def test_the_roots_logger_has_rclpys_name() -> None:
+    assert logging._root_logger.name == ""
+    assert logging._root_logger.get_child("a").name == "a"
+
+
 def test_invalid_options_raise() -> None:
     logger = logging.get_logger("x")
     with pytest.raises(TypeError, match='"nope" is not one of the recognized logging options'):

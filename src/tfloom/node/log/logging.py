@@ -26,6 +26,10 @@ __all__ = [
 ]
 
 
+_root_logger = RcutilsLogger()
+"""The root's logger, by rclpy's name."""
+
+
 def get_logger(name: str) -> RcutilsLogger:
     """Return the logger of a name.
 

@@ -10,7 +10,7 @@ from tfloom.node.log.logging_severity import LoggingSeverity
 from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.readable_clock import ReadableClock
 
-__all__ = ["CallState", "CallerId", "make_state"]
+__all__ = ["CallState", "CallerId", "check_options"]
 
 _PARAMETERS = {
     "once": "once",
@@ -41,43 +41,65 @@ class CallerId(NamedTuple):
 class CallState:
     """State of the filters of one place in a program, kept between calls."""
 
-    __slots__ = ("_clock", "_first", "_last_ns", "_once", "_period_ns", "_skip_first", "severity")
+    __slots__ = ("_last_ns", "_name", "_options", "_severity", "_skips_next", "_was_logged")
 
-    def __init__(
-        self,
-        severity: LoggingSeverity,
-        once: bool,
-        skip_first: bool,
-        period_s: float | None,
-        clock: ReadableClock | None,
-    ) -> None:
-        self.severity = severity
-        self._once = once
-        self._skip_first = skip_first
-        self._period_ns = None if period_s is None else int(period_s * S_TO_NS)
-        self._clock = clock
-        self._first = True
+    def __init__(self, severity: LoggingSeverity, name: str, options: dict[str, Any]) -> None:
+        self._severity = severity
+        self._name = name
+        self._options = options
+        self._skips_next = bool(options.get("skip_first"))
+        self._was_logged = False
         self._last_ns: int | None = None
+
+    def check_unchanged(self, severity: LoggingSeverity, name: str, options: dict[str, Any]) -> None:
+        """Compare a call with the first one of this place.
+
+        Raises:
+            ValueError: it has another severity, another logger's name, or other filters.
+        """
+        if severity != self._severity:
+            raise ValueError("Logger severity cannot be changed between calls.")
+        if name != self._name:
+            raise ValueError("Logger name cannot be changed between calls.")
+        if _filters(options) != _filters(self._options):
+            raise ValueError("Requested logging filters cannot be changed between calls.")
+        if any(options.get(parameter) != self._options.get(parameter) for parameter in _PARAMETERS):
+            raise ValueError("Logging filter parameters cannot be changed between calls.")
 
     def lets_through(self) -> bool:
         """Return whether this call is to be logged, and count it."""
-        first, self._first = self._first, False
-        if self._once and not first:
+        # In this order, as in rclpy: the period also starts with a call that `skip_first` drops, and the one call of
+        # `once` is the first that the other two let through.
+        if not self._is_due():
             return False
-        if self._skip_first and first:
+        if self._skips_next:
+            self._skips_next = False
             return False
-        if self._period_ns is None:
+        if self._was_logged and self._options.get("once"):
+            return False
+        self._was_logged = True
+        return True
+
+    def _is_due(self) -> bool:
+        """Return whether the period since the last call that was due has passed; it starts anew then."""
+        period_s = self._options.get("throttle_duration_sec")
+        if period_s is None:
             return True
-        now_ns = time.monotonic_ns() if self._clock is None else self._clock.now().nanoseconds
+        clock: ReadableClock | None = self._options.get("throttle_time_source_type")
+        now_ns = time.monotonic_ns() if clock is None else clock.now().nanoseconds
         # After a jump backward of the clock, the period starts anew.
-        if self._last_ns is not None and 0 <= now_ns - self._last_ns < self._period_ns:
+        if self._last_ns is not None and 0 <= now_ns - self._last_ns < int(period_s * S_TO_NS):
             return False
         self._last_ns = now_ns
         return True
 
 
-def make_state(severity: LoggingSeverity, options: dict[str, Any]) -> CallState:
-    """Check the options of a logger call, and return the initial state of its filters.
+def _filters(options: dict[str, Any]) -> set[str]:
+    return {_PARAMETERS[name] for name, value in options.items() if value}
+
+
+def check_options(options: dict[str, Any]) -> None:
+    """Check the options of a logger call.
 
     Raises:
         TypeError: an option is unknown, lacks an option that it requires, or has a value of the wrong type.
@@ -101,4 +123,3 @@ def make_state(severity: LoggingSeverity, options: dict[str, Any]) -> CallState:
         raise TypeError(
             f"Received throttle_time_source_type of '{type(clock).__name__}' is not a Clock instance"
         )
-    return CallState(severity, bool(options.get("once")), bool(options.get("skip_first")), period_s, clock)

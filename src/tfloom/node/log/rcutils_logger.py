@@ -7,19 +7,17 @@ from typing import Any
 
 from tfloom.node.log import log_output
 from tfloom.node.log.log_output import Record
-from tfloom.node.log.logging_filters import CallerId, CallState, make_state
+from tfloom.node.log.logging_filters import CallerId, CallState, check_options
 from tfloom.node.log.logging_severity import LoggingSeverity
 
 __all__ = ["CallerId", "RcutilsLogger"]
-
-_states: dict[CallerId, CallState] = {}
 
 
 class RcutilsLogger:
     """Logs records under a name. Without a level of its own it has that of the nearest name above it, up to the root.
 
     Each of `debug`, `info`, `warning`, `error` and `fatal` takes these options, which belong to the place of the
-    call:
+    call and to this object, which a node's `get_logger()` always returns:
 
     - `once=True`: only the first call is logged;
     - `skip_first=True`: all but the first;
@@ -32,6 +30,8 @@ class RcutilsLogger:
 
     def __init__(self, name: str = "") -> None:
         self.name = name
+        self._states: dict[CallerId, CallState] = {}
+        """What is known of the calls with options, by place: the places of two loggers are counted separately."""
 
     def get_child(self, name: str) -> RcutilsLogger:
         """Return the logger `<name of this one>.<name>`.
@@ -63,7 +63,7 @@ class RcutilsLogger:
 
         Raises:
             TypeError: an option is unknown or misused.
-            ValueError: the call has options, and the same place has logged with another severity before.
+            ValueError: the call has options, and the same place has logged with another severity or other options.
         """
         return self._log(message, LoggingSeverity(severity), kwargs)
 
@@ -96,11 +96,12 @@ class RcutilsLogger:
         name = options.pop("name", self.name) if options else self.name
         if options:
             caller = CallerId(frame.f_code, frame.f_lineno, frame.f_lasti)
-            state = _states.get(caller)
+            state = self._states.get(caller)
             if state is None:
-                state = _states[caller] = make_state(severity, options)
-            if state.severity != severity:
-                raise ValueError("Logger severity cannot be changed between calls.")
+                check_options(options)
+                state = self._states[caller] = CallState(severity, name, options)
+            else:
+                state.check_unchanged(severity, name, options)
             if severity < log_output.effective_level(name) or not state.lets_through():
                 return False
         log_output.write(

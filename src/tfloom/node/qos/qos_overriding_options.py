@@ -127,6 +127,26 @@ def apply_overrides(
     return overridden
 
 
+def _declare_qos_parameters(
+    entity_type: type[Any], node: Any, topic_name: str, qos: QoSProfile, options: QoSOverridingOptions
+) -> None:
+    """Change `qos` to `apply_overrides` of it; a function by rclpy's name, which programs' tests call.
+
+    Args:
+        entity_type: Publisher or Subscription.
+        node: The node whose parameters override.
+        topic_name: The topic's full name.
+        qos: The profile.
+        options: The policies that may be overridden.
+
+    Raises:
+        InvalidQosOverridesError: as from `apply_overrides`.
+    """
+    overridden = apply_overrides(node, entity_type.__name__.lower(), topic_name, qos, options)
+    for name in qos.field_names():
+        setattr(qos, name, getattr(overridden, name))
+
+
 def _declared_setting(parameters: NodeParameters, name: str, policy: QoSPolicyKind, default: Any) -> Any:
     descriptor = ParameterDescriptor(read_only=True)
     if policy in _DURATIONS:

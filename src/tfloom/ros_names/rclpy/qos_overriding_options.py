@@ -3,6 +3,7 @@
 
 from tfloom.node.qos.qos_overriding_options import InvalidQosOverridesError as InvalidQosOverridesError
 from tfloom.node.qos.qos_overriding_options import QoSOverridingOptions as QoSOverridingOptions
+from tfloom.node.qos.qos_overriding_options import _declare_qos_parameters as _declare_qos_parameters
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
