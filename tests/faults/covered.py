@@ -144,6 +144,7 @@ _BY_FILE: dict[str, dict[str, str]] = {
     },
     "node.endpoints.client": {
         "Client.__init__(executor)": OWN,
+        "Client.__init__(start_timer)": OWN,
     },
     "node.endpoints.publisher": {
         "Publisher.__init__(event_callbacks)": "matched_of_publisher",

@@ -629,7 +629,7 @@ def _events(world: World, add: Callable[[ParameterEventHandler, Fails], None]) -
     handler.add_parameter_callback("number", "under_test", others)
     handler.add_parameter_event_callback(events)
     add(handler, fails)
-    wait_until(handler._subscription.get_publisher_count)
+    wait_until(handler.parameter_event_subscription.get_publisher_count)
     wait_until(lambda: world.node.count_subscribers("/parameter_events"))
     for number in (1, 2):
         _set(world, number)

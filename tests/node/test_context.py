@@ -189,7 +189,7 @@ def test_spin_functions_run_callbacks() -> None:
     node.create_timer(0.001, lambda: ticks.append(1))
     rclpy.spin_once(node, timeout_sec=1.0)
     assert ticks == [1]
-    assert node.executor is None
+    assert node not in rclpy.get_global_executor().get_nodes()
     future: rclpy.Future[int] = rclpy.Future()
     node.create_timer(0.001, lambda: future.set_result(1) if not future.done() else None)
     rclpy.spin_until_future_complete(node, future, timeout_sec=10)

@@ -66,7 +66,6 @@ def test_a_node_is_in_no_executor_between_two_spins(
     for _ in range(5):
         hearing.send()  # arrives before or during the next spin
         spin_until(hearing.node, executor, hearing.has_heard_all)
-        assert hearing.node.executor is None
         assert executor.get_nodes() == []
 
 

@@ -6,7 +6,7 @@ import re
 import threading
 import time
 from collections.abc import Callable, Iterator
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import pytest
 
@@ -14,6 +14,7 @@ from tfloom.interfaces.example_interfaces.srv import AddTwoInts
 from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
 from tfloom.interfaces.std_srvs.srv import SetBool
 from tfloom.node.context.context import Context
+from tfloom.node.endpoints import client as client_module
 from tfloom.node.endpoints.client import Client, NoResponseError
 from tfloom.node.endpoints.service_introspection import ServiceIntrospectionState
 from tfloom.node.executing.callback_groups import ReentrantCallbackGroup
@@ -376,17 +377,68 @@ def test_call_without_response_times_out(node: Node) -> None:
     assert not client._pending
 
 
-def test_request_without_a_server_fails_by_name(node: Node) -> None:
+def test_request_without_a_server_fails_by_name(
+    node: Node, executor: SingleThreadedExecutor, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(client_module, "MAX_WAIT_FOR_SERVER_S", 0.2)
+    executor.add_node(node)
     client = node.create_client(AddTwoInts, "nobody")
     future = client.call_async(AddTwoInts.Request())
-    assert future.done()
-    with pytest.raises(
-        NoResponseError, match=r"^no response from /nobody: no server was there .* wait_for_service"
-    ):
+    executor.spin_until_future_complete(future, timeout_sec=30)
+    with pytest.raises(NoResponseError, match=r"^no response from /nobody: no server came.*wait_for_service"):
         future.result()
     with pytest.raises(NoResponseError):
         client.call(AddTwoInts.Request())
     assert not client._pending
+    assert not client._unsent
+    assert client.unsent_timer is not None
+    assert client.unsent_timer.is_canceled()
+    assert list(node.timers) == []
+
+
+def test_requests_just_before_the_server_appears_are_answered(
+    context_on_each_wire: Context, wait_until: Callable[..., None], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Two requests that find no server, of which the first is given up; and one by `call`, on another thread."""
+    monkeypatch.setattr(client_module, "MAX_WAIT_FOR_SERVER_S", 60.0)
+    context = context_on_each_wire
+    caller, server = (Node(name, context=context) for name in ("caller", "server"))
+    with SingleThreadedExecutor(context=context) as executor:
+        executor.add_node(caller)
+        client = caller.create_client(AddTwoInts, "add")
+        dropped, future = (client.call_async(AddTwoInts.Request(a=40, b=number)) for number in (1, 2))
+        dropped.cancel()
+        answers: list[Any] = []
+        other = caller.create_client(AddTwoInts, "add")
+        thread = threading.Thread(target=lambda: answers.append(other.call(AddTwoInts.Request(a=1, b=2))))
+        thread.start()
+        wait_until(lambda: other._unsent)
+        received: list[int] = []
+
+        def count(request: AddTwoInts.Request, response: AddTwoInts.Response) -> AddTwoInts.Response:
+            received.append(request.b)
+            return add(request, response)
+
+        server.create_service(AddTwoInts, "add", count)
+        executor.add_node(server)
+        executor.spin_until_future_complete(future, timeout_sec=30)
+        assert future.result().sum == 42
+        end_s = time.monotonic() + 30
+        while thread.is_alive() and time.monotonic() < end_s:
+            executor.spin_once(timeout_sec=0.05)
+        thread.join(1)
+        assert answers == [AddTwoInts.Response(sum=3)]
+        assert received == [2, 2]
+    caller.destroy_node()
+    server.destroy_node()
+
+
+def test_a_client_destroyed_before_its_server_came_cancels_its_request(node: Node) -> None:
+    client = node.create_client(AddTwoInts, "nobody")
+    future = client.call_async(AddTwoInts.Request())
+    assert not future.done()
+    node.destroy_client(client)
+    assert future.cancelled()
 
 
 def test_request_to_later_servers_waits_for_them(

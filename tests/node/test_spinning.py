@@ -145,7 +145,7 @@ def test_callback_can_remove_its_node_and_another_can_add_it(
         executor.remove_node(leaving)
 
     def bring_back() -> None:
-        if leaving.executor is None:
+        if leaving not in executor.get_nodes():
             with suppress(ShutdownException):
                 executor.add_node(leaving)
 
@@ -309,7 +309,7 @@ def test_callback_can_spin_its_own_node_by_rclpy_functions(node: Node, context: 
         timer = node.create_timer(0.0, outer)
         rclpy.spin_until_future_complete(node, futures[1], executor, timeout_sec=10)
         assert [future.done() for future in futures] == [True, True]
-        assert node.executor is None
+        assert executor.get_nodes() == []
         executor.add_node(node)
         rclpy.spin_once(node, executor=executor, timeout_sec=0)
         assert node.executor is executor
@@ -348,7 +348,7 @@ def test_node_does_not_return_to_an_ended_executor_or_after_its_destruction(
         left.create_timer(0.0, first.shutdown)
         rclpy.spin_once(left, executor=own, timeout_sec=5)
         assert own.get_nodes() == []
-        assert left.executor is None
+        assert first.get_nodes() == []
 
 
 class Throttled(CallbackGroup):

@@ -187,7 +187,9 @@ class _TemporarilyAdded:
         self._executor = executor
 
     def __enter__(self) -> None:
-        self._former_executor = self._node.executor
+        # `Node.executor` is also one that the node was removed from.
+        former = self._node.executor
+        self._former_executor = former if former is not None and self._node in former.get_nodes() else None
         self._is_new = self._executor.add_node(self._node)
 
     def __exit__(self, *_: object) -> None:

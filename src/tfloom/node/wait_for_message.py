@@ -6,6 +6,7 @@ import threading
 from typing import TYPE_CHECKING, Any
 
 from tfloom.node.executing.callback_groups import MutuallyExclusiveCallbackGroup
+from tfloom.node.executing.executor import executor_of
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.executing.task import Future
 from tfloom.node.qos.qos import QoSProfile
@@ -48,7 +49,7 @@ def wait_for_message(
         if not future.done():
             future.set_result(message)
 
-    executor = node.executor
+    executor = executor_of(node)
     if executor is not None and executor.would_wait_for_itself():
         raise RuntimeError(
             f"wait_for_message on {topic} in a callback would block the thread that receives messages"

@@ -18,7 +18,9 @@ SHOWN = 10
 
 def why_not_spun(observer: Node) -> str:
     """Return a sentence on the nodes that nothing spins, with a semicolon before it; empty, if there are none."""
-    executor = observer.executor
+    from tfloom.node.executing.executor import executor_of
+
+    executor = executor_of(observer)
     spun = set() if executor is None else {node.get_fully_qualified_name() for node in executor.get_nodes()}
     names = {
         f"{namespace.rstrip('/')}/{name}" for name, namespace in observer.get_node_names_and_namespaces()

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from tfloom.interfaces.builtin_interfaces.msg import Duration as DurationMessage
 from tfloom.interfaces.builtin_interfaces.msg import Time as TimeMessage
 from tfloom.interfaces.tf2_msgs.msg import TF2Error
+from tfloom.node.executing.executor import executor_of
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.executing.task import Future
 from tfloom.node.values.duration import Duration
@@ -138,7 +139,7 @@ class BufferClient(BufferInterface):
         self.action_client.destroy()
 
     def _query(self, goal: LookupTransform_Goal) -> TransformStamped:
-        executor = self.node.executor
+        executor = executor_of(self.node)
         if executor is not None and executor.would_wait_for_itself():
             raise RuntimeError(
                 "Waiting for the BufferServer in a callback would never end, because its executor receives the result "
@@ -181,7 +182,7 @@ class BufferClient(BufferInterface):
         context.add_shutdown_hook(ended.set)
         try:
             while context.ok() and not future.done() and (left_s := end_s - steady.monotonic()) > 0.0:
-                if self.node.executor is not None or not self._spin_alone(future, left_s):
+                if executor_of(self.node) is not None or not self._spin_alone(future, left_s):
                     ended.wait(min(left_s, LOOK_AGAIN_S))
         finally:
             context.remove_shutdown_hook(ended.set)

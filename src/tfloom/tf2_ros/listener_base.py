@@ -85,6 +85,8 @@ class ListenerBase:
         # `add_node` takes the node from the executor in which it is. If no thread can be started, nobody would spin
         # this executor, so the node goes back to the former one.
         before = self.node.executor
+        if before is not None and self.node not in before.get_nodes():
+            before = None  # `Node.executor` is also one that the node was removed from
         executor.add_node(self.node)
         thread = threading.Thread(target=run, name="tf_listener", daemon=True)
         try:

@@ -22,7 +22,9 @@ from tfloom.node.endpoints.type_variables import (
     ResultResponseT,
     ResultT,
 )
+from tfloom.node.executing.executor import executor_of
 from tfloom.node.executing.task import Future
+from tfloom.node.executing.waitable import NumberOfEntities
 from tfloom.node.qos.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
 from tfloom.node.values.type_support import check_is_valid_action_type
 from tfloom.rmw.action_names import (
@@ -307,7 +309,7 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
 
     def wait_for(self, future: Future[T]) -> T | None:
         """Wait for a future that another thread completes, or for shutdown."""
-        executor = self._node.executor
+        executor = executor_of(self._node)
         if executor is not None and executor.would_wait_for_itself():
             raise RuntimeError(
                 f"Waiting for the action {self._action_name} in a callback would never end, because its executor "
@@ -341,7 +343,7 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
                 then.cancel()
                 return
             if (error := first.exception()) is not None:
-                then.set_executor(self._node.executor)
+                then.set_executor(executor_of(self._node))
                 then.set_exception(error)
                 return
             # `before` may call the program's callback for feedback. What that raises goes on to the spin, and the
@@ -351,7 +353,7 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
                     before()
             finally:
                 # The executor of now: the node may have been added to one after the request was sent.
-                then.set_executor(self._node.executor)
+                then.set_executor(executor_of(self._node))
                 stamp_ns = first.source_stamp_ns if isinstance(first, ResponseFuture) else None
                 then.set_result(convert(first.result(), stamp_ns))
 
@@ -378,7 +380,7 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
             orphaned_keys = [
                 key
                 for key, servers in self._servers.items()
-                if key not in self._ended_ns and servers.isdisjoint(connected)
+                if key not in self._ended_ns and servers and servers.isdisjoint(connected)
             ]
         for key in orphaned_keys:
             self._end(key)
@@ -407,7 +409,7 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
         return callback(message)
 
     def _deliver_waiting_feedback(self) -> None:
-        executor = self._node.executor
+        executor = executor_of(self._node)
         if executor is not None:
             executor.run_waiting(self._feedback)
 
@@ -426,6 +428,10 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
             # The status in the result is the final one.
             if handle is not None and (handle.status in ACTIVE or handle.status == GoalStatus.STATUS_UNKNOWN):
                 handle.status = goal_status.status
+
+    def get_num_entities(self) -> NumberOfEntities:
+        """Return how many items of each kind the client consists of."""
+        return NumberOfEntities(num_subs=2, num_clients=3)
 
     def destroy(self) -> None:
         """Destroy the clients and subscriptions."""

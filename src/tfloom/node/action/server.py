@@ -19,6 +19,7 @@ from tfloom.node.action.server_goal_handle import ServerGoalHandle
 from tfloom.node.endpoints.service import ResponseFirst
 from tfloom.node.endpoints.type_variables import FeedbackT, GoalT, ResultT
 from tfloom.node.executing.executors import await_or_execute
+from tfloom.node.executing.waitable import NumberOfEntities
 from tfloom.node.qos.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
 from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.exceptions import InvalidHandle, RCLError
@@ -226,8 +227,8 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
 
     def _start(self, callback: Callable[..., Any], *args: Any) -> None:
         executor = self._node.executor
-        if executor is None:
-            raise RCLError("cannot run a goal: the action server's node is in no executor")
+        if executor is None or executor.is_shutdown:
+            raise RCLError("cannot run a goal: no executor spins the action server's node")
         executor.create_task(callback, *args)
 
     def notify_execute(
@@ -388,6 +389,10 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
             return
         self._expiry.timer_period_ns = max(1, oldest_ns + self._result_timeout_ns - now_ns)
         self._expiry.reset()
+
+    def get_num_entities(self) -> NumberOfEntities:
+        """Return how many items of each kind the server consists of."""
+        return NumberOfEntities(num_services=3, num_timers=1)
 
     def destroy(self) -> None:
         """Destroy the services and publishers. Goals continue to execute, and nothing is published about them."""

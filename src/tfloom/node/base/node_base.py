@@ -9,7 +9,7 @@ from tfloom.interfaces.rcl_interfaces import msg as rcl_msg
 from tfloom.node.base.node_entities import NodeEntities
 from tfloom.node.base.node_graph import NamesAndTypes, NodeGraph
 from tfloom.node.base.node_names import NodeNames
-from tfloom.node.clock.clock import ROSClock
+from tfloom.node.clock.clock import Clock, ROSClock
 from tfloom.node.context.arguments import Arguments
 from tfloom.node.endpoints.client import Client
 from tfloom.node.endpoints.publisher import Publisher
@@ -31,7 +31,9 @@ from tfloom.node.parameters.node_parameters import NodeParameters
 from tfloom.node.parameters.parameter import Parameter, ParameterType
 from tfloom.node.qos.qos import QoSProfile, qos_profile_parameter_events, qos_profile_services_default
 from tfloom.node.qos.qos_overriding_options import QoSOverridingOptions, apply_overrides
+from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.constants import S_TO_NS
+from tfloom.node.values.exceptions import InvalidHandle
 from tfloom.node.values.handle import Handle
 from tfloom.node.values.time import check_fits_stamp
 from tfloom.node.values.type_support import (
@@ -48,7 +50,6 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
     from tfloom.node.base.node_entities import Destroyable
-    from tfloom.node.clock.clock import Clock
     from tfloom.node.context.context import Context
     from tfloom.node.endpoints.service import ServiceCallback
     from tfloom.node.endpoints.subscription import SubscriptionCallback
@@ -85,6 +86,19 @@ class _SetByInit:
 _SET_BY_INIT: Any = _SetByInit()
 
 
+class _RclpyName:
+    """A private attribute of rclpy's Node, which programs read, by that name.
+
+    Without a setter: an attribute that a program's node assigns by the name is its own, and changes nothing here.
+    """
+
+    def __init__(self, read: Callable[[Any], Any]) -> None:
+        self._read = read
+
+    def __get__(self, instance: object, owner: type | None = None) -> Any:
+        return self if instance is None else self._read(instance)
+
+
 # Private names are mangled, because programs derive from Node and choose names of their own.
 class NodeBase:
     """A node without built-in services.
@@ -113,6 +127,24 @@ class NodeBase:
     __parameters: NodeParameters = _SET_BY_INIT
     __entities: NodeEntities = _SET_BY_INIT
 
+    _context = _RclpyName(lambda self: self.context)
+    _logger = _RclpyName(lambda self: self.get_logger())
+    _clock = _RclpyName(lambda self: self.get_clock())
+    _default_callback_group = _RclpyName(lambda self: self.default_callback_group)
+    _publishers = _RclpyName(lambda self: list(self.publishers))
+    _subscriptions = _RclpyName(lambda self: list(self.subscriptions))
+    _clients = _RclpyName(lambda self: list(self.clients))
+    _services = _RclpyName(lambda self: list(self.services))
+    _timers = _RclpyName(lambda self: list(self.timers))
+    _guards = _RclpyName(lambda self: list(self.guards))
+    _parameters = _RclpyName(lambda self: self.__parameters.parameters)
+    _descriptors = _RclpyName(lambda self: self.__parameters.descriptors)
+    _parameter_overrides = _RclpyName(lambda self: self.__parameters.overrides)
+    _allow_undeclared_parameters = _RclpyName(lambda self: self.__parameters.allow_undeclared)
+    _pre_set_parameters_callbacks = _RclpyName(lambda self: self.__parameters.pre_set_callbacks)
+    _on_set_parameters_callbacks = _RclpyName(lambda self: self.__parameters.on_set_callbacks)
+    _post_set_parameters_callbacks = _RclpyName(lambda self: self.__parameters.post_set_callbacks)
+
     _parameter_event_overriding: QoSOverridingOptions | None = None
     """Overridable policies of the parameter event publisher: none, as in rclpy; rclcpp has some."""
 
@@ -132,17 +164,11 @@ class NodeBase:
         first_values = {name: Parameter(name, value=value) for name, value in overrides.items()}
         first_values |= {parameter.name: parameter for parameter in parameter_overrides}
         self.__parameter_event_publisher: Publisher[rcl_msg.ParameterEvent] | None = None
-        parameters = NodeParameters(
+        self.__parameters = NodeParameters(
             first_values,
             allow_undeclared=allow_undeclared_parameters,
             publish_event=self.__publish_parameter_event,
         )
-        self.__parameters = parameters
-        # The names of rclpy's attributes, which programs read.
-        self._parameters = parameters.parameters
-        self._descriptors = parameters.descriptors
-        self._parameter_overrides = parameters.overrides
-        self._allow_undeclared_parameters = parameters.allow_undeclared
         participant = context.join(names.node)
         self.__entities = NodeEntities(
             self,
@@ -186,20 +212,35 @@ class NodeBase:
 
     @property
     def handle(self) -> Handle:
-        """Proxy of the node, for code that expects rclpy's C handle."""
-        return Handle(self)
+        """Proxy of the node, for code that expects rclpy's C handle.
+
+        Raises:
+            InvalidHandle: the node was destroyed.
+        """
+        self.__check_exists()
+        return Handle(self, self.__check_exists)
+
+    def __check_exists(self) -> None:
+        if self.__entities.has_left:
+            raise InvalidHandle(f"cannot use the node {self.get_fully_qualified_name()}: it was destroyed")
 
     @property
     def executor(self) -> Executor | None:
-        """The executor that it was added to, or None."""
-        return self.__entities.executor
+        """The executor that it was added to last, even if it was removed from it; None: there was none.
+
+        Setting it adds the node to the new executor, and removes it from the former one; None: removes it.
+        """
+        return self.__entities.last_executor
 
     @executor.setter
     def executor(self, new_executor: Executor | None) -> None:
+        former = self.__entities.last_executor
         if new_executor is not None:
             new_executor.add_node(self)
-        elif (current := self.executor) is not None:
-            current.remove_node(self)
+        # One of tfloom's has taken the node from the former executor. One that does not derive from these may not have.
+        if former is not None and former is not new_executor:
+            former.remove_node(self)
+        self.__entities.last_executor = new_executor
 
     def _enter_executor(self, executor: Executor) -> list[Entity]:
         """As in `SpunNode`; the setter of `executor` asks the executor, which calls this."""
@@ -785,13 +826,21 @@ class NodeBase:
             name,
             qos_profile,
             callback_group or self.default_callback_group,
-            executor=lambda: self.executor,
+            executor=lambda: self.__entities.executor,
+            start_timer=self.__start_internal_timer,
             introspection=self.__introspection(srv_type, name),
             logger=self.get_logger(),
         )
         self.__entities.add(client)
         self.__entities.add(client.server_watch)
         return client
+
+    def __start_internal_timer(self, period_s: float, callback: Callable[[], None]) -> Timer:
+        clock = Clock(clock_type=ClockType.STEADY_TIME)
+        # Without a callback group, which distinguishes it from the program's timers.
+        return self.__entities.add(
+            Timer(callback, None, int(period_s * S_TO_NS), clock, context=self.context)
+        )
 
     def __introspection(self, srv_type: type[ServiceType], name: str) -> Introspection:
         return Introspection(srv_type, name, self.create_publisher, self.destroy_publisher)
@@ -872,7 +921,8 @@ class NodeBase:
     @property
     def timers(self) -> Iterator[Timer]:
         """The timers that the node created."""
-        return (entity for entity in self.__entities.entities() if isinstance(entity, Timer))
+        timers = (entity for entity in self.__entities.entities() if isinstance(entity, Timer))
+        return (timer for timer in timers if timer.callback_group is not None)
 
     @property
     def guards(self) -> Iterator[GuardCondition]:
@@ -891,7 +941,7 @@ class NodeBase:
         if isinstance(waitable, EventHandler):
             self.__entities.add(waitable)
         else:
-            self.__entities.add(WaitableEntity(waitable, lambda: self.executor))
+            self.__entities.add(WaitableEntity(waitable, lambda: self.__entities.executor))
 
     def remove_waitable(self, waitable: Waitable | EventHandler) -> None:
         """Undo `add_waitable`.
@@ -924,6 +974,8 @@ class NodeBase:
     def destroy_client(self, client: Client) -> bool:
         """Destroy a client; False if it isn't this node's. Its pending requests are cancelled."""
         self.__entities.destroy(client.server_watch)
+        if client.unsent_timer is not None:
+            self.__entities.destroy(client.unsent_timer)
         return self.__entities.destroy(client)
 
     def destroy_timer(self, timer: Timer) -> bool:

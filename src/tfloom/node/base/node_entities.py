@@ -74,6 +74,7 @@ class NodeEntities:
         self.has_left = False
         """Whether the node has left the graph."""
         self._executor: weakref.ref[Executor] | None = None
+        self._last_executor: weakref.ref[Executor] | None = None
         self._entities: list[Entity] = []
         self._publishers: list[Publisher[Any]] = []
         self._rates: list[Rate] = []
@@ -88,6 +89,17 @@ class NodeEntities:
     @executor.setter
     def executor(self, executor: Executor | None) -> None:
         self._executor = None if executor is None else weakref.ref(executor)
+        if executor is not None:
+            self.last_executor = executor
+
+    @property
+    def last_executor(self) -> Executor | None:
+        """The executor that runs the entities, or the one that ran them last; it may be one of a program's own."""
+        return None if self._last_executor is None else self._last_executor()
+
+    @last_executor.setter
+    def last_executor(self, executor: Executor | None) -> None:
+        self._last_executor = None if executor is None else weakref.ref(executor)
 
     def participant(self) -> Participant:
         """Return the participant that creates endpoints.

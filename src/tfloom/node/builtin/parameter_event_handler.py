@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Callable, Iterable
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -35,6 +36,28 @@ class ParameterEventCallbackHandle:
         self.callback = callback
 
 
+class _Callbacks:
+    """The callbacks of a ParameterEventHandler, by rclpy's names, because programs' tests read them."""
+
+    def __init__(self) -> None:
+        self.parameter_callbacks: defaultdict[tuple[str, str], list[ParameterCallbackHandle]] = defaultdict(
+            list
+        )
+        """By the names of parameter and node; of each, the last added is first."""
+        self.event_callbacks: list[ParameterEventCallbackHandle] = []
+
+    def event_callback(self, event: ParameterEvent) -> None:
+        """Call the callbacks of the parameters that an event set, then those for every event."""
+        # Collected before any is called, because a callback may add or remove others.
+        calls: list[Callable[[], None]] = []
+        for (parameter_name, node_name), handles in self.parameter_callbacks.items():
+            parameter = ParameterEventHandler.get_parameter_from_event(event, parameter_name, node_name)
+            if parameter is not None:
+                calls += [partial(handle.callback, parameter) for handle in handles]
+        calls += [partial(handle.callback, event) for handle in self.event_callbacks]
+        call_all(calls)
+
+
 class ParameterEventHandler:
     """Calls callbacks for the events on /parameter_events.
 
@@ -61,12 +84,12 @@ class ParameterEventHandler:
                 "ParameterEventHandler has no raw=True, because its callbacks take messages"
             )
         self.node = node
-        self._for_parameters: list[ParameterCallbackHandle] = []
-        self._for_events: list[ParameterEventCallbackHandle] = []
-        self._subscription = node.create_subscription(
+        self.qos_profile = qos_profile
+        self._callbacks = _Callbacks()
+        self.parameter_event_subscription = node.create_subscription(
             ParameterEvent,
             "/parameter_events",
-            self._on_event,
+            self._callbacks.event_callback,
             qos_profile,
             callback_group=callback_group,
             event_callbacks=event_callbacks,
@@ -84,7 +107,7 @@ class ParameterEventHandler:
             callback: Called with the parameter's message.
         """
         handle = ParameterCallbackHandle(parameter_name, self._full_name(node_name), callback)
-        self._for_parameters.insert(0, handle)
+        self._callbacks.parameter_callbacks[_key(handle)].insert(0, handle)
         return handle
 
     def _full_name(self, node_name: str) -> str:
@@ -99,30 +122,20 @@ class ParameterEventHandler:
     ) -> ParameterEventCallbackHandle:
         """Call `callback(event)` with every change; the last added is called first."""
         handle = ParameterEventCallbackHandle(callback)
-        self._for_events.insert(0, handle)
+        self._callbacks.event_callbacks.insert(0, handle)
         return handle
 
     def remove_parameter_callback(self, handle: ParameterCallbackHandle) -> None:
         """Undo one `add_parameter_callback`; RuntimeError if that has been done."""
-        _remove_handle(self._for_parameters, handle)
+        _remove_handle(self._callbacks.parameter_callbacks[_key(handle)], handle)
 
     def remove_parameter_event_callback(self, handle: ParameterEventCallbackHandle) -> None:
         """Undo one `add_parameter_event_callback`; RuntimeError if that has been done."""
-        _remove_handle(self._for_events, handle)
+        _remove_handle(self._callbacks.event_callbacks, handle)
 
     def destroy(self) -> None:
         """Stop listening: destroy the subscription."""
-        self.node.destroy_subscription(self._subscription)
-
-    def _on_event(self, event: ParameterEvent) -> None:
-        # Collected before any is called, because a callback may add or remove others.
-        calls: list[Callable[[], None]] = []
-        for handle in self._for_parameters:
-            parameter = self.get_parameter_from_event(event, handle.parameter_name, handle.node_name)
-            if parameter is not None:
-                calls.append(partial(handle.callback, parameter))
-        calls += [partial(handle.callback, event) for handle in self._for_events]
-        call_all(calls)
+        self.node.destroy_subscription(self.parameter_event_subscription)
 
     @staticmethod
     def get_parameter_from_event(
@@ -141,6 +154,10 @@ class ParameterEventHandler:
         """Return all parameters that an event set, new and changed ones."""
         yield from event.new_parameters
         yield from event.changed_parameters
+
+
+def _key(handle: ParameterCallbackHandle) -> tuple[str, str]:
+    return handle.parameter_name, handle.node_name
 
 
 def _remove_handle(handles: list[Any], handle: Any) -> None:

@@ -223,6 +223,9 @@ class ROSClock(Clock):
 
         self._jump(jump, change)
 
+    _set_ros_time_is_active = set_ros_time_is_active
+    """The method by rclpy's name, which programs' tests call."""
+
     def set_ros_time_override(self, time: Time) -> None:
         """Set simulated time, which the clock returns while simulated time is active.
 

@@ -117,10 +117,14 @@ class Context:
             RCLInvalidROSArgsError: a ROS argument is malformed.
             UnknownROSArgsError: a ROS argument is unknown.
             RCLError: a configuration file for logging is given, which is not supported.
+            UnicodeEncodeError: an argument isn't UTF-8.
         """
         if domain_id is not None and domain_id < 0:
             raise RuntimeError(f"Domain id ({domain_id}) should not be lower than zero.")
-        arguments = parse_arguments(sys.argv if args is None else args)
+        words = sys.argv if args is None else args
+        for word in words:
+            word.encode()  # raises where a message, or a name on the wire, could not hold it
+        arguments = parse_arguments(words)
         if initialize_logging:
             _check_logging(arguments)
         with self._lock:

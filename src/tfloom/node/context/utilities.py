@@ -87,10 +87,10 @@ def get_rmw_implementation_identifier() -> str:
 
 
 def get_available_rmw_implementations() -> set[str]:
-    """Return the wires that RMW_IMPLEMENTATION may select."""
+    """Return the wires between processes that RMW_IMPLEMENTATION may select; `tfloom_local` stays within one."""
     from tfloom.rmw.backends import BACKENDS
 
-    return set(BACKENDS)
+    return set(BACKENDS) - {"tfloom_local"}
 
 
 def timeout_sec_to_nsec(timeout_sec: float | None) -> int:

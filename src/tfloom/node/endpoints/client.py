@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from tfloom.node.context.context import Context
     from tfloom.node.executing.callback_groups import CallbackGroup
     from tfloom.node.executing.executor import Executor
+    from tfloom.node.executing.timer import Timer
     from tfloom.node.log.rcutils_logger import RcutilsLogger
     from tfloom.rmw.base import Requester, Response
 
@@ -36,6 +37,13 @@ __all__ = ["Client", "NoResponseError", "SrvType", "SrvTypeRequest", "SrvTypeRes
 
 _RESPONSE = WAKE + 1
 """The token of responses in the queue of a `call`."""
+MAX_WAIT_FOR_SERVER_S = 1.0
+"""How long a request waits for a server if none is there when it is made [s].
+
+A program that has just started, or whose server has, may call before both have discovered each other.
+"""
+LOOK_FOR_SERVER_S = 0.05
+"""Period at which a server is looked for meanwhile [s]."""
 
 
 class NoResponseError(RCLError):
@@ -55,6 +63,16 @@ class _Pending(NamedTuple):
     future: ResponseFuture[Any]
     servers: frozenset[str]
     """Ids of the servers that received it."""
+
+
+class _Unsent(NamedTuple):
+    """A request that waits for a server."""
+
+    future: ResponseFuture[Any]
+    request: Any
+    data: bytes
+    end_s: float
+    """When it fails, by the steady clock [s]."""
 
 
 class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
@@ -79,6 +97,7 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         callback_group: CallbackGroup,
         *,
         executor: Callable[[], Executor | None],
+        start_timer: Callable[[float, Callable[[], None]], Timer],
         introspection: Introspection,
         logger: RcutilsLogger,
     ) -> None:
@@ -100,8 +119,13 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         self._take_lock = threading.Lock()
         """Held until the request of a response that was taken is no longer pending."""
         self._lock = threading.Lock()
-        """Guards `_pending`."""
+        """Guards `_pending` and `_unsent`."""
         self._pending: dict[int, _Pending] = {}
+        self._unsent: list[_Unsent] = []
+        """The requests that wait for a server."""
+        self._start_timer = start_timer
+        self.unsent_timer: Timer | None = None
+        """Sends these requests, or fails them; run by the same executor. It is started with the first of them."""
         self._reaches_later_servers = qos_profile.durability == DurabilityPolicy.TRANSIENT_LOCAL
         self._was_completed_elsewhere = False
         """Whether a future was completed while the executor did not look, so that its `spin_once` is to return."""
@@ -175,6 +199,7 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
                     return False
                 if now_s >= look_s:
                     look_s = now_s + LOOK_AGAIN_S
+                    self.send_unsent()
                     orphans = self.take_orphans(future)
                     self.fail_orphans(orphans)
                     # The futures of other threads and of `call_async` have just failed on this thread: the executor's
@@ -199,8 +224,9 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
     def call_async(self, request: SrvTypeRequest) -> Future[SrvTypeResponse]:
         """Send a request and return the future of its response.
 
-        The future's exception is a NoResponseError if no server is there, or all that were there leave without a
-        response. It is cancelled when the client is destroyed.
+        A request waits for `MAX_WAIT_FOR_SERVER_S` if no server is there. The future's exception is a NoResponseError
+        if none comes, or if all that received the request leave without a response. It is cancelled when the client is
+        destroyed.
 
         Raises:
             TypeError: `request` isn't of the service's request type.
@@ -218,13 +244,59 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         with self._lock:  # a response may arrive before `send` has returned
             # A server that leaves from here on is noticed by the watch, which waits for the lock.
             servers = self._endpoint.receiving_servers()
-            number = self._endpoint.send(data)
-            self._pending[number] = _Pending(future, servers)
-        future.when_complete(lambda: self._remove(number))
-        if not servers and not self._reaches_later_servers:
-            self._fail(future, "no server was there when the request was sent. Call wait_for_service first")
-        self._introspection.request_sent(request, RequestId(self._endpoint.client_gid, number))
+            is_sent = bool(servers) or self._reaches_later_servers
+            if is_sent:
+                number = self._endpoint.send(data)
+                self._pending[number] = _Pending(future, servers)
+            else:
+                end_s = time.monotonic() + MAX_WAIT_FOR_SERVER_S
+                self._unsent.append(_Unsent(future, request, data, end_s))
+        if is_sent:
+            self._note_sent(future, request, number)
+        elif self.unsent_timer is None:
+            self.unsent_timer = self._start_timer(LOOK_FOR_SERVER_S, self.send_unsent)
+        else:
+            self.unsent_timer.reset()
         return future
+
+    def _note_sent(self, future: Future[Any], request: Any, number: int) -> None:
+        future.when_complete(lambda: self._remove(number))
+        self._introspection.request_sent(request, RequestId(self._endpoint.client_gid, number))
+
+    def send_unsent(self) -> None:
+        """Send the requests that wait for a server, if there is one now; fail those that have waited for too long."""
+        sent: list[tuple[_Unsent, int]] = []
+        expired: list[_Unsent] = []
+        failed: list[tuple[_Unsent, Exception]] = []
+        with self._lock:  # as in `call_async`
+            servers = frozenset() if self._destroyed else self._endpoint.receiving_servers()
+            now_s = time.monotonic()
+            for unsent in self._unsent if servers else ():
+                if unsent.future.cancelled():
+                    continue
+                try:
+                    number = self._endpoint.send(unsent.data)
+                except Exception as error:  # noqa: BLE001  # as `call_async` would have raised it
+                    failed.append((unsent, error))
+                    continue
+                self._pending[number] = _Pending(unsent.future, servers)
+                sent.append((unsent, number))
+            if servers:
+                self._unsent.clear()
+            else:
+                expired = [unsent for unsent in self._unsent if unsent.end_s <= now_s]
+                self._unsent = [unsent for unsent in self._unsent if unsent.end_s > now_s]
+            if not self._unsent and self.unsent_timer is not None:
+                self.unsent_timer.cancel()
+        # Futures call functions of the program, so none is completed under the lock.
+        for unsent, number in sent:
+            self._note_sent(unsent.future, unsent.request, number)
+        for unsent, reason in failed:
+            unsent.future.set_executor(self._executor())
+            unsent.future.set_exception(reason)
+        for unsent in expired:
+            if not unsent.future.cancelled():
+                self._fail(unsent.future, "no server came. Call wait_for_service first")
 
     def get_pending_request(self, sequence_number: int) -> Future[SrvTypeResponse]:
         """Return the future of a pending request.
@@ -237,6 +309,7 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
     def remove_pending_request(self, future: Future[SrvTypeResponse]) -> None:
         """Remove a pending request; its response will be dropped. If it was not sent yet, it never is."""
         with self._lock:
+            self._unsent = [unsent for unsent in self._unsent if unsent.future is not future]
             numbers = [number for number, pending in self._pending.items() if pending.future is future]
         for number in numbers:
             self._remove(number)
@@ -285,9 +358,12 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         """Leave the service, and cancel the futures of all pending requests."""
         super().destroy()
         with self._lock:
-            pending, self._pending = self._pending, {}
-        for request in pending.values():
-            request.future.cancel()
+            futures = [pending.future for pending in self._pending.values()]
+            futures += [unsent.future for unsent in self._unsent]
+            self._pending = {}
+            self._unsent = []
+        for future in futures:
+            future.cancel()
 
     def service_is_ready(self) -> bool:
         """Return whether a server is matched in both directions, so that it receives a request sent now."""
@@ -378,7 +454,7 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
 
 
 class ServerWatch(Entity):
-    """Fails the requests of a client whose servers have all left the graph."""
+    """Sends the requests of a client that wait for a server, and fails those whose servers have all left the graph."""
 
     goes_by_group = False
     callback_group = None
@@ -398,6 +474,7 @@ class ServerWatch(Entity):
 
     def take(self) -> Any:
         """Return the requests without a server, after the responses that have arrived; None if there are none."""
+        self._client.send_unsent()
         orphans = self._client.take_orphans()
         return orphans or None
 

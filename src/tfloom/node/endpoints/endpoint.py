@@ -75,7 +75,7 @@ class Endpoint(Generic[WireEndpoint]):
         Raises:
             InvalidHandle: it was destroyed.
         """
-        return Handle(self._alive())
+        return Handle(self._alive(), self._alive)
 
     @property
     def is_destroyed(self) -> bool:

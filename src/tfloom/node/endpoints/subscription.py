@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Generic
 from tfloom.node.endpoints.endpoint import UNREADABLE, Receiver
 from tfloom.node.endpoints.type_variables import MsgType
 from tfloom.node.qos.qos import QoSProfile
+from tfloom.node.values.handle import Handle
 from tfloom.rosidl import cdr
 
 if TYPE_CHECKING:
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
     from tfloom.node.executing.event_handler import EventHandler
     from tfloom.node.log.rcutils_logger import RcutilsLogger
     from tfloom.rmw.base import Reader, Sample
+    from tfloom.rosidl.message import Message
 
     SubscriptionCallback: TypeAlias = Callable[[MsgType], Any] | Callable[[MsgType, dict[str, Any]], Any]
 
@@ -124,6 +126,15 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
         return 0 if self._destroyed else self._endpoint.matched_count()
 
     @property
+    def handle(self) -> Handle:
+        """Proxy of the subscription, for code that expects rclpy's C handle.
+
+        Raises:
+            InvalidHandle: it was destroyed.
+        """
+        return SubscriptionHandle(self._alive(), self._alive)
+
+    @property
     def topic_name(self) -> str:
         """The topic's full name, after remapping."""
         return self.topic
@@ -136,6 +147,24 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
     def run(self, taken: Any) -> Any:
         """Call the callback."""
         return None if taken is UNREADABLE or taken is _FED else self._callback(*taken)
+
+
+class SubscriptionHandle(Handle):
+    """Proxy returned by `Subscription.handle`, by which a program takes messages itself."""
+
+    __slots__ = ()
+
+    def take_message(self, pymsg_type: type[Message], raw: bool) -> tuple[Any, dict[str, Any]] | None:
+        """Return the oldest message, or its bytes if `raw`, and its info; None if there is none.
+
+        Raises:
+            InvalidHandle: the subscription was destroyed.
+            DecodeError: the message can't be decoded.
+        """
+        incoming = self.wire_endpoint.take()
+        if incoming is None:
+            return None
+        return incoming.data if raw else cdr.decode(pymsg_type, incoming.data), _message_info(incoming)
 
 
 def _message_info(sample: Sample) -> dict[str, Any]:

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from tfloom.node.executing.waitable import Waitable
     from tfloom.node.log.rcutils_logger import RcutilsLogger
 
-__all__ = ["Executor", "SpunNode"]
+__all__ = ["Executor", "SpunNode", "executor_of"]
 
 NESTED_HINT_NS = 1_000_000_000
 """How long a callback that spins may keep others of its group from running before a hint is logged [ns]."""
@@ -55,7 +55,7 @@ class SpunNode(Protocol):
 
     @property
     def executor(self) -> Executor | None:
-        """The executor that the node was added to."""
+        """The executor that the node was added to last."""
 
     def _enter_executor(self, executor: Executor) -> list[Entity]:
         """Store the executor that has added the node, leave the former one, and return what it is to run."""
@@ -84,6 +84,12 @@ class SpunNode(Protocol):
 
     def destroy_node(self) -> None:
         """Leave the executor and the graph."""
+
+
+def executor_of(node: SpunNode) -> Executor | None:
+    """Return the executor that has a node now. `Node.executor` is also one that it was removed from."""
+    executor = node.executor
+    return executor if executor is not None and node in executor.get_nodes() else None
 
 
 class Executor(WorkQueue):

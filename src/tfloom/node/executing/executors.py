@@ -28,6 +28,8 @@ from tfloom.node.executing.work_queue import Work
 from tfloom.node.values.exceptions import ExternalShutdownException
 
 if TYPE_CHECKING:
+    from concurrent.futures import ThreadPoolExecutor
+
     from tfloom.node.executing.entity import Entity
 
 __all__ = [
@@ -203,6 +205,11 @@ class MultiThreadedExecutor(Executor):
 
     def run_waiting(self, entity: Entity) -> None:
         """Do nothing, because callbacks run on other threads than the one that takes responses."""
+
+    @property
+    def _executor(self) -> ThreadPoolExecutor:
+        """The pool of threads, by rclpy's name, which programs read."""
+        return self._pool
 
     def would_wait_for_itself(self) -> bool:
         """Return False, because the thread that spins receives data while callbacks run on other threads."""

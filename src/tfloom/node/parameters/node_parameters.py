@@ -52,9 +52,9 @@ class NodeParameters:
         self.overrides = overrides
         self.allow_undeclared = allow_undeclared
         self._publish_event = publish_event
-        self._pre_set_callbacks: list[_PreCallback] = []
-        self._on_set_callbacks: list[_SetCallback] = []
-        self._post_set_callbacks: list[_PostCallback] = []
+        self.pre_set_callbacks: list[_PreCallback] = []
+        self.on_set_callbacks: list[_SetCallback] = []
+        self.post_set_callbacks: list[_PostCallback] = []
         self._lock = threading.RLock()
         """Held while parameters are declared, undeclared or set."""
 
@@ -234,7 +234,7 @@ class NodeParameters:
 
     def _set_atomically(self, parameters: list[Parameter]) -> rcl_msg.SetParametersResult:
         with self._lock:
-            for pre_callback in self._pre_set_callbacks:
+            for pre_callback in self.pre_set_callbacks:
                 parameters = pre_callback(parameters)
                 if not parameters:
                     reason = (
@@ -265,7 +265,7 @@ class NodeParameters:
             if reason is not None:
                 return rcl_msg.SetParametersResult(successful=False, reason=reason)
         result = rcl_msg.SetParametersResult(successful=True)
-        for callback in self._on_set_callbacks:
+        for callback in self.on_set_callbacks:
             result = callback(parameters)
             if not result.successful:
                 return result
@@ -274,7 +274,7 @@ class NodeParameters:
             self._store(parameter, descriptors[parameter.name], event)
         self._publish_event(event)
         # The parameters are set: each callback is called, and one that raises is reported by its exception.
-        call_all([partial(callback, parameters) for callback in self._post_set_callbacks])
+        call_all([partial(callback, parameters) for callback in self.post_set_callbacks])
         return result
 
     def _store(
@@ -327,27 +327,27 @@ class NodeParameters:
 
     def add_pre_set_parameters_callback(self, callback: _PreCallback) -> None:
         """Set what `callback(parameters)` returns instead of `parameters`; the last added is called first."""
-        self._pre_set_callbacks.insert(0, callback)
+        self.pre_set_callbacks.insert(0, callback)
 
     def add_on_set_parameters_callback(self, callback: _SetCallback) -> None:
         """Set and declare only what `callback(parameters)` accepts; the last added is called first."""
-        self._on_set_callbacks.insert(0, callback)
+        self.on_set_callbacks.insert(0, callback)
 
     def add_post_set_parameters_callback(self, callback: _PostCallback) -> None:
         """Call `callback(parameters)` after each setting; the last added is called first."""
-        self._post_set_callbacks.insert(0, callback)
+        self.post_set_callbacks.insert(0, callback)
 
     def remove_pre_set_parameters_callback(self, callback: _PreCallback) -> None:
         """Undo one `add_pre_set_parameters_callback`."""
-        self._pre_set_callbacks.remove(callback)
+        self.pre_set_callbacks.remove(callback)
 
     def remove_on_set_parameters_callback(self, callback: _SetCallback) -> None:
         """Undo one `add_on_set_parameters_callback`."""
-        self._on_set_callbacks.remove(callback)
+        self.on_set_callbacks.remove(callback)
 
     def remove_post_set_parameters_callback(self, callback: _PostCallback) -> None:
         """Undo one `add_post_set_parameters_callback`."""
-        self._post_set_callbacks.remove(callback)
+        self.post_set_callbacks.remove(callback)
 
 
 def _is_below(name: str, prefix: str, depth: int) -> bool:

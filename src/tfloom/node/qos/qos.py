@@ -177,9 +177,11 @@ class QoSProfile:
 
             warnings.warn(_NO_DEPTH, stacklevel=3)
 
-    def get_c_qos_profile(self) -> QoSProfile:
-        """Return this object, in place of rclpy's C profile."""
-        return self
+    def get_c_qos_profile(self) -> rmw_qos_profile_t:
+        """Return a copy of this profile, in place of rclpy's C profile."""
+        profile = rmw_qos_profile_t.__new__(rmw_qos_profile_t)
+        _set_fields(profile, {name: getattr(self, name) for name in _FIELDS})
+        return profile
 
     def to_wire(self) -> wire.QoS:
         """Return the profile for a backend, with the wire's choice for each SYSTEM_DEFAULT.
@@ -238,6 +240,17 @@ class QoSProfile:
 
     def __repr__(self) -> str:
         return f"QoSProfile({', '.join(f'{name}={getattr(self, name)!s}' for name in _FIELDS)})"
+
+
+class rmw_qos_profile_t(QoSProfile):  # noqa: N801  # ROS's name
+    """A profile as rclpy's compiled module has it."""
+
+    __slots__ = ()
+
+    def to_dict(self) -> dict[str, int | bool | Duration]:
+        """Return the settings by name, as QoSProfile takes them, with the numbers of the policies."""
+        settings = {name: getattr(self, name) for name in _FIELDS}
+        return {name: value.value if isinstance(value, Enum) else value for name, value in settings.items()}
 
 
 def _set_fields(profile: QoSProfile, values: Mapping[str, Any]) -> None:

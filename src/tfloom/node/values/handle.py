@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar, cast
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from types import TracebackType
 
     from typing_extensions import Self
@@ -25,17 +26,24 @@ class Handle:
     """Proxy returned by `.handle`. tfloom has no C handle, so attributes are forwarded.
 
     The exit of a `with` block on it destroys nothing.
+
+    Args:
+        target: What the attributes are forwarded to.
+        check_exists: Called at the entry of a `with` block; raises InvalidHandle if the target was destroyed.
     """
 
-    __slots__ = ("_target",)
+    __slots__ = ("_check_exists", "_target")
 
-    def __init__(self, target: Any) -> None:
+    def __init__(self, target: Any, check_exists: Callable[[], object] | None = None) -> None:
         self._target = target
+        self._check_exists = check_exists
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self._target, name)
 
     def __enter__(self) -> Self:
+        if self._check_exists is not None:
+            self._check_exists()
         return self
 
     def __exit__(
