@@ -144,12 +144,15 @@ def test_the_description_arrives_on_the_topic(
     publisher = stage.user.create_publisher(String, "robot_description", kept)
     updates: list[str] = []
     stage.publisher.set_robot_description_update_cb(lambda: updates.append("robot"))
-    for text in (ARM.read_text(), "<robot", robot(joint("only", "a", "b", "continuous"))):
+    nested = f"<sdf><world>{robot(joint('only', 'a', 'b', 'continuous'))}</world><robot name='2'/></sdf>"
+    for text in (ARM.read_text(), "<robot", "<sdf><model/></sdf>", nested):
         publisher.publish(String(data=text))
         stage.run()
     assert updates == ["robot", "robot"]
     assert stage.publish().name == ["only"]
-    assert "Invalid robot_description given, ignoring: line 1: not well-formed" in capfd.readouterr().err
+    printed = capfd.readouterr().err
+    assert "Invalid robot_description given, ignoring: line 1: not well-formed" in printed
+    assert "Invalid robot_description given, ignoring: line 1: there is no <robot> within <sdf>" in printed
 
 
 def test_the_description_as_a_parameter(

@@ -99,7 +99,7 @@ class JointStatePublisher(Node):
     def configure_robot(self, description: str) -> None:
         """Use a description; log why if it is not valid, and keep the former one."""
         try:
-            robot = parse_urdf(description)
+            robot = parse_urdf(description, is_nested=True)
         except UrdfError as error:
             self.get_logger().warning(f"{INVALID}: {error}")
             return
@@ -189,7 +189,8 @@ class JointStatePublisher(Node):
             self.get_parameter("robot_description").value if self.has_parameter("robot_description") else ""
         )
         if urdf_file is not None or robot_description:
-            self._use(parse_urdf(robot_description if urdf_file is None else Path(urdf_file).read_bytes()))
+            text = robot_description if urdf_file is None else Path(urdf_file).read_bytes()
+            self._use(parse_urdf(text, is_nested=True))
             return
         self.get_logger().info(
             "Waiting for robot_description to be published on the robot_description topic..."

@@ -17,16 +17,20 @@ LIMITED = ("revolute", "prismatic")
 """The types whose limits are required."""
 
 
-def parse_urdf(text: str | bytes) -> Description:
+def parse_urdf(text: str | bytes, *, is_nested: bool = False) -> Description:
     """Return the robot that a URDF describes.
 
     Args:
         text: A str, or the bytes of a file, whose encoding its first line names.
+        is_nested: Whether other elements may be around the robot, the first of which is taken.
 
     Raises:
         UrdfError: the text is not a valid description; its message has the line.
     """
-    robot = read_xml(text)
+    outermost = read_xml(text)
+    robot = outermost.first_within("robot") if is_nested else outermost
+    if robot is None:
+        raise UrdfError(outermost.line, f"there is no <robot> within <{outermost.tag}>")
     if robot.tag != "robot":
         raise UrdfError(robot.line, f"the outermost element is <{robot.tag}>, not <robot>")
     _refuse_xacro(robot)

@@ -36,6 +36,12 @@ class Element:
         """Return the first child of a name, or None."""
         return next(self.all_of(tag), None)
 
+    def first_within(self, tag: str) -> Element | None:
+        """Return this element if it has a name, else the first of that name below it in the text, or None."""
+        if self.tag == tag:
+            return self
+        return next(filter(None, (child.first_within(tag) for child in self.children)), None)
+
 
 class _Builder:
     """Builds the tree from expat's calls."""
