@@ -14,7 +14,7 @@ from tools.facades.rooms import ROOT
 from tools.facades.table import read_table
 
 from tfloom import __version__
-from tfloom.workspace.index import PROGRAMS
+from tfloom.workspace.index import NAMED_OTHERWISE, PROGRAMS
 
 __all__ = ["generate_all"]
 
@@ -43,6 +43,7 @@ def generate_all() -> dict[str, str]:
         name: (Path(package.folder).parent, package.modules[name].doc)
         for name, package in read_table().items()
     }
+    others |= {name: (Path("src/tfloom"), others[module][1]) for name, module in NAMED_OTHERWISE.items()}
     of_programs = {
         name: (Path("src/tfloom"), _OF_PROGRAMS[name]) for name in {*PROGRAMS} - {*others} - with_definitions
     }

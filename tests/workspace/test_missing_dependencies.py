@@ -116,3 +116,13 @@ def test_folder_without_a_workspace_has_no_finding(tmp_path: Path, monkeypatch: 
     monkeypatch.chdir(tmp_path)
     finding = check_workspace()
     assert (finding.verdict, finding.summary[:17]) == (Verdict.OK, "no workspace here")
+
+
+@pytest.mark.parametrize("name", ["tf2_ros_py", "python_orocos_kdl_vendor", "rosidl_generator_py", "angles"])
+def test_packages_of_other_names_than_their_modules_are_there(name: str) -> None:
+    assert is_provided(name)
+
+
+def test_compiled_and_published_packages_are_named() -> None:
+    assert "compiled from C++" in how_to_provide("image_transport_py")
+    assert how_to_provide("urdf_parser_py") == "pip install urdf-parser-py"

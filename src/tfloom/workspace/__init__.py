@@ -2,6 +2,7 @@
 
 - ament, index, ament_index, unsourced: packages of prefixes, tfloom's programs, packages that no program finds
 - program_scripts: a path for each of tfloom's programs
+- resource_retriever: files named by package:// and other URLs
 - create, package_templates: new packages
 - interfaces, interface_stubs, get_interfaces: definitions in prefixes, and their types for checkers
 - interface_package, listed_files, package_definitions, package_xml: interface packages, built without CMake

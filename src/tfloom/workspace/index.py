@@ -79,6 +79,10 @@ PROGRAMS: dict[str, dict[str, str]] = {
 """tfloom's own programs: `module:function` for each, by package and name. The function takes the arguments."""
 
 
+NAMED_OTHERWISE = {"python_orocos_kdl_vendor": "PyKDL", "tf2_ros_py": "tf2_ros"}
+"""ROS packages of tfloom's that have another name than their Python package, which is told."""
+
+
 def search_paths() -> list[str]:
     """Return the folders named by AMENT_PREFIX_PATH that exist, in order of precedence."""
     return [
@@ -124,7 +128,7 @@ def own_packages() -> dict[str, Path]:
     """Return tfloom's own packages in order of name, each with its prefix: programs, interfaces and Python packages."""
     from tfloom.distributions import installed_prefixes
 
-    prefixes = dict.fromkeys(PROGRAMS, OWN_PREFIX)
+    prefixes = dict.fromkeys((*PROGRAMS, *NAMED_OTHERWISE), OWN_PREFIX)
     for prefix in (*installed_prefixes(), OWN_PREFIX):
         prefixes |= {path.name: prefix for path in (prefix / "ros_names").glob("[a-z]*") if path.is_dir()}
     return dict(sorted(prefixes.items()))

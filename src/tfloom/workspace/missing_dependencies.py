@@ -18,7 +18,8 @@ from tfloom.xml_parsers import read_tree
 
 _BUILD_TOOLS = re.compile(
     r"ament_(cmake|lint|python|package|xmllint|mypy|uncrustify|cpplint|cppcheck)(_\w+)?"
-    r"|rosidl_(default_generators|default_runtime|interface_packages)|colcon|setuptools|cmake"
+    r"|rosidl_(cmake|default_generators|default_runtime|generator_\w+|interface_packages|typesupport_\w+)"
+    r"|colcon|setuptools|cmake"
 )
 """What only the build of ROS needs, and tfloom's does without."""
 _DEPENDS = re.compile(r"(build_|exec_|test_|buildtool_|build_export_|run_|buildtool_export_)?depend")
@@ -27,6 +28,8 @@ IGNORE_MARKERS = ("AMENT_IGNORE", "CATKIN_IGNORE", "COLCON_IGNORE")
 """Files by which a folder is left out."""
 _MODULES = {"opencv": "cv2", "pil": "PIL", "pykdl": "PyKDL", "tk": "tkinter", "yaml": "yaml"}
 """Modules by rosdep's keys, where the name differs and no distribution may tell."""
+_COMPILED = {"image_transport_py"}
+"""ROS packages whose Python modules are compiled from C++."""
 _ROS_ON_PYPI = {"urdf_parser_py": "urdf-parser-py"}
 """ROS packages that PyPI has, too."""
 
@@ -93,6 +96,8 @@ def how_to_provide(name: str) -> str:
     distribution_beside = distribution_with(name)
     if distribution_beside is not None:
         return distribution_beside.how_to_install
+    if name in _COMPILED:
+        return "it is compiled from C++, which tfloom doesn't build: source a ROS 2 that has it"
     key = library_key(name)
     pypi = _ROS_ON_PYPI.get(name) if key is None else pypi_name(key)
     if pypi is not None:
