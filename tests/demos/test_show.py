@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 import signal
 import sys
+import urllib.error
+import urllib.request
 import uuid
 from collections.abc import Callable
 from pathlib import Path
@@ -56,6 +58,28 @@ def test_demonstration_prints_draws_and_ends(
     assert (tmp_path / "turtles.png").read_bytes().startswith(b"\x89PNG")
     assert (tmp_path / "frames.pdf").read_bytes().startswith(b"%PDF-")
     assert alive(mark) == {}
+
+
+def test_page_is_served_beside_the_demonstration(
+    start_program: Callable[..., Any], tmp_path: Path, mark: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pytest.importorskip("viser", reason="the page needs the extra: pip install 'tfloom[view]'")
+    browser = tmp_path / "browser"
+    browser.write_text(f'#!/bin/sh\necho "$1" > {tmp_path / "opened"}\n')
+    browser.chmod(0o755)
+    monkeypatch.setenv("BROWSER", str(browser))
+    demo = start_program("tfloom", "demo", "--view", cwd=tmp_path)
+    demo.wait_for("See it in a browser: http://127.0.0.1:")
+    line = next(line for line in demo.lines if line.startswith("See it in a browser: "))
+    address = line.removeprefix("See it in a browser: ")
+    with urllib.request.urlopen(address) as response:
+        assert b"<title>tfloom view</title>" in response.read()
+    demo.signal(signal.SIGINT)
+    assert demo.wait() == 0
+    assert (tmp_path / "opened").read_text().strip() == address
+    assert alive(mark) == {}
+    with pytest.raises(urllib.error.URLError):
+        urllib.request.urlopen(address)
 
 
 @pytest.mark.parametrize(

@@ -20,15 +20,21 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--seconds", type=seconds, metavar="N", help="end after this time (default: at Ctrl-C)"
     )
+    parser.add_argument(
+        "--view", action="store_true", help="open the page of `tfloom view` in a browser, too"
+    )
 
 
 def main(args: argparse.Namespace) -> int:
     """Run the demonstration; return the exit code."""
     import signal
 
+    from tfloom.cli import view
     from tfloom.cli.errors import CommandError
     from tfloom.demos.show import ShowError
 
+    if args.view and not view.is_installed():
+        raise CommandError(view.MISSING)
     for name in ("SIGTERM", "SIGHUP"):
         if hasattr(signal, name):
             signal.signal(getattr(signal, name), signal.default_int_handler)
@@ -36,7 +42,9 @@ def main(args: argparse.Namespace) -> int:
         description, is_over_dds = describe_wire()
         print(f"{INTRODUCTION}\n{description}")
         if is_over_dds:
-            _show_over_dds(args.seconds)
+            _show_over_dds(args.seconds, opens_page=args.view)
+        elif args.view:
+            raise CommandError("--view needs a DDS library, because the page is another process")
         else:
             _show_in_one_process(args.seconds)
     except ShowError as error:
@@ -62,13 +70,15 @@ def describe_wire() -> tuple[str, bool]:
     return WIRE.format(version=library.version or "of unknown version", origin=library.origin), True
 
 
-def _show_over_dds(seconds: float | None) -> None:
+def _show_over_dds(seconds: float | None, *, opens_page: bool) -> None:
+    from tfloom.cli.view import is_installed
     from tfloom.demos.processes import own_domain, process_starter
-    from tfloom.demos.show import Show
+    from tfloom.demos.show import PROGRAMS, VIEW, Show
 
+    programs = PROGRAMS | VIEW if is_installed() else PROGRAMS
     with own_domain() as domain_id:
         print(JOIN_IN.format(domain_id=domain_id))
-        with Show(process_starter(domain_id)) as show:
+        with Show(process_starter(domain_id), programs, opens_page=opens_page) as show:
             show.run(seconds)
 
 

@@ -40,6 +40,17 @@ PROGRAMS: dict[str, list[str]] = {
     "driver": [f"{DEMOS}.curve_driver:main"],
 }
 """The programs: `module:function` and arguments. Turtlesim opens its window if there is a display."""
+TURTLES = ("/turtle1/pose", "/turtle2/pose")
+VIEW = {
+    "view": [
+        "tfloom.cli.main:main",
+        *("view", "--no-open", "--fixed-frame", "world"),
+        *(word for topic in TURTLES for word in ("--display", topic)),
+    ]
+}
+"""The page of the demonstration, a program for those that have the extra `view`."""
+ADDRESS = "Open "
+"""What precedes the page's address in the output of `view`."""
 ECHO = ["tfloom.tf2_tools.echo:main", "world", "laser"]
 VIEW_FRAMES = ["tfloom.tf2_tools.view_frames:main", "-o", "frames", "-t", "3"]
 PATIENCE_S = 40.0
@@ -83,9 +94,13 @@ class Show:
     Args:
         start: Starts a program.
         programs: The programs besides tf2_echo, as `PROGRAMS`.
+        opens_page: Whether to open the page of the program `view` in a browser.
     """
 
-    def __init__(self, start: StartProgram, programs: Mapping[str, list[str]] = PROGRAMS) -> None:
+    def __init__(
+        self, start: StartProgram, programs: Mapping[str, list[str]] = PROGRAMS, *, opens_page: bool = False
+    ) -> None:
+        self._opens_page = opens_page
         self._start_program = start
         self._commands = programs
         self._folder = Path.cwd()
@@ -96,7 +111,7 @@ class Show:
     def __enter__(self) -> Self:
         try:
             for name, command in self._commands.items():
-                self._start(name, command)
+                self._start(name, command, self._show_address if name in VIEW else None)
             self._start("tf2_echo", ECHO, self._lines.put)
         except BaseException:
             self._end()
@@ -108,6 +123,17 @@ class Show:
 
     def _start(self, name: str, command: list[str], on_line: Callable[[str], object] | None = None) -> None:
         self._programs[name] = self._start_program(command, on_line)
+
+    def _show_address(self, line: str) -> None:
+        """Print the address of the page when it is there; on the thread of its program."""
+        if not line.startswith(ADDRESS):
+            return
+        address = line.removeprefix(ADDRESS)
+        self._lines.put(f"See it in a browser: {address}")
+        if self._opens_page:
+            import webbrowser
+
+            webbrowser.open(address)
 
     def _end(self) -> None:
         for program in self._programs.values():
