@@ -140,6 +140,19 @@ def test_fixed_frame_is_chosen_and_a_trail_drawn(node: Node, viewer: Viewer, ope
     wait_until(lambda: scene.get_handle_by_name("/trails/0") is None, what="the trail's end")
 
 
+def test_length_of_axes_is_changed(node: Node, viewer: Viewer, open_page: OpenPage) -> None:
+    page = open_page(viewer)
+    feed(node, viewer)
+    page.send(op="hold", stamp_ns=str(111 * 10**9))
+    scene = viewer._server.scene
+    wait_until(lambda: scene.get_handle_by_name("/frames/arrows") is not None, what="arrows")
+    page.send(op="axes", length=2.0)
+    wait_until(
+        lambda: getattr(scene.get_handle_by_name("/frames/axes"), "axes_length", 0) == 2.0, what="longer axes"
+    )
+    assert scene.get_handle_by_name("/frames/arrows").shaft_radius == pytest.approx(0.04)
+
+
 def test_cloud_is_shown_where_it_stood_and_a_closed_page_reads_nothing(
     node: Node, viewer: Viewer, open_page: OpenPage
 ) -> None:

@@ -41,6 +41,7 @@ class Scene:
     def __init__(self, scene: SceneApi, on_frame: Callable[[str], None]) -> None:
         self._scene = scene
         self._on_frame = on_frame
+        self._axes_m = AXES_M
         self._axes: Any = None
         self._axes_names: list[str] = []
         self._grey: Any = None
@@ -77,6 +78,12 @@ class Scene:
             with_names: Whether to draw their names.
             axes_m: Length of their axes [m].
         """
+        if axes_m != self._axes_m:  # other sizes are other nodes
+            self._axes_m = axes_m
+            for handle in (self._axes, self._arrows):
+                if handle is not None:
+                    handle.remove()
+            self._axes = self._arrows = None
         is_behind = np.array([name in behind for name in poses.names], bool)
         self._draw_axes(poses, ~is_behind, axes_m)
         self._draw_grey_axes(poses, is_behind, axes_m)

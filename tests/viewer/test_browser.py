@@ -1,0 +1,327 @@
+"""The page in a real browser: Debian's Chromium, without a screen and with software for a graphics card."""
+
+from __future__ import annotations
+
+import io
+import os
+import re
+import shutil
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from tests import conftest
+from tests.conftest import Program
+from tests.viewer.a_robot import EVIL
+
+from tfloom.interfaces.geometry_msgs.msg import PoseStamped
+from tfloom.interfaces.turtlesim.msg import Pose as TurtlePose
+from tfloom.node.context.context import Context
+from tfloom.node.executing.executors import SingleThreadedExecutor
+from tfloom.node.node import Node
+from tfloom.tf2_ros.buffer import Buffer
+from tfloom.tf2_ros.transform_listener import TransformListener
+from tfloom.tf2_tools.text.transform import transform_text
+
+pytestmark = pytest.mark.slow
+BROWSER = shutil.which("chromium")
+FLAGS = [
+    *("--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking"),
+    *(
+        "--disable-component-update",
+        "--disable-sync",
+        "--use-angle=swiftshader",
+        "--enable-unsafe-swiftshader",
+    ),
+]
+TIMEOUT_S = 120.0
+"""The longest wait: a busy machine draws the scene in software."""
+LOADED_MS = 1000 * TIMEOUT_S
+FOLDER = os.environ.get("TFLOOM_PICTURES")
+"""Where to keep pictures of the pages, for a person to look at."""
+
+
+def wait_until(condition: Callable[[], object], what: str = "") -> None:
+    conftest.wait_until(condition, TIMEOUT_S, what)
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    playwright = pytest.importorskip(
+        "playwright.sync_api", reason="needs playwright, which `make check` installs"
+    )
+    if BROWSER is None:
+        pytest.skip("needs Debian's Chromium: apt-get install chromium")
+    with playwright.sync_playwright() as driver:
+        made = driver.chromium.launch(executable_path=BROWSER, headless=True, args=FLAGS)
+        yield made
+        made.close()
+
+
+@pytest.fixture(scope="module")
+def node(module_domain_id: int) -> Iterator[Node]:
+    """A node of the test, spun by `spin_until`."""
+    context = Context()
+    context.init(args=[], domain_id=module_domain_id)
+    made = Node("test", context=context)
+    yield made
+    made.destroy_node()
+    context.try_shutdown()
+
+
+@pytest.fixture(scope="module")
+def spin_until(node: Node) -> Iterator[Callable[[Callable[[], object]], None]]:
+    executor = SingleThreadedExecutor(context=node.context)
+    executor.add_node(node)
+
+    def spin(condition: Callable[[], object]) -> None:
+        def is_met() -> object:
+            executor.spin_once(timeout_sec=0.05)
+            return condition()
+
+        conftest.wait_until(is_met, TIMEOUT_S)
+
+    yield spin
+    executor.shutdown()
+
+
+@pytest.fixture(scope="module")
+def address(module_domain_id: int, start_module_program: Callable[..., Program]) -> str:
+    start_module_program(sys.executable, Path(__file__).parent / "a_robot.py")
+    start_module_program("tfloom", "run", "turtlesim", "turtlesim_node", "--headless")
+    view = start_module_program("tfloom", "view", "--no-open", "--port", "0")
+    view.wait_for("Open http://127.0.0.1:")
+    return next(line for line in view.lines if line.startswith("Open ")).removeprefix("Open ")
+
+
+class Tab:
+    """A tab of the browser with the page."""
+
+    def __init__(self, browser: Any, address: str, query: str = "") -> None:
+        self.page = browser.new_page(viewport={"width": 1000, "height": 480})
+        self.faults: list[str] = []
+        self.requests: list[str] = []
+        self.page.on("pageerror", lambda error: self.faults.append(str(error)))
+        self.page.on("dialog", lambda dialog: (self.faults.append(dialog.message), dialog.dismiss()))
+        self.page.on("request", lambda request: self.requests.append(request.url))
+        self.page.on("websocket", lambda socket: self.requests.append(socket.url))
+        self.page.set_default_timeout(LOADED_MS)
+        self.page.goto(f"{address}?dpr={os.environ.get('TFLOOM_DPR', '0.6')}{query}")
+        self.page.wait_for_selector("body[data-ready=yes]", timeout=LOADED_MS)
+        wait_until(lambda: self.scene is not None, what="the scene")
+        self.scene.wait_for_selector("canvas", timeout=LOADED_MS)
+
+    @property
+    def scene(self) -> Any:
+        self.page.wait_for_timeout(50)  # lets events of the browser in
+        return next((frame for frame in self.page.frames if "/scene/" in frame.url), None)
+
+    def text(self, selector: str) -> str:
+        self.page.wait_for_timeout(20)
+        return str(self.page.text_content(selector) or "")
+
+    def click(self, selector: str) -> None:
+        """Click without the wait until nothing moves: software draws the scene too slowly for it."""
+        self.page.evaluate("selector => document.querySelector(selector).click()", selector)
+
+    def select(self, frame: str) -> None:
+        self.page.evaluate(
+            "frame => [...document.querySelectorAll('#rows tr')].find(row => row.dataset.frame === frame)"
+            ".querySelector('.name').click()",
+            frame,
+        )
+
+    def pixels(self) -> np.ndarray:
+        from PIL import Image
+
+        picture = self.page.locator("#scene").screenshot(timeout=LOADED_MS)
+        return np.asarray(Image.open(io.BytesIO(picture)).convert("RGB")).astype(int)
+
+    def keep(self, name: str) -> None:
+        if FOLDER:
+            self.page.screenshot(path=str(Path(FOLDER) / f"{name}.png"), timeout=LOADED_MS)
+
+
+@pytest.fixture(scope="module")
+def tab(browser: Any, address: str) -> Iterator[Tab]:
+    """A tab that the tests share. No script fails in it, and it asks for nothing from elsewhere."""
+    made = Tab(browser, address)
+    yield made
+    made.page.close()
+    assert made.faults == []
+    for url in made.requests:
+        assert url.startswith((address, address.replace("http", "ws"), "data:", "blob:")), url
+
+
+def coloured(pixels: np.ndarray) -> int:
+    """Return how many pixels have a strong colour, as axes and arrows have, and the floor and names don't."""
+    return int((np.ptp(pixels, axis=2) > 60).sum())
+
+
+def test_frames_appear_move_and_have_their_names_as_text(tab: Tab) -> None:
+    wait_until(lambda: "base_link" in tab.text("#rows"), what="the tree")
+    tab.page.evaluate("send({ op: 'axes', length: 1.0 })")
+    wait_until(lambda: coloured(tab.pixels()) > 300, what="axes and arrows")
+    before = tab.pixels()
+    wait_until(lambda: np.abs(tab.pixels() - before).max() > 60, what="a movement")
+    row = tab.page.evaluate("[...document.querySelectorAll('#rows tr')].map(row => row.dataset.frame)")
+    assert EVIL in row
+    assert EVIL in tab.text("#rows")
+    assert tab.page.evaluate("document.querySelectorAll('#rows img').length") == 0
+    rate = tab.page.evaluate(
+        "Number([...document.querySelectorAll('#rows tr')].find(row => row.dataset.frame === 'base_link')"
+        ".querySelector('.number').textContent)"
+    )
+    assert rate > 10.0
+    tab.keep("frames")
+    tab.page.evaluate("send({ op: 'axes', length: 0.3 })")
+
+
+def test_slider_goes_back_and_two_clicks_give_the_transform(
+    tab: Tab, node: Node, spin_until: Callable[..., None]
+) -> None:
+    buffer = Buffer(node=node)
+    listener = TransformListener(buffer, node)
+    spin_until(lambda: buffer.can("map", "laser"))
+    start = buffer.lookup("map", "laser").stamp_ns
+    spin_until(lambda: buffer.lookup("map", "laser").stamp_ns > start + 3 * 10**9)
+    wait_until(lambda: "laser" in tab.text("#rows"))
+    tab.select("map")
+    tab.select("laser")
+    wait_until(lambda: "- Matrix:" in tab.text("#selection-text"), what="the transform")
+    assert tab.text("#selection-title") == "tf2_echo map laser"
+    tab.page.evaluate(
+        "stamp => send({ op: 'hold', stamp_ns: stamp })", str(start + 10**9)
+    )  # what the slider sends, for a stamp that the test's own buffer has, too
+
+    def is_held() -> bool:
+        text = tab.text("#selection-text")
+        found = re.match(r"At time (\d+)\.(\d+)", text)
+        if found is None or int(found[1] + found[2]) != start + 10**9:
+            return False
+        expected = buffer.lookup("map", "laser", start + 10**9)
+        assert text == transform_text(expected.stamp_ns, expected.translation, expected.rotation_xyzw)
+        return True
+
+    wait_until(is_held, what="the transform of a second after the start")
+    still = tab.pixels()
+    assert np.abs(tab.pixels() - still).mean() < 1.0  # it stands
+    tab.page.evaluate(
+        "() => { const slider = document.querySelector('#slider'); slider.value = 0.5;"
+        " slider.dispatchEvent(new Event('input')); }"
+    )
+    wait_until(lambda: tab.text("#clock").startswith("-"), what="an earlier time")
+    wait_until(lambda: not is_held())
+    tab.keep("slider")
+    tab.click("#live")
+    wait_until(lambda: tab.text("#clock").startswith("live"), what="the present")
+    tab.click("#unselect")
+    listener.unregister()
+
+
+def test_displays_are_switched_on_by_a_click(tab: Tab) -> None:
+    tab.click("[data-panel=displays]")
+    topics = ["/scan", "/points", "/markers", "/map", "/robot_description", "/plan", "/odom", "/camera/image"]
+    wait_until(lambda: all(topic in tab.text("#display-rows") for topic in topics), what="the topics")
+    dark = int((tab.pixels().mean(axis=2) > 200).sum())
+    for topic in topics:
+        tab.click(f'[data-topic="{topic}"] input')
+    wait_until(
+        lambda: int((tab.pixels().mean(axis=2) > 200).sum()) > dark + 5000, what="the light floor of the map"
+    )
+    wait_until(
+        lambda: tab.page.evaluate("(document.querySelector('.picture img') || {}).naturalWidth") == 160,
+        what="the camera's image",
+    )
+
+    def statuses() -> str:
+        return "".join(
+            tab.page.evaluate(
+                "[...document.querySelectorAll('.display .status')].map(one => one.textContent)"
+            )
+        )
+
+    wait_until(lambda: statuses() == "", what="displays without a fault")
+    tab.keep("displays")
+    for topic in topics:
+        tab.click(f'[data-topic="{topic}"] input')
+    tab.click("[data-panel=frames]")
+
+
+def test_dragged_goal_is_published(tab: Tab, node: Node, spin_until: Callable[..., None]) -> None:
+    goals: list[PoseStamped] = []
+    subscription = node.create_subscription(PoseStamped, "/goal_pose", goals.append, 10)
+    wait_until(lambda: "base_link" in tab.text("#rows"))
+    tab.click("[data-tool=goal]")
+    box = tab.page.locator("#pad").bounding_box()
+    middle = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+    def is_published() -> bool:
+        tab.page.mouse.move(*middle)
+        tab.page.mouse.down()
+        tab.page.mouse.move(middle[0], middle[1] - 60)
+        tab.page.mouse.up()
+        tab.page.wait_for_timeout(200)
+        return "published on /goal_pose" in tab.text("#message")
+
+    wait_until(is_published, what="the goal")
+    spin_until(lambda: goals)
+    # The middle of the screen shows the point at which the camera looks, (0, 0), and up is away from it.
+    position, turn = goals[-1].pose.position, goals[-1].pose.orientation
+    assert (position.x, position.y) == pytest.approx((0.0, 0.0), abs=0.1)
+    assert 2.0 * np.arctan2(turn.z, turn.w) == pytest.approx(np.arctan2(4.0, 3.0), abs=0.1)
+    assert goals[-1].header.frame_id == "map"
+    tab.keep("goal")
+    node.destroy_subscription(subscription)
+
+
+def test_keys_drive_the_turtle(tab: Tab, node: Node, spin_until: Callable[..., None]) -> None:
+    poses: list[TurtlePose] = []
+    subscription = node.create_subscription(TurtlePose, "/turtle1/pose", poses.append, 10)
+    spin_until(lambda: poses)
+    before = poses[-1].x
+    tab.click("[data-tool=drive]")
+    wait_until(lambda: "/turtle1/cmd_vel" in tab.text("#drive-topic"), what="the turtle's topic")
+    tab.page.keyboard.down("ArrowUp")
+    spin_until(lambda: poses[-1].x > before + 0.5)
+    tab.page.keyboard.up("ArrowUp")
+    spin_until(lambda: poses[-1].linear_velocity == 0.0)
+    tab.click("[data-panel=displays]")
+    tab.click('[data-topic="/turtle1/pose"] input')
+    wait_until(
+        lambda: ((tab.pixels()[..., 2] > 150) & (tab.pixels()[..., 0] < 110)).sum() > 3000, what="water"
+    )
+    tab.keep("turtle")
+    tab.click('[data-topic="/turtle1/pose"] input')
+    node.destroy_subscription(subscription)
+
+
+def test_log_graph_and_parameters(tab: Tab) -> None:
+    tab.click("[data-panel=log]")
+    wait_until(lambda: "[robot] at " in tab.text("#log-lines"), what="the log")
+    tab.click("[data-panel=graph]")
+    wait_until(lambda: "/turtlesim" in tab.text("#graph-picture"), what="the graph")
+    tab.keep("graph")
+    tab.click("[data-panel=parameters]")
+    wait_until(lambda: "use_sim_time" in tab.text("#parameter-rows"), what="the parameters")
+
+
+def test_click_on_a_frame_in_the_scene_selects_it(browser: Any, address: str, tab: Tab) -> None:
+    tab.page.goto("about:blank")  # one scene at a time is drawn
+    # The camera looks at the origin of the map, close enough that its axes are many pixels long.
+    close = Tab(browser, address, "&camera=-1,-1,1.2&look_at=0,0,0")
+    wait_until(lambda: "base_link" in close.text("#rows"))
+    box = close.page.locator("#scene").bounding_box()
+
+    def is_selected() -> bool:
+        if close.page.evaluate("document.querySelector('#selection').hidden"):
+            close.page.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+            close.page.wait_for_timeout(500)
+        return close.text("#selection-title") == "map"
+
+    wait_until(is_selected, what="the click on map")
+    close.click("#unselect")
+    close.page.close()
