@@ -193,15 +193,24 @@ def test_grid_is_a_picture_with_its_first_row_below() -> None:
 
 
 def test_turtle_is_on_its_water() -> None:
-    water, *turtle = shown(TurtlePose(x=2.0, y=3.0, theta=1.0))
-    assert water.frame_id == "world"
-    assert water.shape.size[0] == pytest.approx(11.09, abs=0.01)
-    assert turtle
-    assert all(placed.position[:2] == (2.0, 3.0) for placed in turtle)
-    outline = np.vstack([placed.shape.vertices for placed in turtle])
-    assert np.ptp(outline, axis=0).max() == pytest.approx(1.0, abs=0.2)
+    display = display_of("turtlesim/msg/Pose", "/turtle1/pose")
+    display.take(TurtlePose(x=2.0, y=3.0, theta=math.pi / 2), S)
+    water, turtle = display.shapes(S)
+    assert (water.frame_id, water.shape.size[0]) == ("world", pytest.approx(11.09, abs=0.01))
+    assert water.shape.pixels.tolist() == [[[69, 86, 255]]]
+    # The turtle's picture is turned by a quarter: from its middle, its corner is to the right and below.
+    half = turtle.shape.size[0] / 2.0
+    assert turtle.position[:2] == pytest.approx((2.0 + half, 3.0 - half))
+    opaque = turtle.shape.pixels[..., 3] > 128
+    assert 0.2 < opaque.mean() < 0.8
+    assert np.ptp(np.flatnonzero(opaque.any(axis=0))) / 128 == pytest.approx(
+        1.0, abs=0.2
+    )  # a turtle is a metre long
+    before = display.shapes(S)[1].shape
+    display.take(TurtlePose(x=2.5, y=3.0), 2 * S)
+    assert display.shapes(S)[1].shape is before  # so that the page gets a pose, not a picture
     with pytest.raises(shapes.DisplayError, match="not finite"):
-        shown(TurtlePose(x=math.nan))
+        display.take(TurtlePose(x=math.nan), S)
 
 
 # Markers.

@@ -9,17 +9,20 @@ from typing import Any
 import numpy as np
 
 from tfloom.tf2.transform import Transform
-from tfloom.turtlesim.art import LOOKS, turtle_shapes
+from tfloom.turtlesim.art import LOOKS, sprite
+from tfloom.turtlesim.canvas import DEFAULT_BACKGROUND
 from tfloom.turtlesim.world import WORLD_SIZE_M
-from tfloom.viewer.shapes import Box, DisplayError, Mesh, Placed
+from tfloom.viewer.shapes import DisplayError, Picture, Placed
 
 __all__ = ["WORLD_FRAME", "TurtleDisplay"]
 
 WORLD_FRAME = "world"
 """The frame in which turtles are, as the broadcasters of the tutorials name it."""
-WATER = (69, 86, 255)
-LAYER_M = 0.004
-"""Distance between the layers of a turtle's picture [m]."""
+TURTLE_PX = 128
+"""Length of a turtle in its picture."""
+WATER_M = 0.005
+TURTLE_M = 0.02
+"""Heights of water and turtle above the floor, so that one hides the other [m]."""
 
 
 class TurtleDisplay:
@@ -31,7 +34,8 @@ class TurtleDisplay:
 
     def __init__(self, topic: str = "") -> None:
         # The same name has the same look each time; turtlesim itself chooses by chance.
-        self._look = LOOKS[sum(topic.encode("utf-8", "replace")) % len(LOOKS)]
+        self._kind = sum(topic.encode("utf-8", "replace")) % len(LOOKS)
+        self._pictures: tuple[Picture, Picture] | None = None
         self._shapes: list[Placed] = []
 
     def take(self, message: Any, stamp_ns: int) -> None:  # noqa: ARG002  # the pose has no header
@@ -44,39 +48,27 @@ class TurtleDisplay:
         x, y, theta = float(message.x), float(message.y), float(message.theta)
         if not all(map(math.isfinite, (x, y, theta))):
             raise DisplayError("a number of its pose is not finite")
-        middle = WORLD_SIZE_M / 2.0
-        water = Box((WORLD_SIZE_M, WORLD_SIZE_M, 0.02), WATER)
-        rotation = Transform.from_rpy(0.0, 0.0, theta).rotation_xyzw
+        water, turtle = self._made_pictures()
+        # A picture begins at its corner, and the pose is that of the turtle's middle.
+        pose = Transform.from_rpy(0.0, 0.0, theta, (x, y, TURTLE_M))
+        half = turtle.size[0] / 2.0
+        corner = pose.apply((-half, -half, 0.0))
         self._shapes = [
-            Placed(water, WORLD_FRAME, position=(middle, middle, -0.015)),
-            *(
-                Placed(mesh, WORLD_FRAME, position=(x, y, (layer + 1) * LAYER_M), rotation_xyzw=rotation)
-                for layer, mesh in enumerate(self._meshes())
-            ),
+            Placed(water, WORLD_FRAME, position=(0.0, 0.0, WATER_M)),
+            Placed(turtle, WORLD_FRAME, position=corner, rotation_xyzw=pose.rotation_xyzw),
         ]
 
-    def _meshes(self) -> list[Mesh]:
-        """Return the turtle's polygons by colour, the lower ones first, each as a fan around its middle."""
-        layers: list[tuple[tuple[int, int, int], list[Any], list[Any]]] = []
-        for shape in turtle_shapes(self._look):
-            if not layers or layers[-1][0] != shape.fill:
-                layers.append((shape.fill, [], []))
-            _, vertices, faces = layers[-1]
-            points = np.array(shape.points)
-            first = sum(map(len, vertices))
-            rim = np.arange(len(points))
-            vertices.append(np.vstack([points.mean(axis=0), points]))
-            faces.append(
-                np.stack([np.zeros(len(points)), rim + 1, (rim + 1) % len(points) + 1], axis=1) + first
+    def _made_pictures(self) -> tuple[Picture, Picture]:
+        """Return the water and the turtle, made once: the page keeps pictures that stay the same."""
+        if self._pictures is None:
+            water = np.full((1, 1, 3), DEFAULT_BACKGROUND, np.uint8)
+            turtle = np.asarray(sprite(self._kind, 0.0, TURTLE_PX))
+            size_m = len(turtle) / TURTLE_PX
+            self._pictures = (
+                Picture(water, (WORLD_SIZE_M, WORLD_SIZE_M)),
+                Picture(turtle, (size_m, size_m)),
             )
-        return [
-            Mesh(
-                np.pad(np.vstack(vertices), ((0, 0), (0, 1))).astype(np.float32),
-                np.vstack(faces).astype(np.uint32),
-                fill,
-            )
-            for fill, vertices, faces in layers
-        ]
+        return self._pictures
 
     def clear(self) -> None:
         """Forget the pose."""
