@@ -102,7 +102,9 @@ def is_ignored(pid: int, number: signal.Signals) -> bool:
     return bool(int(line.split()[1], 16) >> (number - 1) & 1)
 
 
-async def start(code: str, parts: list[tuple[int, bytes]], is_behind: Callable[[], bool]) -> LocalProcess:
+async def start(
+    code: str, parts: list[tuple[int, bytes]], is_behind: Callable[[], bool], *, emulate_tty: bool = False
+) -> LocalProcess:
     return await LocalProcess.start(
         [sys.executable, "-c", code],
         lambda fd, data: parts.append((fd, data)),
@@ -110,7 +112,7 @@ async def start(code: str, parts: list[tuple[int, bytes]], is_behind: Callable[[
         cwd=None,
         env=os.environ,
         shell=False,
-        emulate_tty=False,
+        emulate_tty=emulate_tty,
     )
 
 
@@ -131,8 +133,12 @@ def test_a_process_is_not_read_while_its_output_is_behind() -> None:
     assert b"".join(data for _, data in parts) == b"a" * 2_000_000 + b"\n"
 
 
-def test_the_rest_of_the_output_is_read_however_long_its_pauses_are() -> None:
-    """After each part, the output is behind for longer than the rest of it is waited for."""
+@pytest.mark.parametrize("emulate_tty", [False, True])
+def test_the_rest_of_the_output_is_read_however_long_its_pauses_are(emulate_tty: bool) -> None:
+    """After each part, the output is behind for longer than the rest of it is waited for.
+
+    A terminal gives a few thousand characters at a time, a pipe all that it has.
+    """
     parts: list[tuple[int, bytes]] = []
 
     async def run() -> int:
@@ -144,10 +150,15 @@ def test_the_rest_of_the_output_is_read_however_long_its_pauses_are() -> None:
                 seen[:] = [len(parts), loop.time()]
             return loop.time() - seen[1] < PAUSE_S
 
-        code = "import os\nos.write(1, b'out')\nos.write(2, b'err')"
-        process = await start(code, parts, is_behind)
+        # They are written when both are read, because what comes before `start` returns is not paused.
+        code = "import os\nos.read(0, 1)\nos.write(1, b'o' * 9000)\nos.write(2, b'err')"
+        process = await start(code, parts, is_behind, emulate_tty=emulate_tty)
+        process.write(b"x")
         code_of_exit = await process.wait()
-        assert sorted(parts) == [(1, b"out"), (2, b"err")]
+        assert [b"".join(data for fd, data in parts if fd == stream) for stream in (1, 2)] == [
+            b"o" * 9000,
+            b"err",
+        ]
         return code_of_exit
 
     assert asyncio.run(asyncio.wait_for(run(), 60.0)) == 0

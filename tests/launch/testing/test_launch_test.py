@@ -34,7 +34,8 @@ def test_tests_run_with_arguments_and_results_are_written(tmp_path: Path) -> Non
     (suite,) = root
     (case,) = suite
     assert (root.get("failures"), case.get("name")) == ("0", "test_values")
-    assert root.get("name") == suite.get("name") == "some.some.launch.test.launch_tests"
+    assert root.get("name") == "some.some.launch.test"
+    assert suite.get("name") == "some.some.launch.test.launch_tests"
 
 
 def test_failed_test_is_the_exit_code(tmp_path: Path) -> None:

@@ -66,8 +66,8 @@ def run(
         logging.getLogger("launch").setLevel(logging.DEBUG)
     try:
         name = path.name.split(".")[0]
-        suite_name = f"{args.package_name or name}.{path.stem}.launch_tests"
-        runs = LoadTestsFromPythonModule(import_file(path), name=suite_name)
+        full_name = f"{args.package_name or name}.{path.stem}"
+        runs = LoadTestsFromPythonModule(import_file(path), name=f"{full_name}.launch_tests")
         for launch in runs:
             launch.module_name = args.package_name
         if args.show_args:
@@ -83,7 +83,7 @@ def run(
     if args.xmlpath:
         document = BytesIO()
         document_of = unittestResultsToXml(
-            name=suite_name,
+            name=full_name,
             test_results={str(run): result for run, result in results.items()},
         )
         document_of.write(document, encoding="utf-8", xml_declaration=True)

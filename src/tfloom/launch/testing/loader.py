@@ -120,6 +120,12 @@ class TestRun:
         """
         self.validate()
         takes_ready_fn = READY_FN in inspect.signature(self.test_description_function).parameters
+        if takes_ready_fn:
+            warnings.warn(
+                f"Passing {READY_FN} as an argument to {ENTRY_POINT} will be removed in a future release.  Include a "
+                "launch_testing.actions.ReadyToTest action in the LaunchDescription instead.",
+                stacklevel=2,
+            )
         made = self.test_description_function(**({READY_FN: ready_fn} if takes_ready_fn else {}))
         description, context = made if isinstance(made, tuple) and len(made) == 2 else (made, {})
         if not isinstance(description, LaunchDescription) or not isinstance(context, Mapping):
