@@ -18,7 +18,8 @@ from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.actions.launch_configurations import SetLaunchConfiguration
 from tfloom.launch.actions.opaque import OpaqueFunction
 from tfloom.launch.actions.shutdown_action import Shutdown
-from tfloom.launch.event_handlers import OnProcessExit, OnProcessStart
+from tfloom.launch.event_handlers import OnProcessExit, OnProcessStart, OnShutdown
+from tfloom.launch.events.shutdown import Shutdown as ShutdownEvent
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.launch_service import LaunchService
@@ -154,3 +155,18 @@ def test_a_process_that_keeps_a_launch_alive_ends_with_0_at_any_time(launch: Lau
         note = OnProcessExit(target_action=keeper, on_exit=lambda event, _: codes.append(event.returncode))
         assert launch(RegisterEventHandler(end), RegisterEventHandler(note), keeper).code == 0
     assert codes == [0] * 5
+
+
+def test_emitted_events_and_handlers_are_counted() -> None:
+    context = LaunchContext()
+    context.emit_event_sync(ShutdownEvent(reason="first"))
+    asyncio.run(context.emit_event(ShutdownEvent(reason="second")))
+    assert context._event_queue.qsize() == 2
+    assert context._event_queue.get_nowait().reason == "first"
+    context.register_event_handler(OnShutdown(on_shutdown=[]))
+    assert len(context._event_handlers) == 1
+
+
+def test_a_shutdown_handler_takes_entities_or_a_function() -> None:
+    with pytest.raises(TypeError, match="expected all items in 'on_shutdown' iterable"):
+        OnShutdown(on_shutdown=7)  # type: ignore[arg-type]

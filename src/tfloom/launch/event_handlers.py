@@ -274,6 +274,9 @@ class OnShutdown(BaseEventHandler):
     Args:
         on_shutdown: The entities, or a function that takes the event and the context and returns them.
         kwargs: As for BaseEventHandler.
+
+    Raises:
+        TypeError: `on_shutdown` is of another type.
     """
 
     def __init__(
@@ -283,6 +286,8 @@ class OnShutdown(BaseEventHandler):
         **kwargs: Any,
     ) -> None:
         super().__init__(matcher=lambda event: isinstance(event, Shutdown), **kwargs)
+        if not callable(on_shutdown):
+            normalize_to_list_of_entities([on_shutdown], name="on_shutdown")
         self._on_shutdown = on_shutdown
 
     def handle(self, event: Event, context: LaunchContext) -> SomeEntitiesType | None:

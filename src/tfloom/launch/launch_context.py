@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping, MutableMapping
+from collections.abc import Iterable, Mapping, MutableMapping, Sequence
+from queue import SimpleQueue
 from typing import TYPE_CHECKING, Any, Protocol
 
 from tfloom.launch.event import Event
@@ -166,6 +167,16 @@ class LaunchContext:
         os.environ.update(environment)
 
     # Events
+
+    @property
+    def _event_queue(self) -> SimpleQueue[Event]:
+        """Events to handle, by the name that tests of actions use."""
+        return self.run_state.events
+
+    @property
+    def _event_handlers(self) -> Sequence[HandlesEvents]:
+        """Event handlers, by the name that tests of actions use."""
+        return self.run_state.handlers
 
     def register_event_handler(self, event_handler: HandlesEvents, append: bool = False) -> None:
         """Add a handler, before the others, or after them if `append`."""

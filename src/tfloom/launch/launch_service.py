@@ -139,8 +139,8 @@ class LaunchService:
         # between. So a wake-up can come too early, which costs one round, but none is lost.
         state = self._state
         while True:
-            if state.events:
-                self._handle(state.events.popleft())
+            if not state.events.empty():
+                self._handle(state.events.get_nowait())
                 await asyncio.sleep(0)  # processes and timers go on between events
             elif not self._is_idle():
                 await self._wake.wait()
@@ -192,7 +192,7 @@ class LaunchService:
 
     def _is_idle(self) -> bool:
         """Return whether no event waits, and no entity goes on."""
-        return not self._state.events and not self._has_open_futures()
+        return self._state.events.empty() and not self._has_open_futures()
 
     # Its end
 

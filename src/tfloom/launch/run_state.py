@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable
+from queue import SimpleQueue
 from typing import TYPE_CHECKING, Any, Protocol
 
 from tfloom.launch.event import Event
@@ -28,7 +29,7 @@ class RunState:
     """The state of a launch that its service changes. Used on the thread that runs the launch."""
 
     def __init__(self) -> None:
-        self.events: deque[Event] = deque()
+        self.events: SimpleQueue[Event] = SimpleQueue()
         """Events to handle, the oldest first."""
         self.handlers: deque[HandlesEvents] = deque()
         """Event handlers, in the order in which they are asked."""
@@ -62,7 +63,7 @@ class RunState:
 
     def emit(self, event: Event) -> None:
         """Add an event to those to handle."""
-        self.events.append(event)
+        self.events.put(event)
         self.wake()
 
     def add_future(self, future: Future[Any]) -> None:

@@ -63,7 +63,7 @@ class ProcessOutput:
         streams = self._streams.values()
         if any(is_behind(stream.logger) for stream in streams):
             return True
-        return any(stream.has_events for stream in streams) and len(context.run_state.events) > MAX_EVENTS
+        return any(stream.has_events for stream in streams) and context.run_state.events.qsize() > MAX_EVENTS
 
     def receive(self, context: LaunchContext, fd: int, data: bytes) -> None:
         """Take what the process has written."""
