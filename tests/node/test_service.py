@@ -10,9 +10,11 @@ from typing import Any, NamedTuple
 
 import pytest
 
+from tfloom.interfaces.example_interfaces.action import Fibonacci
 from tfloom.interfaces.example_interfaces.srv import AddTwoInts
 from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
 from tfloom.interfaces.std_srvs.srv import SetBool
+from tfloom.node.action.client import ActionClient
 from tfloom.node.context.context import Context
 from tfloom.node.endpoints import client as client_module
 from tfloom.node.endpoints.client import Client, NoResponseError
@@ -562,6 +564,9 @@ def test_destroyed_client_and_service_leave_the_graph(node: Node, client: Client
     assert not client.service_is_ready()
     assert node.destroy_client(client)
     assert not node.destroy_client(client)
+    action_client = ActionClient(node, Fibonacci, "fibonacci")
+    assert not node.destroy_client(action_client)  # type: ignore[arg-type]  # as programs do
+    action_client.destroy()
     for gone in (client, service):
         with pytest.raises(InvalidHandle) as caught:
             _ = gone.handle

@@ -12,6 +12,7 @@ from ament_copyright.main import main as copyright_main
 from ament_flake8.main import main as flake8_main
 from ament_flake8.main import main_with_errors
 from ament_pep257.main import main as pep257_main
+from ament_xmllint.main import main as xmllint_main
 from tests.conftest import PYTEST
 from tests.workspace.conftest import BIN, colcon, write_files
 
@@ -105,6 +106,20 @@ def test_every_license_is_recognised() -> None:
     for licence in LICENSES:
         assert find_license("\n   ".join(licence.phrases)) == licence.name
     assert find_license("All rights reserved.") is None
+
+
+def test_xmllint_finds_what_is_not_well_formed(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    write_files(here, {"package.xml": "<package/>", "launch/a.launch.xml": "<launch/>", "b.urdf": "<robot>"})
+    assert xmllint_main(argv=[]) == 0
+    assert capsys.readouterr().out.endswith("No problems found\n")
+    write_files(
+        here, {"c.xml": "<a>\n<b></a>", "_build/d.xml": "<", "off/AMENT_IGNORE": "", "off/e.xml": "<"}
+    )
+    assert xmllint_main(argv=[]) == 1
+    assert "c.xml:2:6: mismatched tag\n1 files are invalid\n" in capsys.readouterr().err
+    assert xmllint_main(argv=[".", "--exclude", "c.xml"]) == 0
+    assert xmllint_main(argv=["--extensions", "urdf", "--", "."]) == 1
+    assert xmllint_main(argv=["nothere.xml"]) == 1
 
 
 @pytest.mark.parametrize(("module", "library"), [("ament_flake8", "flake8"), ("ament_pep257", "pydocstyle")])

@@ -13,6 +13,8 @@ from importlib.util import find_spec
 from pathlib import Path
 from unittest import SkipTest
 
+from tfloom.workspace.listed_sources import add_paths, files_of
+
 FLAKE8_SETTINGS = (
     "--extend-ignore=B902,C816,D100,D101,D102,D103,D104,D105,D106,D107,D203,D212,D404,I202",
     "--max-line-length=99",
@@ -25,7 +27,6 @@ PEP257_IGNORED = ("D100", "D101", "D102", "D103", "D104", "D105", "D106", "D107"
 """The rules of pydocstyle that ROS leaves out."""
 _FLAKE8_LINE = re.compile(r"^(.+?):(\d+):(\d+): ([A-Z]+\d+) (.*)$")
 _PEP257_LINE = re.compile(r"^(.+?):(\d+) (.*):$")
-_IGNORE_MARKER = "AMENT_IGNORE"
 
 
 def flake8_main(argv: Sequence[str] | None = None) -> int:
@@ -49,7 +50,7 @@ def flake8_main_with_errors(argv: Sequence[str] | None = None) -> tuple[int, lis
     parser = argparse.ArgumentParser(description="Check Python files with flake8 and ROS's settings.")
     parser.add_argument("--config", metavar="path", dest="config_file", help="settings in place of ROS's")
     parser.add_argument("--linelength", metavar="N", type=int, help="the longest line (default: 99)")
-    _add_paths(parser)
+    add_paths(parser, ".py files")
     args = parser.parse_args(argv)
     if not _is_installed("flake8"):
         return 1, ["flake8 is not installed"]
@@ -65,7 +66,7 @@ def flake8_main_with_errors(argv: Sequence[str] | None = None) -> tuple[int, lis
         options.insert(0, "--isolated")  # as ROS's: the settings of the folder don't count
     if args.linelength is not None:
         options.append(f"--max-line-length={args.linelength}")
-    files = _python_files(args.paths, args.excludes)
+    files = files_of(args.paths, args.excludes, (".py",))
     text = _run("flake8", [*options, *files]) if files else ""
     print(text, end="")
     matches = [match for match in map(_FLAKE8_LINE.match, text.splitlines()) if match]
@@ -92,11 +93,11 @@ def pep257_main(argv: Sequence[str] | None = None) -> int:
     rules.add_argument("--convention", choices=("ament", "google", "numpy", "pep257"), default="ament")
     parser.add_argument("--add-ignore", nargs="+", default=[], help="more rules to leave out")
     parser.add_argument("--add-select", nargs="+", default=[], help="more rules to check")
-    _add_paths(parser)
+    add_paths(parser, ".py files")
     args = parser.parse_args(argv)
     if not _is_installed("pydocstyle"):
         return 1
-    files = _python_files(args.paths, args.excludes)
+    files = files_of(args.paths, args.excludes, (".py",))
     text = _run("pydocstyle", [*_pep257_options(args), *files]) if files else ""
     errors = _pep257_errors(text)
     for error in errors:
@@ -128,34 +129,6 @@ def _pep257_errors(text: str) -> list[str]:
         elif line.strip():
             errors.append(f"{place}: {line.strip()}" if place else line)
     return errors
-
-
-def _add_paths(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("paths", nargs="*", default=[os.curdir], help="files, or folders with .py files")
-    parser.add_argument("--exclude", metavar="filename", nargs="*", dest="excludes", default=[])
-
-
-def _python_files(paths: Sequence[str], excludes: Sequence[str]) -> list[str]:
-    """Return the files named, and the .py files in the folders named, sorted.
-
-    Left out are folders whose names begin with a dot or an underscore, those with a file AMENT_IGNORE, and the files
-    to exclude, given by path or by name.
-    """
-    excluded = {*excludes, *map(os.path.abspath, excludes)}
-    files = []
-    for path in paths:
-        if not Path(path).is_dir():
-            files.append(path)
-            continue
-        for folder, folders, names in os.walk(path):
-            if _IGNORE_MARKER in names:
-                folders.clear()
-                continue
-            folders[:] = sorted(name for name in folders if name[0] not in "._")
-            files += [str(Path(folder, name)) for name in names if name.endswith(".py")]
-    return sorted(
-        path for path in files if not {path, str(Path(path).absolute()), Path(path).name} & excluded
-    )
 
 
 def _is_installed(library: str) -> bool:

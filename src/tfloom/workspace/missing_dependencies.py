@@ -17,11 +17,12 @@ from tfloom.workspace.rosdep_keys import library_key, pypi_name
 from tfloom.xml_parsers import read_tree
 
 _BUILD_TOOLS = re.compile(
-    r"ament_(cmake|lint|python|package|xmllint|mypy|uncrustify|cpplint|cppcheck)(_\w+)?"
+    r"ament_(cmake|lint|python|package|mypy|uncrustify|cpplint|cppcheck)(_\w+)?"
     r"|rosidl_(cmake|default_generators|default_runtime|generator_\w+|interface_packages|typesupport_\w+)"
     r"|colcon|setuptools|cmake"
+    r"|launch_testing_ament_cmake|python_cmake_module|ros_environment|ros_workspace|tf2_ros_py|urdf"
 )
-"""What only the build of ROS needs, and tfloom's does without."""
+"""What only the build of ROS needs or its C++, and tfloom does without; and `tf2_ros_py`, the Python of `tf2_ros`."""
 _DEPENDS = re.compile(r"(build_|exec_|test_|buildtool_|build_export_|run_|buildtool_export_)?depend")
 _ROS_1 = re.compile(r"ROS_VERSION\s*==\s*['\"]?1")
 IGNORE_MARKERS = ("AMENT_IGNORE", "CATKIN_IGNORE", "COLCON_IGNORE")

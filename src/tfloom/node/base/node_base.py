@@ -973,6 +973,9 @@ class NodeBase:
 
     def destroy_client(self, client: Client) -> bool:
         """Destroy a client; False if it isn't this node's. Its pending requests are cancelled."""
+        # Programs also pass an ActionClient, which is none of the clients: that has `destroy` of its own.
+        if not isinstance(client, Client):
+            return False
         self.__entities.destroy(client.server_watch)
         if client.unsent_timer is not None:
             self.__entities.destroy(client.unsent_timer)
