@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import importlib
+import re
 import subprocess
 import sys
+from typing import Any
 
 import pytest
 
@@ -30,11 +32,36 @@ def test_types_are_found_by_name() -> None:
 
 
 @pytest.mark.parametrize(
-    "name", ["Twist", "geometry_msgs//Twist", "geometry_msgs/msg/Nope", "turtlesim/srv/Spawn"]
+    ("find", "name", "error", "text"),
+    [
+        (runtime.get_message, "Twist", ValueError, "Invalid name 'Twist'. Expected at least two parts"),
+        (runtime.get_message, "geometry_msgs//Twist", ValueError, "Must not contain empty parts"),
+        (runtime.get_message, "geometry_msgs/Nope", AttributeError, "module 'geometry_msgs.msg' has no attr"),
+        (runtime.get_message, "nope_msgs/msg/Twist", ModuleNotFoundError, "No module named 'nope_msgs'"),
+        (
+            runtime.get_message,
+            "turtlesim/srv/Spawn",
+            ValueError,
+            "Expected the full name of a message, got 'turtlesim/srv/Spawn'",
+        ),
+        (
+            runtime.get_service,
+            "geometry_msgs/msg/Twist",
+            ValueError,
+            "Expected the full name of a service, got 'geometry_msgs/msg/Twist'",
+        ),
+        (
+            runtime.get_action,
+            "turtlesim/srv/Spawn",
+            ValueError,
+            "Expected the full name of an action, got 'turtlesim/srv/Spawn'",
+        ),
+        (runtime.get_interface, "geometry_msgs", ValueError, "Expected at least two parts"),
+    ],
 )
-def test_unknown_names_raise(name: str) -> None:
-    with pytest.raises(ValueError):
-        runtime.get_message(name)
+def test_unknown_names_raise(find: Any, name: str, error: type[Exception], text: str) -> None:
+    with pytest.raises(error, match=re.escape(text)):
+        find(name)
 
 
 def test_kinds_of_classes_are_recognised() -> None:

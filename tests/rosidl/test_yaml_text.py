@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -133,6 +134,18 @@ def test_set_changes_nested_fields_only() -> None:
     assert twist == Twist(linear=Vector3(x=1.0, y=2.0), angular=Vector3(z=0.5))
     set_message_fields(twist, None)
     assert twist.linear.x == 1.0
+
+
+def test_fields_of_what_is_no_message_are_set_by_the_types_that_they_hold() -> None:
+    twist = SimpleNamespace(linear=SimpleNamespace(x=0.0, y=1.0), name="", numbers=[], stamp=Time())
+    values = {"linear": {"x": 1}, "name": 5, "numbers": (1, 2), "stamp": {"sec": "3"}}
+    assert set_message_fields(twist, values) == []
+    assert twist == SimpleNamespace(
+        linear=SimpleNamespace(x=1.0, y=1.0), name="5", numbers=[1, 2], stamp=Time(sec=3)
+    )
+    assert type(twist.linear.x) is float
+    with pytest.raises(AttributeError, match="no attribute 'angular'"):
+        set_message_fields(twist, {"angular": {"x": 1}})
 
 
 def test_arrays_are_set() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from pathlib import Path
 
 import ament_index_python
@@ -28,11 +29,26 @@ def test_workspace_package_is_found(prefix: Path) -> None:
     assert packages.get_packages_with_prefixes()["my_pkg"] == str(prefix)
 
 
-def test_own_package_is_found(prefix: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_own_package_is_found(prefix: Path) -> None:
     assert packages.get_package_prefix("turtlesim") == str(index.OWN_PREFIX)
     assert packages.get_packages_with_prefixes()["tf2_ros"] == str(index.OWN_PREFIX)
-    assert not packages.get_package_share_path("tf2_tools").exists()
-    assert "tf2_tools" in capsys.readouterr().err
+
+
+def test_a_missing_share_folder_is_warned_of(prefix: Path) -> None:
+    folder = prefix / "share" / "my_pkg"
+    folder.rmdir()
+    with warnings.catch_warnings(record=True) as record:
+        warnings.simplefilter("always")
+        assert packages.get_package_share_directory("my_pkg") == str(folder)
+        assert packages.get_package_share_path("my_pkg") == folder
+    assert [str(warning.message) for warning in record] == [
+        f"Share directory for my_pkg ({folder}) does not exist.",
+        f"Share path for my_pkg ({folder}) does not exist.",
+    ]
+    assert {warning.filename for warning in record} == {__file__}
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        packages.get_package_share_directory("my_pkg", print_warning=False)
 
 
 def test_unknown_package_raises(prefix: Path) -> None:

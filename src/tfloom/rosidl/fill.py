@@ -56,13 +56,29 @@ class Filler:
         if not isinstance(values, Mapping):
             kind = type(values).__name__
             raise TypeError(f"Value '{values}' is expected to be a dictionary but is a {kind}")
+        fields = getattr(msg, "_FIELDS", None)
         for name, value in values.items():
-            if name not in msg._FIELDS:
+            if fields is None:
+                self._set_unknown(msg, name, value)
+                continue
+            if name not in fields:
                 text = f"'{type(msg).__name__}' object has no attribute '{name}'"
                 raise AttributeError(text, name=name, obj=msg)
             self.path.append(f".{name}")
-            self._set(msg, name, parse_type(msg._FIELDS[name]), value)
+            self._set(msg, name, parse_type(fields[name]), value)
             self.path.pop()
+
+    def _set_unknown(self, msg: Any, name: str, value: Any) -> None:
+        """Set an attribute of an object that is used as a message but isn't one, by the type of what it holds."""
+        current = getattr(msg, name)
+        self.path.append(f".{name}")
+        if isinstance(value, Mapping) and not isinstance(current, Mapping):
+            self.fill(current, value)
+        elif current is None or isinstance(value, type(current)):
+            setattr(msg, name, value)
+        else:
+            setattr(msg, name, type(current)(value))
+        self.path.pop()
 
     def _set(self, msg: Message, name: str, type_: Type, value: Any) -> None:
         if isinstance(value, str) and value == self.words.get(type_.base) and not type_.shape:

@@ -9,7 +9,6 @@ from typing import Any
 from tfloom.rosidl.class_search import find_class
 from tfloom.rosidl.definition import AbstractType, NamespacedType, to_namespaced_type
 from tfloom.rosidl.message import Message
-from tfloom.rosidl.registry import get_action_class, get_message_class, get_service_class
 from tfloom.rosidl.service import Action, Service
 
 
@@ -17,44 +16,48 @@ def get_interface(identifier: str) -> Any:
     """Return the class of a message, service or action by its full name.
 
     Raises:
-        ValueError: there is none.
+        ValueError: the name has fewer than two parts, or an empty one.
+        ModuleNotFoundError, AttributeError: as `import_message_from_namespaced_type`.
     """
-    get_namespaced_type(identifier)
-    return _found(find_class, identifier)
+    return import_message_from_namespaced_type(get_namespaced_type(identifier))
 
 
 def get_message(identifier: str) -> type[Message]:
     """Return the class of a message: `geometry_msgs/msg/Twist`, or `geometry_msgs/Twist`.
 
     Raises:
-        ValueError: there is none.
+        ValueError: the name has fewer than two parts, or an empty one, or is not a message's.
+        ModuleNotFoundError, AttributeError: as `import_message_from_namespaced_type`.
     """
-    return _found(get_message_class, identifier)  # type: ignore[no-any-return]
+    found: type[Message] = _found(get_message_namespaced_type(identifier), Message, "a message", identifier)
+    return found
 
 
 def get_service(identifier: str) -> type[Service]:
     """Return the class of a service: `turtlesim/srv/Spawn`, or `turtlesim/Spawn`.
 
     Raises:
-        ValueError: there is none.
+        ValueError, ModuleNotFoundError, AttributeError: as `get_message`.
     """
-    return _found(get_service_class, identifier)  # type: ignore[no-any-return]
+    found: type[Service] = _found(get_service_namespaced_type(identifier), Service, "a service", identifier)
+    return found
 
 
 def get_action(identifier: str) -> type[Action]:
     """Return the class of an action: `turtlesim/action/RotateAbsolute`, or `turtlesim/RotateAbsolute`.
 
     Raises:
-        ValueError: there is none.
+        ValueError, ModuleNotFoundError, AttributeError: as `get_message`.
     """
-    return _found(get_action_class, identifier)  # type: ignore[no-any-return]
+    found: type[Action] = _found(get_action_namespaced_type(identifier), Action, "an action", identifier)
+    return found
 
 
-def _found(find: Any, identifier: str) -> Any:
-    try:
-        return find(identifier)
-    except LookupError as error:
-        raise ValueError(str(error)) from None
+def _found(named: NamespacedType, base: type, word: str, identifier: str) -> Any:
+    interface = import_message_from_namespaced_type(named)
+    if not _is(interface, base):
+        raise ValueError(f"Expected the full name of {word}, got '{identifier}'")
+    return interface
 
 
 def get_namespaced_type(identifier: str) -> NamespacedType:

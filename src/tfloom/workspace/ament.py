@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 import re
-import sys
+import warnings
 from collections.abc import Callable
 from pathlib import Path
 from typing import Literal
@@ -63,7 +63,7 @@ def get_package_prefix(package_name: str) -> str:
 
 
 def get_package_share_path(package_name: str, print_warning: bool = True) -> Path:
-    """Return the folder of a package's files; print a warning on stderr if it doesn't exist.
+    """Return the folder of a package's files; issue a UserWarning if it doesn't exist, unless told not to.
 
     Raises:
         PackageNotFoundError: there is no such package.
@@ -77,13 +77,16 @@ def get_package_share_path(package_name: str, print_warning: bool = True) -> Pat
         on_stand_in(package_name)
         return STAND_IN / package_name
     if print_warning and not path.exists():
-        print(f"WARNING: the share folder of {package_name!r} doesn't exist: {path}", file=sys.stderr)
+        warnings.warn(f"Share path for {package_name} ({path}) does not exist.", stacklevel=2)
     return path
 
 
 def get_package_share_directory(package_name: str, print_warning: bool = True) -> str:
     """Return `get_package_share_path` as a string."""
-    return str(get_package_share_path(package_name, print_warning))
+    path = get_package_share_path(package_name, print_warning=False)
+    if print_warning and not path.exists():
+        warnings.warn(f"Share directory for {package_name} ({path}) does not exist.", stacklevel=2)
+    return str(path)
 
 
 def get_resource(resource_type: str, resource_name: str) -> tuple[str, str]:
