@@ -11,7 +11,7 @@ set_up = @$(PYTHON) -c 'import sys; v = sys.version_info; \
 	sys.exit(v < (3, 10) and "set-up: tfloom needs Python 3.10 or newer, and $(PYTHON) is %d.%d: make PYTHON=python3.12 …" % v[:2])' \
 	&& $(PYTHON) tools/set_up.py --venv "$(VENV)" $(KEEP) $(SET_UP)
 
-.PHONY: setup demo test test-slow test-ros test-all check stub facades ros-peer bench docs matrix wheels dist licenses clean
+.PHONY: setup demo test test-slow test-ros test-all check stub facades ros-peer bench docs matrix platforms wheels dist licenses clean
 
 setup:
 	$(set_up) check
@@ -81,6 +81,11 @@ docs:
 # Run the core tests on each Python 3.10 to 3.14 of this machine, including free-threaded ones.
 matrix:
 	.ci/matrix $(ARGS)
+
+# Run tfloom on Debian testing, and on Debian 13 for arm64 by qemu, in chroots; needs root, and says what else.
+platforms:
+	$(set_up) demo
+	@"$(BIN)/python" -m tools.platforms $(ARGS)
 
 # Collect all downloads of set-up, tests and checks in the folder wheels/, for a machine without a network.
 wheels:

@@ -1,0 +1,401 @@
+"""Run tfloom on other systems, in chroots, and print a table: `python -m tools.platforms [PART …]`, `make platforms`.
+
+`testing` is Debian testing on this processor, with Debian's newest Python: README's `make demo`, then tests. `arm64` is
+Debian 13 on arm64, whose programs qemu-user runs: the extension is cross-compiled here; there the demonstration, tests,
+and a talk with nodes of this machine, over the loopback interface that both share. It needs these packages of Debian,
+and to be root, because of chroots, mounts and binfmt_misc:
+
+    apt-get install mmdebstrap qemu-user-static g++-aarch64-linux-gnu
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from functools import partial
+from pathlib import Path
+from typing import NamedTuple
+
+from tools.set_up import ROOT, SetUpError, say
+
+FOLDER = ROOT / "build" / "platforms"
+HERE = "root/tfloom"
+"""The checkout's folder in a chroot."""
+CORE = "tests/tf2 tests/rosidl tests/kdl tests/test_walk.py"
+WIRE = "tests/rmw tests/node tests/tf2_ros"
+CERTIFICATES = Path("/etc/ssl/certs/ca-certificates.crt")
+SUITES = {"testing": "testing", "arm64": "trixie"}
+PACKAGES = {
+    "testing": "python3 python3-venv python3-dev g++ make git ca-certificates binutils",
+    "arm64": "base-files bash coreutils dash findutils grep procps sed python3 python3-dev python3-numpy python3-yaml "
+    "python3-argcomplete python3-pil python3-reportlab python3-psutil python3-rich python3-pytest python3-pytest-xdist "
+    "python3-pytest-rerunfailures python3-hypothesis python3-pandas python3-transforms3d python3-scipy libddsc0t64",
+}
+ARM64_MAGIC = (
+    r":qemu-aarch64:M::\x7fELF\x02\x01\x01\x00\x00\x00\x00\x00\x00\x00\x00\x00\x02\x00\xb7\x00"
+    r":\xff\xff\xff\xff\xff\xff\xff\x00\xff\xff\xff\xff\xff\xff\xff\xff\xfe\xff\xff\xff:/usr/bin/qemu-aarch64-static:F"
+)
+"""Registers qemu for programs of arm64; by the flag F the kernel opens it now, so that no chroot needs it."""
+BINFMT = Path("/proc/sys/fs/binfmt_misc")
+TALK_DOMAIN = "93"
+TALK_S = 90.0
+COUNTS = re.compile(r"\d+ (?:passed|failed|skipped|errors?)\b")
+
+
+class Row(NamedTuple):
+    """What was run, what came of it, and how long it took."""
+
+    system: str
+    what: str
+    result: str
+    seconds: float
+    is_good: bool
+
+
+class Chroot:
+    """A system in a folder of its own.
+
+    Args:
+        name: A key of `SUITES`; the folder is named so.
+        architecture: Debian's name of its processor.
+    """
+
+    def __init__(self, name: str, architecture: str) -> None:
+        self.name = name
+        self.folder = FOLDER / name
+        self._architecture = architecture
+
+    def create(self, variant: str) -> tuple[bool, str]:
+        """Install Debian anew, by a variant of mmdebstrap; return that this has succeeded, for a row.
+
+        Raises:
+            SetUpError: mmdebstrap failed.
+        """
+        shutil.rmtree(self.folder, ignore_errors=True)
+        self.folder.parent.mkdir(parents=True, exist_ok=True)
+        command = ["mmdebstrap", f"--variant={variant}", f"--architectures={self._architecture}"]
+        # A mirror may be a snapshot, whose index has expired; its signature is checked in any case.
+        command += [
+            "--aptopt=Acquire::Check-Valid-Until false",
+            f"--include={PACKAGES[self.name].replace(' ', ',')}",
+        ]
+        succeed([*command, SUITES[self.name], self.folder])
+        # Scripts of packages, which the variant `extract` leaves out, merge these into /usr.
+        for name in ("proc", "dev", HERE):
+            (self.folder / name).mkdir(parents=True, exist_ok=True)
+        for name in ("bin", "sbin", "lib"):
+            if not (self.folder / name).exists():
+                (self.folder / name).symlink_to(f"usr/{name}")
+        for file in (Path("/etc/resolv.conf"), CERTIFICATES):
+            if file.exists():
+                (self.folder / file.relative_to("/")).parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy(file, self.folder / file.relative_to("/"))
+        return True, "ready"
+
+    def command(self, text: str, **variables: str) -> list[str]:
+        """Return the command that runs a line of shell in the checkout there, in an environment of its own."""
+        kept = {name: value for name, value in os.environ.items() if name.startswith("PIP_INDEX")}
+        environment = {
+            "PATH": "/usr/sbin:/usr/bin:/sbin:/bin",
+            "HOME": "/root",
+            "LANG": "C.UTF-8",
+            "PIP_CERT": str(CERTIFICATES),
+            **kept,
+            **variables,
+        }
+        words = [f"{name}={value}" for name, value in environment.items()]
+        # In a mount namespace of its own, so that what is mounted is gone with the command, however it ends: a folder
+        # in which /dev of this machine stays mounted must not be removed.
+        mounts = 'mount -t proc proc "$0/proc" && mount --rbind /dev "$0/dev" && exec env -i "$@"'
+        inside = [*words, "chroot", str(self.folder), "sh", "-c", f"cd /{HERE} && {text}"]
+        return ["unshare", "--mount", "sh", "-c", mounts, str(self.folder), *inside]
+
+
+def export_checkout(folder: Path) -> None:
+    """Write the last commit's files to a folder."""
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    archive = subprocess.run(["git", "archive", "HEAD"], cwd=ROOT, capture_output=True, check=True)
+    subprocess.run(["tar", "x", "-C", folder], input=archive.stdout, check=True)
+
+
+def measured(system: str, what: str, run: Callable[[], tuple[bool, str]]) -> Row:
+    """Run one check, print its row, and return it."""
+    started = time.monotonic()
+    try:
+        is_good, result = run()
+    except (SetUpError, subprocess.SubprocessError, OSError) as error:
+        is_good, result = False, str(error)
+    row = Row(system, what, result, time.monotonic() - started, is_good)
+    say(f"{row.system}: {row.what}: {row.result} ({row.seconds / 60:.1f} min)")
+    return row
+
+
+def run_in(chroot: Chroot, text: str, log: str, **variables: str) -> tuple[bool, str]:
+    """Run a line of shell in a chroot; return whether it succeeded, and pytest's counts or the last line it printed."""
+    path = FOLDER / f"{chroot.name}_{log}.log"
+    with path.open("w", encoding="utf-8") as file:
+        code = subprocess.run(
+            chroot.command(text, **variables), stdout=file, stderr=subprocess.STDOUT, check=False
+        ).returncode
+    lines = path.read_text("utf-8", errors="replace").strip().splitlines() or [""]
+    counts = total_counts(lines)
+    return code == 0, counts or (lines[-1] if code else "ran") + (f"; see {path}" if code else "")
+
+
+def total_counts(lines: Sequence[str]) -> str:
+    """Return the sums of pytest's summaries: `812 passed, 3 skipped`; empty if there are none."""
+    totals: dict[str, int] = {}
+    for line in lines:
+        if " in " in line and (found := COUNTS.findall(line)):
+            for number, word in map(str.split, found):
+                totals[word] = totals.get(word, 0) + int(number)
+    return ", ".join(f"{number} {word}" for word, number in totals.items())
+
+
+def run_testing() -> list[Row]:
+    """Run README's two commands on Debian testing."""
+    chroot = Chroot("testing", host_architecture())
+    rows = [measured("Debian testing", "installed", lambda: chroot.create("minbase"))]
+    if not rows[0].is_good:
+        return rows
+    export_checkout(chroot.folder / HERE)
+    python = chroot_output(chroot, "python3 --version")
+    system = f"Debian testing, {python}"
+    for what, text in (
+        ("make demo", 'make demo ARGS="--seconds 8" && .venv/bin/tfloom doctor'),
+        ("core tests", f'make test ARGS="{CORE}"'),
+        ("tests of wire and nodes", f'make test ARGS="{WIRE}"'),
+    ):
+        rows.append(measured(system, what, partial(run_in, chroot, text, what.replace(" ", "_"))))
+    return rows
+
+
+def host_architecture() -> str:
+    """Return Debian's name of this processor."""
+    return subprocess.run(
+        ["dpkg", "--print-architecture"], capture_output=True, text=True, check=True
+    ).stdout.strip()
+
+
+def chroot_output(chroot: Chroot, text: str) -> str:
+    """Return what a command prints in a chroot."""
+    done = subprocess.run(chroot.command(text), capture_output=True, text=True, check=False)
+    return done.stdout.strip()
+
+
+@contextmanager
+def arm64_programs() -> Iterator[None]:
+    """Have the kernel run programs of arm64 by qemu as long as the block runs.
+
+    Raises:
+        SetUpError: binfmt_misc can't be mounted or written.
+    """
+    entry = BINFMT / "qemu-aarch64"
+    try:
+        if not (BINFMT / "register").exists():
+            subprocess.run(["mount", "-t", "binfmt_misc", "binfmt_misc", BINFMT], check=True)
+        is_own = not entry.exists()
+        if is_own:
+            (BINFMT / "register").write_text(ARM64_MAGIC)
+    except (OSError, subprocess.CalledProcessError) as error:
+        raise SetUpError(f"qemu can't be registered in {BINFMT}: {error}") from None
+    try:
+        yield
+    finally:
+        if is_own:
+            entry.write_text("-1")
+
+
+def build_for_arm64(chroot: Chroot) -> tuple[bool, str]:
+    """Cross-compile the extension for a chroot's Python, with its bindings, and put tfloom there as its wheel would."""
+    build = FOLDER / "arm64_build"
+    (python,) = (path for path in (chroot.folder / "usr/bin").glob("python3.*") if path.name[9:].isdigit())
+    options = {
+        "CMAKE_SYSTEM_NAME": "Linux",
+        "CMAKE_SYSTEM_PROCESSOR": "aarch64",
+        "CMAKE_CXX_COMPILER": "aarch64-linux-gnu-g++",
+        "CMAKE_BUILD_TYPE": "Release",
+        "CMAKE_INSTALL_PREFIX": str(chroot.folder / "usr/lib/python3/dist-packages"),
+        "SKBUILD": "2",
+        "TFLOOM_WARNINGS_AS_ERRORS": "ON",
+        # CMake asks the target's own Python for its version and file names; qemu runs it, with that system's libraries.
+        "Python_EXECUTABLE": str(python),
+        "Python_INCLUDE_DIR": str(chroot.folder / "usr/include" / python.name),
+        "nanobind_DIR": output_of(sys.executable, "-m", "nanobind", "--cmake_dir"),
+    }
+    environment = os.environ | {"QEMU_LD_PREFIX": str(chroot.folder)}
+    beside = Path(sys.executable).parent
+    tools = os.pathsep.join([str(beside), environment["PATH"]])
+    environment |= {"PATH": tools, "CXXFLAGS": f"-isystem {link_headers(chroot, python.name)}"}
+    defined = [f"-D{name}={value}" for name, value in options.items()]
+    succeed(["cmake", "-S", ROOT, "-B", build, "-G", "Ninja", *defined], environment)
+    succeed(["cmake", "--build", build], environment)
+    succeed(["cmake", "--install", build], environment)
+    return True, "compiled and linked, bindings included"
+
+
+def link_headers(chroot: Chroot, python: str) -> Path:
+    """Return a folder with a link to that part of Python's headers which Debian has in a folder of the processor's.
+
+    The others name it by `aarch64-linux-gnu/python3.13/pyconfig.h`. The folder above has the headers of that system's C
+    library, which the cross-compiler must not see beside its own.
+    """
+    folder = FOLDER / "arm64_headers"
+    shutil.rmtree(folder, ignore_errors=True)
+    (folder / "aarch64-linux-gnu").mkdir(parents=True)
+    link = folder / "aarch64-linux-gnu" / python
+    link.symlink_to(chroot.folder / "usr/include" / link.relative_to(folder))
+    return folder
+
+
+def succeed(command: Sequence[str | Path], environment: Mapping[str, str] | None = None) -> None:
+    """Run a command in the checkout.
+
+    Raises:
+        SetUpError: it failed; the text has its last lines.
+    """
+    done = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, check=False)
+    if done.returncode:
+        lines = (done.stdout + done.stderr).splitlines()[-15:]
+        raise SetUpError(f"{Path(command[0]).name} failed:\n" + "\n".join(lines))
+
+
+def output_of(*command: str) -> str:
+    """Return what a command prints."""
+    return subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip()
+
+
+PROGRAM = "#!/usr/bin/python3\nimport sys\n\nfrom tfloom.cli.main import main\n\nsys.exit(main())\n"
+PURE_PACKAGES = ("rosbags<0.12", "./packages/tfloom-ros2", "./packages/tfloom-interfaces")
+"""What the tests need and Debian hasn't."""
+
+
+def install_for_arm64(chroot: Chroot) -> tuple[bool, str]:
+    """Put what tfloom's wheel installs into a chroot, beside the extension, with commands and compiled modules."""
+    packages = chroot.folder / "usr/lib/python3/dist-packages"
+    export_checkout(chroot.folder / HERE)
+    wheels = FOLDER / "arm64_wheels"
+    shutil.rmtree(wheels, ignore_errors=True)
+    pip: list[str | Path] = [sys.executable, "-m", "pip", "--quiet", "--disable-pip-version-check"]
+    build: list[str | Path] = [*pip, "wheel", "--no-deps", "--no-build-isolation", "--wheel-dir", wheels]
+    succeed([*build, "-C", "wheel.cmake=false", "."])
+    succeed([*build, *PURE_PACKAGES])
+    succeed(
+        [
+            *pip,
+            "install",
+            "--no-deps",
+            "--no-compile",
+            "--upgrade",
+            "--target",
+            packages,
+            *wheels.glob("*.whl"),
+        ]
+    )
+    for name in ("tfloom", "ros2"):
+        program = chroot.folder / "usr/bin" / name
+        program.write_text(PROGRAM)
+        program.chmod(0o755)
+    # Without compiled modules each program would compile all that it imports, in the emulator.
+    return run_in(chroot, "python3 -m compileall -q -j 0 /usr/lib/python3/dist-packages/tfloom", "compile")
+
+
+def talk(chroot: Chroot, *, speaks_there: bool) -> tuple[bool, str]:
+    """Have a talker on one side, and a listener on the other, over the loopback interface."""
+    domain = {"ROS_DOMAIN_ID": TALK_DOMAIN}
+    ours = os.environ | domain | {"PYTHONUNBUFFERED": "1"}
+    command = str(Path(sys.executable).with_name("tfloom"))
+    sides = {
+        program: (
+            chroot.command(f"exec tfloom run demo_nodes_py {program}", PYTHONUNBUFFERED="1", **domain)
+            if is_there
+            else [command, "run", "demo_nodes_py", program]
+        )
+        for program, is_there in (("talker", speaks_there), ("listener", not speaks_there))
+    }
+    log = FOLDER / f"talk_{'there' if speaks_there else 'here'}.log"
+    with (
+        log.open("w", encoding="utf-8") as output,
+        subprocess.Popen(sides["talker"], env=ours, stdout=output, stderr=output) as talker,
+        subprocess.Popen(sides["listener"], env=ours, stdout=output, stderr=output) as listener,
+    ):
+        try:
+            end = time.monotonic() + TALK_S
+            while "I heard: [Hello World" not in log.read_text("utf-8") and time.monotonic() < end:
+                time.sleep(0.2)
+        finally:
+            for process in (talker, listener):
+                process.send_signal(signal.SIGINT)
+    has_heard = "I heard: [Hello World" in log.read_text("utf-8")
+    return has_heard, "heard" if has_heard else f"nothing was heard; see {log}"
+
+
+def run_arm64() -> list[Row]:
+    """Run the demonstration, tests and a talk on Debian 13 for arm64."""
+    chroot = Chroot("arm64", "arm64")
+    # The other variants of mmdebstrap run the packages' scripts, each under qemu.
+    rows = [measured("Debian 13, arm64", "installed", lambda: chroot.create("extract"))]
+    if not rows[0].is_good:
+        return rows
+    with arm64_programs():
+        python = chroot_output(chroot, "python3 --version")
+        system = f"Debian 13, arm64, {python}"
+        demo = "mkdir -p /tmp/demo && cd /tmp/demo && ros2 demo --seconds 8 && ros2 doctor"
+        tests = "python3 tools/run_tests.py --quiet --ignore=tests/rosidl/test_extra_interfaces.py"
+        for what, run in (
+            ("the extension", lambda: build_for_arm64(chroot)),
+            ("its wheel, unpacked", lambda: install_for_arm64(chroot)),
+            ("ros2 demo", lambda: run_in(chroot, demo, "demo")),
+            ("a talker there, a listener here", lambda: talk(chroot, speaks_there=True)),
+            ("a talker here, a listener there", lambda: talk(chroot, speaks_there=False)),
+            ("core tests", lambda: run_in(chroot, f"{tests} {CORE}", "core_tests")),
+            ("tests of wire and nodes", lambda: run_in(chroot, f"{tests} {WIRE}", "tests_of_wire")),
+        ):
+            rows.append(measured(system, what, run))
+    return rows
+
+
+PARTS: dict[str, Callable[[], list[Row]]] = {"testing": run_testing, "arm64": run_arm64}
+
+
+def missing_tools() -> str:
+    """Return why this machine can't run the parts; empty if it can."""
+    if sys.platform != "linux" or os.geteuid() != 0:
+        return "it makes chroots, mounts and registers in binfmt_misc, for which it must be root on Linux"
+    commands = {
+        "mmdebstrap": "mmdebstrap",
+        "qemu-aarch64-static": "qemu-user-static",
+        "aarch64-linux-gnu-g++": "g++-aarch64-linux-gnu",
+    }
+    missing = [package for command, package in commands.items() if shutil.which(command) is None]
+    return f"these bring what it needs: apt-get install {' '.join(missing)}" if missing else ""
+
+
+def main() -> int:
+    """Run the parts, print the table, and return the exit code: 1 if something failed, 3 if it can't run here."""
+    parser = argparse.ArgumentParser(description="Run tfloom on other systems, in chroots.")
+    parser.add_argument("parts", nargs="*", metavar="PART", help=f"{' or '.join(PARTS)}; without one, all")
+    parts = parser.parse_args().parts or list(PARTS)
+    if unknown := set(parts) - set(PARTS):
+        parser.error(f"there is no part {', '.join(sorted(unknown))}: name {' or '.join(PARTS)}")
+    if reason := missing_tools():
+        print(f"platforms: {reason}", file=sys.stderr)
+        return 3
+    rows = [row for part in parts for row in PARTS[part]()]
+    print("| system | what | result | minutes |\n|---|---|---|---|")
+    for row in rows:
+        print(f"| {row.system} | {row.what} | {row.result} | {row.seconds / 60:.1f} |")
+    return 0 if all(row.is_good for row in rows) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
