@@ -622,3 +622,11 @@ def test_server_destroyed_during_a_call_leaves_the_client_usable(
     assert isinstance(lost.exception(), NoResponseError)
     assert str(lost.exception()) == "no response from /s: its server left the graph without one"
     client.remove_pending_request(lost)
+
+
+def test_a_request_after_the_shutdown_fails_at_once(node: Node, context: Context) -> None:
+    client = node.create_client(AddTwoInts, "nobody")
+    context.shutdown()
+    future = client.call_async(AddTwoInts.Request())
+    assert isinstance(future.exception(), NoResponseError)
+    assert not client._unsent

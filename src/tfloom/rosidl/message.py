@@ -84,13 +84,14 @@ class Message(MessageBase, metaclass=_MessageType):
         super().__init_subclass__(**kwargs)
         if "_FIELDS" not in cls.__dict__:
             return
+        set_attribute = type.__setattr__  # without the check, because a program's start sets thousands
         for name, type_text in cls._FIELDS.items():
             member = cls.__dict__[f"_{name}"]
-            type.__setattr__(cls, name, _converting(name, member) if _is_numeric_array(type_text) else member)
+            set_attribute(cls, name, _converting(name, member) if _is_numeric_array(type_text) else member)
         for name in cls._DEFAULTS:
-            type.__setattr__(cls, f"{name.upper()}__DEFAULT", _Default(name))
-        cls.__slots__ = [*(f"_{name}" for name in cls._FIELDS), "_check_fields"]
-        cls._PLAN = None
+            set_attribute(cls, f"{name.upper()}__DEFAULT", _Default(name))
+        set_attribute(cls, "__slots__", [*(f"_{name}" for name in cls._FIELDS), "_check_fields"])
+        set_attribute(cls, "_PLAN", None)
 
     @classmethod
     def get_fields_and_field_types(cls) -> dict[str, str]:

@@ -124,6 +124,8 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         self._unsent: list[_Unsent] = []
         """The requests that wait for a server."""
         self._start_timer = start_timer
+        self._timer_lock = threading.Lock()
+        """Held while `unsent_timer` is created."""
         self.unsent_timer: Timer | None = None
         """Sends these requests, or fails them; run by the same executor. It is started with the first of them."""
         self._reaches_later_servers = qos_profile.durability == DurabilityPolicy.TRANSIENT_LOCAL
@@ -244,20 +246,29 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         with self._lock:  # a response may arrive before `send` has returned
             # A server that leaves from here on is noticed by the watch, which waits for the lock.
             servers = self._endpoint.receiving_servers()
-            is_sent = bool(servers) or self._reaches_later_servers
+            # Where a server is there that would misread it, sending raises.
+            is_sent = bool(servers or self._reaches_later_servers or self._endpoint.incompatibility())
             if is_sent:
                 number = self._endpoint.send(data)
                 self._pending[number] = _Pending(future, servers)
-            else:
+            elif self._context.ok():
                 end_s = time.monotonic() + MAX_WAIT_FOR_SERVER_S
                 self._unsent.append(_Unsent(future, request, data, end_s))
         if is_sent:
             self._note_sent(future, request, number)
-        elif self.unsent_timer is None:
-            self.unsent_timer = self._start_timer(LOOK_FOR_SERVER_S, self.send_unsent)
+        elif not self._context.ok():
+            self.remove_pending_request(future)  # if the shutdown came just now
+            self._fail(future, "the context was shut down")
         else:
-            self.unsent_timer.reset()
+            self._run_unsent_timer()
         return future
+
+    def _run_unsent_timer(self) -> None:
+        with self._timer_lock:
+            if self.unsent_timer is None:
+                self.unsent_timer = self._start_timer(LOOK_FOR_SERVER_S, self.send_unsent)
+                return
+        self.unsent_timer.reset()
 
     def _note_sent(self, future: Future[Any], request: Any, number: int) -> None:
         future.when_complete(lambda: self._remove(number))
