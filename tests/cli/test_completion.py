@@ -57,7 +57,7 @@ def complete(line: str, tmp_path: Path) -> list[str]:
         ("tfloom topic echo --qos-reliability bes", {"best_effort", "best_available"}),
         ("tfloom run turtlesim turtlesim", {"turtlesim_node"}),
         ("tfloom run turtles", {"turtlesim"}),
-        ("tfloom pkg prefix tf2_r", {"tf2_ros"}),
+        ("tfloom pkg prefix tf2_r", {"tf2_ros", "tf2_ros_py"}),
         ("tfloom interface show geometry_msgs/msg/TwistW", None),
         ("tfloom interface package geo", {"geographic_msgs", "geometry_msgs"}),
         ("tfloom topic pub /nobodys geometry_msgs/msg/Twist", None),

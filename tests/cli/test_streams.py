@@ -114,3 +114,29 @@ def test_unknown_interface_of_a_known_package(node: None) -> None:
     assert first.startswith("Could not find the interface '/")
     assert first.endswith("/std_msgs/msg/Strng.idl'")
     assert second == "did you mean std_msgs/msg/String?"
+
+
+def test_new_package_and_the_next_commands(tmp_path: Path) -> None:
+    words = ("--destination-directory", str(tmp_path), "--node-name", "my_node", "--dependencies", "rclpy")
+    code, out, err = run("pkg", "create", "my_pkg", *words)
+    lines = out.splitlines()
+    assert code == 0
+    assert lines[:8] == [
+        "going to create a new package",
+        "package name: my_pkg",
+        f"destination directory: {tmp_path}",
+        "package format: 3",
+        "version: 0.0.0",
+        "description: TODO: Package description",
+        lines[6],
+        "licenses: ['TODO: License declaration']",
+    ]
+    assert lines[6].startswith("maintainer: ['")
+    assert lines[8:11] == ["build type: ament_python", "dependencies: ['rclpy']", "node_name: my_node"]
+    assert {line.split()[0] for line in lines[11:]} == {"creating"}
+    assert f"creating folder {tmp_path / 'my_pkg'}" in lines
+    assert f"creating {tmp_path / 'my_pkg' / 'my_pkg' / 'my_node.py'}" in lines
+    assert (
+        "colcon build --packages-select my_pkg\nthen: source install/setup.bash && ros2 run my_pkg my_node"
+        in err
+    )

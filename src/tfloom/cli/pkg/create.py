@@ -5,6 +5,8 @@ from __future__ import annotations
 import argparse
 import os
 import sys
+from collections.abc import Iterator
+from itertools import groupby
 from pathlib import Path
 
 from tfloom.cli.errors import CommandError
@@ -68,11 +70,16 @@ def main(args: argparse.Namespace) -> int:
         raise CommandError(f"can't write {error.filename}: {error.strerror}") from None
     except ValueError as error:
         raise CommandError(str(error)) from None
-    for path in written:
-        print(f"creating {path}")
-    print(f"\nIn the workspace's top folder: colcon build --packages-select {args.package_name}")
+    _print_created(package, args, written)
+    print(
+        f"\nIn the workspace's top folder: colcon build --packages-select {args.package_name}",
+        file=sys.stderr,
+    )
     if package.node:
-        print(f"then: source install/setup.bash && {args.prog} run {args.package_name} {package.node}")
+        print(
+            f"then: source install/setup.bash && {args.prog} run {args.package_name} {package.node}",
+            file=sys.stderr,
+        )
     if package.license not in {Package("").license, *(known_license.spdx for known_license in LICENSES)}:
         print(
             f"{args.package_name} has no LICENSE file, because the text of '{package.license}' isn't known: "
@@ -80,6 +87,37 @@ def main(args: argparse.Namespace) -> int:
             file=sys.stderr,
         )
     return 0
+
+
+def _print_created(package: Package, args: argparse.Namespace, written: list[Path]) -> None:
+    for line in _description_lines(package, args):
+        print(line)
+    for folder, paths in groupby(written, lambda path: path.parent):
+        print(f"creating folder {_as_typed(folder)}")
+        for path in paths:
+            print(f"creating {_as_typed(path)}")
+
+
+def _description_lines(package: Package, args: argparse.Namespace) -> Iterator[str]:
+    """Yield what is going to be created, as the reference prints it."""
+    yield "going to create a new package"
+    yield f"package name: {package.name}"
+    yield f"destination directory: {Path(args.destination_directory).resolve()}"
+    yield f"package format: {args.package_format}"
+    yield "version: 0.0.0"
+    yield f"description: {package.description}"
+    yield f"maintainer: ['{package.maintainer} <{package.email}>']"
+    yield f"licenses: ['{package.license}']"
+    yield f"build type: {package.build_type}"
+    yield f"dependencies: {list(package.dependencies)}"
+    if package.node:
+        yield f"node_name: {package.node}"
+    if package.library:
+        yield f"library_name: {package.library}"
+
+
+def _as_typed(path: Path) -> str:
+    return str(path) if path.is_absolute() else f"./{path}"
 
 
 def _node_name(args: argparse.Namespace) -> str | None:
