@@ -7,6 +7,7 @@ import re
 import sys
 import warnings
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 from unittest.mock import NonCallableMock
 
@@ -15,6 +16,7 @@ import pytest
 from tfloom.launch.action import Action
 from tfloom.launch.actions.event_actions import RegisterEventHandler
 from tfloom.launch.actions.execute_process import ExecuteProcess
+from tfloom.launch.actions.include_launch_description import IncludeLaunchDescription
 from tfloom.launch.actions.launch_configurations import SetLaunchConfiguration
 from tfloom.launch.actions.opaque import OpaqueFunction
 from tfloom.launch.actions.shutdown_action import Shutdown
@@ -170,3 +172,25 @@ def test_emitted_events_and_handlers_are_counted() -> None:
 def test_a_shutdown_handler_takes_entities_or_a_function() -> None:
     with pytest.raises(TypeError, match="expected all items in 'on_shutdown' iterable"):
         OnShutdown(on_shutdown=7)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("text", "is_on"), [("true", True), ("0", False), ("$(var on)", True), ("$(var off)", False)]
+)
+def test_a_launch_file_may_give_flags_as_substitutions(
+    launch: Launch, tmp_path: Path, text: str, is_on: bool
+) -> None:
+    path = tmp_path / "a.launch.xml"
+    path.write_text(
+        '<launch><let name="on" value="yes"/><let name="off" value="no"/>'
+        f'<executable cmd="echo a;echo b" name="program" output="screen" shell="{text}"/></launch>',
+        "utf-8",
+    )
+    ran = launch(IncludeLaunchDescription(str(path)))
+    assert ("[program-1] b" in ran.lines) == is_on
+
+
+def test_a_flag_that_is_no_truth_value_ends_the_launch(launch: Launch) -> None:
+    ran = launch(python("", shell="maybe"))
+    assert ran.code == 1
+    assert any("Cannot convert value 'maybe' to '<class 'bool'>'" in line for line in ran.lines)

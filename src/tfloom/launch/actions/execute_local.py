@@ -32,7 +32,11 @@ from tfloom.launch.substitutions.variables import LaunchConfiguration
 from tfloom.launch.utilities.normalize_to_list_of_entities import normalize_to_list_of_entities
 from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
 from tfloom.launch.utilities.perform_substitutions import perform_substitutions
-from tfloom.launch.utilities.type_utils import normalize_typed_substitution, perform_typed_substitution
+from tfloom.launch.utilities.type_utils import (
+    coerce_to_type,
+    normalize_typed_substitution,
+    perform_typed_substitution,
+)
 
 if TYPE_CHECKING:
     import asyncio
@@ -434,7 +438,9 @@ class _Targeted(EventHandler):
 
 
 def _flag(context: LaunchContext, value: Any) -> bool:
-    """Return whether something is on, which XML and YAML files may give as substitutions."""
+    """Return whether something is on, which XML and YAML files may give as a text or as substitutions."""
+    if isinstance(value, str):
+        return bool(coerce_to_type(value, bool))
     return bool(perform_typed_substitution(context, normalize_typed_substitution(value, bool), bool))
 
 

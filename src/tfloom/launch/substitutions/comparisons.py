@@ -133,18 +133,12 @@ class NotEqualsSubstitution(EqualsSubstitution):
         return "false" if self._equal(context) else "true"
 
 
-_NUMBERS = {"0": False, "1": True}
-
-
 def perform_boolean(context: LaunchContext, value: list[Substitution]) -> bool:
-    """Return the truth value of a text: 0, 1, or one of YAML's words.
+    """Return the truth value of a text: 0, 1, or one of YAML's words in any case.
 
     Raises:
         SubstitutionFailure: the text is none of them.
     """
-    text = perform_substitutions(context, value).strip()
-    if text in _NUMBERS:
-        return _NUMBERS[text]
     try:
         return bool(perform_typed_substitution(context, value, bool))
     except (TypeError, ValueError) as error:
