@@ -186,3 +186,9 @@ def test_the_result_of_substitutions_is_checked() -> None:
     mixed = normalize_typed_substitution([TEXT(text="a"), 1], None)
     with pytest.raises(ValueError, match="not all of one type"):
         perform_typed_substitution(LaunchContext(), mixed, None)
+
+
+@pytest.mark.parametrize("value", [[1, 2.0], [1, "a"], [True, 1]])
+def test_a_list_of_several_types_is_refused_when_it_is_given(value: list) -> None:
+    with pytest.raises(TypeError, match="are of several types"):
+        normalize_typed_substitution(value, None)

@@ -291,7 +291,7 @@ def normalize_typed_substitution(value: Any, data_type: Any) -> Any:
     if isinstance(value, tuple):
         value = list(value)
     # A list of texts and substitutions alone is one text, which may be that of a list: `["[", LaunchConfiguration("a"),
-    # ", 2]"]`. The items of a list are lists themselves: `[[LaunchConfiguration("a")], ["2"]]`.
+    # ", 2]"]`. The items of a list are lists themselves: `[[LaunchConfiguration("a")], 2]`.
     if is_substitution(value):
         if data_type is not None:
             extract_type(data_type)  # raises an error of a wrong type now, and not when the launch runs
@@ -310,6 +310,8 @@ def normalize_typed_substitution(value: Any, data_type: Any) -> Any:
             items.append(item)
         else:
             raise TypeError(f"'{item}' in value='{value}' is not of type {scalar}, and no substitution")
+    if not any(isinstance(item, list) for item in items):
+        raise TypeError(f"the items of value='{value}' are of several types")
     return items
 
 
