@@ -338,6 +338,17 @@ def test_properties_are_those_of_the_execution(words: Words) -> None:
     assert node.is_node_name_fully_specified()
 
 
+def test_arguments_of_parameters_are_known_after_the_execution(words: Words, tmp_path: Path) -> None:
+    file = tmp_path / "p.yaml"
+    file.write_text("/**: {ros__parameters: {a: 1}}\n")
+    single = Parameter("b", 2)
+    node = show(name="t", parameters=[str(file), {"c": 3}, single])
+    words(SetParameter("d", value=4), node)
+    rule, given, written, parameter = node._Node__expanded_parameter_arguments
+    assert (rule, given, parameter) == (("d:=4", False), (str(file), True), (single, False))
+    assert written[1]
+
+
 def test_unspecified_names_are_marked(words: Words) -> None:
     node = show()
     words(node)

@@ -89,6 +89,8 @@ class Node(ExecuteProcess):
         self._expanded_name = self.UNSPECIFIED_NODE_NAME
         self._expanded_namespace = self.UNSPECIFIED_NODE_NAMESPACE
         self._final_node_name: str | None = None
+        # What gives each parameter, and whether that is a file; tests of launch files read it by this name.
+        self.__expanded_parameter_arguments: list[tuple[str | Parameter, bool]] = []
         self._expanded_remappings: list[tuple[str, str]] | None = None
 
     @staticmethod
@@ -224,25 +226,32 @@ class Node(ExecuteProcess):
         files: list[Path] = []
         for global_parameter in configurations.global_parameters(context):
             if isinstance(global_parameter, tuple):
-                self._add_words("-p", parameter_rule(*global_parameter))
+                self._add_rule(parameter_rule(*global_parameter))
             else:
                 self._add_file(Path(global_parameter).absolute(), files)
         for parameters in evaluate_parameters(context, self._parameters or ()):
             if isinstance(parameters, Path):
                 self._add_file(parameters, files)
             elif isinstance(parameters, Parameter):
-                self._add_words("-p", parameter_rule(*parameters.evaluate(context)))
+                self._add_rule(parameter_rule(*parameters.evaluate(context)), parameters)
             else:
-                self._add_words("--params-file", self._write_file(context, parameters))
+                written = self._write_file(context, parameters)
+                self.__expanded_parameter_arguments.append((written, True))
+                self._add_words("--params-file", written)
         if files and self._given_name is not None:
             from tfloom.launch.ros.parameter_files import warn_of_unmatched
 
             for path in files:
                 warn_of_unmatched(path, self._assumed_name())
 
+    def _add_rule(self, rule: str, parameter: Parameter | None = None) -> None:
+        self.__expanded_parameter_arguments.append((rule if parameter is None else parameter, False))
+        self._add_words("-p", rule)
+
     def _add_file(self, path: Path, files: list[Path]) -> None:
         if path.is_file():
             files.append(path)
+            self.__expanded_parameter_arguments.append((str(path), True))
             self._add_words("--params-file", str(path))
         else:
             get_logger("launch_ros.actions.node").warning(f"Parameter file path is not a file: {path}")
