@@ -18,10 +18,11 @@ from tfloom.workspace.index import NAMED_OTHERWISE, PROGRAMS
 
 __all__ = ["generate_all"]
 
-_DEFINITIONS = (
-    "src/tfloom/rosidl/definitions",
-    "packages/tfloom-interfaces/src/tfloom_interfaces/definitions",
-)
+_DEFINITIONS = {
+    "src/tfloom/rosidl/definitions": "src/tfloom",
+    "packages/tfloom-interfaces/src/tfloom_interfaces/definitions": "packages/tfloom-interfaces/src/tfloom_interfaces",
+}
+"""The folders of definitions, each with the prefix of its packages."""
 _OF_PROGRAMS = {
     "demo_nodes_cpp": "Demonstration nodes, of which the original's are in C++.",
     "robot_state_publisher": "The frames of a robot, by its description and the states of its joints.",
@@ -37,7 +38,10 @@ def generate_all() -> dict[str, str]:
     files = {}
     for folder, name in _folders_of_definitions():
         description = _OF_PROGRAMS.get(name, f"Messages, services and actions of {name}.")
-        files[f"{folder}/{name}/package.xml"] = _manifest(name, description, has_interfaces=True)
+        manifest = _manifest(name, description, has_interfaces=True)
+        # The second, because programs also make the path themselves, of a prefix.
+        files[f"{folder}/{name}/package.xml"] = manifest
+        files[f"{_DEFINITIONS[folder]}/share/{name}/package.xml"] = manifest
     with_definitions = {name for _, name in _folders_of_definitions()}
     others = {
         name: (Path(package.folder).parent, package.modules[name].doc)

@@ -11,7 +11,7 @@ from tools.manifests import generate_all
 
 from tfloom import __version__
 from tfloom.workspace import index
-from tfloom.workspace.ament import get_package_share_directory
+from tfloom.workspace.ament import get_package_prefix, get_package_share_directory
 
 
 def test_files_are_the_generated_ones() -> None:
@@ -32,6 +32,8 @@ def test_each_package_has_one(monkeypatch: pytest.MonkeyPatch) -> None:
     for name in packages:
         package = parse_package(Path(get_package_share_directory(name), "package.xml"))
         assert (package.name, package.version) == (name, __version__)
+        # Programs also make the path of the prefix, for the packages of `get_packages_with_prefixes`.
+        assert Path(get_package_prefix(name), "share", name, "package.xml").is_file()
 
 
 def test_colcon_takes_none_of_them_for_sources() -> None:
