@@ -194,3 +194,14 @@ def test_a_flag_that_is_no_truth_value_ends_the_launch(launch: Launch) -> None:
     ran = launch(python("", shell="maybe"))
     assert ran.code == 1
     assert any("Cannot convert value 'maybe' to '<class 'bool'>'" in line for line in ran.lines)
+
+
+def test_a_launch_is_not_run_while_a_loop_runs() -> None:
+    async def run() -> None:
+        with pytest.raises(RuntimeError, match=r"while an asyncio loop runs: await run_async\(\)"):
+            LaunchService().run()
+        assert await LaunchService().run_async() == 0
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        asyncio.run(run())

@@ -22,7 +22,7 @@ import sys
 import threading
 import traceback
 from collections.abc import Coroutine, Iterable, Iterator
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from typing import Any
 
 from tfloom.launch.background_writing import background_writing
@@ -107,6 +107,10 @@ class LaunchService:
         Raises:
             RuntimeError: the launch runs already, or this thread runs an asyncio loop.
         """
+        if _is_in_event_loop():
+            raise RuntimeError(
+                "LaunchService.run() can't be called while an asyncio loop runs: await run_async()"
+            )
         return _run(self.run_async(shutdown_when_idle=shutdown_when_idle), debug=self._debug)
 
     async def run_async(self, *, shutdown_when_idle: bool = True) -> int:
@@ -296,6 +300,14 @@ class LaunchService:
         return None
 
 
+def _is_in_event_loop() -> bool:
+    try:
+        asyncio.get_running_loop()
+    except RuntimeError:
+        return False
+    return True
+
+
 def _run(main: Coroutine[Any, Any, int], *, debug: bool) -> int:
     """Run a coroutine as `asyncio.run` does, on a loop that is not set as that of the thread.
 
@@ -310,10 +322,11 @@ def _run(main: Coroutine[Any, Any, int], *, debug: bool) -> int:
         loop.set_debug(debug)
         return loop.run_until_complete(main)
     finally:
-        for task in asyncio.all_tasks(loop):
+        tasks = asyncio.all_tasks(loop)
+        for task in tasks:
             task.cancel()
-            with suppress(asyncio.CancelledError):
-                loop.run_until_complete(task)
+        if tasks:
+            loop.run_until_complete(asyncio.wait(tasks))
         loop.run_until_complete(loop.shutdown_asyncgens())
         loop.run_until_complete(loop.shutdown_default_executor())
         loop.close()
