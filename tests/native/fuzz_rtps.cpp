@@ -197,6 +197,17 @@ void check_known_answers() {
             sent.size() == 1 && tail(sent[0]) == gap,
         "a response to others is a gap");
 
+  // Another participant on Fast DDS, whose readers await none of it.
+  Gid neighbour = fast_writer;
+  neighbour[3] = 1;
+  received(forms, announcement(neighbour, other_address.port));
+  sent.clear();
+  Datagram gap_of_first = gap;
+  gap_of_first[16] = std::byte{1};  // the sequence number, and where what follows begins
+  gap_of_first[24] = std::byte{2};
+  check(forms.rewrite(other_address, bytes, sent) && sent.size() == 1 && tail(sent[0]) == gap_of_first,
+        "a response to a client of another participant is a gap");
+
   // A sample in fragments of 32 octets: 20 + 60 in header form, so three; in inline form 64, so two.
   Datagram sample = Builder(our_writer).encapsulation().header(12);
   sample.erase(sample.begin(), sample.begin() + rtps::message_header_size);
@@ -224,6 +235,12 @@ void check_known_answers() {
   check(joined == sample, "the fragments in inline form");
   target.client->release();
   check(target.client->kept_size() == 0, "kept samples are released");
+
+  Builder unkept(our_writer);
+  unkept.begin(0x16, 1).u16(0).u16(28).u32(0).octets({0, 0, 1, 3}).u32(0).u32(5).u32(1).u16(1).u16(32).u32(80);
+  sent.clear();
+  check(forms.rewrite(fast_address, unkept.encapsulation().header(13).text("0123456789ab").end(), sent) && sent.empty(),
+        "no fragment of a sample that was not kept is sent");
 
   // A writer whose samples nobody has taken yet: where they begin, and which are missing.
   Target fresh;
@@ -254,6 +271,8 @@ void check_known_answers() {
   check(contains(later, heartbeat(4, 3, 3)) && contains(later, heartbeat(4, 5, 1)), "the missing samples");
   check(fresh.server->take_header(fast_writer, 8'000'000'000).has_value(), "a first request");
   check(received(fresh.forms, inline_request(7, 9)) == Datagram(inline_request(7, 9)), "nothing is inserted later");
+  sent.clear();
+  check(!fresh.forms.rewrite(fast_address, acknowledgement(1, false), sent), "nothing is requested later");
 
   // Another program takes the address.
   received(forms, announcement(our_writer, fast_address.port));
@@ -287,6 +306,32 @@ void check_beginnings() {
   check(contains(received(forms, inline_request(4, 8)), tail(heartbeat(4, 3, 3))), "the beginning at an earlier one");
   check(contains(received(forms, heartbeat(9, 12, 1)), tail(heartbeat(9, 8, 3))), "what has gone is not awaited");
   check(contains(received(forms, heartbeat(2, 12, 1)), tail(heartbeat(4, 3, 3))), "what was dropped is awaited");
+
+  check(received(forms, inline_request(0, 8)) == Datagram(inline_request(0, 8)), "no sample has the number 0");
+
+  // Two samples in one datagram: what is inserted stands before its own sample, the beginning first.
+  Target pair;
+  received(pair.forms, writer_announcement(fast_writer));
+  Datagram two = inline_request(4, 8);
+  const Datagram second = tail(inline_request(6, 8));
+  two.insert(two.end(), second.begin(), second.end());
+  constexpr std::size_t stamp_size = 12;
+  Datagram expected(two.begin(), two.begin() + rtps::message_header_size + stamp_size);
+  const auto append = [&expected](const Datagram& part) { expected.insert(expected.end(), part.begin(), part.end()); };
+  append(tail(heartbeat(4, 3, 3)));
+  append(tail(Builder(fast_writer).data(fast_writer, 4, true).related(fast_reader, 0xffffffff, 0).encapsulation().text("ask!").end()));
+  append({second.begin(), second.begin() + stamp_size});
+  append(tail(heartbeat(4, 3, 3)));
+  append(tail(heartbeat(4, 5, 1)));
+  append({second.begin() + stamp_size, second.end()});
+  check(received(pair.forms, two) == expected, "two samples of a datagram");
+
+  // A relayed message has another source than its header says.
+  Target relayed;
+  Datagram relay = Builder(fast_writer).begin(0x0c, 1).u32(0).octets({2, 3, 1, 15}).u32(9).u32(9).u32(9).end();
+  relay.insert(relay.end(), second.begin(), second.end());
+  received(relayed.forms, relay);
+  check(!relayed.server->take_header(fast_writer, 8 * second_ns), "a relayed sample is nobody's");
 
   // A buffer without room for a heartbeat is left as it is; ASan looks beyond its end.
   Datagram full = inline_request(7, 9);
@@ -323,6 +368,13 @@ void check_order_and_ends() {
   other = forms.add_server("/s", other_writer, other_reader);
   check(!other->take_header(fast_writer, 9 * second_ns), "what all that were there have taken is forgotten");
 
+  // A participant leaves while one of two servers has yet to take its request: the other does not get it again.
+  received(forms, inline_request(6, 10));
+  check(target.server->take_header(fast_writer, 10 * second_ns).has_value(), "a request before its client leaves");
+  forms.forget(rtps::prefix_of(fast_writer));
+  check(!target.server->take_header(fast_writer, 10 * second_ns), "a request of a client that has left comes once");
+  check(other->take_header(fast_writer, 10 * second_ns).has_value(), "a request of a client that has left");
+
   // Ends that leave while others stay, and what arrives for them then.
   other.reset();
   target.server.reset();
@@ -336,6 +388,25 @@ void check_order_and_ends() {
   parents.client.reset();
   parents.server.reset();
   check(parents.forms.has_ends(), "an object that was abandoned is left as it is");
+}
+
+void check_what_is_forgotten() {
+  Target target;
+  ServiceForms& forms = target.forms;
+  send_request(forms);
+  received(forms, writer_announcement(fast_writer));
+  const std::size_t at_first = forms.remembered();
+  received(forms, inline_response(1, 1, 3));
+  check(target.client->take_header(fast_writer, second_ns).has_value(), "a response");
+  check(forms.remembered() == at_first, "a response that was taken is remembered");
+
+  received(forms, inline_request(2, 2));
+  check(target.server->take_header(fast_writer, 2 * second_ns).has_value(), "a request");
+  const std::size_t of_client = forms.remembered();
+  const auto other = forms.add_server("/t", Gid{1, 0x10, 7, 9}, Gid{1, 0x10, 7, 10});
+  received(forms, inline_request(3, 3));
+  check(target.server->take_header(fast_writer, 3 * second_ns).has_value(), "a next request");
+  check(forms.remembered() == of_client, "a request that its servers have taken waits for another service's");
 }
 
 void check_bounds() {
@@ -491,6 +562,7 @@ int main(int count, char** arguments) {
   check_versions();
   check_beginnings();
   check_order_and_ends();
+  check_what_is_forgotten();
   check_bounds();
   check_large_datagrams();
   const fuzzing::Bytes request =
