@@ -22,6 +22,10 @@ MAX_TEXT = 200
 """Number of characters of a text that are shown."""
 
 
+MAX_COORDINATE_M = 1e12
+"""Least coordinate that is not drawn: pages compute with numbers of 32 bits [m]."""
+
+
 class Display(Protocol):
     """Shows the messages of one topic."""
 
@@ -92,8 +96,8 @@ def pose_of(pose: Any) -> tuple[Position, Rotation]:
     turn = pose.orientation
     x, y, z, w = float(turn.x), float(turn.y), float(turn.z), float(turn.w)
     length = math.sqrt(x * x + y * y + z * z + w * w) if max(map(abs, (x, y, z, w))) < 1e100 else math.inf
-    if not (math.isfinite(length) and all(map(math.isfinite, position))):
-        raise DisplayError("a number of its pose is not finite")
+    if not (math.isfinite(length) and all(abs(part) < MAX_COORDINATE_M for part in position)):
+        raise DisplayError(f"a number of its pose is not finite, or beyond {MAX_COORDINATE_M:g} m")
     if length < 1e-9:
         return position, (0.0, 0.0, 0.0, 1.0)
     return position, (x / length, y / length, z / length, w / length)

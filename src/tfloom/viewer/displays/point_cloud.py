@@ -18,6 +18,8 @@ __all__ = ["PointCloudDisplay", "shapes_of_old_cloud"]
 
 MAX_POINTS = 400_000
 """Number of points that are drawn; of more, every second one is, or every third."""
+MAX_COLUMNS = 500
+"""Number of a point's numbers."""
 COLOR_FIELDS = ("rgb", "rgba")
 """Fields with a packed colour."""
 USUAL_FIELDS = (*COLOR_FIELDS, "intensity", "z")
@@ -41,6 +43,9 @@ class PointCloudDisplay:
             DisplayError: its layout is wrong, or it has no x, y and z.
         """
         self._shapes = []
+        # A field is a column for each of its elements, of which a message may claim billions.
+        if sum(int(field.count) for field in message.fields) > MAX_COLUMNS:
+            raise DisplayError(f"its points have more than {MAX_COLUMNS} numbers each")
         try:
             points = points_view(message).ravel()
         except (ValueError, AssertionError, TypeError) as error:

@@ -72,7 +72,7 @@ def shapes_of_odometry(message: Any) -> list[Placed]:
     pose, header = message.pose.pose, message.header
     shapes = [_arrow(pose, header, YELLOW), *_ellipsoid(pose, header, message.pose.covariance)]
     linear = message.twist.twist.linear
-    speed = math.sqrt(float(linear.x) ** 2 + float(linear.y) ** 2 + float(linear.z) ** 2)
+    speed = math.hypot(float(linear.x), float(linear.y), float(linear.z))
     if math.isfinite(speed):
         (x, y, z), _ = pose_of(pose)
         place = (x, y, z + 0.3)
