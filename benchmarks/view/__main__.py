@@ -1,0 +1,212 @@
+"""What `tfloom view` costs: CPU of its process, and the time from publishing to a page.
+
+100 frames at 100 Hz, then also a cloud of 100,000 points at 10 Hz, with one page open, and with none. The page is a
+program that takes all that viser sends and draws nothing, because a browser without a graphics card would be what is
+measured. There is no peer: RViz has no wheels.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import statistics
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Iterator
+
+import msgspec
+import numpy as np
+import psutil
+import zstandard
+from viser import __version__
+from websockets.exceptions import ConnectionClosed
+from websockets.sync.client import connect
+
+from benchmarks.domain import DOMAIN_ID
+from tfloom.interfaces.geometry_msgs.msg import TransformStamped
+from tfloom.interfaces.sensor_msgs.msg import PointCloud2, PointField
+from tfloom.node.client_library import init, shutdown
+from tfloom.node.node import Node
+from tfloom.tf2_ros.transform_broadcaster import TransformBroadcaster
+
+FRAMES = 100
+RATE_HZ = 100.0
+POINTS = 100_000
+CLOUD_HZ = 10.0
+SECONDS = 10.0
+PORT = 8799
+
+
+class Feeder:
+    """Publishes frames, and clouds while it is told so, on a thread."""
+
+    def __init__(self) -> None:
+        self.node = Node("feeder")
+        self.tf = TransformBroadcaster(self.node)
+        self.clouds = self.node.create_publisher(PointCloud2, "points", 10)
+        self.with_clouds = False
+        self.sent: dict[float, float] = {}
+        """When each position of the marked frame was published [s, monotonic], by the position."""
+        self._is_over = threading.Event()
+        self._thread = threading.Thread(target=self._run)
+        self._thread.start()
+
+    def _run(self) -> None:
+        points = np.random.default_rng(1).normal(0.0, 3.0, (POINTS, 4)).astype(np.float32)
+        fields = [
+            PointField(name=name, offset=4 * place, datatype=PointField.FLOAT32, count=1)
+            for place, name in enumerate(("x", "y", "z", "intensity"))
+        ]
+        contents = [
+            points.tobytes(),
+            (points + np.float32(0.5)).tobytes(),
+        ]  # a cloud that stays is not sent again
+        cloud = PointCloud2(
+            height=1, width=POINTS, fields=fields, point_step=16, row_step=16 * POINTS, data=contents[0]
+        )
+        transforms = [TransformStamped(child_frame_id=f"frame_{number}") for number in range(FRAMES)]
+        next_s = time.monotonic()
+        count = 0
+        while not self._is_over.wait(max(0.0, next_s - time.monotonic())):
+            next_s += 1.0 / RATE_HZ
+            count += 1
+            stamp = self.node.get_clock().now().to_msg()
+            for number, transform in enumerate(transforms):
+                transform.header.stamp, transform.header.frame_id = stamp, "world"
+                transform.transform.translation.x = (
+                    float(count) if number == 0 else number + 0.001 * (count % 100)
+                )
+            self.sent[float(count)] = time.monotonic()
+            self.tf.sendTransform(transforms)
+            if self.with_clouds and count % round(RATE_HZ / CLOUD_HZ) == 0:
+                cloud.header.stamp, cloud.header.frame_id = stamp, "world"
+                cloud.data = contents[count // round(RATE_HZ / CLOUD_HZ) % 2]
+                self.clouds.publish(cloud)
+
+    def close(self) -> None:
+        self._is_over.set()
+        self._thread.join()
+        self.node.destroy_node()
+
+
+class Page:
+    """Takes what viser sends to a page, and notes when each position of the marked frame has come."""
+
+    def __init__(self, sent: dict[float, float]) -> None:
+        self._sent = sent
+        self.delays: list[float] = []
+        self.bytes = 0
+        self._api = connect(f"ws://127.0.0.1:{PORT}/api", max_size=None, proxy=None)
+        name = json.loads(self._api.recv())["page"]
+        self._scene = connect(
+            f"ws://127.0.0.1:{PORT}/scene/ws?page={name}",
+            subprotocols=[f"viser-v{__version__}"],
+            max_size=None,
+            proxy=None,
+            compression=None,
+        )
+        self._threads = [
+            threading.Thread(target=self._take_states),
+            threading.Thread(target=self._take_scene),
+        ]
+        for thread in self._threads:
+            thread.start()
+
+    def send(self, **command: object) -> None:
+        self._api.send(json.dumps(command))
+
+    def _take_states(self) -> None:
+        with contextlib.suppress(ConnectionClosed):
+            for _ in self._api:
+                pass
+
+    def _take_scene(self) -> None:
+        decompress = zstandard.ZstdDecompressor().decompress
+        with contextlib.suppress(ConnectionClosed):
+            for data in self._scene:
+                now_s = time.monotonic()
+                self.bytes += len(data)
+                size, packed = int.from_bytes(data[:8], "little"), int.from_bytes(data[8:16], "little")
+                batch = msgspec.msgpack.decode(decompress(data[16 : 16 + packed], max_output_size=size))
+                starts, at = [], 16 + packed
+                for length in batch["binaryBufferLengths"]:
+                    at += -at % 8
+                    starts.append((at, length))
+                    at += length
+                for message in batch["messages"]:
+                    updates = message.get("updates") or {}
+                    if message.get("name") == "/frames/axes" and "batched_positions" in updates:
+                        begin, length = starts[updates["batched_positions"]["__binary_index"]]
+                        positions = np.frombuffer(data[begin : begin + length], np.float32).reshape(-1, 3)
+                        sent_s = self._sent.get(float(positions[:, 0].max()))
+                        if sent_s is not None:
+                            self.delays.append(now_s - sent_s)
+
+    def close(self) -> None:
+        self._scene.close()
+        self._api.close()
+        for thread in self._threads:
+            thread.join()
+
+
+def cores(process: psutil.Process) -> float:
+    """Return how many cores a process uses, over `SECONDS`."""
+    before, start_s = process.cpu_times(), time.monotonic()
+    time.sleep(SECONDS)
+    after = process.cpu_times()
+    used_s = after.user + after.system - before.user - before.system
+    return used_s / (time.monotonic() - start_s)
+
+
+@contextlib.contextmanager
+def viewer() -> Iterator[psutil.Process]:
+    """Run `tfloom view` for the block."""
+    command = [sys.executable, "-m", "tfloom", "view", "--no-open", "--port", str(PORT)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        process.stdout.readline()
+        try:
+            yield psutil.Process(process.pid)
+        finally:
+            process.terminate()
+
+
+def main() -> None:
+    os.environ["ROS_DOMAIN_ID"] = str(DOMAIN_ID)
+    os.environ["ROS_AUTOMATIC_DISCOVERY_RANGE"] = "LOCALHOST"
+    init()
+    feeder = Feeder()
+    try:
+        with viewer() as process:
+            time.sleep(2.0)
+            print(f"no page: {cores(process):.3f} cores")
+            page = Page(feeder.sent)
+            time.sleep(2.0)
+            page.delays.clear()
+            used = cores(process)
+            delays_ms = sorted(1000.0 * delay for delay in page.delays)
+            print(f"one page, {FRAMES} frames at {RATE_HZ:g} Hz: {used:.3f} cores")
+            print(
+                f"from publishing to the page: median {statistics.median(delays_ms):.0f} ms, "
+                f"9 of 10 within {delays_ms[len(delays_ms) * 9 // 10]:.0f} ms ({len(delays_ms)} pictures)"
+            )
+            feeder.with_clouds = True
+            page.send(op="display", topic="/points", on=True)
+            time.sleep(3.0)
+            before = page.bytes
+            used = cores(process)
+            rate = (page.bytes - before) / SECONDS / 1e6
+            print(f"… and {POINTS} points at {CLOUD_HZ:g} Hz: {used:.3f} cores, {rate:.1f} MB/s to the page")
+            page.close()
+            time.sleep(2.0)
+            print(f"the page closed: {cores(process):.3f} cores")
+    finally:
+        feeder.close()
+        shutdown()
+
+
+if __name__ == "__main__":
+    main()
