@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import sys
 
-__all__ = ["claim", "is_elsewhere", "is_facade", "serves_rclpy"]
+__all__ = ["claim", "is_elsewhere", "is_facade", "ros_home", "serves_rclpy"]
 
 _ROS_NAMES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "ros_names") + os.sep  # noqa: PTH100, PTH118, PTH120  # pathlib takes longer to import than all the rest here
 
@@ -13,6 +13,9 @@ _ROS_NAMES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "ros_names
 _DROP_IN_LINE = "from tfloom.drop_in import Buffer, TransformListener"
 _BESIDE_DROP_IN = {"tf2_ros", "tf2_py"}
 """The façades in whose place a program of another `rclpy` imports `tfloom.drop_in`."""
+
+_errors_have_ros_names: bool | None = None
+"""Whether `rclpy` is the façade, as the first error that was defined has found."""
 
 
 def claim(name: str) -> None:
@@ -55,6 +58,20 @@ def serves_rclpy() -> bool:
         return _is_frozen_rclpy_ours()
     where = _origin("rclpy")
     return where is not None and os.path.abspath(where).startswith(_ROS_NAMES)  # noqa: PTH100
+
+
+def ros_home(module: str, own: str) -> str:
+    """Return what an error of rclpy has as its `__module__`, which tracebacks show: ROS's name where that leads to it.
+
+    Args:
+        module: The module that defines it in ROS, whose façade has it, too.
+        own: The module that defines it here.
+    """
+    global _errors_have_ros_names  # noqa: PLW0603  # functools takes longer to import than a few messages
+    if _errors_have_ros_names is None:
+        # A frozen program would have to import rclpy to know, which may be loading these errors.
+        _errors_have_ros_names = not getattr(sys, "frozen", False) and serves_rclpy()
+    return module if _errors_have_ros_names else own
 
 
 def is_facade(package: str, file: str) -> bool:

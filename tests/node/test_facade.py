@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import importlib
+import pickle
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 from tests.each import for_each
+from tools.facades import recorded
 
 from tfloom.rosidl.class_modules import DefinitionModule
 
@@ -29,7 +31,49 @@ def test_each_facade_module_re_exports_its_room(name: str) -> None:
         thing = getattr(module, export)
         defined_in = getattr(thing, "__module__", "tfloom.node")
         if not isinstance(sys.modules.get(str(defined_in)), DefinitionModule):  # a message's, by ROS's name
-            assert str(defined_in).startswith(("tfloom.", "typing", "builtins", "collections.abc")), export
+            homes = ("tfloom.", "rclpy.", "typing", "builtins", "collections.abc")
+            assert str(defined_in).startswith(homes), export
+
+
+def errors() -> set[str]:
+    """Return the errors of rclpy that the façades have, by the recorded module that defines each in ROS."""
+    return {
+        f"{home}.{name}"
+        for module in MODULES
+        for name, home in recorded.imported_from(module).items()
+        if home in MODULES and is_error(getattr(importlib.import_module(home), name, None), name)
+    }
+
+
+def is_error(value: object, name: str) -> bool:
+    """Return whether a value is an error of tfloom that also has this name where it is defined."""
+    is_class = isinstance(value, type) and issubclass(value, Exception)
+    return is_class and value.__module__ != "builtins" and value.__name__ == name
+
+
+@pytest.mark.filterwarnings("ignore:importing 'qos_event'")
+@for_each(errors)
+def test_errors_say_where_they_come_from_as_in_ros(error: str) -> None:
+    home, _, name = error.rpartition(".")
+    cls = getattr(importlib.import_module(home), name)
+    assert cls.__module__ == home
+    assert pickle.loads(pickle.dumps(cls)) is cls
+
+
+def test_errors_lead_to_themselves_beside_another_rclpy(tmp_path: Path) -> None:
+    (tmp_path / "rclpy").mkdir()
+    (tmp_path / "rclpy" / "__init__.py").touch()
+    code = (
+        f"import sys; sys.path.insert(0, {str(tmp_path)!r})\n"
+        "import pickle\nfrom tfloom.node.values.exceptions import RCLError\n"
+        "assert pickle.loads(pickle.dumps(RCLError)) is RCLError\nprint(RCLError.__module__)"
+    )
+    assert run(code).stdout == "tfloom.node.values.exceptions\n"
+
+
+def test_a_traceback_shows_the_name_that_ros_shows() -> None:
+    result = run("import rclpy; rclpy.init(); rclpy.create_node('a b')")
+    assert "\nrclpy.exceptions.InvalidNodeNameException: Invalid node name" in result.stderr
 
 
 def run(code: str, *options: str) -> subprocess.CompletedProcess[str]:

@@ -19,6 +19,7 @@ from tfloom.node.values.names import (
     validate_topic_name,
 )
 from tfloom.node.values.scalars import parse_value
+from tfloom.ros_guard import ros_home
 
 __all__ = [
     "Arguments",
@@ -55,12 +56,16 @@ _NODE_PREFIX = r"([A-Za-z_][A-Za-z0-9_]*):(?!=|//)"
 class RCLInvalidROSArgsError(RCLError):
     """An argument after `--ros-args` is malformed."""
 
+    __module__ = ros_home("rclpy._rclpy_pybind11", __name__)
+
     def __init__(self, why: str) -> None:
         super().__init__(f"Failed to parse ROS arguments: {why}")
 
 
 class UnknownROSArgsError(RuntimeError):
     """An argument after `--ros-args` is not a ROS argument."""
+
+    __module__ = ros_home("rclpy._rclpy_pybind11", __name__)
 
     def __init__(self, unknown: list[str]) -> None:
         super().__init__(f"Found unknown ROS arguments: [{', '.join(repr(word) for word in unknown)}]")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from tfloom.ros_guard import ros_home
+
 __all__ = [
     "ConditionReachedException",
     "ShutdownException",
@@ -15,13 +17,19 @@ __all__ = [
 class TimeoutException(Exception):
     """Nothing became ready in time."""
 
+    __module__ = ros_home("rclpy.executors", __name__)
+
 
 class ShutdownException(Exception):
     """The executor was shut down."""
 
+    __module__ = ros_home("rclpy.executors", __name__)
+
 
 class ConditionReachedException(Exception):
     """The condition of a wait is true."""
+
+    __module__ = ros_home("rclpy.executors", __name__)
 
 
 class TimeoutObject:

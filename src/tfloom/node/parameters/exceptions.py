@@ -14,6 +14,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from tfloom.ros_guard import ros_home
+
 if TYPE_CHECKING:
     from tfloom.node.parameters.parameter import Parameter
 
@@ -35,6 +37,8 @@ __all__ = [
 class ParameterException(Exception):
     """Base of all errors of parameters; `args[1]` holds the name or names."""
 
+    __module__ = ros_home("rclpy.exceptions", __name__)
+
     def __init__(self, error_msg: str, parameters: str | list[str], *args: object) -> None:
         super().__init__(f"{error_msg}: {parameters}", parameters, *args)
 
@@ -45,12 +49,16 @@ class ParameterException(Exception):
 class ParameterNotDeclaredException(ParameterException):
     """An undeclared parameter was read or set."""
 
+    __module__ = ros_home("rclpy.exceptions", __name__)
+
     def __init__(self, parameters: str | list[str], *args: object) -> None:
         super().__init__("Invalid access to undeclared parameter(s)", parameters, *args)
 
 
 class ParameterAlreadyDeclaredException(ParameterException):
     """A parameter was declared twice."""
+
+    __module__ = ros_home("rclpy.exceptions", __name__)
 
     def __init__(self, parameters: str | list[str], *args: object) -> None:
         super().__init__("Parameter(s) already declared", parameters, *args)
@@ -59,12 +67,16 @@ class ParameterAlreadyDeclaredException(ParameterException):
 class InvalidParameterException(ParameterException):
     """A parameter's name isn't valid."""
 
+    __module__ = ros_home("rclpy.exceptions", __name__)
+
     def __init__(self, parameter_name: str, *args: object) -> None:
         super().__init__("Invalid parameter name", parameter_name, *args)
 
 
 class InvalidParameterTypeException(ParameterException):
     """A value of another type than the parameter's was given."""
+
+    __module__ = ros_home("rclpy.exceptions", __name__)
 
     def __init__(self, desired_parameter: Parameter, expected_type: object, *args: object) -> None:
         super().__init__(
@@ -78,6 +90,8 @@ class InvalidParameterTypeException(ParameterException):
 class InvalidParameterValueException(ParameterException):
     """A value was rejected by a callback or is outside the declared range."""
 
+    __module__ = ros_home("rclpy.exceptions", __name__)
+
     def __init__(self, parameter: str, value: Any, reason: str, *args: object) -> None:
         super().__init__(
             f"Invalid parameter value ({value}) for parameter. Reason: {reason}", parameter, *args
@@ -87,12 +101,16 @@ class InvalidParameterValueException(ParameterException):
 class ParameterImmutableException(ParameterException):
     """A change or removal of a read-only parameter was requested."""
 
+    __module__ = ros_home("rclpy.exceptions", __name__)
+
     def __init__(self, parameter_name: str, *args: object) -> None:
         super().__init__("Attempted to modify read-only parameter", parameter_name, *args)
 
 
 class ParameterUninitializedException(ParameterException):
     """A parameter declared with a type and no value was read."""
+
+    __module__ = ros_home("rclpy.exceptions", __name__)
 
     def __init__(self, parameter_name: str, *args: object) -> None:
         super().__init__(f"The parameter '{parameter_name}' is not initialized", parameter_name, *args)

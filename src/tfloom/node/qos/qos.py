@@ -15,6 +15,7 @@ from tfloom.rmw.qos import (
     QoSPolicyKind,
     ReliabilityPolicy,
 )
+from tfloom.ros_guard import ros_home
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -58,6 +59,8 @@ def qos_policy_name_from_kind(policy_kind: QoSPolicyKind | int) -> str:
 
 class InvalidQoSProfileException(Exception):  # noqa: N818  # ROS's name
     """A profile with contradictory or missing settings."""
+
+    __module__ = ros_home("rclpy.qos", __name__)
 
     def __init__(self, *args: object) -> None:
         super().__init__("Invalid QoSProfile", *args)

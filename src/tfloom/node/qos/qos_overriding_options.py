@@ -16,6 +16,7 @@ from tfloom.node.qos.qos import (
     ReliabilityPolicy,
 )
 from tfloom.node.values.duration import Duration
+from tfloom.ros_guard import ros_home
 
 if TYPE_CHECKING:
     from tfloom.node.parameters.node_parameters import NodeParameters
@@ -47,6 +48,8 @@ _DURATIONS = (QoSPolicyKind.DEADLINE, QoSPolicyKind.LIFESPAN, QoSPolicyKind.LIVE
 
 class InvalidQosOverridesError(Exception):
     """The overrides result in an invalid profile, or in one that the callback rejects."""
+
+    __module__ = ros_home("rclpy.qos_overriding_options", __name__)
 
 
 class QoSOverridingOptions:

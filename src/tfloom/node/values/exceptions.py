@@ -14,6 +14,8 @@ Exception
 
 from __future__ import annotations
 
+from tfloom.ros_guard import ros_home
+
 __all__ = [
     "ExternalShutdownException",
     "ForkedProcessError",
@@ -40,9 +42,13 @@ def add_note(error: BaseException, note: str) -> None:
 class InvalidHandle(RuntimeError):
     """An object was used after it was destroyed."""
 
+    __module__ = ros_home("rclpy._rclpy_pybind11", __name__)
+
 
 class NotInitializedException(Exception):
     """`rclpy.init()` has not been called, or the context has been shut down since."""
+
+    __module__ = ros_home("rclpy.exceptions", __name__)
 
     def __init__(self, message: str | None = None) -> None:
         reason = "" if message is None else f" msg:{message}"
@@ -52,12 +58,16 @@ class NotInitializedException(Exception):
 class ROSInterruptException(Exception):
     """A wait ended because the context was shut down."""
 
+    __module__ = ros_home("rclpy.exceptions", __name__)
+
     def __init__(self) -> None:
         super().__init__("rclpy.shutdown() has been called")
 
 
 class ExternalShutdownException(Exception):
     """The context was shut down while an executor was spinning."""
+
+    __module__ = ros_home("rclpy.executors", __name__)
 
     def __init__(self) -> None:
         super().__init__("the context was shut down, by a signal or by another thread")
@@ -66,12 +76,16 @@ class ExternalShutdownException(Exception):
 class NoTypeSupportImportedException(Exception):
     """Kept for programs that catch it; a class that is not a ROS type raises AttributeError."""
 
+    __module__ = ros_home("rclpy.exceptions", __name__)
+
     def __init__(self) -> None:
         super().__init__("no type_support imported")
 
 
 class RCLError(RuntimeError):
     """An operation failed in the layer below, for example because the context is shut down."""
+
+    __module__ = ros_home("rclpy._rclpy_pybind11", __name__)
 
 
 class ForkedProcessError(NotInitializedException, RCLError):
@@ -92,6 +106,8 @@ class ForkedProcessError(NotInitializedException, RCLError):
 
 class NodeNameNonExistentError(RCLError):
     """A query names a node that isn't on the graph."""
+
+    __module__ = ros_home("rclpy._rclpy_pybind11", __name__)
 
 
 class TimerCancelledError(RCLError):

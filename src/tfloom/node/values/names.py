@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
+from tfloom.ros_guard import ros_home
+
 # ROS's own names end in "Exception".
 # ruff: noqa: N818
 
@@ -47,6 +49,8 @@ class NameValidationException(ValueError):
         invalid_index: Index of the first invalid character, from 0.
     """
 
+    __module__ = ros_home("rclpy.exceptions", __name__)
+
     def __init__(self, name_type: str, name: str, error_msg: str, invalid_index: int) -> None:
         super().__init__(f"Invalid {name_type}: {error_msg}:\n  '{name}'\n   {' ' * invalid_index}^")
         self.name_type = name_type
@@ -58,12 +62,16 @@ class NameValidationException(ValueError):
 class InvalidNamespaceException(NameValidationException):
     """A namespace is not valid."""
 
+    __module__ = ros_home("rclpy.exceptions", __name__)
+
     def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
         super().__init__("namespace", name, error_msg, invalid_index)
 
 
 class InvalidNodeNameException(NameValidationException):
     """A node's name is not valid."""
+
+    __module__ = ros_home("rclpy.exceptions", __name__)
 
     def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
         super().__init__("node name", name, error_msg, invalid_index)
@@ -72,12 +80,16 @@ class InvalidNodeNameException(NameValidationException):
 class InvalidTopicNameException(NameValidationException):
     """A topic's name is not valid."""
 
+    __module__ = ros_home("rclpy.exceptions", __name__)
+
     def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
         super().__init__("topic name", name, error_msg, invalid_index)
 
 
 class InvalidServiceNameException(NameValidationException):
     """A service's name is not valid."""
+
+    __module__ = ros_home("rclpy.exceptions", __name__)
 
     def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
         super().__init__("service name", name, error_msg, invalid_index)
