@@ -6,6 +6,7 @@ from pathlib import Path
 
 from PyInstaller.utils.hooks import collect_data_files, collect_submodules
 
+from tfloom.rmw import cyclone_library
 from tfloom.rmw.cyclone_library import find_library
 from tfloom.rmw.errors import NoBackendError
 
@@ -23,3 +24,5 @@ except NoBackendError:
 else:
     # As if tfloom-ddsc were installed, wherever it comes from: the search looks into that package's folder.
     binaries.append((str(library), "tfloom_ddsc"))
+    # The package isn't imported: the search locates its folder by this file, whatever it holds.
+    datas.append((str(Path(cyclone_library.__file__).with_name("__init__.py")), "tfloom_ddsc"))
