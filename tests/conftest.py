@@ -224,6 +224,22 @@ def _signal_handlers() -> Iterator[None]:
         signal.signal(number, handler)
 
 
+@pytest.fixture(autouse=True)
+def _environment() -> Iterator[None]:
+    """Restore the variables that choose a graph after the test.
+
+    A `monkeypatch` that was made before `domain_id` and sets one of them is undone after it, and puts back the domain.
+    """
+    names = ("ROS_DOMAIN_ID", "ROS_AUTOMATIC_DISCOVERY_RANGE", "RMW_IMPLEMENTATION")
+    before = {name: os.environ.get(name) for name in names}
+    yield
+    for name, value in before.items():
+        if value is None:
+            os.environ.pop(name, None)
+        else:
+            os.environ[name] = value
+
+
 @contextmanager
 def hold_domain() -> Iterator[int]:
     """Hold a DDS domain that no other test on this machine uses, and set ROS_DOMAIN_ID to it.

@@ -103,7 +103,7 @@ def record(folder: Path) -> Path:
     channels: dict[str, int] = {}
     for topic, stamp, message in messages():
         if topic not in channels:
-            name = type(message).__module__.split(".")[-2] + "/msg/" + type(message).__name__
+            name = type(message).__module__.split(".")[0] + "/msg/" + type(message).__name__
             definition = find_definition(name)
             channels[topic] = writer.add_topic(Topic(topic, name, "cdr", hash_of(name), "", definition))
         writer.push(channels[topic], serialize_message(message), stamp, stamp)

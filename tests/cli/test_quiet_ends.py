@@ -50,6 +50,7 @@ PRINTING = {
     "topic echo": (POSE,),
     "topic hz": (POSE,),
     "topic pub": ("/x", "std_msgs/msg/Empty"),
+    "view": ("--no-open", "--port", "0"),
 }
 """A command line of each verb that prints on stdout."""
 OFTEN = (

@@ -67,9 +67,12 @@ def test_three_formats_start_the_same_processes(
         assert ran.code == 0, ran.lines
         lines = [line for line in ran.lines if not line.startswith("[INFO]")]
         values: dict[str, list[str]] = {}
+        numbers = [int(line.partition("] ")[0].rpartition("-")[2]) for line in lines]
         for line in lines:
-            process, _, text = line.partition("] ")
-            values.setdefault(process, []).append(text)
+            # The numbers of processes count on from one launch of a program to the next.
+            process, _, number = line.partition("] ")[0].rpartition("-")
+            text = line.partition("] ")[2]
+            values.setdefault(f"{process}-{int(number) - min(numbers) + 1}", []).append(text)
         # The formats may divide a node's values among files in different ways.
         printed[name] = {process: sorted(set(texts)) for process, texts in values.items()}
     processes = ["turtlesim_node-1", "frames-2", "driver-3", "train-4"]

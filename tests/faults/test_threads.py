@@ -8,6 +8,7 @@ import asyncio
 import os
 import shutil
 import signal
+import socket
 import subprocess
 import sys
 import threading
@@ -51,6 +52,7 @@ from tfloom.rmw.base import RequestId
 from tfloom.tf2_ros import deadlines
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.transform_listener import TransformListener
+from tfloom.viewer.page_server import PageServer, ServerError
 
 SOURCE = Path(tfloom.__path__[-1])
 NO_THREAD = "can't start new thread"
@@ -80,6 +82,8 @@ PLACES = {
     "tf2_ros/deadlines.py": ["deadline"],
     "tf2_ros/listener_base.py": ["listener"],
     "turtlesim/teleop_key.py": [TOLD],
+    "viewer/page_server.py": ["page_server"],
+    "viewer/parameters.py": [TOLD],
 }
 """By file, one entry for each place that starts threads: the row that refuses it one, or why there is none."""
 
@@ -324,6 +328,22 @@ def test_participant_without_a_thread(domain_id: int, tmp_path: Path) -> None:
     )
     assert answers[-1] == "worked"
     assert {each.split(":")[0] for each in answers} <= {"WireError", "RuntimeError", "worked"}
+
+
+# Pages
+
+
+def test_page_server_without_a_thread() -> None:
+    """One sentence says so, and the port is free again."""
+    server = PageServer(SimpleNamespace(), lambda *_: None, lambda _: None)  # type: ignore[arg-type]
+    with socket.socket() as other:
+        other.bind(("127.0.0.1", 0))
+        port = other.getsockname()[1]
+    with no_threads(), pytest.raises(ServerError, match=f"serving pages needs a thread: {NO_THREAD}"):
+        server.start("127.0.0.1", port)
+    server.stop()
+    with socket.socket() as other:
+        other.bind(("127.0.0.1", port))
 
 
 # Services with peers that take few requests

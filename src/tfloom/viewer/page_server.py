@@ -103,11 +103,11 @@ class PageServer:
             token: The token; None: a new one.
 
         Raises:
-            ServerError: the address can't be used.
+            ServerError: the address can't be used, or the system has no thread left.
         """
+        family = socket.AF_INET6 if ":" in host else socket.AF_INET
+        listener = socket.socket(family, socket.SOCK_STREAM)
         try:
-            family = socket.AF_INET6 if ":" in host else socket.AF_INET
-            listener = socket.socket(family, socket.SOCK_STREAM)
             listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
             listener.bind((host, port))
         except OSError as error:
@@ -116,10 +116,16 @@ class PageServer:
         self._host, self._port = host, listener.getsockname()[1]
         self._access = Access(host, self._port, token)
         ready = threading.Event()
-        self._thread = threading.Thread(
+        thread = threading.Thread(
             target=self._run, args=(listener, ready), name="tfloom_view_pages", daemon=True
         )
-        self._thread.start()
+        try:
+            thread.start()
+        except RuntimeError as error:
+            listener.close()
+            self._loop.close()
+            raise ServerError(f"serving pages needs a thread: {error}") from None
+        self._thread = thread
         ready.wait()
 
     @property
