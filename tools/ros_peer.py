@@ -215,7 +215,7 @@ def install(folder: Path = FOLDER) -> None:
     environment = Environment(folder)
     environment.make(keep_python=False)
     environment.complete([("wheels", digest_of(WHEELS), partial(_install_wheels, environment))])
-    definitions = [path for name in INTERFACES for path in sorted((DEFINITIONS / name).rglob("*.*"))]
+    definitions = [path for name in INTERFACES for path in sorted((DEFINITIONS / name).glob("*/*.*"))]
     digest = digest_of([GENERATORS, INTERFACES, PACKAGE_XML, CMAKE_LISTS], definitions)
     try:
         environment.complete([("interfaces", digest, partial(_install_interfaces, environment))])
@@ -261,7 +261,7 @@ def _correct_include_paths(environment: Environment) -> None:
 
 def _compile(environment: Environment, name: str, dependencies: Sequence[str], folder: Path) -> None:
     shutil.copytree(DEFINITIONS / name, folder, dirs_exist_ok=True)
-    files = sorted(path.relative_to(folder) for path in folder.rglob("*.*"))
+    files = sorted(path.relative_to(folder) for path in folder.glob("*/*.*"))
     (folder / "package.xml").write_text(
         PACKAGE_XML.format(
             name=name, depends="".join(f"<depend>{dependency}</depend>" for dependency in dependencies)
