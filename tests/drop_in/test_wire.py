@@ -128,7 +128,7 @@ def test_without_the_dds_library_it_is_a_raw_subscription(
 ) -> None:
     publish("rclpy", real_ros, start_program, domain_id)
     listener = listen(domain_id, paths=[site_without_dds])
-    listener.ready('"there is no DDS: cyclonedds isn')
+    listener.ready('"there is no DDS: install one with')
     assert listener.query("world", "camera")["x"] == 11.5
     listener.end()
 
