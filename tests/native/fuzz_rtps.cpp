@@ -274,6 +274,21 @@ void check_known_answers() {
   sent.clear();
   check(!fresh.forms.rewrite(fast_address, acknowledgement(1, false), sent), "nothing is requested later");
 
+  // An IPv4 locator whose unused octets are not zero; the name of a topic without its length, beside what follows.
+  Datagram odd = announcement(fast_writer, other_address.port);
+  odd[odd.size() - 20] = std::byte{1};
+  received(fresh.forms, odd);
+  check(fresh.forms.is_of_inline_peer(other_address), "the unused octets of an IPv4 address count for nothing");
+  constexpr Gid late_writer = {1, 0x0f, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 0, 0, 9, 3};
+  Datagram nameless = writer_announcement(late_writer);
+  const std::array<std::byte, 4> length = {std::byte{4}, std::byte{0}, std::byte{0}, std::byte{0}};
+  std::ranges::search(nameless, length).front() = std::byte{0};
+  const std::size_t remembered = fresh.forms.remembered();
+  received(fresh.forms, nameless);
+  check(fresh.forms.remembered() == remembered, "a name of no length is empty");
+  received(fresh.forms, writer_announcement(late_writer));
+  check(fresh.forms.remembered() == remembered + 1, "a writer of a service is remembered");
+
   // Another program takes the address.
   received(forms, announcement(our_writer, fast_address.port));
   check(!forms.is_of_inline_peer(fast_address), "an address follows its owner");
@@ -372,6 +387,7 @@ void check_order_and_ends() {
   received(forms, inline_request(6, 10));
   check(target.server->take_header(fast_writer, 10 * second_ns).has_value(), "a request before its client leaves");
   forms.forget(rtps::prefix_of(fast_writer));
+  check(!forms.is_of_inline_peer(fast_address), "the address of a participant that has left is known");
   check(!target.server->take_header(fast_writer, 10 * second_ns), "a request of a client that has left comes once");
   check(other->take_header(fast_writer, 10 * second_ns).has_value(), "a request of a client that has left");
 

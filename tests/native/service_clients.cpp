@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "rtps/recent_map.hpp"
 #include "rtps/service_forms.hpp"
 
 using namespace tfloom;
@@ -163,6 +164,18 @@ void serve_another_beside_a_flood() {
   check(server.take(3, 100'000) && server.take(4, 1) && server.take(5, 1), "too many requests were forgotten");
 }
 
+// A bounded map gives up what was not used for the longest time, and no more than it must.
+void give_up_the_least_used() {
+  RecentMap<int, int> map(2);
+  map.use(1) = 10;
+  map.use(2) = 20;
+  check(map.size() == 2 && map.is_full(), "a map has room for fewer than its bound");
+  map.use(1);
+  map.use(3) = 30;
+  check(map.size() == 2, "a map has more than its bound");
+  check(map.find(2) == nullptr && map.find(1) != nullptr && map.find(3) != nullptr, "a used entry was given up");
+}
+
 // A server whose responses nobody takes displaces its own.
 void be_answered_without_end() {
   constexpr Address address{{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 127, 0, 0, 1}, 7421};
@@ -213,6 +226,7 @@ int main() {
   serve_another_beside_a_flood();
   serve_those_that_have_left();
   be_answered_without_end();
+  give_up_the_least_used();
   std::printf("service clients: %d faults\n", faults);
   return faults == 0 ? 0 : 1;
 }

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import os
 import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 from tests.workspace.conftest import write_files, write_manifest
 
 from tfloom.workspace.cmake_plan import Install, Pattern, Plan, PythonPackage, Remark, Resource
+from tfloom.workspace.console_scripts import read_console_scripts
 from tfloom.workspace.installing import Installer, InstallError
 from tfloom.workspace.interface_package import install_interfaces
 
@@ -83,6 +85,22 @@ def test_programs_of_setup_cfg_are_installed(tmp_path: Path) -> None:
     run = subprocess.run(
         [folder / "pkg" / "say"], env={"PYTHONPATH": str(folder / "python")}, check=False, timeout=30
     )
+    assert run.returncode == 3
+
+
+def test_programs_of_setup_cfg_run_by_a_python_whose_path_has_a_space(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    python = tmp_path / "a python" / "python"
+    python.parent.mkdir()
+    python.symlink_to(sys.executable)
+    monkeypatch.setattr(sys, "executable", str(python))
+    (tmp_path / "setup.cfg").write_text(SETUP_CFG)
+    script = tmp_path / "say"
+    script.write_text(read_console_scripts(tmp_path / "setup.cfg")["say"])
+    script.chmod(0o755)
+    write_files(tmp_path / "tools", {"__init__.py": "", "say.py": "def main():\n    return 3\n"})
+    run = subprocess.run([script], env={"PYTHONPATH": str(tmp_path)}, check=False, timeout=30)
     assert run.returncode == 3
 
 

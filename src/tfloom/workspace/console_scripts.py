@@ -7,9 +7,11 @@ import sys
 from configparser import ConfigParser, Error
 from pathlib import Path
 
+from tfloom.workspace.program_scripts import first_line
+
 _SCRIPT = re.compile(r"\s*([\w.-]+)\s*=\s*([\w.]+)\s*:\s*(\w+)\s*(\[.*\])?\s*")
 _TEXT = """\
-#!{python}
+{first_line}
 import sys
 
 from {module} import {function}
@@ -39,5 +41,7 @@ def read_console_scripts(path: Path) -> dict[str, str]:
         if match is None:
             raise ValueError(f"{path}: '{line.strip()}' of console_scripts isn't: name = module:function")
         name, module, function, _ = match.groups()
-        scripts[name] = _TEXT.format(python=sys.executable, module=module, function=function)
+        scripts[name] = _TEXT.format(
+            first_line=first_line(Path(sys.executable)), module=module, function=function
+        )
     return scripts

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from tfloom.whole_files import write_file
 
-__all__ = ["write_script"]
+__all__ = ["first_line", "write_script"]
 
 _SHEBANG_LIMIT = 127
 """The longest first line that all kernels read [bytes]."""
@@ -36,14 +36,14 @@ def write_script(folder: Path, package: str, program: str, target: str) -> Path:
 
 def _script(program: str, target: str) -> str:
     return (
-        f"{_first_line(Path(sys.executable))}\n"
+        f"{first_line(Path(sys.executable))}\n"
         "import sys\n\n"
         "from tfloom.cli.run import run_here\n\n"
         f"sys.exit(run_here({target!r}, {program!r}, sys.argv[1:]))\n"
     )
 
 
-def _first_line(python: Path) -> str:
+def first_line(python: Path) -> str:
     """Return the lines that start Python: by a shell if the kernel can't, because of a space or of the length."""
     direct = f"#!{python}"
     if " " not in direct and len(direct.encode()) <= _SHEBANG_LIMIT:
