@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import sys
 
-__all__ = ["claim", "is_elsewhere", "is_facade", "ros_home", "serves_rclpy"]
+__all__ = ["claim", "is_elsewhere", "is_facade", "ros_home", "ros_repr", "serves_rclpy"]
 
 _ROS_NAMES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "ros_names") + os.sep  # noqa: PTH100, PTH118, PTH120  # pathlib takes longer to import than all the rest here
 
@@ -14,8 +14,8 @@ _DROP_IN_LINE = "from tfloom.drop_in import Buffer, TransformListener"
 _BESIDE_DROP_IN = {"tf2_ros", "tf2_py"}
 """The façades in whose place a program of another `rclpy` imports `tfloom.drop_in`."""
 
-_errors_have_ros_names: bool | None = None
-"""Whether `rclpy` is the façade, as the first error that was defined has found."""
+_leads_to_facade: dict[str, bool] = {}
+"""Whether a package is the façade, by its name, as the first error that was defined has found."""
 
 
 def claim(name: str) -> None:
@@ -61,17 +61,36 @@ def serves_rclpy() -> bool:
 
 
 def ros_home(module: str, own: str) -> str:
-    """Return what an error of rclpy has as its `__module__`, which tracebacks show: ROS's name where that leads to it.
+    """Return what an error has as its `__module__`, which tracebacks show: ROS's name where that leads to it.
+
+    Only errors have it, because `inspect` reads a class's source from the file of its `__module__`: what users derive
+    from, as `Node`, keeps the module that defines it, and shows ROS's name by `ros_repr`.
 
     Args:
         module: The module that defines it in ROS, whose façade has it, too.
         own: The module that defines it here.
     """
-    global _errors_have_ros_names  # noqa: PLW0603  # functools takes longer to import than a few messages
-    if _errors_have_ros_names is None:
-        # A frozen program would have to import rclpy to know, which may be loading these errors.
-        _errors_have_ros_names = not getattr(sys, "frozen", False) and serves_rclpy()
-    return module if _errors_have_ros_names else own
+    package = module.partition(".")[0]
+    is_ours = _leads_to_facade.get(package)
+    if is_ours is None:
+        # A frozen program would have to import the package to know, which may be loading these errors.
+        is_ours = not getattr(sys, "frozen", False) and serves_rclpy() and not is_elsewhere(package)
+        _leads_to_facade[package] = is_ours
+    return module if is_ours else own
+
+
+def ros_repr(instance: object) -> str:
+    """Return `object`'s repr with the class's name in ROS: `<rclpy.node.Node object at 0x7f…>`.
+
+    A class that ROS doesn't have, and all classes where ROS's name leads to other ones, keep their own name.
+    """
+    from tfloom.ros_homes import HOMES  # a table that few programs read
+
+    cls = type(instance)
+    own = f"{cls.__module__}.{cls.__qualname__}"
+    home = HOMES.get(own)
+    name = own if home is None or ros_home(home, "") == "" else f"{home}.{cls.__qualname__}"
+    return f"<{name} object at {id(instance):#x}>"
 
 
 def is_facade(package: str, file: str) -> bool:

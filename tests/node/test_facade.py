@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import pickle
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -74,6 +75,51 @@ def test_errors_lead_to_themselves_beside_another_rclpy(tmp_path: Path) -> None:
 def test_a_traceback_shows_the_name_that_ros_shows() -> None:
     result = run("import rclpy; rclpy.init(); rclpy.create_node('a b')")
     assert "\nrclpy.exceptions.InvalidNodeNameException: Invalid node name" in result.stderr
+
+
+def test_objects_show_the_names_that_ros_shows() -> None:
+    result = run(
+        "import inspect, rclpy, launch, launch_ros.actions\n"
+        "from launch import LaunchDescription, LaunchIntrospector, actions, conditions, events, substitutions\n"
+        "rclpy.init(); print(rclpy.create_node('a'))\n"
+        "print(actions.LogInfo(msg=''), conditions.IfCondition('1'), events.Shutdown())\n"
+        "print(launch_ros.actions.SetParameter('a', 1), substitutions.TextSubstitution(text=''))\n"
+        "print(LaunchIntrospector().format_launch_description(LaunchDescription([actions.GroupAction([])])))\n"
+        "class Own(launch.Action): pass\n"
+        "print(Own(), inspect.getsource(rclpy.node.Node).startswith('class Node'))"
+    )
+    assert re.findall(r"<(\S+) object at 0x[0-9a-f]+>", result.stdout) == [
+        "rclpy.node.Node",
+        "launch.actions.log_info.LogInfo",
+        "launch.conditions.if_condition.IfCondition",
+        "launch.events.shutdown.Shutdown",
+        "launch_ros.actions.set_parameter.SetParameter",
+        "launch.substitutions.text_substitution.TextSubstitution",
+        "launch.launch_description.LaunchDescription",
+        "launch.actions.group_action.GroupAction",
+        "__main__.Own",
+    ], result.stderr
+    assert result.stdout.endswith(" True\n")
+
+
+LAUNCH_ERRORS = [
+    "launch.substitutions.substitution_failure.SubstitutionFailure",
+    "launch.conditions.invalid_condition_expression_error.InvalidConditionExpressionError",
+    "launch.invalid_launch_file_error.InvalidLaunchFileError",
+    "launch.frontend.parser.InvalidFrontendLaunchFileError",
+    "launch_ros.utilities.plugin_support.PluginException",
+    "launch_testing.util.proc_lookup.NoMatchingProcessException",
+    "ament_index_python.packages.PackageNotFoundError",
+    "tf2_ros.buffer_interface.TypeException",
+]
+
+
+@for_each(LAUNCH_ERRORS)
+def test_errors_of_other_packages_say_where_they_come_from(error: str) -> None:
+    home, _, name = error.rpartition(".")
+    cls = getattr(importlib.import_module(home), name)
+    assert cls.__module__ == home
+    assert pickle.loads(pickle.dumps(cls)) is cls
 
 
 def run(code: str, *options: str) -> subprocess.CompletedProcess[str]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from tfloom.launch.launch_context import LaunchContext
+from tfloom.ros_guard import ros_repr
 
 __all__ = ["Condition"]
 
@@ -18,6 +19,9 @@ class Condition:
 
     def __init__(self, *, predicate: Callable[[LaunchContext], bool] | None = None) -> None:
         self._predicate = predicate
+
+    def __repr__(self) -> str:
+        return ros_repr(self)
 
     def describe(self) -> str:
         """Return a description for people."""

@@ -12,6 +12,7 @@ from tfloom.launch.substitution import Substitution
 from tfloom.launch.substitutions.described import described
 from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
 from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+from tfloom.ros_guard import ros_home
 
 __all__ = [
     "VALID_FALSE_EXPRESSIONS",
@@ -33,6 +34,8 @@ class InvalidConditionExpressionError(ValueError):
         unexpanded_expression: The substitutions whose text it is.
         valid_expressions: The texts that are allowed.
     """
+
+    __module__ = ros_home("launch.conditions.invalid_condition_expression_error", __name__)
 
     def __init__(
         self, expression: str, unexpanded_expression: Sequence[Substitution], valid_expressions: Sequence[str]

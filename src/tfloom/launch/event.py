@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from tfloom.ros_guard import ros_repr
+
 __all__ = ["Event"]
 
 
@@ -10,3 +12,6 @@ class Event:
 
     name = "launch.Event"
     """A name that describes the kind, for logs and for `event_named`."""
+
+    def __repr__(self) -> str:
+        return ros_repr(self)

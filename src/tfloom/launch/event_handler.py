@@ -9,6 +9,7 @@ from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.some_entities_type import SomeEntitiesType
 from tfloom.launch.utilities.normalize_to_list_of_entities import normalize_to_list_of_entities
+from tfloom.ros_guard import ros_repr
 
 __all__ = ["BaseEventHandler", "EventHandler"]
 
@@ -24,6 +25,9 @@ class BaseEventHandler:
     def __init__(self, *, matcher: Callable[[Event], bool], handle_once: bool = False) -> None:
         self._matcher = matcher
         self._handle_once = handle_once
+
+    def __repr__(self) -> str:
+        return ros_repr(self)
 
     @property
     def handle_once(self) -> bool:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from tfloom.ros_guard import ros_home
+
 __all__ = ["InvalidLaunchFileError"]
 
 
@@ -14,6 +16,8 @@ class InvalidLaunchFileError(Exception):
         extension: Extension of the file, without its dot; "" if it is none of a known format.
         likely_errors: What the parsers raised.
     """
+
+    __module__ = ros_home("launch.invalid_launch_file_error", __name__)
 
     def __init__(self, extension: str = "", *, likely_errors: Sequence[Exception] | None = None) -> None:
         super().__init__()

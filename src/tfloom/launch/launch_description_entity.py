@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from tfloom.launch.launch_context import LaunchContext
+from tfloom.ros_guard import ros_repr
 
 if TYPE_CHECKING:
     from asyncio import Future
@@ -15,6 +16,9 @@ __all__ = ["LaunchDescriptionEntity"]
 
 class LaunchDescriptionEntity:
     """A node of the tree that the launch service visits."""
+
+    def __repr__(self) -> str:
+        return ros_repr(self)
 
     def describe(self) -> str:
         """Return a description for people."""

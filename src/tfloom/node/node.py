@@ -14,6 +14,7 @@ from tfloom.node.context.utilities import get_default_context
 from tfloom.node.endpoints.type_variables import MsgType, SrvType, SrvTypeRequest, SrvTypeResponse
 from tfloom.node.parameters.parameter import PARAMETER_SEPARATOR_STRING, Parameter
 from tfloom.node.values.constants import S_TO_NS
+from tfloom.ros_guard import ros_repr
 
 if TYPE_CHECKING:
     from tfloom.node.context.context import Context
@@ -109,6 +110,9 @@ class Node(NodeBase):
         except BaseException:
             self.destroy_node()
             raise
+
+    def __repr__(self) -> str:
+        return ros_repr(self)
 
     def destroy_node(self) -> None:
         """Leave the executor and the graph, and destroy all that was created. Destroying again does nothing."""

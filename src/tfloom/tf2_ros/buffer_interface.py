@@ -11,6 +11,7 @@ from tfloom.interfaces.std_msgs.msg import Header
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.exceptions import add_note
 from tfloom.node.values.time import Time
+from tfloom.ros_guard import ros_home
 from tfloom.tf2.errors import TransformException
 
 __all__ = [
@@ -46,6 +47,8 @@ CONVERSIONS = {
 class TypeException(Exception):  # noqa: N818, tf2's name
     """No function is registered for a type."""
 
+    __module__ = ros_home("tf2_ros.buffer_interface", __name__)
+
     def __init__(self, errstr: str) -> None:
         super().__init__(errstr)
         self.errstr = errstr
@@ -53,6 +56,8 @@ class TypeException(Exception):  # noqa: N818, tf2's name
 
 class NotImplementedException(Exception):  # noqa: N818, tf2's name
     """The buffer's class does not implement this query."""
+
+    __module__ = ros_home("tf2_ros.buffer_interface", __name__)
 
     def __init__(self) -> None:
         super().__init__("CanTransform or LookupTransform not implemented")

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Literal
 
 from tfloom.node.values.exceptions import add_note
+from tfloom.ros_guard import ros_home
 from tfloom.workspace import index
 from tfloom.workspace.unsourced import how_to_find
 
@@ -28,13 +29,19 @@ on_stand_in: Callable[[str], None] | None = None
 class InvalidResourceNameError(ValueError):
     """A resource's name contains a path separator."""
 
+    __module__ = ros_home("ament_index_python.resources", __name__)
+
 
 class InvalidResourceTypeNameError(ValueError):
     """A resource type's name contains a path separator."""
 
+    __module__ = ros_home("ament_index_python.resources", __name__)
+
 
 class PackageNotFoundError(KeyError):
     """The package is neither in a prefix nor tfloom's own."""
+
+    __module__ = ros_home("ament_index_python.packages", __name__)
 
     def __str__(self) -> str:
         """Return the text unchanged, because a KeyError would quote it."""

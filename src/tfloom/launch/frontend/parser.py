@@ -24,6 +24,7 @@ from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.substitution import Substitution
 from tfloom.launch.utilities.error_places import describe_error, place_error
 from tfloom.launch.utilities.nearest import did_you_mean
+from tfloom.ros_guard import ros_home
 
 __all__ = ["InvalidFrontendLaunchFileError", "Parser"]
 
@@ -34,6 +35,8 @@ _FORMATS = {".xml": "xml", ".yaml": "yaml", ".yml": "yaml"}
 
 class InvalidFrontendLaunchFileError(InvalidLaunchFileError):
     """A launch file in another language than Python cannot be loaded."""
+
+    __module__ = ros_home("launch.frontend.parser", __name__)
 
 
 class Parser:

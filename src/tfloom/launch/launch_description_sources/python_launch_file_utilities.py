@@ -12,6 +12,7 @@ from typing import Any
 from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.launch_description_sources.missing_files import check_file
 from tfloom.launch.utilities.nearest import did_you_mean
+from tfloom.ros_guard import ros_home
 
 __all__ = [
     "InvalidPythonLaunchFileError",
@@ -24,6 +25,8 @@ _FUNCTION = "generate_launch_description"
 
 class InvalidPythonLaunchFileError(Exception):
     """A launch file in Python cannot be loaded. The text has the file, its line, and what is wrong."""
+
+    __module__ = ros_home("launch.launch_description_sources.python_launch_file_utilities", __name__)
 
 
 def load_python_launch_file_as_module(python_launch_file_path: str) -> ModuleType:

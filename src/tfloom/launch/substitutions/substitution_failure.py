@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from tfloom.ros_guard import ros_home
+
 __all__ = ["SubstitutionFailure"]
 
 
@@ -11,6 +13,8 @@ class SubstitutionFailure(RuntimeError):  # noqa: N818  # ROS's name
     Args:
         msg: What is wrong.
     """
+
+    __module__ = ros_home("launch.substitutions.substitution_failure", __name__)
 
     def __init__(self, msg: object) -> None:
         super().__init__(msg)

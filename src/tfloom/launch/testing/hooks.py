@@ -19,6 +19,7 @@ from tfloom.launch.testing.loader import (
 )
 from tfloom.launch.testing.test_result import FailResult, SkipResult
 from tfloom.launch.testing.test_runner import LaunchTestRunner
+from tfloom.ros_guard import ros_home
 
 __all__ = [
     "LaunchTestFailure",
@@ -39,6 +40,8 @@ class LaunchTestFailure(Exception):  # noqa: N818  # launch_testing's name
         message: What failed.
         results: The result of each launch.
     """
+
+    __module__ = ros_home("launch_testing.pytest.hooks", __name__)
 
     def __init__(self, message: str, results: Results) -> None:
         super().__init__(message)

@@ -7,6 +7,7 @@ from typing import Final, Protocol
 
 from tfloom.launch.actions.execute_local import ExecuteLocal
 from tfloom.launch.substitutions.text_substitution import TextSubstitution
+from tfloom.ros_guard import ros_home
 
 __all__ = ["NO_CMD_ARGS", "CmdArgs", "NoMatchingProcessException", "Process", "resolveProcesses"]
 
@@ -29,6 +30,8 @@ CmdArgs = Sequence[str] | str | _NoCmdArgs | None
 
 class NoMatchingProcessException(Exception):  # noqa: N818  # launch_testing's name
     """No process matches what was named."""
+
+    __module__ = ros_home("launch_testing.util.proc_lookup", __name__)
 
 
 class HasProcesses(Protocol):
