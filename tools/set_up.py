@@ -22,8 +22,8 @@ import sys
 import sysconfig
 import tempfile
 import time
-from collections.abc import Callable, Mapping, Sequence
-from contextlib import suppress
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -135,6 +135,8 @@ class Environment:
     def bring_to(self, stage: str, keep_python: bool) -> None:
         """Install the missing parts of `stage` and of the stages before it.
 
+        Two runs at once on the same environment go one after the other.
+
         Args:
             stage: A key of STAGES.
             keep_python: Accept an existing environment with another Python.
@@ -142,8 +144,11 @@ class Environment:
         Raises:
             SetUpError: a tool is missing, a folder cannot be written, or pip failed.
         """
-        self.make(keep_python)
-        self.complete(self._steps(stage, read_project(self.python)))
+        with suppress(OSError):  # `make` says why it can't be made
+            self.folder.mkdir(parents=True, exist_ok=True)
+        with only_one(self.folder):
+            self.make(keep_python)
+            self.complete(self._steps(stage, read_project(self.python)))
 
     def complete(self, steps: Sequence[Step]) -> None:
         """Run the steps that are not recorded as done, in order.
@@ -315,11 +320,14 @@ class Environment:
             "--config-settings",
             "cmake.define.TFLOOM_WARNINGS_AS_ERRORS=ON",
         ]
-        # Without build isolation, so that a second run compiles only the changed files.
-        self.pip("install", *options, "--editable", str(ROOT))
+        # Without build isolation, so that a second run compiles only the changed files: environments of one Python
+        # share the folder of the build.
+        with only_one(ROOT):
+            self.pip("install", *options, "--editable", str(ROOT))
 
     def _install(self, folder: Path) -> None:
-        self.pip("install", "--no-deps", "--no-build-isolation", str(folder))
+        with only_one(ROOT):
+            self.pip("install", "--no-deps", "--no-build-isolation", str(folder))
 
     def _read_record(self) -> dict[str, str]:
         with suppress(OSError, ValueError):
@@ -336,6 +344,30 @@ class Environment:
 def say(text: str) -> None:
     """Print what is done next, or was done, on a line that begins with `--`."""
     print(f"-- {text}", flush=True)
+
+
+@contextmanager
+def only_one(folder: Path) -> Iterator[None]:
+    """Keep other set-ups from a folder as long as the block runs; wait, and say so, as long as another one has it.
+
+    The lock is on the folder itself, so it needs no right to write there, and ends with the process. A file system
+    without locks, or Windows, has none.
+    """
+    descriptor = -1
+    with suppress(ImportError, OSError):
+        import fcntl
+
+        descriptor = os.open(folder, os.O_RDONLY)
+        try:
+            fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            say(f"Waiting for another set-up, which is at work in {shown(folder)}")
+            fcntl.flock(descriptor, fcntl.LOCK_EX)
+    try:
+        yield
+    finally:
+        if descriptor != -1:
+            os.close(descriptor)
 
 
 def collect_wheels(folder: Path) -> None:

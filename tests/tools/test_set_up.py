@@ -10,6 +10,7 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -124,6 +125,52 @@ def test_reason_for_recreating_an_environment(
     write_program(tmp_path / "bin" / "python", python)
     (tmp_path / "pyvenv.cfg").touch()
     assert set_up.Environment(tmp_path).why_make(keep_python) == reason
+
+
+def test_two_set_ups_of_one_environment_go_one_after_the_other(tmp_path: Path) -> None:
+    command = [sys.executable, ROOT / "tools" / "set_up.py", "--venv", tmp_path, "demo"]
+    with set_up.only_one(tmp_path):
+        # What is there is no environment, which the second run says when its turn comes.
+        (tmp_path / "notes.txt").touch()
+        second = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        assert second.stdout is not None
+        assert second.stdout.readline() == f"-- Waiting for another set-up, which is at work in {tmp_path}\n"
+        assert second.poll() is None
+    printed, errors = second.communicate(timeout=60)
+    assert (printed, second.returncode) == ("", 1)
+    assert "is there and is no virtual environment" in errors
+
+
+def test_compiler_and_packages_have_the_checkout_for_themselves(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Two environments of one Python compile into the same folder."""
+    environment = set_up.Environment(tmp_path)
+    others: list[str] = []
+    look = f"import sys; sys.path.insert(0, {str(ROOT)!r}); from tools.set_up import ROOT, only_one\n"
+    look += "with only_one(ROOT): print('in')"
+
+    def pip(*_: str) -> bool:
+        with subprocess.Popen([sys.executable, "-c", look], stdout=subprocess.PIPE, text=True) as other:
+            assert other.stdout is not None
+            others.append(other.stdout.readline())
+            other.kill()
+        return True
+
+    monkeypatch.setattr(environment, "pip", pip)
+    environment._compile()
+    environment._install(ROOT / "packages" / "tfloom-ros2")
+    assert [line.startswith("-- Waiting for another set-up") for line in others] == [True, True]
+
+
+@pytest.mark.slow
+def test_two_set_ups_at_once_make_one_environment(tmp_path: Path) -> None:
+    with ThreadPoolExecutor(2) as pool:
+        runs = list(pool.map(run_set_up, [tmp_path / "venv"] * 2))
+    assert sum("Making" in run.stdout for run in runs) == 1
+    for run in runs:
+        assert "set-up: pip failed; its messages are above" in run.stderr
+        assert "Traceback" not in run.stdout + run.stderr
 
 
 def test_other_folder_is_not_changed(tmp_path: Path) -> None:
