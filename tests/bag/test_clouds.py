@@ -138,8 +138,8 @@ def test_what_messages_show_in_a_notebook() -> None:
     shown = pose._repr_html_()
     assert "<b>geometry_msgs/msg/PoseStamped</b>" in shown
     assert "&lt;map&gt;" in shown
-    assert shown.count("<table>") == shown.count("</table>") == 6
+    assert shown.count("<table ") == shown.count("</table>") == 6
     cloud = cloud_of(START, "t")
     assert "1600: [" in cloud._repr_html_()
-    assert len(cloud._repr_html_()) < 5000
-    assert PointCloud2()._repr_html_().count("<tr>") >= 9
+    assert len(cloud._repr_html_()) < 20_000
+    assert PointCloud2()._repr_html_().count("<tr ") >= 9

@@ -112,12 +112,12 @@ def test_table_of_pandas(buffer: Buffer, monkeypatch: pytest.MonkeyPatch) -> Non
 def test_what_notebooks_show(buffer: Buffer) -> None:
     buffer.set("map", "<b>&", 0, (0, 0, 0), (0, 0, 0, 1), static=True)
     tree = buffer._repr_html_()
-    assert tree.index("<code>map</code>") < tree.index("<code>odom</code>") < tree.index("<code>lidar</code>")
+    assert tree.index(">map</code>") < tree.index(">odom</code>") < tree.index(">lidar</code>")
     assert "20 samples, 10.0 Hz, 1700000000.000 to 1700000001.900" in tree
-    assert "<code>&lt;b&gt;&amp;</code>" in tree
+    assert ">&lt;b&gt;&amp;</code>" in tree
     assert tree.count("<ul") == tree.count("</ul>") == 4
     edge = next(edge for edge in buffer.edges() if edge.child_frame_id == "odom")
-    assert "<code>map</code>" in edge._repr_html_()
+    assert ">map</code>" in edge._repr_html_()
     way = buffer.trajectory("map", "lidar")._repr_html_()
     assert "186" in way
     assert "<polyline points=" in way

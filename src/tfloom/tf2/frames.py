@@ -37,10 +37,7 @@ class Explanation(NamedTuple):
     """How to resolve the failure; empty if the lookup succeeds."""
 
     def __str__(self) -> str:
-        stamp = "the latest time" if self.stamp_ns == 0 else f"{self.stamp_ns / 1e9:.6f}"
-        lines = [
-            f"{self.target_frame} from {self.source_frame} at {stamp}: {str(self.error or 'known').rstrip()}"
-        ]
+        lines = [self._answer()]
         for edge, frame_id in zip(self.edges, self._parents(), strict=True):
             line = f"  {frame_id} -> {edge.child_frame_id}: {_span(edge)}"
             if frame_id != edge.frame_id:
@@ -50,6 +47,19 @@ class Explanation(NamedTuple):
             lines.append(self.remedy)
         return "\n".join(lines)
 
+    def _repr_html_(self) -> str:
+        """Return what a notebook shows: the chain as a table."""
+        from tfloom.tf2.html import chain_html
+
+        links = list(zip(self._parents(), self.edges, strict=True))
+        return chain_html(self._answer(), links, self.failing_edge, self.remedy)
+
+    def _answer(self) -> str:
+        stamp = "the latest time" if self.stamp_ns == 0 else f"{self.stamp_ns / 1e9:.6f}"
+        return (
+            f"{self.target_frame} from {self.source_frame} at {stamp}: {str(self.error or 'known').rstrip()}"
+        )
+
     def _parents(self) -> list[str]:
         """Return the parent in each edge at the requested time; the newest parent where the chain is incomplete."""
         if len(self.edges) != len(self.chain) - 1:
@@ -58,8 +68,26 @@ class Explanation(NamedTuple):
         return [after if edge.child_frame_id == before else before for edge, before, after in pairs]
 
 
+def _count(number: int, noun: str) -> str:
+    return f"{number} {noun}" + ("" if number == 1 else "s")
+
+
 class Frames(_native.Buffer):
     """The part of a buffer that returns its tree."""
+
+    def __str__(self) -> str:
+        edges = self.edges()
+        text = f"{_count(len(self.frame_names()), 'frame')}, "
+        text += _count(sum(edge.sample_count for edge in edges), "transform")
+        moving = [edge for edge in edges if not edge.is_static]
+        if moving:
+            begin_ns = min(edge.oldest_ns for edge in moving)
+            end_ns = max(edge.newest_ns for edge in moving)
+            text += f", from {begin_ns / 1e9:.3f} to {end_ns / 1e9:.3f} ({(end_ns - begin_ns) / 1e9:.3f} s)"
+        return f"{type(self).__name__}: {text}"
+
+    def __repr__(self) -> str:
+        return f"<{self}>"
 
     def _repr_html_(self) -> str:
         """Return what a notebook shows: the tree."""

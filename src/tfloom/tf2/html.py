@@ -1,9 +1,12 @@
-"""What a buffer, an edge and a trajectory show in a notebook, as HTML."""
+"""What a buffer, an edge, an explanation and a trajectory show in a notebook, as HTML."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from html import escape
 from typing import TYPE_CHECKING
+
+from tfloom.notebook_html import code, drawing, faint, table
 
 if TYPE_CHECKING:
     import numpy as np
@@ -11,14 +14,16 @@ if TYPE_CHECKING:
 
     from tfloom._native import Buffer, Edge
 
-__all__ = ["edge_html", "trajectory_html", "tree_html"]
+__all__ = ["chain_html", "edge_html", "trajectory_html", "tree_html"]
 
 MAX_FRAMES = 1000
 """How many frames of a tree are shown."""
-MAX_POINTS = 500
-"""How many points of a trajectory are drawn."""
-SIZE = 240
-"""Of the drawing of a trajectory [pixels]."""
+MAX_LINKS = 100
+"""How many links of a chain are shown."""
+MAX_TITLE_CHARACTERS = 2000
+"""How much of an error is shown; that of a loop names all its frames."""
+MAX_CHARACTERS = 500
+"""How many characters of a name are shown."""
 STYLE = "line-height:1.4;margin:0;padding-left:1.2em;list-style:disc"
 
 
@@ -43,11 +48,13 @@ def tree_html(buffer: Buffer) -> str:
         if name in shown or len(shown) >= MAX_FRAMES:
             continue
         shown.add(name)
-        about = f' <span style="opacity:.7">{_history(edges[name])}</span>' if name in edges else ""
-        lines.append(f"<li><code>{escape(name)}</code>{about}")
+        about = f" {faint(_history(edges[name]))}" if name in edges else ""
+        lines.append(f"<li>{_frame(name)}{about}")
         if children[name]:
             lines.append(f'<ul style="{STYLE}">')
-            waiting += [("</ul>", True), *((child, False) for child in reversed(children[name]))]
+            waiting += [("</ul></li>", True), *((child, False) for child in reversed(children[name]))]
+        else:
+            lines[-1] += "</li>"
     if len(shown) < len(names):
         lines.append(f"{len(names) - len(shown)} more frames")
     return "\n".join(lines)
@@ -66,21 +73,18 @@ def _stamp(stamp_ns: int) -> str:
     return f"{sec}.{nanosec:09d}"[:-6]
 
 
-def _table(rows: list[tuple[str, str]]) -> str:
-    cells = "".join(
-        f"<tr><th style='text-align:left'>{name}</th><td>{value}</td></tr>" for name, value in rows
-    )
-    return f"<table>{cells}</table>"
+def _frame(name: str) -> str:
+    return code(name if len(name) <= MAX_CHARACTERS else f"{name[:MAX_CHARACTERS]}…")
 
 
 def edge_html(edge: Edge) -> str:
     """Return an edge as a table."""
-    return _table(
+    return table(
         [
-            ("frame", f"<code>{escape(edge.child_frame_id)}</code>"),
-            ("in", f"<code>{escape(edge.frame_id)}</code>"),
+            ("frame", _frame(edge.child_frame_id)),
+            ("in", _frame(edge.frame_id)),
             ("history", _history(edge)),
-            ("published by", escape(edge.authority)),
+            ("published by", escape(edge.authority[:MAX_CHARACTERS])),
         ]
     )
 
@@ -97,8 +101,8 @@ def trajectory_html(
         length_m: Its length [m].
     """
     rows = [
-        ("frame", f"<code>{escape(frames[1])}</code>"),
-        ("in", f"<code>{escape(frames[0])}</code>"),
+        ("frame", _frame(frames[1])),
+        ("in", _frame(frames[0])),
         ("poses", str(len(stamps_ns))),
     ]
     if len(stamps_ns):
@@ -107,24 +111,31 @@ def trajectory_html(
             ("time", f"{_stamp(first)} to {_stamp(last)}: {(last - first) / 1e9:.3f} s"),
             ("length", f"{length_m:.3f} m"),
         ]
-    return _table(rows) + _drawing(positions[:, :2])
+    title = "x and y of the positions; the mark is the last one"
+    return table(rows) + drawing(positions[:, :2], title, as_line=True)
 
 
-def _drawing(points: NDArray[np.float64]) -> str:
-    """Return points (N, 2) as SVG: x to the right, y up, both in one scale."""
-    import numpy as np
+def chain_html(title: str, links: Sequence[tuple[str, Edge]], failing_edge: Edge | None, remedy: str) -> str:
+    """Return the chain of a lookup as a table.
 
-    points = points[np.isfinite(points).all(axis=1)]
-    if len(points) < 2:
-        return ""
-    points = points[np.unique(np.linspace(0, len(points) - 1, MAX_POINTS).astype(int))]
-    least, greatest = points.min(axis=0), points.max(axis=0)
-    extent = float((greatest - least).max()) or 1.0
-    shown = (points - (least + greatest) / 2) / extent * (SIZE - 20) * (1, -1) + SIZE / 2
-    line = " ".join(f"{x:.1f},{y:.1f}" for x, y in shown)
-    end = f'<circle cx="{shown[-1, 0]:.1f}" cy="{shown[-1, 1]:.1f}" r="4" fill="#d62728"/>'
-    return (
-        f'<svg width="{SIZE}" height="{SIZE}" style="border:1px solid #999">'
-        f"<title>x and y of the positions; the mark is the last one; {extent:.3g} m wide</title>"
-        f'<polyline points="{line}" fill="none" stroke="#1f77b4" stroke-width="1.5"/>{end}</svg>'
-    )
+    Args:
+        title: What was looked up, and the answer, as text.
+        links: The parent at the requested time and the edge, from the source to the target.
+        failing_edge: The link that lacks the time, which is marked.
+        remedy: How to resolve the failure, as text; may be empty.
+    """
+    rows = [
+        (
+            f"{_frame(parent)} → {_frame(edge.child_frame_id)}",
+            _history(edge),
+            escape(edge.authority[:MAX_CHARACTERS]),
+            "◀ here" if edge is failing_edge else "",
+        )
+        for parent, edge in links
+    ]
+    shown = rows[:MAX_LINKS]
+    shown += [row for row in rows[MAX_LINKS:] if row[-1]]
+    rest = faint(f"{len(rows) - len(shown)} more links") if len(shown) < len(rows) else ""
+    heads = ("link", "history", "published by", "")
+    title = escape(title[:MAX_TITLE_CHARACTERS])
+    return f"<b>{title}</b>{table(shown, heads) if shown else ''}{rest}<div>{escape(remedy)}</div>"

@@ -103,7 +103,12 @@ class Trajectory(NamedTuple):
 
         write_file(path, self.kitti_text())
 
+    def __repr__(self) -> str:
+        text = f"{len(self.stamps_ns)} poses, {self.duration_s:.3f} s, {self.length_m:.3f} m"
+        return f"<Trajectory of {self.source_frame} in {self.target_frame}: {text}>"
+
     def _repr_html_(self) -> str:
+        """Return what a notebook shows: a table, and a drawing from above."""
         from tfloom.tf2.html import trajectory_html
 
         frames = (self.target_frame, self.source_frame)

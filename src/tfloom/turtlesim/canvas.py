@@ -67,6 +67,10 @@ class Canvas:
             picture.paste(image, (round(x), round(y)), image)
         return picture
 
+    def _repr_png_(self) -> bytes:
+        """Show the strokes in a notebook."""
+        return self.png(())
+
     def png(self, turtles: Iterable[Turtle], size_px: int = WINDOW_PX) -> bytes:
         """Return the picture as a PNG file's bytes."""
         return to_png(self.render(turtles, size_px))
