@@ -13,8 +13,14 @@ from __future__ import annotations
 import os
 import sys
 
+TYPE_CHECKING = False  # importing typing for it would cost more than this module
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from tfloom.viewer.inline_page import InlinePage
+
 __version__ = "0.1.0"
-__all__ = ["__version__", "use_ros_names"]
+__all__ = ["__version__", "use_ros_names", "view"]
 
 _ROS_NAMES = os.path.join(os.path.dirname(__file__), "ros_names")  # noqa: PTH118, PTH120 pathlib costs 5 ms
 
@@ -34,3 +40,43 @@ def use_ros_names() -> None:
     folders = [_ROS_NAMES, *(str(prefix / "ros_names") for prefix in installed_prefixes())]
     sys.path += [folder for folder in folders if folder not in sys.path]
     install()
+
+
+def view(
+    bag: str | os.PathLike[str] | None = None,
+    *,
+    fixed_frame: str = "",
+    displays: Sequence[str] = (),
+    history_s: float = 60.0,
+    port: int = 0,
+    height_px: int = 600,
+) -> InlinePage:
+    """Show the page of `tfloom view` in a cell of a notebook: the live graph, or a recording.
+
+    The page is served on 127.0.0.1, by a thread of this process, until the result's `close` or the end of the process.
+    A call with the same arguments gives the page that is there. Outside a notebook, open the result's `address`.
+
+    Args:
+        bag: A recording; None: the live graph of ROS_DOMAIN_ID.
+        fixed_frame: The fixed frame; empty: a usual one, or the root of the largest tree.
+        displays: Topics to show from the start.
+        history_s: How far the time can be turned back [s].
+        port: The port; 0: a free one.
+        height_px: Height in the notebook.
+
+    Raises:
+        ImportError: the extra `view` is not installed.
+        ValueError: an argument is out of its range.
+        BagError, OSError: the recording can't be read.
+        ServerError: the port can't be used.
+        RuntimeError: the system has no thread left.
+        ConfigurationError, NoBackendError: there is no wire to the graph.
+    """
+    from importlib import import_module
+
+    # By its name, because all modules import this one, which may import none of them.
+    inline = import_module("tfloom.viewer.inline")
+    page: InlinePage = inline.open_page(
+        bag, fixed_frame=fixed_frame, displays=displays, history_s=history_s, port=port, height_px=height_px
+    )
+    return page

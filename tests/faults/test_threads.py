@@ -52,6 +52,7 @@ from tfloom.rmw.base import RequestId
 from tfloom.tf2_ros import deadlines
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.transform_listener import TransformListener
+from tfloom.viewer.inline_page import InlinePage
 from tfloom.viewer.page_server import PageServer, ServerError
 
 SOURCE = Path(tfloom.__path__[-1])
@@ -82,6 +83,7 @@ PLACES = {
     "tf2_ros/deadlines.py": ["deadline"],
     "tf2_ros/listener_base.py": ["listener"],
     "turtlesim/teleop_key.py": [TOLD],
+    "viewer/inline_page.py": ["inline_page"],
     "viewer/page_server.py": ["page_server"],
     "viewer/parameters.py": [TOLD],
 }
@@ -344,6 +346,15 @@ def test_page_server_without_a_thread() -> None:
     server.stop()
     with socket.socket() as other:
         other.bind(("127.0.0.1", port))
+
+
+def test_inline_page_without_a_thread() -> None:
+    """One error says so; what was not served is closed."""
+    page = InlinePage(lambda *_: None, 600)
+    with no_threads(), pytest.raises(RuntimeError, match=f"showing a page needs a thread: {NO_THREAD}"):
+        page.start()
+    assert not page.is_open
+    page.close()
 
 
 # Services with peers that take few requests

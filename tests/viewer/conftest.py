@@ -18,7 +18,9 @@ if TYPE_CHECKING:
     from tfloom.viewer.program import Viewer
 
 HAS_VISER = all(find_spec(name) is not None for name in ("viser", "websockets", "msgspec", "trimesh"))
-collect_ignore = [] if HAS_VISER else ["test_pages.py", "test_recorded.py", "test_browser.py"]
+collect_ignore = (
+    [] if HAS_VISER else ["test_pages.py", "test_recorded.py", "test_browser.py", "test_inline.py"]
+)
 """Tests of pages need the extra `view`; those of what is shown do not."""
 
 TIMEOUT_S = 30.0

@@ -17,6 +17,7 @@ from tests import conftest
 from tests.conftest import Program
 from tests.viewer.a_robot import EVIL
 
+import tfloom
 from tfloom.interfaces.geometry_msgs.msg import PoseStamped
 from tfloom.interfaces.turtlesim.msg import Pose as TurtlePose
 from tfloom.node.context.context import Context
@@ -325,3 +326,33 @@ def test_click_on_a_frame_in_the_scene_selects_it(browser: Any, address: str, ta
     wait_until(is_selected, what="the click on map")
     close.click("#unselect")
     close.page.close()
+
+
+def test_page_is_shown_in_a_notebooks_frame_and_in_no_other_sites(
+    browser: Any, module_domain_id: int, address: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A server on this machine stands for a notebook's; `tfloom view` itself lets nobody show it in a frame."""
+    monkeypatch.setenv("ROS_DOMAIN_ID", str(module_domain_id))
+    tab = browser.new_page(viewport={"width": 1000, "height": 700})
+    tab.set_default_timeout(LOADED_MS)
+    with tfloom.view() as inline_page:
+        frame = f"{inline_page._repr_html_()}<iframe id=refused src='{address}'></iframe>"
+        tab.route(
+            "http://localhost:8888/*", lambda route: route.fulfill(content_type="text/html", body=frame)
+        )
+        tab.goto("http://localhost:8888/notebook")
+        shown = tab.frame_locator("iframe[title='tfloom view']")
+        shown.locator("body[data-ready=yes]").wait_for()
+        shown.locator("#rows tr .name").first.wait_for()
+        scene = shown.frame_locator("iframe").locator("canvas")
+        scene.first.wait_for()
+        assert tab.frame_locator("#refused").locator("#rows").count() == 0
+        if FOLDER:
+            tab.screenshot(path=str(Path(FOLDER) / "notebook.png"), timeout=LOADED_MS)
+        tab.route(
+            "http://elsewhere.test/*", lambda route: route.fulfill(content_type="text/html", body=frame)
+        )
+        tab.goto("http://elsewhere.test/page")
+        tab.wait_for_load_state("load")
+        assert tab.frame_locator("iframe[title='tfloom view']").locator("#rows").count() == 0
+    tab.close()

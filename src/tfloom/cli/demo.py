@@ -29,12 +29,12 @@ def main(args: argparse.Namespace) -> int:
     """Run the demonstration; return the exit code."""
     import signal
 
-    from tfloom.cli import view
     from tfloom.cli.errors import CommandError
     from tfloom.demos.show import ShowError
+    from tfloom.viewer.extra import MISSING, is_installed
 
-    if args.view and not view.is_installed():
-        raise CommandError(view.MISSING)
+    if args.view and not is_installed():
+        raise CommandError(MISSING.format(name="`tfloom demo --view`"))
     for name in ("SIGTERM", "SIGHUP"):
         if hasattr(signal, name):
             signal.signal(getattr(signal, name), signal.default_int_handler)
@@ -71,9 +71,9 @@ def describe_wire() -> tuple[str, bool]:
 
 
 def _show_over_dds(seconds: float | None, *, opens_page: bool) -> None:
-    from tfloom.cli.view import is_installed
     from tfloom.demos.processes import own_domain, process_starter
     from tfloom.demos.show import PROGRAMS, VIEW, Show
+    from tfloom.viewer.extra import is_installed
 
     programs = PROGRAMS | VIEW if is_installed() else PROGRAMS
     with own_domain() as domain_id:

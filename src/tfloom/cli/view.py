@@ -16,13 +16,13 @@ from tfloom.cli.errors import CommandError
 from tfloom.cli.names import full_topic_name
 from tfloom.cli.numbers import seconds
 from tfloom.tf2_tools.watch.model import STATIC_TOPIC, TF_TOPIC
+from tfloom.viewer.extra import MISSING, is_installed
 
 if TYPE_CHECKING:
     from tfloom.viewer.program import Viewer
 
 PORT = 8765
 HISTORY_S = 60.0
-MISSING = "`tfloom view` needs viser, which is not installed: pip install 'tfloom[view]'"
 OPEN_TO_ALL = """\
 Whoever has this address can see what is published here, and can drive robots: it has a token, and is not encrypted."""
 
@@ -73,7 +73,7 @@ def main(args: argparse.Namespace) -> int:
     if not args.history > 0.0:
         raise CommandError(f"argument --history: must be above 0, not {args.history:g}")
     if not is_installed():
-        raise CommandError(MISSING)
+        raise CommandError(MISSING.format(name="`tfloom view`"))
     over = threading.Event()
     for name in ("SIGINT", "SIGTERM"):
         signal.signal(getattr(signal, name), lambda *_: over.set())
@@ -90,13 +90,6 @@ def main(args: argparse.Namespace) -> int:
             webbrowser.open(viewer.pages.address)
         viewer.run(over.is_set)
     return 0
-
-
-def is_installed() -> bool:
-    """Return whether the extra `view` is installed."""
-    from importlib.util import find_spec
-
-    return all(find_spec(name) is not None for name in ("viser", "websockets", "msgspec", "trimesh"))
 
 
 @contextmanager

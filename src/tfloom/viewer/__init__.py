@@ -7,5 +7,6 @@
 - drawing, scene, scene_server, mesh_files: viser's scene and server
 - page_server, access, page_command: the server of our page
 - tools, log_lines, parameters, node_graph, pictures: what is beside the scene
+- inline, inline_page, extra: the page in a notebook; whether the extra is installed
 - program, live, live_parts: the loop, and what it needs of a graph
 """

@@ -47,12 +47,12 @@ FILES = {
 }
 PAGE_POLICY = (
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; frame-src 'self'; "
-    "connect-src 'self' {sockets}; base-uri 'none'; form-action 'none'; frame-ancestors 'self'"
+    "connect-src 'self' {sockets}; base-uri 'none'; form-action 'none'; frame-ancestors 'self'{embedders}"
 )
 """What our page may load: from this server alone, and no script or style within a text."""
 SCENE_POLICY = (
     "default-src 'self' 'unsafe-inline' 'unsafe-eval' data: blob:; connect-src 'self' data: blob: {sockets}; "
-    "base-uri 'none'; form-action 'none'; frame-ancestors 'self'"
+    "base-uri 'none'; form-action 'none'; frame-ancestors 'self'{embedders}"
 )
 """What viser's page may load: from this server and itself."""
 
@@ -85,6 +85,7 @@ class PageServer:
         self._server: Server | None = None
         self._thread: threading.Thread | None = None
         self._access = Access("127.0.0.1", 0)
+        self._embedders = ""
         self._host = ""
         self._port = 0
         self._pages: dict[str, _Page] = {}
@@ -94,13 +95,14 @@ class PageServer:
         """Lines of the log, as JSON; `_first_line` is the number of the first one."""
         self._first_line = 0
 
-    def start(self, host: str, port: int, token: str | None = None) -> None:
+    def start(self, host: str, port: int, token: str | None = None, *, embedders: str = "") -> None:
         """Listen at an address, until `stop`.
 
         Args:
             host: The address; other than one of this machine's own, pages need a token.
             port: The port; 0: a free one.
             token: The token; None: a new one.
+            embedders: Sites whose pages may show ours in a frame, as sources of a Content-Security-Policy.
 
         Raises:
             ServerError: the address can't be used, or the system has no thread left.
@@ -115,6 +117,7 @@ class PageServer:
             raise ServerError(f"can't listen at {host}:{port}: {error.strerror or error}") from None
         self._host, self._port = host, listener.getsockname()[1]
         self._access = Access(host, self._port, token)
+        self._embedders = f" {embedders}" if embedders else ""
         ready = threading.Event()
         thread = threading.Thread(
             target=self._run, args=(listener, ready), name="tfloom_view_pages", daemon=True
@@ -233,13 +236,14 @@ class PageServer:
 
     def _respond_with_file(self, path: str, sockets: str) -> Response:
         if path == "/scene/":
-            policy = SCENE_POLICY.format(sockets=sockets)
+            policy = SCENE_POLICY.format(sockets=sockets, embedders=self._embedders)
             return _response(HTTPStatus.OK, self._scene.client_html(), "text/html; charset=utf-8", policy)
         if path not in FILES:
             return _response(HTTPStatus.NOT_FOUND, b"there is nothing here\n", "text/plain")
         name, kind = FILES[path]
         content = (Path(__file__).parent / "page" / name).read_bytes()
-        response = _response(HTTPStatus.OK, content, kind, PAGE_POLICY.format(sockets=sockets))
+        policy = PAGE_POLICY.format(sockets=sockets, embedders=self._embedders)
+        response = _response(HTTPStatus.OK, content, kind, policy)
         if cookie := self._access.cookie():
             response.headers["Set-Cookie"] = cookie
         return response
