@@ -7,7 +7,10 @@ import os
 import re
 import shutil
 import sys
+import threading
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
 
@@ -328,31 +331,61 @@ def test_click_on_a_frame_in_the_scene_selects_it(browser: Any, address: str, ta
     close.page.close()
 
 
+@contextmanager
+def site(host: str, html: str) -> Iterator[str]:
+    """Serve one page on this machine; give its address."""
+
+    class Handler(BaseHTTPRequestHandler):
+        def do_GET(self) -> None:
+            self.send_response(200)
+            self.send_header("Content-Type", "text/html")
+            self.end_headers()
+            self.wfile.write(html.encode())
+
+        def log_message(self, *_: object) -> None:
+            pass
+
+    with ThreadingHTTPServer((host, 0), Handler) as server:
+        thread = threading.Thread(target=server.serve_forever, args=(0.05,))
+        thread.start()
+        try:
+            yield f"http://{host}:{server.server_port}/"
+        finally:
+            server.shutdown()
+            thread.join()
+
+
 def test_page_is_shown_in_a_notebooks_frame_and_in_no_other_sites(
     browser: Any, module_domain_id: int, address: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """A server on this machine stands for a notebook's; `tfloom view` itself lets nobody show it in a frame."""
+    """A server at localhost stands for a notebook's; `tfloom view` itself lets nobody show it in a frame."""
     monkeypatch.setenv("ROS_DOMAIN_ID", str(module_domain_id))
-    tab = browser.new_page(viewport={"width": 1000, "height": 700})
-    tab.set_default_timeout(LOADED_MS)
+    page = browser.new_page(viewport={"width": 1000, "height": 800})
+    page.set_default_timeout(LOADED_MS)
     with tfloom.view() as inline_page:
-        frame = f"{inline_page._repr_html_()}<iframe id=refused src='{address}'></iframe>"
-        tab.route(
-            "http://localhost:8888/*", lambda route: route.fulfill(content_type="text/html", body=frame)
-        )
-        tab.goto("http://localhost:8888/notebook")
-        shown = tab.frame_locator("iframe[title='tfloom view']")
-        shown.locator("body[data-ready=yes]").wait_for()
-        shown.locator("#rows tr .name").first.wait_for()
-        scene = shown.frame_locator("iframe").locator("canvas")
-        scene.first.wait_for()
-        assert tab.frame_locator("#refused").locator("#rows").count() == 0
-        if FOLDER:
-            tab.screenshot(path=str(Path(FOLDER) / "notebook.png"), timeout=LOADED_MS)
-        tab.route(
-            "http://elsewhere.test/*", lambda route: route.fulfill(content_type="text/html", body=frame)
-        )
-        tab.goto("http://elsewhere.test/page")
-        tab.wait_for_load_state("load")
-        assert tab.frame_locator("iframe[title='tfloom view']").locator("#rows").count() == 0
-    tab.close()
+        html = f"{inline_page._repr_html_()}<iframe title=refused src='{address}'></iframe>"
+
+        def rows(title: str) -> Any:
+            return page.frame_locator(f"iframe[title='{title}']").locator("#rows tr")
+
+        with site("localhost", html) as notebook:
+            page.goto(notebook)
+            rows("tfloom view").first.wait_for(state="attached")
+            assert rows("refused").count() == 0
+            scene = page.frame_locator("iframe[title='tfloom view']").frame_locator("iframe")
+            scene.locator("canvas").first.wait_for(state="attached")
+            if FOLDER:
+                page.screenshot(path=str(Path(FOLDER) / "notebook.png"), timeout=LOADED_MS)
+        # 127.0.0.2 is a site of this machine, too, but none of those that serve notebooks.
+        refusals: list[str] = []
+        page.on("console", lambda message: refusals.append(message.text))
+        with site("127.0.0.2", html) as elsewhere:
+            page.goto(elsewhere)
+
+            def is_refused() -> bool:
+                page.wait_for_timeout(50)
+                return sum("frame-ancestors" in text for text in refusals) == 2
+
+            wait_until(is_refused, "both frames are refused")
+            assert rows("tfloom view").count() == 0
+    page.close()

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 import socket
+import subprocess
+import sys
 import threading
 import urllib.request
 from collections.abc import Callable, Iterator
@@ -156,6 +158,14 @@ def test_viewer_that_fails_later_closes_its_page(monkeypatch: pytest.MonkeyPatch
     wait_until(lambda: not page.is_open and reports)
     assert str(reports[0].exc_value) == "planted"
     page.close()
+
+
+def test_page_that_nobody_closes_ends_quietly_with_the_program(bag: Path) -> None:
+    program = f"import tfloom; print(tfloom.view({str(bag)!r}).is_open)"
+    done = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, timeout=60, check=False
+    )
+    assert (done.returncode, done.stdout, done.stderr) == (0, "True\n", "")
 
 
 CELLS = {

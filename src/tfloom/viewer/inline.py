@@ -62,6 +62,9 @@ def open_page(
             for other in [other for other, kept in _pages.items() if not kept.is_open]:
                 del _pages[other]
             page = _pages[key] = _started(path, fixed_frame, topics, history_s, port, height_px)
+            # Functions at exit run in reverse order, and viser's, which prints, would run before an earlier one.
+            atexit.unregister(_close_all)
+            atexit.register(_close_all)
         page.height_px = height_px
         return page
 
@@ -100,7 +103,6 @@ def _opened(path: Path | None, fixed_frame: str, history_s: float) -> Iterator[V
         yield viewer
 
 
-@atexit.register
 def _close_all() -> None:
     for page in list(_pages.values()):
         page.close()
