@@ -60,6 +60,7 @@ DOORS = {
     "pandas": ("tf2/trajectory.py",),
     "lz4": ("bag/reading/compression.py",),
     "zstandard": ("bag/reading/compression.py",),
+    "zenoh": ("rmw/zenoh",),
     "PyInstaller": ("pyinstaller/",),
     "xacro": ("robot/xacro_program.py",),
     "pytest": ("launch/testing/", "testing/plugin.py"),
@@ -68,7 +69,7 @@ DOORS = {
     "colcon_parallel_executor": ("workspace/colcon/",),
     "colcon_ros": ("workspace/colcon/",),
 }
-"""Where each third-party library may be imported: one file or folder of a room."""
+"""Where each third-party library may be imported: one file or folder of a room, or files whose names begin alike."""
 
 EVERYWHERE = {"numpy", "yaml"}
 """Third-party libraries that any file may import."""

@@ -62,7 +62,7 @@ def sound_house(tmp_path: Path) -> Path:
     files["cli/main.py"] = "import argparse\n"
     for library, doors in architecture.DOORS.items():
         for door in doors:
-            path = f"{door}imports_{library}.py" if door.endswith("/") else door
+            path = door if door.endswith(".py") else f"{door}imports_{library}.py"
             files[path] = files.get(path, "") + f"import {library}\n"
     return plant(tmp_path / "tfloom", files)
 

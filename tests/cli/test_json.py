@@ -74,6 +74,7 @@ WITHOUT = {
     **dict.fromkeys(["tf plot", "tf save"], "writes a file"),
     "tf publish": "publishes until Ctrl-C",
     "view": "serves a page until Ctrl-C",
+    "zenoh router": "routes until Ctrl-C",
     **dict.fromkeys(["topic bw", "topic delay", "topic hz"], "reports until Ctrl-C"),
     **dict.fromkeys(
         ["daemon start", "daemon status", "daemon stop", "component standalone", "component types", "launch"],

@@ -77,6 +77,7 @@ SILENT = {
     "topic delay": "no topic of turtlesim has a header",
     "multicast receive": "has a test of its own",
     "multicast send": "has a test of its own",
+    "zenoh router": "has a test of its own",
 }
 """Verbs that print nothing on stdout here, each with its reason."""
 START = "import sys; from tfloom.cli import main; sys.stdin.read(1); sys.exit(main.main())"

@@ -158,6 +158,12 @@ COMMANDS: dict[str, str | Group] = {
         hidden="topics",
     ),
     "view": "Show frames, robots and sensors in a browser",
+    "zenoh": Group(
+        "The router of the Zenoh wire",
+        {
+            "router": "Run a router, at which programs meet, until Ctrl-C",
+        },
+    ),
 }
 
 INTERRUPTED = 2

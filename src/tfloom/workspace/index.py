@@ -45,6 +45,9 @@ PROGRAMS: dict[str, dict[str, str]] = {
     "joint_state_publisher": {
         "joint_state_publisher": "tfloom.robot.joint_state_publisher:main",
     },
+    "rmw_zenoh_cpp": {
+        "rmw_zenohd": "tfloom.cli.zenoh.router:run_daemon",
+    },
     "robot_state_publisher": {
         "robot_state_publisher": "tfloom.robot.robot_state_publisher:main",
     },

@@ -1,0 +1,1 @@
+"""`zenoh`: the router of the Zenoh wire."""

@@ -1,0 +1,73 @@
+"""Run a router, at which the programs of the Zenoh wire meet, until Ctrl-C."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import threading
+
+from tfloom.cli.errors import CommandError
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the arguments of `zenoh router`."""
+    parser.add_argument(
+        "-c", "--config", metavar="FILE", help="a JSON5 file, in place of that of ZENOH_ROUTER_CONFIG_URI"
+    )
+    parser.add_argument(
+        "-l",
+        "--listen",
+        metavar="ENDPOINT",
+        action="append",
+        help="where to listen, as tcp/0.0.0.0:7447 (default: tcp/127.0.0.1:7447); may be repeated",
+    )
+    parser.add_argument(
+        "-e",
+        "--connect",
+        metavar="ENDPOINT",
+        action="append",
+        help="another router to be linked to, as tcp/robot:7447; may be repeated",
+    )
+
+
+def main(args: argparse.Namespace) -> int:
+    """Route until Ctrl-C; return the exit code."""
+    import os
+
+    from tfloom.rmw.zenoh_config import ROUTER_VARIABLE, endpoints_of, router_configuration
+    from tfloom.rmw.zenoh_router import open_router
+
+    if args.config:
+        os.environ[ROUTER_VARIABLE] = args.config
+    asked = {"listen/endpoints": args.listen, "connect/endpoints": args.connect}
+    config = router_configuration({key: endpoints for key, endpoints in asked.items() if endpoints})
+    if config.get_json("mode") != '"router"':
+        raise CommandError(
+            f'the configuration has the mode {config.get_json("mode")}, a router needs "router"'
+        )
+    session = open_router(config)
+    try:
+        listen = ", ".join(endpoints_of(config, "listen/endpoints"))
+        connect = ", ".join(endpoints_of(config, "connect/endpoints"))
+        linked = f", linked to {connect} as soon as it answers" if connect else ""
+        print(f"Started Zenoh router with id {session.zid()}, listening on {listen}{linked}", flush=True)
+        threading.Event().wait()
+    except KeyboardInterrupt:
+        print("Zenoh router ends", file=sys.stderr)
+    finally:
+        session.close()
+    return 0
+
+
+def run_daemon(args: list[str] | None = None) -> int:
+    """Run `ros2 run rmw_zenoh_cpp rmw_zenohd`: the router, configured by the environment; return the exit code.
+
+    ROS arguments are accepted and have no effect.
+    """
+    from tfloom.node.context.utilities import remove_ros_args
+
+    parser = argparse.ArgumentParser(
+        prog="rmw_zenohd", description="Route between the programs of the Zenoh wire."
+    )
+    add_arguments(parser)
+    return main(parser.parse_args(remove_ros_args(sys.argv[1:] if args is None else args)))
