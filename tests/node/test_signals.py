@@ -138,6 +138,45 @@ print(sorted(endings))
 """
 
 
+ENTERING = """
+import signal, threading, time
+import rclpy
+
+rclpy.init()
+lock = threading.Lock()
+is_running = True
+
+def strike():
+    while is_running:
+        time.sleep(0.0003)
+        signal.pthread_kill(threading.main_thread().ident, signal.SIGINT)
+
+threading.Thread(target=strike, daemon=True).start()
+interrupted = 0
+end = time.monotonic() + 20.0
+while interrupted < 200 and time.monotonic() < end:
+    try:
+        rclpy.try_shutdown()
+        rclpy.init()
+        while True:
+            with lock:
+                pass
+    except KeyboardInterrupt:
+        interrupted += 1
+    if lock.locked():
+        break
+is_running = False
+print("kept" if lock.locked() else "free", interrupted > 0)
+"""
+
+
+def test_interrupted_program_keeps_no_lock(start_program: StartProgram) -> None:
+    """Python 3.14 and later may run a handler between a lock's `__enter__` and the block of the `with`."""
+    program = start_program("python", "-c", ENTERING)
+    assert program.wait(60) == 0, program.output
+    assert program.lines == ["free True"]
+
+
 @pytest.mark.parametrize("kind", ["single", "multi", "events"])
 @pytest.mark.parametrize(
     ("number", "expected"),

@@ -5,7 +5,6 @@ from __future__ import annotations
 import sys
 import threading
 import time
-import traceback
 from collections import deque
 from collections.abc import Callable, Coroutine
 from contextlib import suppress
@@ -226,6 +225,8 @@ class MultiThreadedExecutor(Executor):
                 error, (ExternalShutdownException, KeyboardInterrupt)
             ):  # which a spin has raised once
                 print("An exception was raised in a callback, and no spin has raised it:", file=sys.stderr)
+                import traceback  # not above, because from Python 3.14 on it loads dataclasses and inspect
+
                 traceback.print_exception(error)
         return True
 

@@ -177,6 +177,8 @@ def _may_interrupt(frame: FrameType | None) -> bool:
 
     Python prints and drops an exception in a destructor, and the code of `_uninterruptible_files` would keep a lock.
     """
+    if frame is not None and _is_entering_with(frame):
+        return False
     # All callers count, not only the innermost frame: the code of such a file may have called what runs now, as an
     # import runs the code of a module.
     while frame is not None:
@@ -185,6 +187,32 @@ def _may_interrupt(frame: FrameType | None) -> bool:
             return False
         frame = frame.f_back
     return True
+
+
+class _Probe:
+    """Reads the instructions by which a `with` calls `__enter__`: the look-up, and the call."""
+
+    instructions = b""
+
+    def __enter__(self) -> None:
+        frame = sys._getframe(1)  # noqa: SLF001  # inspect takes long to import
+        self.instructions = frame.f_code.co_code[frame.f_lasti - 2 : frame.f_lasti + 2]
+
+    def __exit__(self, *_: object) -> None: ...
+
+
+_probe = _Probe()
+with _probe:
+    pass
+
+
+def _is_entering_with(frame: FrameType) -> bool:
+    """Return whether a frame is between the `__enter__` of a `with` and its block.
+
+    From Python 3.14 on a handler may run there, and after its exception nothing calls `__exit__`: a lock stays locked.
+    """
+    call = frame.f_lasti
+    return sys.version_info >= (3, 14) and frame.f_code.co_code[call - 2 : call + 2] == _probe.instructions
 
 
 def defer_keyboard_interrupt_in(file: str) -> None:
