@@ -55,6 +55,7 @@ DOORS = {
     "websockets": ("viewer/page_server.py",),
     "msgspec": ("viewer/page_server.py",),
     "trimesh": ("viewer/",),
+    "foxglove": ("viewer/foxglove_bridge/",),
     "psutil": ("launch/processes/",),
     "transforms3d": ("tf2_ros/transformations/transformations.py",),
     "pandas": ("tf2/trajectory.py",),

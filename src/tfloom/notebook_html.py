@@ -79,7 +79,8 @@ def drawing(points: NDArray[np.float64], title: str, *, as_line: bool) -> str:
     middle = least / 2 + greatest / 2
 
     def place(points: NDArray[np.float64]) -> NDArray[np.float64]:
-        return (points / 2 - middle / 2) / half * (SIZE - 2 * MARGIN) * (1, -1) + SIZE / 2
+        placed: NDArray[np.float64] = (points / 2 - middle / 2) / half * (SIZE - 2 * MARGIN) * (1, -1)
+        return placed + SIZE / 2
 
     shown = place(points)
     if as_line:

@@ -23,6 +23,7 @@ RUNNING = {
     "draw_square": ("draw_square", []),
     "dynamic_frame_tf2_broadcaster": ("dynamic_frame_tf2_broadcaster", []),
     "fixed_frame_tf2_broadcaster": ("fixed_frame_tf2_broadcaster", []),
+    "foxglove_bridge": ("foxglove_bridge", ["--ros-args", "-p", "port:=0", "--"]),
     "introspection": ("introspection_client", []),
     "joint_state_publisher": ("joint_state_publisher", []),
     "listener": ("listener", []),
@@ -142,6 +143,7 @@ def test_malformed_ros_arguments_are_rejected(
             "must be one of 'disabled'",
         ),
         ("demo_nodes_py", "set_parameters_callback", "param1:=x", "expecting type 'DOUBLE'"),
+        ("foxglove_bridge", "foxglove_bridge", "port:=abc", "expecting type 'INTEGER'"),
         ("demo_nodes_py", "talker", "use_sim_time:=maybe", "expecting type 'BOOL'"),
     ],
 )

@@ -8,5 +8,6 @@
 - page_server, access, page_command: the server of our page
 - tools, log_lines, parameters, node_graph, pictures: what is beside the scene
 - inline, inline_page, extra: the page in a notebook; whether the extra is installed
+- foxglove_bridge/: the graph for Foxglove
 - program, live, live_parts: the loop, and what it needs of a graph
 """

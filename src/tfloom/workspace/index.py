@@ -42,6 +42,9 @@ PROGRAMS: dict[str, dict[str, str]] = {
         "talker_qos": "tfloom.demos.demo_nodes_py.talker_qos:main",
         "use_logger_service": "tfloom.demos.demo_nodes_py.use_logger_service:main",
     },
+    "foxglove_bridge": {
+        "foxglove_bridge": "tfloom.viewer.foxglove_bridge.program:main",
+    },
     "joint_state_publisher": {
         "joint_state_publisher": "tfloom.robot.joint_state_publisher:main",
     },

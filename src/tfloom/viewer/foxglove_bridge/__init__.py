@@ -1,0 +1,7 @@
+"""foxglove_bridge: a graph for Foxglove, over a WebSocket, by foxglove-sdk, which the extra `foxglove` installs.
+
+- program, settings: the program, and its parameters
+- bridge, commands: the node, what it does for its clients, and how their requests get onto its thread
+- channels: topics, to clients;  client_topics: topics, from clients
+- services, calls, parameters, assets: what clients ask for
+"""

@@ -1,0 +1,249 @@
+"""The node that serves its graph to clients."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from functools import partial
+from typing import TYPE_CHECKING
+
+import foxglove
+from foxglove import ConnectionGraph, Context, StatusLevel
+from foxglove.websocket import Capability, ServerListener
+
+from tfloom.interfaces.rcl_interfaces.msg import ParameterEvent
+from tfloom.interfaces.rosgraph_msgs.msg import Clock
+from tfloom.node.node import Node
+from tfloom.node.qos.qos import QoSProfile
+from tfloom.rmw.qos import ReliabilityPolicy
+from tfloom.viewer.foxglove_bridge.assets import AssetError, read_asset
+from tfloom.viewer.foxglove_bridge.calls import Calls
+from tfloom.viewer.foxglove_bridge.channels import Channels
+from tfloom.viewer.foxglove_bridge.client_topics import ClientTopic, ClientTopicError, ClientTopics
+from tfloom.viewer.foxglove_bridge.commands import Commands
+from tfloom.viewer.foxglove_bridge.parameters import Parameters, from_message
+from tfloom.viewer.foxglove_bridge.services import Services
+from tfloom.viewer.foxglove_bridge.settings import Settings
+
+if TYPE_CHECKING:
+    from foxglove import Parameter
+    from foxglove.websocket import ChannelView, Client, ClientChannel, WebSocketServer
+
+    from tfloom.node.context.context import Context as RosContext
+
+__all__ = ["BridgeError", "FoxgloveBridge"]
+
+UPDATE_S = 0.25
+"""Period at which the graph is looked at [s]."""
+CONNECTIONS_S = 1.0
+"""Period at which the connection graph is published, while a client subscribes to it [s]."""
+MAX_BACKLOG = 512
+"""Number of messages that wait for a client; of more, the oldest are dropped."""
+CAPABILITIES = {
+    "clientPublish": Capability.ClientPublish,
+    "parameters": Capability.Parameters,
+    "services": Capability.Services,
+    "connectionGraph": Capability.ConnectionGraph,
+}
+
+
+class BridgeError(Exception):
+    """The bridge can't be started; the text says why."""
+
+
+class FoxgloveBridge(Node):
+    """Serves topics, services, parameters and the connection graph.
+
+    Args:
+        context: Its context; None: the default one.
+
+    Raises:
+        SettingsError: a parameter can't be used.
+        BridgeError: the address can't be used.
+    """
+
+    def __init__(self, context: RosContext | None = None) -> None:
+        super().__init__("foxglove_bridge", context=context)
+        self.server: WebSocketServer | None = None
+        try:
+            self._start()
+        except BaseException:
+            self.close()
+            raise
+
+    def _start(self) -> None:
+        self.settings = settings = Settings(self)
+        self.commands = Commands(self)
+        sdk_context = Context()
+        self.channels = Channels(self, sdk_context, settings)
+        self.client_topics = ClientTopics(self, settings)
+        self.calls = Calls(self)
+        self.parameters_of_nodes = Parameters(self, self.calls, settings)
+        self.wants_connections = False
+        self._seen_changes = self._published_changes = -1
+        capabilities = [CAPABILITIES[name] for name in sorted(settings.capabilities & CAPABILITIES.keys())]
+        self._is_simulated = bool(self.get_parameter("use_sim_time").value)
+        if self._is_simulated:
+            capabilities.append(Capability.Time)
+        try:
+            self.server = foxglove.start_server(
+                name="foxglove_bridge",
+                host=settings.address,
+                port=settings.port,
+                capabilities=capabilities,
+                server_listener=_Listener(self),
+                supported_encodings=["cdr"],
+                asset_handler=self._read_asset if "assets" in settings.capabilities else None,
+                context=sdk_context,
+                message_backlog_size=MAX_BACKLOG,
+                tls_cert=settings.certificate,
+                tls_key=settings.key,
+            )
+        except (OSError, RuntimeError, ValueError, foxglove_error()) as error:
+            raise BridgeError(f"can't listen at {settings.address}:{settings.port}: {error}") from None
+        self._services = Services(self, self.server, self.calls, settings)
+        self.create_timer(UPDATE_S, self._update)
+        self.create_timer(CONNECTIONS_S, self.publish_connections)
+        self._update()
+        if self._is_simulated:
+            best_effort = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
+            self.create_subscription(Clock, "/clock", self._broadcast_time, best_effort)
+        if "parametersSubscribe" in settings.capabilities and "parameters" in settings.capabilities:
+            self.create_subscription(ParameterEvent, "/parameter_events", self._publish_parameters, 100)
+
+    def close(self) -> None:
+        """Close all connections and the port, and destroy the node."""
+        if self.server is not None:
+            self.server.stop()
+            self.channels.close()
+        self.destroy_node()
+
+    def warn(self, text: str) -> None:
+        """Log a warning, which all clients get, too."""
+        self.get_logger().warning(text)
+        if self.server is not None:
+            self.server.publish_status(text, StatusLevel.Warning)
+
+    # On the node's thread.
+
+    def _update(self) -> None:
+        """Follow the graph, if it has changed."""
+        graph = self._wire_graph()
+        changes = graph.changes()
+        if changes == self._seen_changes:
+            return
+        self._seen_changes = changes
+        self.channels.update({(end.topic.name, end.topic.type_name) for end in graph.endpoints()})
+        served = {end.name: end.type_name for end in graph.service_ends() if end.is_server}
+        if "services" in self.settings.capabilities:
+            self._services.update(served)
+        self.calls.forget(served.keys())
+
+    def publish_connections(self) -> None:
+        """Publish which node publishes, subscribes to and serves what, if that has changed and a client asks."""
+        graph = self._wire_graph()
+        changes = graph.changes()
+        if not self.wants_connections or self.server is None or changes == self._published_changes:
+            return
+        self._published_changes = changes
+        settings = self.settings
+        published, subscribed, served = (defaultdict[str, set[str]](set) for _ in range(3))
+        for end in graph.endpoints():
+            if end.node is not None and settings.shows(end.topic.name, settings.topics):
+                (published if end.is_writer else subscribed)[end.topic.name].add(end.node.full)
+        for service in graph.service_ends():
+            is_shown = service.is_server and settings.shows(service.name, settings.services)
+            if service.node is not None and is_shown:
+                served[service.name].add(service.node.full)
+        connections = ConnectionGraph()
+        for topic, nodes in published.items():
+            connections.set_published_topic(topic, sorted(nodes))
+        for topic, nodes in subscribed.items():
+            connections.set_subscribed_topic(topic, sorted(nodes))
+        for name, nodes in served.items():
+            connections.set_advertised_service(name, sorted(nodes))
+        self.server.publish_connection_graph(connections)
+
+    def _broadcast_time(self, message: Clock) -> None:
+        if self.server is not None:
+            self.server.broadcast_time(max(0, message.clock.sec * 1_000_000_000 + message.clock.nanosec))
+
+    def _publish_parameters(self, event: ParameterEvent) -> None:
+        parameters = [
+            from_message(name, parameter.value)
+            for parameter in (*event.new_parameters, *event.changed_parameters)
+            if (name := f"{event.node}.{parameter.name}") in self.settings.parameters
+        ]
+        if parameters and self.server is not None:
+            self.server.publish_parameter_values(parameters)
+
+    # On threads of the SDK.
+
+    def _read_asset(self, uri: str) -> bytes | None:
+        try:
+            return read_asset(uri, self.settings)
+        except AssetError as error:
+            self.get_logger().warning(str(error))
+            return None
+
+
+def foxglove_error() -> type[Exception]:
+    """Return the SDK's own class of errors."""
+    error: type[Exception] = getattr(foxglove._foxglove_py, "FoxgloveError", RuntimeError)  # noqa: SLF001  # nowhere else
+    return error
+
+
+class _Listener(ServerListener):
+    """What clients ask for; its methods are called on threads of the SDK."""
+
+    def __init__(self, bridge: FoxgloveBridge) -> None:
+        self._bridge = bridge
+
+    def on_subscribe(self, client: Client, channel: ChannelView) -> None:
+        self._bridge.commands.put(partial(self._bridge.channels.subscribe, client.id, channel.id))
+
+    def on_unsubscribe(self, client: Client, channel: ChannelView) -> None:
+        self._bridge.commands.put(partial(self._bridge.channels.unsubscribe, client.id, channel.id))
+
+    def on_client_advertise(self, client: Client, channel: ClientChannel) -> None:
+        topic = ClientTopic(channel.topic, channel.schema_name, channel.encoding)
+        self._put(partial(self._bridge.client_topics.advertise, client.id, channel.id, topic))
+
+    def on_client_unadvertise(self, client: Client, client_channel_id: int) -> None:
+        self._put(partial(self._bridge.client_topics.unadvertise, client.id, client_channel_id))
+
+    def on_message_data(self, client: Client, client_channel_id: int, data: bytes) -> None:
+        self._put(partial(self._bridge.client_topics.publish, client.id, client_channel_id, bytes(data)))
+
+    def _put(self, command: partial[None]) -> None:
+        def run() -> None:
+            try:
+                command()
+            except ClientTopicError as error:
+                self._bridge.warn(str(error))
+
+        self._bridge.commands.put(run)
+
+    def on_get_parameters(
+        self,
+        client: Client,  # noqa: ARG002  # the SDK's signature
+        param_names: list[str],
+        request_id: str | None = None,  # noqa: ARG002
+    ) -> list[Parameter]:
+        return self._bridge.parameters_of_nodes.get(param_names)
+
+    def on_set_parameters(
+        self,
+        client: Client,  # noqa: ARG002
+        parameters: list[Parameter],
+        request_id: str | None = None,  # noqa: ARG002
+    ) -> list[Parameter]:
+        for error in self._bridge.parameters_of_nodes.set(parameters):
+            self._bridge.warn(error)
+        return self._bridge.parameters_of_nodes.get([parameter.name for parameter in parameters])
+
+    def on_connection_graph_subscribe(self) -> None:
+        self._bridge.wants_connections = True
+        self._bridge.commands.put(self._bridge.publish_connections)
+
+    def on_connection_graph_unsubscribe(self) -> None:
+        self._bridge.wants_connections = False

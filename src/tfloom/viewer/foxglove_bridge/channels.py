@@ -1,0 +1,165 @@
+"""The topics of a graph as channels, which are read while clients subscribe to them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+from foxglove import Channel, Context, Schema
+
+from tfloom.bag.writing.definition_text import find_definition
+from tfloom.node.qos.qos import QoSProfile
+from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, ReliabilityPolicy
+from tfloom.rosidl.class_search import find_class_of_kind
+from tfloom.rosidl.message import Message
+
+if TYPE_CHECKING:
+    from tfloom.node.endpoints.subscription import Subscription
+    from tfloom.node.node import Node
+    from tfloom.viewer.foxglove_bridge.settings import Settings
+
+__all__ = ["Channels"]
+
+
+class Channels:
+    """Keeps a channel for each topic and type. Used on the node's thread alone.
+
+    Args:
+        node: Subscribes to the topics.
+        context: The SDK's, of the server.
+        settings: Which topics clients see, and how they are read.
+    """
+
+    def __init__(self, node: Node, context: Context, settings: Settings) -> None:
+        self._node = node
+        self._context = context
+        self._settings = settings
+        self._channels: dict[tuple[str, str], _TopicChannel] = {}
+        self._by_id: dict[int, _TopicChannel] = {}
+        self._unknown: set[str] = set()
+        """Types without a definition, each of which was logged."""
+
+    def update(self, topics: Iterable[tuple[str, str]]) -> None:
+        """Open channels of new topics, close those of gone ones, and follow changed qualities of service.
+
+        Args:
+            topics: Name and type of each topic of the graph.
+        """
+        topics = {topic for topic in topics if self._settings.shows(topic[0], self._settings.topics)}
+        for key in [key for key in self._channels if key not in topics]:
+            channel = self._channels.pop(key)
+            del self._by_id[channel.id]
+            channel.close()
+        for key in sorted(topics - self._channels.keys()):
+            if (opened := self._open(*key)) is not None:
+                self._channels[key] = self._by_id[opened.id] = opened
+        for channel in self._channels.values():
+            channel.follow()
+
+    def _open(self, name: str, type_name: str) -> _TopicChannel | None:
+        definition = find_definition(type_name)
+        try:
+            message_class: type[Any] | None = find_class_of_kind(type_name, "msg", Message)
+        except (LookupError, ValueError, OSError):
+            message_class = None
+        if definition is None or message_class is None:
+            if type_name not in self._unknown:
+                self._unknown.add(type_name)
+                self._node.get_logger().warning(
+                    f"{name} is not shown, because the type {type_name} has no definition here: "
+                    "source its workspace before"
+                )
+            return None
+        schema = Schema(name=type_name, encoding=definition.encoding, data=definition.text.encode())
+        channel = Channel(name, schema=schema, message_encoding="cdr", context=self._context)
+        return _TopicChannel(self._node, channel, message_class, self._settings)
+
+    def subscribe(self, client: int, channel_id: int) -> None:
+        """Begin to read a channel for a client."""
+        if (channel := self._by_id.get(channel_id)) is not None:
+            channel.subscribe(client)
+
+    def unsubscribe(self, client: int, channel_id: int) -> None:
+        """End to read a channel for a client."""
+        if (channel := self._by_id.get(channel_id)) is not None:
+            channel.unsubscribe(client)
+
+    def close(self) -> None:
+        """Close all channels."""
+        for channel in self._channels.values():
+            channel.close()
+        self._channels.clear()
+        self._by_id.clear()
+
+
+class _TopicChannel:
+    """A topic of one type, and the clients that read it."""
+
+    def __init__(self, node: Node, channel: Channel, message_class: type[Any], settings: Settings) -> None:
+        self.id = channel.id()
+        self._node = node
+        self._channel = channel
+        self._topic = channel.topic()
+        self._message_class = message_class
+        self._settings = settings
+        self._clients: set[int] = set()
+        self._subscription: Subscription[Any] | None = None
+        self._qos = QoSProfile(depth=1)
+
+    def subscribe(self, client: int) -> None:
+        self._clients.add(client)
+        # Publishers send kept messages to a new subscription alone, and this client needs them, too.
+        if self._subscription is None or self._qos.durability is DurabilityPolicy.TRANSIENT_LOCAL:
+            self._open()
+
+    def unsubscribe(self, client: int) -> None:
+        self._clients.discard(client)
+        if not self._clients:
+            self._close_subscription()
+
+    def follow(self) -> None:
+        """Subscribe anew if the topic's publishers have changed so that this matters."""
+        if self._subscription is not None:
+            qos = self._wanted_qos()
+            if (qos.reliability, qos.durability) != (self._qos.reliability, self._qos.durability):
+                self._open()
+
+    def _open(self) -> None:
+        self._close_subscription()
+        self._qos = self._wanted_qos()
+        self._subscription = self._node.create_subscription(
+            self._message_class, self._topic, self._log, self._qos, raw=True
+        )
+
+    def _log(self, data: bytes) -> None:
+        self._channel.log(bytes(data), log_time=self._node.get_clock().now().nanoseconds)
+
+    def _wanted_qos(self) -> QoSProfile:
+        """Return a quality of service that all publishers match, so reliable only if all of them are."""
+        publishers = [
+            info.qos_profile
+            for info in self._node.get_publishers_info_by_topic(self._topic)
+            if info.topic_type == self._message_class._TYPE_NAME
+        ]
+        is_reliable = self._topic not in self._settings.best_effort_topics and all(
+            qos.reliability is ReliabilityPolicy.RELIABLE for qos in publishers
+        )
+        is_kept = bool(publishers) and all(
+            qos.durability is DurabilityPolicy.TRANSIENT_LOCAL for qos in publishers
+        )
+        depth = sum(max(1, qos.depth) for qos in publishers)
+        return QoSProfile(
+            history=HistoryPolicy.KEEP_LAST,
+            depth=min(max(depth, self._settings.min_depth), self._settings.max_depth),
+            reliability=ReliabilityPolicy.RELIABLE if is_reliable else ReliabilityPolicy.BEST_EFFORT,
+            durability=DurabilityPolicy.TRANSIENT_LOCAL if is_kept else DurabilityPolicy.VOLATILE,
+        )
+
+    def _close_subscription(self) -> None:
+        if self._subscription is not None:
+            self._node.destroy_subscription(self._subscription)
+            self._subscription = None
+
+    def close(self) -> None:
+        self._close_subscription()
+        self._channel.close()

@@ -1,0 +1,85 @@
+"""The topics to which clients publish."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from tfloom.node.qos.qos import QoSProfile
+from tfloom.rosidl import cdr
+from tfloom.rosidl.class_search import find_class_of_kind
+from tfloom.rosidl.message import Message
+
+if TYPE_CHECKING:
+    from tfloom.node.endpoints.publisher import Publisher
+    from tfloom.node.node import Node
+    from tfloom.viewer.foxglove_bridge.settings import Settings
+
+__all__ = ["ClientTopic", "ClientTopicError", "ClientTopics"]
+
+MAX_TOPICS = 256
+"""Number of topics that all clients may advertise."""
+DEPTH = 10
+
+
+class ClientTopicError(Exception):
+    """A client can't publish this; the text says why."""
+
+
+class ClientTopic(NamedTuple):
+    """What a client wants to publish."""
+
+    name: str
+    type_name: str
+    encoding: str
+
+
+class ClientTopics:
+    """Keeps a publisher for each topic of each client. Used on the node's thread alone."""
+
+    def __init__(self, node: Node, settings: Settings) -> None:
+        self._node = node
+        self._settings = settings
+        self._publishers: dict[tuple[int, int], tuple[Publisher[Any], type[Any]]] = {}
+
+    def advertise(self, client: int, channel_id: int, topic: ClientTopic) -> None:
+        """Create a publisher.
+
+        Raises:
+            ClientTopicError: the client may not, or its type or encoding can't be used.
+        """
+        if topic.name not in self._settings.client_topics:
+            raise ClientTopicError(f"clients may not publish to {topic.name}")
+        if topic.encoding != "cdr":
+            raise ClientTopicError(f"messages to {topic.name} have to be cdr, not {topic.encoding}")
+        if len(self._publishers) >= MAX_TOPICS:
+            raise ClientTopicError(f"{topic.name} can't be advertised: clients have {MAX_TOPICS} topics")
+        try:
+            message_class: type[Any] = find_class_of_kind(topic.type_name, "msg", Message)
+        except (LookupError, ValueError, OSError) as error:
+            raise ClientTopicError(f"{topic.name} can't be advertised: {error}") from None
+        self.unadvertise(client, channel_id)
+        try:
+            publisher = self._node.create_publisher(message_class, topic.name, QoSProfile(depth=DEPTH))
+        except ValueError as error:  # no name of a topic
+            raise ClientTopicError(f"{topic.name} can't be advertised: {error}") from None
+        self._publishers[client, channel_id] = publisher, message_class
+
+    def publish(self, client: int, channel_id: int, data: bytes) -> None:
+        """Publish a message.
+
+        Raises:
+            ClientTopicError: its bytes are no message of the advertised type.
+        """
+        if (advertised := self._publishers.get((client, channel_id))) is None:
+            return  # advertising it was refused
+        publisher, message_class = advertised
+        try:
+            cdr.decode(message_class, data)  # other nodes get no bytes that they can't decode
+        except cdr.DecodeError as error:
+            raise ClientTopicError(f"a message to {publisher.topic_name} can't be decoded: {error}") from None
+        publisher.publish(data)
+
+    def unadvertise(self, client: int, channel_id: int) -> None:
+        """Destroy a publisher, if there is one."""
+        if (advertised := self._publishers.pop((client, channel_id), None)) is not None:
+            self._node.destroy_publisher(advertised[0])

@@ -1,0 +1,46 @@
+"""foxglove_bridge: serve the graph to Foxglove."""
+
+from __future__ import annotations
+
+import sys
+from importlib.util import find_spec
+
+from tfloom.node.client_library import spin
+from tfloom.node.program import expect_no_arguments, run_program
+from tfloom.viewer.access import is_loopback
+
+__all__ = ["main"]
+
+MISSING = "foxglove_bridge needs foxglove-sdk, which is not installed: pip install 'tfloom[foxglove]'"
+OPEN_TO_ALL = "Whoever reaches this address can see what is published here, and can drive robots."
+
+
+def main(args: list[str] | None = None) -> int:
+    """Serve until stopped; return the exit code."""
+    expect_no_arguments("foxglove_bridge", "Serve the graph to Foxglove, over a WebSocket.", args)
+    if find_spec("foxglove") is None:
+        print(f"foxglove_bridge: {MISSING}", file=sys.stderr)
+        return 1
+    return run_program(args, _serve)
+
+
+def _serve() -> int:
+    from tfloom.viewer.foxglove_bridge.bridge import BridgeError, FoxgloveBridge
+    from tfloom.viewer.foxglove_bridge.settings import SettingsError
+
+    try:
+        bridge = FoxgloveBridge()
+    except (BridgeError, SettingsError) as error:
+        print(f"foxglove_bridge: {error}", file=sys.stderr)
+        return 1
+    try:
+        assert bridge.server is not None  # noqa: S101  # for the type checker
+        address = bridge.settings.address
+        scheme = "ws" if bridge.settings.certificate is None else "wss"
+        bridge.get_logger().info(f"Server listening at {scheme}://{address}:{bridge.server.port}")
+        if not is_loopback(address):
+            bridge.get_logger().warning(OPEN_TO_ALL)
+        spin(bridge)
+    finally:
+        bridge.close()
+    return 0

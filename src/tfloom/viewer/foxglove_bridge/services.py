@@ -1,0 +1,94 @@
+"""The services of a graph, which clients call."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from foxglove import MessageSchema, Schema, Service, ServiceRequest, ServiceSchema
+
+from tfloom.bag.writing.definition_text import find_definition
+from tfloom.rosidl import cdr
+from tfloom.rosidl.class_search import find_class_of_kind
+from tfloom.rosidl.service import Service as RosService
+from tfloom.viewer.foxglove_bridge.calls import Call
+
+if TYPE_CHECKING:
+    from foxglove.websocket import WebSocketServer
+
+    from tfloom.node.node import Node
+    from tfloom.viewer.foxglove_bridge.calls import Calls
+    from tfloom.viewer.foxglove_bridge.settings import Settings
+
+__all__ = ["Services"]
+
+TIMEOUT_S = 5.0
+"""The longest wait for a response [s]."""
+
+
+class Services:
+    """Keeps the server's services as those of the graph. Used on the node's thread, but for the calls."""
+
+    def __init__(self, node: Node, server: WebSocketServer, calls: Calls, settings: Settings) -> None:
+        self._node = node
+        self._server = server
+        self._calls = calls
+        self._settings = settings
+        self._offered: dict[str, str] = {}
+        """The type of each service that clients see, by its name."""
+        self._unknown: set[str] = set()
+
+    def update(self, served: Mapping[str, str]) -> None:
+        """Offer new services, and take back those that are gone.
+
+        Args:
+            served: The type of each service that has a server, by its name.
+        """
+        services = {
+            name: type_name
+            for name, type_name in served.items()
+            if self._settings.shows(name, self._settings.services) and type_name not in self._unknown
+        }
+        gone = [name for name, type_name in self._offered.items() if services.get(name) != type_name]
+        if gone:
+            self._server.remove_services(gone)
+            for name in gone:
+                del self._offered[name]
+        new = [
+            service
+            for name, type_name in sorted(services.items())
+            if name not in self._offered and (service := self._service(name, type_name)) is not None
+        ]
+        if new:
+            self._server.add_services(new)
+            self._offered |= {service.name: service.schema.name for service in new}
+
+    def _service(self, name: str, type_name: str) -> Service | None:
+        try:
+            service_class: type[Any] = find_class_of_kind(type_name, "srv", RosService)
+        except (LookupError, ValueError, OSError):
+            self._unknown.add(type_name)
+            self._node.get_logger().warning(
+                f"{name} is not offered, because the type {type_name} has no definition here: "
+                "source its workspace before"
+            )
+            return None
+        schema = ServiceSchema(
+            type_name, request=_schema(f"{type_name}_Request"), response=_schema(f"{type_name}_Response")
+        )
+        return Service(name, schema=schema, handler=self._handler(name, service_class))
+
+    def _handler(self, name: str, service_class: type[Any]) -> Callable[[ServiceRequest], bytes]:
+        def handle(request: ServiceRequest) -> bytes:
+            if request.encoding != "cdr":
+                raise ValueError(f"requests to {name} have to be cdr, not {request.encoding}")
+            decoded = cdr.decode(service_class.Request, bytes(request.payload))
+            return cdr.encode(self._calls.call(Call(service_class, name, decoded), TIMEOUT_S))
+
+        return handle
+
+
+def _schema(type_name: str) -> MessageSchema:
+    definition = find_definition(type_name)
+    encoding, text = ("ros2msg", "") if definition is None else (definition.encoding, definition.text)
+    return MessageSchema(encoding="cdr", schema=Schema(name=type_name, encoding=encoding, data=text.encode()))

@@ -1,0 +1,126 @@
+"""The parameters of foxglove_bridge."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from tfloom.interfaces.rcl_interfaces.msg import ParameterDescriptor
+
+if TYPE_CHECKING:
+    from tfloom.node.node import Node
+
+__all__ = ["CAPABILITIES", "Settings", "SettingsError"]
+
+CAPABILITIES = ("clientPublish", "parameters", "parametersSubscribe", "services", "connectionGraph", "assets")
+"""What clients may do; `capabilities` is a part of these."""
+ASSETS = r"^package://(?:[-\w%]+/)*[-\w%.]+\.(?:dae|fbx|glb|gltf|jpeg|jpg|mtl|obj|png|stl|tif|tiff|urdf|webp|xacro)$"
+PARAMETERS: dict[str, tuple[Any, str]] = {
+    "port": (8765, "The port; 0: a free one"),
+    "address": ("127.0.0.1", "The address at which to listen"),
+    "tls": (False, "Whether connections are encrypted, with certfile and keyfile"),
+    "certfile": ("", "The certificate, a PEM file"),
+    "keyfile": ("", "Its private key, a PEM file"),
+    "topic_whitelist": ([".*"], "Regular expressions of the topics that clients see"),
+    "service_whitelist": ([".*"], "Regular expressions of the services that clients may call"),
+    "param_whitelist": (
+        [".*"],
+        "Regular expressions of the parameters that clients may get and set: /node.name",
+    ),
+    "client_topic_whitelist": ([".*"], "Regular expressions of the topics to which clients may publish"),
+    "best_effort_qos_topic_whitelist": (["(?!)"], "Regular expressions of topics that are read best effort"),
+    "asset_uri_allowlist": ([ASSETS], "Regular expressions of the files that clients may read"),
+    "capabilities": (list(CAPABILITIES), "What clients may do"),
+    "min_qos_depth": (1, "Depth of a subscription's queue, at least"),
+    "max_qos_depth": (25, "Depth of a subscription's queue, at most"),
+    "include_hidden": (False, "Whether clients see topics and services with a part that begins with _"),
+    "ignore_unresponsive_param_nodes": (True, "Whether a node that didn't answer is asked no more"),
+    "send_buffer_limit": (10_000_000, "Accepted and not used"),
+    "use_compression": (False, "Accepted and not used"),
+    "num_threads": (0, "Accepted and not used"),
+    "disable_load_message": (True, "Accepted and not used"),
+}
+"""Default and description of each parameter."""
+
+
+class SettingsError(Exception):
+    """A parameter can't be used; the text says which, and why."""
+
+
+class Settings:
+    """The values of the parameters, which a node declares; they can't be set later.
+
+    Raises:
+        SettingsError: a value can't be used.
+        InvalidParameterTypeException: a value is of another type.
+    """
+
+    def __init__(self, node: Node) -> None:
+        values = {
+            name: node.declare_parameter(
+                name, default, ParameterDescriptor(description=text, read_only=True)
+            ).value
+            for name, (default, text) in PARAMETERS.items()
+        }
+        self.address: str = values["address"]
+        self.port = _in_range("port", values["port"], 0, 65535)
+        self.topics = Names("topic_whitelist", values["topic_whitelist"])
+        self.services = Names("service_whitelist", values["service_whitelist"])
+        self.parameters = Names("param_whitelist", values["param_whitelist"])
+        self.client_topics = Names("client_topic_whitelist", values["client_topic_whitelist"])
+        self.best_effort_topics = Names(
+            "best_effort_qos_topic_whitelist", values["best_effort_qos_topic_whitelist"]
+        )
+        self.assets = Names("asset_uri_allowlist", values["asset_uri_allowlist"])
+        self.capabilities = frozenset(values["capabilities"])
+        if unknown := sorted(self.capabilities - set(CAPABILITIES)):
+            known = ", ".join(CAPABILITIES)
+            raise SettingsError(f"parameter capabilities: there is no '{unknown[0]}', only {known}")
+        self.min_depth = _in_range("min_qos_depth", values["min_qos_depth"], 1, 10_000)
+        self.max_depth = _in_range("max_qos_depth", values["max_qos_depth"], self.min_depth, 10_000)
+        self.include_hidden: bool = values["include_hidden"]
+        self.skips_silent_nodes: bool = values["ignore_unresponsive_param_nodes"]
+        self.certificate: bytes | None = None
+        self.key: bytes | None = None
+        if values["tls"]:
+            self.certificate = _read("certfile", values["certfile"])
+            self.key = _read("keyfile", values["keyfile"])
+
+    def shows(self, name: str, names: Names) -> bool:
+        """Return whether clients see a topic or a service."""
+        return name in names and (self.include_hidden or "/_" not in name)
+
+
+class Names:
+    """The names that one of some regular expressions matches as a whole."""
+
+    def __init__(self, parameter: str, expressions: list[str]) -> None:
+        self._expressions = [_compiled(parameter, expression) for expression in expressions]
+
+    def __contains__(self, name: str) -> bool:
+        return any(expression.fullmatch(name) for expression in self._expressions)
+
+
+def _compiled(parameter: str, expression: str) -> re.Pattern[str]:
+    try:
+        return re.compile(expression)
+    except re.error as error:
+        raise SettingsError(
+            f"parameter {parameter}: '{expression}' is no regular expression: {error}"
+        ) from None
+
+
+def _in_range(parameter: str, value: int, least: int, most: int) -> int:
+    if not least <= value <= most:
+        raise SettingsError(f"parameter {parameter}: {value} is not from {least} to {most}")
+    return value
+
+
+def _read(parameter: str, path: str) -> bytes:
+    if not path:
+        raise SettingsError(f"parameter {parameter}: tls needs a file")
+    try:
+        return Path(path).read_bytes()
+    except OSError as error:
+        raise SettingsError(f"parameter {parameter}: {path}: {error.strerror or error}") from None

@@ -1,0 +1,555 @@
+"""foxglove_bridge, to a client that speaks the subprotocol `foxglove.sdk.v1`."""
+
+from __future__ import annotations
+
+import base64
+import json
+import signal
+import struct
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager
+from pathlib import Path
+from typing import Any
+
+import pytest
+from tests.conftest import Program, wait_until
+from websockets.sync.client import connect
+
+from tfloom.interfaces.std_msgs.msg import String
+from tfloom.interfaces.std_srvs.srv import SetBool
+from tfloom.interfaces.visualization_msgs.msg import MarkerArray
+from tfloom.node.context.context import Context
+from tfloom.node.executing.executors import SingleThreadedExecutor
+from tfloom.node.node import Node
+from tfloom.node.qos.qos import QoSProfile
+from tfloom.rmw.qos import DurabilityPolicy, ReliabilityPolicy
+from tfloom.rosidl import cdr
+from tfloom.viewer.foxglove_bridge.assets import AssetError, read_asset
+from tfloom.viewer.foxglove_bridge.bridge import BridgeError, FoxgloveBridge
+from tfloom.viewer.foxglove_bridge.commands import Commands
+from tfloom.viewer.foxglove_bridge.settings import SettingsError
+
+pytestmark = pytest.mark.wire
+TIMEOUT_S = 30.0
+SUBPROTOCOL = "foxglove.sdk.v1"
+LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+
+
+class Client:
+    """What Foxglove does: it notes all that a server sends."""
+
+    def __init__(self, port: int) -> None:
+        self.socket = connect(
+            f"ws://127.0.0.1:{port}",
+            subprotocols=[SUBPROTOCOL],
+            max_size=None,
+            proxy=None,
+            ping_interval=None,
+        )  # type: ignore[list-item]
+        self.info: dict[str, Any] = {}
+        self.channels: dict[str, dict[str, Any]] = {}
+        self.services: dict[str, dict[str, Any]] = {}
+        self.texts: list[dict[str, Any]] = []
+        self.messages: list[tuple[int, bytes]] = []
+        """Subscription and bytes of each message."""
+        self.responses: dict[int, tuple[str, bytes]] = {}
+        """Encoding and bytes of each service's response, by the id of the call."""
+        self.assets: dict[int, tuple[int, str, bytes]] = {}
+        """Status, error and bytes of each file."""
+        self.times: list[int] = []
+
+    def send(self, **message: Any) -> None:
+        self.socket.send(json.dumps(message))
+
+    def wait_for(self, condition: Callable[[], Any], what: str = "") -> Any:
+        end_s = time.monotonic() + TIMEOUT_S
+        while not (value := condition()):
+            assert time.monotonic() < end_s, f"timed out waiting for {what}: {self.texts[-5:]}"
+            try:
+                self.take(self.socket.recv(timeout=0.05))
+            except TimeoutError:
+                continue
+        return value
+
+    def take(self, message: str | bytes) -> None:
+        if isinstance(message, bytes):
+            self.take_bytes(message)
+            return
+        said = json.loads(message)
+        match said["op"]:
+            case "serverInfo":
+                self.info = said
+            case "advertise":
+                self.channels |= {channel["topic"]: channel for channel in said["channels"]}
+            case "unadvertise":
+                gone = set(said["channelIds"])
+                self.channels = {name: one for name, one in self.channels.items() if one["id"] not in gone}
+            case "advertiseServices":
+                self.services |= {service["name"]: service for service in said["services"]}
+            case "unadvertiseServices":
+                gone = set(said["serviceIds"])
+                self.services = {name: one for name, one in self.services.items() if one["id"] not in gone}
+            case _:
+                self.texts.append(said)
+
+    def take_bytes(self, data: bytes) -> None:
+        match data[0]:
+            case 1:
+                subscription, _ = struct.unpack_from("<IQ", data, 1)
+                self.messages.append((subscription, data[13:]))
+            case 2:
+                self.times.append(struct.unpack_from("<Q", data, 1)[0])
+            case 3:
+                _, call, length = struct.unpack_from("<III", data, 1)
+                self.responses[call] = data[13 : 13 + length].decode(), data[13 + length :]
+            case 4:
+                request, status, length = struct.unpack_from("<IBI", data, 1)
+                self.assets[request] = status, data[10 : 10 + length].decode(), data[10 + length :]
+
+    def subscribe(self, topic: str, subscription: int) -> None:
+        channel = self.wait_for(lambda: self.channels.get(topic), topic)
+        self.send(op="subscribe", subscriptions=[{"id": subscription, "channelId": channel["id"]}])
+
+    def advertise(self, channel: int, topic: str, schema: str, encoding: str = "cdr") -> None:
+        self.send(
+            op="advertise",
+            channels=[{"id": channel, "topic": topic, "encoding": encoding, "schemaName": schema}],
+        )
+
+    def publish(self, channel: int, data: bytes) -> None:
+        self.socket.send(b"\x01" + struct.pack("<I", channel) + data)
+
+    def call(self, name: str, call: int, data: bytes, encoding: str = "cdr") -> None:
+        service = self.wait_for(lambda: self.services.get(name), name)
+        head = struct.pack("<III", service["id"], call, len(encoding))
+        self.socket.send(b"\x02" + head + encoding.encode() + data)
+
+    def text(self, op: str, **parts: Any) -> dict[str, Any]:
+        """Wait for a message of one kind, with parts of these values, and return it."""
+
+        def match() -> Any:
+            return next(
+                (said for said in self.texts if said["op"] == op and parts.items() <= said.items()), None
+            )
+
+        said: dict[str, Any] = self.wait_for(match, op)
+        return said
+
+    def statuses(self) -> str:
+        return " ".join(said["message"] for said in self.texts if said["op"] == "status")
+
+
+@contextmanager
+def spinning(context: Context, *nodes: Node) -> Iterator[None]:
+    executor = SingleThreadedExecutor(context=context)
+    for node in nodes:
+        executor.add_node(node)
+    thread = threading.Thread(target=executor.spin)
+    thread.start()
+    try:
+        yield
+    finally:
+        executor.shutdown()
+        thread.join(TIMEOUT_S)
+
+
+@contextmanager
+def bridging(domain_id: int, *parameters: str) -> Iterator[FoxgloveBridge]:
+    """Run a bridge on a thread for the block, with a context of its own."""
+    context = Context()
+    words = [word for text in ("port:=0", *parameters) for word in ("-p", text)]
+    context.init(args=["--ros-args", *words], domain_id=domain_id)
+    try:
+        bridge = FoxgloveBridge(context)
+        try:
+            with spinning(context, bridge):
+                yield bridge
+        finally:
+            bridge.close()
+    finally:
+        context.try_shutdown()
+
+
+@pytest.fixture
+def node(domain_id: int) -> Iterator[Node]:
+    """Another node of the graph, which is spun."""
+    context = Context()
+    context.init(args=[], domain_id=domain_id)
+    made = Node("other", context=context)
+    try:
+        with spinning(context, made):
+            yield made
+    finally:
+        made.destroy_node()
+        context.try_shutdown()
+
+
+@pytest.fixture
+def client_of() -> Iterator[Callable[[FoxgloveBridge], Client]]:
+    with ExitStack() as stack:
+
+        def open_one(bridge: FoxgloveBridge) -> Client:
+            assert bridge.server is not None
+            client = Client(bridge.server.port)
+            stack.callback(client.socket.close)
+            client.wait_for(lambda: client.info, "serverInfo")
+            return client
+
+        yield open_one
+
+
+ClientOf = Callable[[FoxgloveBridge], Client]
+
+
+def test_topics_have_their_definitions_and_exactly_the_published_bytes(
+    domain_id: int, node: Node, client_of: ClientOf
+) -> None:
+    publisher = node.create_publisher(MarkerArray, "/markers", 10)
+    with bridging(domain_id) as bridge:
+        client = client_of(bridge)
+        assert client.socket.subprotocol == SUBPROTOCOL
+        assert client.info["supportedEncodings"] == ["cdr"]
+        assert set(client.info["capabilities"]) == {
+            *("clientPublish", "parameters", "parametersSubscribe", "services", "connectionGraph", "assets")
+        }
+        client.subscribe("/markers", 5)
+        channel = client.channels["/markers"]
+        assert (channel["encoding"], channel["schemaName"]) == ("cdr", "visualization_msgs/msg/MarkerArray")
+        assert channel["schemaEncoding"] == "ros2msg"
+        assert channel["schema"].startswith("Marker[] markers\n")
+        assert "\nMSG: visualization_msgs/Marker\n" in channel["schema"]
+        assert "\nMSG: builtin_interfaces/Time\n" in channel["schema"]
+        wait_until(lambda: publisher.get_subscription_count() == 1)
+        data = cdr.encode(MarkerArray())
+        publisher.publish(data)
+        client.wait_for(lambda: client.messages, "the message")
+        assert client.messages == [(5, data)]
+        client.send(op="unsubscribe", subscriptionIds=[5])
+        wait_until(lambda: publisher.get_subscription_count() == 0)
+        node.destroy_publisher(publisher)
+        client.wait_for(lambda: "/markers" not in client.channels, "the end of the topic")
+
+
+def test_each_client_gets_kept_messages_and_a_lost_one_is_forgotten(
+    domain_id: int, node: Node, client_of: ClientOf
+) -> None:
+    publisher = node.create_publisher(String, "/map_name", LATCHED)
+    publisher.publish(String(data="kept"))
+    with bridging(domain_id) as bridge:
+        for _ in range(2):
+            client = client_of(bridge)
+            client.subscribe("/map_name", 1)
+            client.wait_for(lambda client=client: client.messages, "the kept message")
+            assert cdr.decode(String, client.messages[0][1]).data == "kept"
+            client.socket.close()
+        wait_until(lambda: publisher.get_subscription_count() == 0)
+
+
+def test_best_effort_publisher_that_comes_later_is_heard(
+    domain_id: int, node: Node, client_of: ClientOf
+) -> None:
+    reliable = node.create_publisher(String, "/mixed", 1)
+    with bridging(domain_id) as bridge:
+        client = client_of(bridge)
+        client.subscribe("/mixed", 1)
+        wait_until(lambda: reliable.get_subscription_count() == 1)
+        late = node.create_publisher(
+            String, "/mixed", QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
+        )
+        wait_until(lambda: late.get_subscription_count() == 1)
+        late.publish(String(data="late"))
+        client.wait_for(lambda: client.messages, "the late publisher's message")
+
+
+def test_client_publishes(domain_id: int, node: Node, client_of: ClientOf) -> None:
+    heard: list[bytes] = []
+    subscription = node.create_subscription(String, "/said", heard.append, 10, raw=True)
+    with bridging(domain_id, "client_topic_whitelist:=['/sai.', '/x y', '/other']") as bridge:
+        client = client_of(bridge)
+        client.advertise(3, "/said", "std_msgs/msg/String")
+        wait_until(lambda: subscription.get_publisher_count() == 1)
+        data = cdr.encode(String(data="by a client"))
+        client.publish(3, data)
+        client.wait_for(lambda: heard, "the message at the node")
+        assert bytes(heard[0]) == data
+        # What can't be published is refused with a reason, and the rest still works.
+        client.publish(3, data[:9])
+        client.wait_for(lambda: "a message to /said can't be decoded" in client.statuses())
+        client.advertise(4, "/not_allowed", "std_msgs/msg/String")
+        client.wait_for(lambda: "clients may not publish to /not_allowed" in client.statuses())
+        client.advertise(5, "/said", "std_msgs/msg/Nothing")
+        client.wait_for(lambda: "/said can't be advertised" in client.statuses())
+        client.advertise(6, "/other", "std_msgs/msg/String", "json")
+        client.wait_for(lambda: "have to be cdr, not json" in client.statuses())
+        client.advertise(7, "/x y", "std_msgs/msg/String")
+        client.wait_for(lambda: "/x y can't be advertised" in client.statuses())
+        client.publish(3, data)
+        client.wait_for(lambda: len(heard) == 2, "the second message")
+        client.socket.close()
+        wait_until(lambda: subscription.get_publisher_count() == 0)
+
+
+def test_client_calls_services(domain_id: int, node: Node, client_of: ClientOf) -> None:
+    def switch(request: Any, response: Any) -> Any:
+        response.success, response.message = request.data, "switched"
+        return response
+
+    service = node.create_service(SetBool, "/switch", switch)
+    with bridging(domain_id) as bridge:
+        client = client_of(bridge)
+        client.call("/switch", 8, cdr.encode(SetBool.Request(data=True)))
+        assert client.services["/switch"]["type"] == "std_srvs/srv/SetBool"
+        assert client.services["/switch"]["request"]["schema"].strip() == "bool data"
+        client.wait_for(lambda: client.responses, "the response")
+        encoding, data = client.responses[8]
+        assert encoding == "cdr"
+        assert cdr.decode(SetBool.Response, data) == SetBool.Response(success=True, message="switched")
+        client.call("/switch", 9, b"\x00\x01")
+        assert "switched" not in client.text("serviceCallFailure", callId=9)["message"]
+        node.destroy_service(service)
+        client.wait_for(lambda: "/switch" not in client.services, "the end of the service")
+
+
+def test_server_that_does_not_respond_is_an_error(
+    domain_id: int, node: Node, client_of: ClientOf, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("tfloom.viewer.foxglove_bridge.services.TIMEOUT_S", 0.3)
+    go_on = threading.Event()
+
+    def hold(_: Any, response: Any) -> Any:
+        go_on.wait(TIMEOUT_S)
+        return response
+
+    node.create_service(SetBool, "/slow", hold)
+    with bridging(domain_id) as bridge:
+        client = client_of(bridge)
+        client.call("/slow", 1, cdr.encode(SetBool.Request()))
+        failure = client.text("serviceCallFailure", callId=1)
+        assert "no response from /slow within 0.3 s" in failure["message"]
+        go_on.set()
+
+
+def test_parameters_are_got_set_and_followed(domain_id: int, node: Node, client_of: ClientOf) -> None:
+    values = {
+        "flag": True,
+        "count": 3,
+        "gain": 2.0,
+        "name": "x",
+        "gains": [1.0, 2.5],
+        "counts": [1, 2],
+        "names": ["a", "b"],
+        "a.nested.flag": False,
+        "raw": [b"\x01", b"\xff"],
+    }
+    for name, value in values.items():
+        node.declare_parameter(name, value)
+    with bridging(domain_id, "param_whitelist:=['/other\\..*']") as bridge:
+        client = client_of(bridge)
+        wait_until(lambda: "/other/list_parameters" in dict(bridge.get_service_names_and_types()))
+        client.send(op="getParameters", parameterNames=[], id="all")
+        answer = client.text("parameterValues", id="all")["parameters"]
+        given = {one["name"].removeprefix("/other."): one for one in answer}
+        assert given.keys() >= values.keys()
+        assert all(one["name"].startswith("/other.") for one in answer)
+        for name, value in values.items():
+            if name == "raw":
+                assert given[name]["type"] == "byte_array"
+                assert base64.b64decode(given[name]["value"]) == b"\x01\xff"
+            else:
+                assert given[name]["value"] == value
+        assert given["gain"]["type"] == "float64"
+
+        changes = [
+            {"name": "/other.count", "value": 4},
+            {"name": "/other.gain", "value": 5},  # a whole number, of a client in JavaScript
+            {"name": "/other.gains", "value": [1, 2]},
+            {"name": "/other.names", "value": []},
+        ]
+        client.send(op="setParameters", parameters=changes, id="set")
+        answer = client.text("parameterValues", id="set")["parameters"]
+        assert [one["value"] for one in answer] == [4, 5.0, [1.0, 2.0], []]
+        assert list(node.get_parameter("names").value) == []
+        assert node.get_parameter("gain").value == 5.0
+        assert list(node.get_parameter("gains").value) == [1.0, 2.0]
+
+        refused = [
+            {"name": "/other.count", "value": "text"},
+            {"name": "/nobody.count", "value": 1},
+            {"name": "/other.name", "value": {"a": 1}},
+        ]
+        client.send(op="setParameters", parameters=refused, id="refused")
+        client.wait_for(lambda: "/other did not set count" in client.statuses())
+        client.wait_for(lambda: "clients may not set /nobody.count" in client.statuses())
+        client.wait_for(lambda: "/other.name can't have this value" in client.statuses())
+        client.text("parameterValues", id="refused")
+        assert node.get_parameter("count").value == 4
+
+        client.send(op="subscribeParameterUpdates", parameterNames=["/other.name"])
+
+        def is_followed() -> bool:
+            node.set_parameters([type(node.get_parameter("name"))("name", value="changed")])
+            return any(
+                {"name": "/other.name", "value": "changed"} in said["parameters"]
+                for said in client.texts
+                if said["op"] == "parameterValues" and "id" not in said
+            )
+
+        client.wait_for(is_followed, "the changed parameter")
+
+
+def test_silent_node_delays_the_others_only_once(
+    domain_id: int, node: Node, client_of: ClientOf, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("tfloom.viewer.foxglove_bridge.parameters.TIMEOUT_S", 0.5)
+    context = Context()
+    context.init(args=[], domain_id=domain_id)
+    silent = Node("silent", context=context)  # nobody spins it
+    node.declare_parameter("count", 3)
+    try:
+        with bridging(domain_id) as bridge:
+            client = client_of(bridge)
+            wait_until(
+                lambda: (
+                    {"/other/list_parameters", "/silent/list_parameters"}
+                    <= dict(bridge.get_service_names_and_types()).keys()
+                )
+            )
+            client.send(op="getParameters", parameterNames=[], id="all")
+            names = {one["name"] for one in client.text("parameterValues", id="all")["parameters"]}
+            assert "/other.count" in names
+            assert not any(name.startswith("/silent") for name in names)
+            assert bridge.parameters_of_nodes._silent == {"/silent"}
+    finally:
+        silent.destroy_node()
+        context.try_shutdown()
+
+
+def test_connection_graph(domain_id: int, node: Node, client_of: ClientOf) -> None:
+    node.create_publisher(String, "/chatter", 1)
+    node.create_subscription(String, "/orders", lambda _: None, 1)
+    node.create_service(SetBool, "/switch", lambda _, response: response)
+    with bridging(domain_id) as bridge:
+        client = client_of(bridge)
+        client.wait_for(lambda: "/chatter" in client.channels and "/switch" in client.services)
+        client.send(op="subscribeConnectionGraph")
+
+        def knows(key: str, name: str, ids: str) -> bool:
+            return any(
+                one["name"] == name and one[ids] == ["/other"]
+                for said in client.texts
+                if said["op"] == "connectionGraphUpdate"
+                for one in said[key]
+            )
+
+        client.wait_for(lambda: knows("publishedTopics", "/chatter", "publisherIds"))
+        client.wait_for(lambda: knows("subscribedTopics", "/orders", "subscriberIds"))
+        client.wait_for(lambda: knows("advertisedServices", "/switch", "providerIds"))
+
+
+def test_whitelists_capabilities_and_hidden_names(domain_id: int, node: Node, client_of: ClientOf) -> None:
+    for name in ("/shown", "/_hidden", "/other_topic"):
+        node.create_publisher(String, name, 1)
+    parameters = ("topic_whitelist:=['/shown', '/_h.*']", "capabilities:=[connectionGraph]")
+    with bridging(domain_id, *parameters) as bridge:
+        client = client_of(bridge)
+        client.wait_for(lambda: client.channels)
+        assert list(client.channels) == ["/shown"]
+        assert client.info["capabilities"] == ["connectionGraph"]
+        assert client.services == {}
+    with bridging(domain_id, *parameters, "include_hidden:=true") as bridge:
+        client = client_of(bridge)
+        client.wait_for(lambda: set(client.channels) == {"/shown", "/_hidden"})
+
+
+def test_wrong_parameters_and_a_used_port_are_one_sentence(domain_id: int) -> None:
+    wrong = {
+        "topic_whitelist:=['(']": r"parameter topic_whitelist: '\(' is no regular expression: ",
+        "capabilities:=[fly]": "parameter capabilities: there is no 'fly', only clientPublish",
+        "port:=70000": "parameter port: 70000 is not from 0 to 65535",
+        "min_qos_depth:=0": "parameter min_qos_depth: 0 is not from 1",
+        "max_qos_depth:=0": "parameter max_qos_depth: 0 is not from 1",
+        "tls:=true": "parameter certfile: tls needs a file",
+    }
+    for parameter, text in wrong.items():
+        with pytest.raises(SettingsError, match=text), bridging(domain_id, parameter):
+            pass
+    with bridging(domain_id) as bridge:
+        assert bridge.server is not None
+        port = bridge.server.port
+        text = rf"can't listen at 127\.0\.0\.1:{port}: "
+        with pytest.raises(BridgeError, match=text), bridging(domain_id, f"port:={port}"):
+            pass
+
+
+def test_files_are_read_where_they_are_allowed(
+    domain_id: int, client_of: ClientOf, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    share = tmp_path / "arm_description"
+    (share / "meshes").mkdir(parents=True)
+    (share / "meshes" / "link 1.stl").write_bytes(b"solid")
+    (tmp_path / "secret.stl").write_bytes(b"secret")
+    (share / "secret.txt").write_bytes(b"secret")
+    monkeypatch.setattr(read_asset, "__defaults__", (lambda _: share,))
+    with bridging(domain_id) as bridge:
+        client = client_of(bridge)
+        uris = [
+            "package://arm_description/meshes/link%201.stl",
+            "package://arm_description/../secret.stl",
+            "package://arm_description/%2e%2e/secret.stl",
+            "package://arm_description/secret.txt",
+            f"file://{tmp_path}/secret.stl",
+            "package://arm_description/meshes/none.stl",
+        ]
+        for number, uri in enumerate(uris):
+            client.send(op="fetchAsset", uri=uri, requestId=number)
+        client.wait_for(lambda: len(client.assets) == len(uris))
+        assert client.assets[0] == (0, "", b"solid")
+        for number in range(1, len(uris)):
+            status, _, data = client.assets[number]
+            assert (status, data) == (1, b"")
+        with pytest.raises(AssetError, match="leads out of its package"):
+            read_asset("package://a/%2e%2e/secret.stl", bridge.settings, lambda _: share)
+
+
+def test_failed_request_is_logged_and_the_next_one_is_done(node: Node) -> None:
+    done: list[int] = []
+
+    def fail() -> None:
+        raise LookupError("planted")
+
+    commands = Commands(node)
+    commands.put(fail)
+    commands.put(lambda: done.append(1))
+    wait_until(lambda: done)
+
+
+def test_program_serves_until_it_is_stopped(domain_id: int, start_program: Callable[..., Program]) -> None:
+    program = start_program(
+        *("tfloom", "run", "foxglove_bridge", "foxglove_bridge", "--ros-args", "-p", "port:=0")
+    )
+    program.wait_for("Server listening at ws://127.0.0.1:")
+    (line,) = (line for line in program.lines if "Server listening" in line)
+    client = Client(int(line.rpartition(":")[2]))
+    client.wait_for(lambda: client.info)
+    client.socket.close()
+    program.signal(signal.SIGINT)
+    assert program.wait() == 0
+
+
+def test_missing_extra_is_one_sentence() -> None:
+    program = (
+        "import sys; sys.modules['foxglove'] = None\n"
+        "from tfloom.viewer.foxglove_bridge import program\n"
+        "program.find_spec = lambda _: None\n"
+        "raise SystemExit(program.main([]))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, timeout=60, check=False
+    )
+    sentence = "foxglove_bridge needs foxglove-sdk, which is not installed: pip install 'tfloom[foxglove]'"
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr == f"foxglove_bridge: {sentence}\n"
