@@ -29,7 +29,10 @@ __all__ = [
     "SESSION_VARIABLE",
     "configured",
     "endpoints_of",
+    "meeting_point_configuration",
+    "needs_meeting_point",
     "port",
+    "reason_of",
     "router_checks",
     "router_configuration",
     "router_settings",
@@ -85,23 +88,26 @@ def router_configuration(settings: Mapping[str, object] | None = None) -> Any:
 def session_settings() -> dict[str, object]:
     """Return the values of a session's configuration by key, where neither a file nor an override names them.
 
-    They are rmw_zenoh's, but for these: shared memory is off; nothing waits for a first router; a reliable sample waits
-    longer for room; the addresses are those of the range. LOCALHOST and SYSTEM_DEFAULT are this machine; SUBNET listens
-    on all interfaces and scouts by multicast; OFF neither listens, connects nor scouts. ROS_STATIC_PEERS are hosts
-    with a router at the same port, unless they name another.
+    They are rmw_zenoh's, but for these: shared memory is off; nothing waits for a first router, and a lost one is
+    sought more often; a reliable sample waits longer for room; the addresses are those of the range. LOCALHOST and
+    SYSTEM_DEFAULT are this machine; SUBNET listens on all interfaces and scouts by multicast; OFF neither listens,
+    connects nor scouts. A session is linked to this machine's router alone, which is linked to those of
+    ROS_STATIC_PEERS: between two sessions that share a router of another machine and have no link of their own, Zenoh
+    passes nothing.
 
     Raises:
         ConfigurationError: a variable is invalid.
     """
     asked = discovery_range()
     is_off, is_open = asked == "OFF", asked == "SUBNET"
-    connect = [] if is_off else [f"tcp/127.0.0.1:{port()}", *_peer_endpoints()]
+    connect = [] if is_off else [f"tcp/127.0.0.1:{port()}"]
     listen = [] if is_off else ["tcp/[::]:0" if is_open else "tcp/127.0.0.1:0"]
     return {
         "mode": "peer",
         "connect/endpoints": connect,
         "listen/endpoints": listen,
         **_common_settings(),
+        "connect/retry": {"period_init_ms": 100, "period_max_ms": 1000, "period_increase_factor": 2},
         "scouting/multicast/enabled": is_open,
         "scouting/gossip/enabled": not is_off,
         "scouting/gossip/target": {"router": ["router", "peer"], "peer": ["router"]},
@@ -115,7 +121,8 @@ def session_settings() -> dict[str, object]:
 def router_settings() -> dict[str, object]:
     """Return the values of a router's configuration by key, where neither a file nor an override names them.
 
-    It listens on 127.0.0.1, with the range SUBNET on all interfaces.
+    It listens on 127.0.0.1, with the range SUBNET on all interfaces, and connects to the hosts of ROS_STATIC_PEERS: to
+    their routers at the same port, unless they name another.
 
     Raises:
         ConfigurationError: a variable is invalid.
@@ -169,6 +176,28 @@ def port() -> int:
     if not (text.isascii() and text.isdigit() and 0 < int(text[:6]) <= LAST_PORT):
         raise ConfigurationError(f"{PORT_VARIABLE} must be an integer from 1 to {LAST_PORT}, not {text!r}")
     return int(text)
+
+
+def meeting_point_configuration() -> Any:
+    """Return the configuration of a router inside a session's process, a `zenoh.Config`, for the environment.
+
+    Neither the router's file nor overrides have an effect on it.
+
+    Raises:
+        ConfigurationError: a variable is invalid.
+        NoBackendError: eclipse-zenoh isn't installed.
+    """
+    config = open_library().Config()
+    for key, setting in router_settings().items():
+        _insert(config, key, setting, "tfloom's settings")
+    return config
+
+
+def needs_meeting_point(config: Any) -> bool:
+    """Return whether a session's configuration seeks its router on this machine alone, at the port of `port`."""
+    own = {f"tcp/{host}:{port()}" for host in ("127.0.0.1", "localhost", "[::1]")}
+    endpoints = endpoints_of(config, "connect/endpoints")
+    return bool(endpoints) and own.issuperset(endpoints) and json.loads(config.get_json("mode")) != "router"
 
 
 def router_checks() -> int | None:

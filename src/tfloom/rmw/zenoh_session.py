@@ -1,0 +1,202 @@
+"""The session of the Zenoh wire: how a process joins, meets the others, and leaves."""
+
+from __future__ import annotations
+
+import atexit
+import json
+import os
+import sys
+import time
+import weakref
+from typing import Any, NoReturn
+
+from tfloom.rmw.errors import ClosedError, ForkedError, WireError
+from tfloom.rmw.zenoh_config import (
+    endpoints_of,
+    needs_meeting_point,
+    reason_of,
+    router_checks,
+    session_configuration,
+)
+from tfloom.rmw.zenoh_library import open_library
+from tfloom.rmw.zenoh_meeting_point import MeetingPoint
+
+__all__ = ["FORK_ADVICE", "ZenohSession", "open_session", "refuse_fork"]
+
+CHECK_PERIOD_S = 1.0
+"""How long one look for a router takes at most [s]."""
+POLL_S = 0.005
+
+FORK_ADVICE = (
+    "this process was forked after that, and a fork has none of Zenoh's threads: start the child by "
+    "multiprocessing's method 'spawn' or 'forkserver', or fork before the first node is created"
+)
+
+_opened_in: int | None = None
+"""The process in which the first session was opened. In a child that was forked since, Zenoh would wait for ever."""
+
+
+_open_sessions: weakref.WeakSet[ZenohSession] = weakref.WeakSet()
+
+
+class ZenohSession:
+    """An open session, and its part in the meeting point of the machine.
+
+    Args:
+        session: The `zenoh.Session`.
+        config: Its `zenoh.Config`.
+        meeting_point: Its part in the meeting point; None: the configuration names a router elsewhere.
+    """
+
+    def __init__(self, session: Any, config: Any, meeting_point: MeetingPoint | None) -> None:
+        self._session = session
+        self._config = config
+        self._meeting_point = meeting_point
+        self._pid = os.getpid()
+        self._is_closed = False
+        _open_sessions.add(self)
+
+    @property
+    def session(self) -> Any:
+        """The `zenoh.Session`.
+
+        Raises:
+            ForkedError: this process was forked after it was opened.
+            ClosedError: it was closed.
+        """
+        if os.getpid() != self._pid:
+            refuse_fork("the Zenoh session")
+        if self._is_closed:
+            raise ClosedError("the Zenoh session was closed")
+        return self._session
+
+    @property
+    def zid(self) -> str:
+        """The session's id: lower-case hexadecimal digits, as in the tokens of its entities."""
+        return str(self.session.zid())
+
+    @property
+    def is_meeting_point(self) -> bool:
+        """Whether the machine's router is in this process, opened by this session."""
+        return self._meeting_point is not None and self._meeting_point.is_owner
+
+    @property
+    def endpoints(self) -> list[str]:
+        """The endpoints at which it seeks its router."""
+        return endpoints_of(self._config, "connect/endpoints")
+
+    def router_links(self) -> list[tuple[str, str]]:
+        """Return the id of each router that the session is linked to, and the endpoint, as `tcp/127.0.0.1:7447`."""
+        routers = {str(zid) for zid in self.session.info.routers_zid()}
+        links = [(str(link.zid), str(link.dst)) for link in self.session.info.links()]
+        return [(zid, endpoint) for zid, endpoint in links if zid in routers]
+
+    def wait_for_router(self, timeout_s: float) -> bool:
+        """Wait until the session is linked to a router, and return whether it is.
+
+        Args:
+            timeout_s: The longest wait [s].
+        """
+        end = time.monotonic() + timeout_s
+        while not self.session.info.routers_zid():
+            if time.monotonic() > end:
+                return False
+            time.sleep(POLL_S)
+        return True
+
+    def close(self) -> None:
+        """Leave, after all that was written has been sent. A router in this process ends, and another takes over.
+
+        It must not be called in a callback of Zenoh. A second call, and one in a forked child, does nothing.
+        """
+        if self._is_closed or os.getpid() != self._pid:
+            return
+        self._is_closed = True
+        try:
+            self._session.close()
+        finally:
+            if self._meeting_point is not None:
+                self._meeting_point.close()
+
+
+def open_session(domain_id: int = 0) -> ZenohSession:
+    """Join by the environment's configuration, and look for the router as ZENOH_ROUTER_CHECK_ATTEMPTS says.
+
+    Args:
+        domain_id: The domain, for messages: domains share the links and the router, and are told apart by their keys.
+
+    Raises:
+        ConfigurationError: a variable is invalid, or the file can't be read.
+        NoBackendError: eclipse-zenoh isn't installed.
+        ForkedError: this process was forked from one with a session.
+        WireError: Zenoh can't open a session with this configuration.
+    """
+    global _opened_in  # noqa: PLW0603  # a fact about the process
+    if _opened_in not in {None, os.getpid()}:
+        refuse_fork("a Zenoh session")
+    zenoh = open_library()
+    config = session_configuration()
+    checks = router_checks()
+    _opened_in = os.getpid()
+    meeting_point = MeetingPoint() if needs_meeting_point(config) else None
+    try:
+        opened = ZenohSession(zenoh.open(config), config, meeting_point)
+    except zenoh.ZError as error:
+        if meeting_point is not None:
+            meeting_point.close()
+        where = ", ".join(endpoints_of(config, "connect/endpoints")) or "nothing"
+        raise WireError(
+            f"Zenoh can't open a session in domain {domain_id}, of mode {_mode(config)}, connecting to {where}: "
+            f"{reason_of(error)}"
+        ) from None
+    try:
+        if meeting_point is not None:
+            meeting_point.watch(opened.session)
+        _look_for_router(opened, meeting_point, checks)
+    except BaseException:
+        opened.close()
+        raise
+    return opened
+
+
+@atexit.register
+def _close_at_exit() -> None:
+    """Close what a program leaves open: a callback after the interpreter's end makes Zenoh's thread panic on stderr."""
+    for opened in list(_open_sessions):
+        opened.close()
+
+
+def refuse_fork(what: str) -> NoReturn:
+    """Raise the error of a use in a forked child.
+
+    Args:
+        what: What the parent opened, as `the writer of /chatter`.
+
+    Raises:
+        ForkedError: always.
+    """
+    raise ForkedError(f"{what} was opened by the parent process: {FORK_ADVICE}")
+
+
+def _look_for_router(opened: ZenohSession, meeting_point: MeetingPoint | None, checks: int | None) -> None:
+    """Look for a router `checks` times, a second each; without end if it is None. Print a line where there is none."""
+    if not opened.endpoints:
+        return
+    done = 0
+    while checks is None or done < checks:
+        if opened.wait_for_router(CHECK_PERIOD_S):
+            return
+        done += 1
+        if done in {1, checks}:
+            if meeting_point is not None:
+                meeting_point.report_silence()
+            elif done == 1:
+                print(
+                    f"tfloom: no router answers at {', '.join(opened.endpoints)}; start one there, by `ros2 run "
+                    "rmw_zenoh_cpp rmw_zenohd` or `tfloom zenoh router`. The link is made as soon as it answers",
+                    file=sys.stderr,
+                )
+
+
+def _mode(config: Any) -> str:
+    return str(json.loads(config.get_json("mode")) or "peer")

@@ -1,0 +1,385 @@
+"""Sessions of the Zenoh wire: where they meet with no router, who takes over, how they end."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from tests.conftest import Program, wait_until
+from tests.zenoh_ports import hold_zenoh_port
+
+from tfloom.rmw import zenoh_meeting_point, zenoh_router, zenoh_session
+from tfloom.rmw.errors import ClosedError, ConfigurationError, WireError
+from tfloom.rmw.zenoh_session import open_session
+
+zenoh = pytest.importorskip("zenoh", reason="eclipse-zenoh is not installed: pip install 'tfloom[zenoh]'")
+
+MEMBER = Path(__file__).parent / "programs" / "zenoh_member.py"
+STOCK = """{
+  // What a stock node has: rmw_zenoh's defaults, which seek a router and gossip to routers alone.
+  mode: "peer", connect: {endpoints: ["tcp/localhost:%d"], timeout_ms: -1, exit_on_failure: false,
+    retry: {period_init_ms: 1000, period_max_ms: 4000, period_increase_factor: 2}},
+  listen: {endpoints: ["tcp/localhost:0"]},
+  scouting: {multicast: {enabled: false}, gossip: {enabled: true, multihop: false,
+    target: {router: ["router", "peer"], peer: ["router"]}, autoconnect: {router: [], peer: ["router", "peer"]},
+    autoconnect_strategy: {peer: {to_router: "always", to_peer: "greater-zid"}}}},
+  timestamping: {enabled: {router: true, peer: true, client: true}},
+}"""
+
+
+@pytest.fixture(autouse=True)
+def port(start_program: Callable[..., Program]) -> Iterator[int]:
+    with hold_zenoh_port() as held:
+        yield held
+
+
+@pytest.fixture
+def start(start_program: Callable[..., Program]) -> Callable[..., Program]:
+    """Start a member by its name, and wait until its session is open."""
+
+    def start_member(name: str, *commands: str, wait: bool = True) -> Program:
+        program = start_program(sys.executable, MEMBER, name, *commands, stdin=subprocess.PIPE)
+        if wait:
+            program.wait_for("open ")
+        return program
+
+    return start_member
+
+
+def tell(program: Program, *words: object) -> None:
+    program.process.stdin.write(" ".join(map(str, words)) + "\n")
+    program.process.stdin.flush()
+
+
+def ask(program: Program, *words: object) -> list[str]:
+    """Give a command, and return the words of the line that answers it."""
+    before = len(program.lines)
+    tell(program, *words)
+    wait_until(lambda: any(line.startswith(str(words[0])) for line in program.lines[before:]))
+    return next(line for line in program.lines[before:] if line.startswith(str(words[0]))).split()
+
+
+def sees(program: Program, *names: str) -> bool:
+    """Return whether a member's graph holds these names, in order of the alphabet."""
+    graphs = [line for line in program.lines if line.startswith("sees ")]
+    return bool(graphs) and graphs[-1] == f"sees {' '.join(names)}"
+
+
+def is_owner(program: Program) -> bool:
+    return ask(program, "owner")[1] == "True"
+
+
+def zid_of(program: Program) -> str:
+    return next(line for line in program.lines if line.startswith("open ")).split()[2]
+
+
+def test_programs_meet_without_a_router(start: Callable[..., Program]) -> None:
+    members = {name: start(name) for name in ("a", "b", "c")}
+    assert "open owner" in members["a"].output
+    assert "open guest" in members["b"].output
+    for member in members.values():
+        wait_until(lambda member=member: sees(member, "a", "b", "c"))
+
+
+def test_of_programs_that_start_together_one_is_the_owner(start: Callable[..., Program]) -> None:
+    members = {name: start(name, wait=False) for name in "abcde"}
+    for member in members.values():
+        wait_until(lambda member=member: sees(member, *"abcde"))
+    assert sum("open owner" in member.output for member in members.values()) == 1
+    assert not any("tfloom:" in member.output for member in members.values())
+
+
+@pytest.mark.timing
+@pytest.mark.parametrize("end", ["kill", "close"])
+def test_another_takes_over_within_two_seconds(end: str, start: Callable[..., Program]) -> None:
+    owner, first, second = start("owner"), start("first", "tick"), start("second")
+    wait_until(lambda: sees(second, "first", "owner", "second") and sees(first, "first", "owner", "second"))
+    wait_until(lambda: int(ask(second, "count", "first")[2]) > 10)
+    ask(second, "forget")
+    started = time.monotonic()
+    if end == "kill":
+        owner.signal(signal.SIGKILL)
+    else:
+        tell(owner, "close")
+    late = start("late")
+    wait_until(lambda: sees(late, "first", "late", "second"))
+    took_s = time.monotonic() - started
+    wait_until(lambda: sees(first, "first", "late", "second"))
+    assert (
+        took_s < 2.0 + 1.0
+    )  # with the start of the late program, whose interpreter and libraries take up to a second
+    assert [is_owner(member) for member in (first, second, late)].count(True) == 1
+    # The two had a link of their own: what flowed between them went on.
+    assert float(ask(second, "count", "first")[3]) < 1.0
+
+
+def test_a_stopped_owner_is_named(start: Callable[..., Program], port: int) -> None:
+    owner = start("owner")
+    owner.pause()
+    late = start("late", wait=False)
+    late.wait_for(f"no answer from the router on 127.0.0.1:{port}, held by ")
+    if sys.platform == "linux":
+        assert f"held by process {owner.process.pid} (" in late.output
+        assert "which is stopped (Ctrl-Z, a debugger?)" in late.output
+    late.wait_for("open guest")
+    owner.signal(signal.SIGCONT)
+    wait_until(lambda: sees(late, "late", "owner") and sees(owner, "late", "owner"))
+    assert late.output.count("no answer") == 1
+
+
+def test_a_stopped_owner_that_is_killed_is_replaced(start: Callable[..., Program]) -> None:
+    owner = start("owner")
+    owner.pause()
+    late = start("late")
+    owner.signal(signal.SIGKILL)
+    wait_until(lambda: is_owner(late))
+    newcomer = start("newcomer")
+    wait_until(lambda: sees(newcomer, "late", "newcomer") and sees(late, "late", "newcomer"))
+
+
+def test_stock_nodes_meet_at_the_point(
+    start: Callable[..., Program], port: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A stock node doesn't open a router; two that find ours hear of each other, and of our programs."""
+    ours = start("ours")
+    file = tmp_path / "stock.json5"
+    file.write_text(STOCK % port)
+    tokens: list[set[str]] = [set(), set()]
+    stock = [zenoh.open(zenoh.Config.from_file(file)) for _ in tokens]
+    try:
+        kept = []
+        for number, session in enumerate(stock):
+            handler = zenoh.handlers.Callback(
+                lambda sample, number=number: tokens[number].add(str(sample.key_expr).rpartition("/")[2]),
+                indirect=False,
+            )
+            kept.append(session.liveliness().declare_subscriber("test/members/*", handler, history=True))
+            kept.append(session.liveliness().declare_token(f"test/members/stock{number}"))
+        wait_until(lambda: all(graph == {"ours", "stock0", "stock1"} for graph in tokens))
+        wait_until(lambda: sees(ours, "ours", "stock0", "stock1"))
+        # Of two programs of ours with the same file, one still opens the router that stock nodes lack.
+        monkeypatch.setenv("ZENOH_SESSION_CONFIG_URI", str(file))
+        guest = start("guest")
+        wait_until(lambda: sees(guest, "guest", "ours", "stock0", "stock1"))
+        ours.signal(signal.SIGKILL)
+        wait_until(lambda: is_owner(guest))
+    finally:
+        for session in stock:
+            session.close()
+
+
+def test_a_router_of_its_own_is_used(
+    start: Callable[..., Program], start_program: Callable[..., Program]
+) -> None:
+    start_program("tfloom", "zenoh", "router").wait_for("listening on")
+    a, b = start("a"), start("b")
+    wait_until(lambda: sees(a, "a", "b") and sees(b, "a", "b"))
+    assert not is_owner(a)
+    assert not is_owner(b)
+
+
+def test_a_named_router_makes_no_meeting_point(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], port: int
+) -> None:
+    monkeypatch.setattr(zenoh_session, "CHECK_PERIOD_S", 0.2)
+    elsewhere = f"tcp/127.0.0.1:{port + 1}"
+    monkeypatch.setenv("ZENOH_CONFIG_OVERRIDE", f'connect/endpoints=["{elsewhere}"]')
+    opened = open_session()
+    assert not opened.is_meeting_point
+    assert opened.endpoints == [elsewhere]
+    opened.close()
+    assert capsys.readouterr().err.startswith(
+        f"tfloom: no router answers at {elsewhere}; start one there, by "
+    )
+    monkeypatch.setenv("ZENOH_ROUTER_CHECK_ATTEMPTS", "-1")
+    open_session().close()
+    assert capsys.readouterr().err == ""
+
+
+def test_waiting_for_a_router_without_end(
+    monkeypatch: pytest.MonkeyPatch,
+    start: Callable[..., Program],
+    start_program: Callable[..., Program],
+    port: int,
+) -> None:
+    monkeypatch.setenv("ZENOH_ROUTER_CHECK_ATTEMPTS", "0")
+    monkeypatch.setenv("ZENOH_CONFIG_OVERRIDE", f'connect/endpoints=["tcp/127.0.0.1:{port + 1}"]')
+    member = start("a", wait=False)
+    member.wait_for("no router answers")
+    assert "open" not in member.output
+    monkeypatch.delenv("ZENOH_CONFIG_OVERRIDE")
+    start_program("tfloom", "zenoh", "router", "-l", f"tcp/127.0.0.1:{port + 1}").wait_for("listening on")
+    member.wait_for("open guest")
+
+
+def test_ctrl_c_ends_the_wait_for_a_router(
+    monkeypatch: pytest.MonkeyPatch, start: Callable[..., Program], port: int
+) -> None:
+    monkeypatch.setenv("ZENOH_ROUTER_CHECK_ATTEMPTS", "0")
+    monkeypatch.setenv("ZENOH_CONFIG_OVERRIDE", f'connect/endpoints=["tcp/127.0.0.1:{port + 1}"]')
+    member = start("a", wait=False)
+    member.wait_for("no router answers")
+    member.signal(signal.SIGINT)
+    assert member.wait() in {1, -signal.SIGINT}
+    assert "KeyboardInterrupt" in member.output
+
+
+def test_off_has_no_link(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", "OFF")
+    opened = open_session()
+    assert not opened.is_meeting_point
+    assert opened.endpoints == []
+    assert opened.router_links() == []
+    opened.close()
+    assert capsys.readouterr().err == ""
+
+
+def test_links_name_the_router(port: int) -> None:
+    opened = open_session()
+    ((zid, endpoint),) = opened.router_links()
+    assert endpoint == f"tcp/127.0.0.1:{port}"
+    assert zid != opened.zid
+    opened.close()
+    opened.close()
+    with pytest.raises(ClosedError):
+        opened.session  # noqa: B018
+
+
+def test_no_thread_of_python_is_left() -> None:
+    before = set(threading.enumerate())
+    opened = open_session()
+    assert {thread.name for thread in set(threading.enumerate()) - before} == {"tfloom_meeting_point"}
+    opened.close()
+    assert set(threading.enumerate()) <= before
+
+
+def test_a_wrong_configuration_leaves_nothing_open(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("ZENOH_ROUTER_CHECK_ATTEMPTS", "often")
+    with pytest.raises(ConfigurationError, match="ZENOH_ROUTER_CHECK_ATTEMPTS"):
+        open_session()
+    monkeypatch.setenv("ZENOH_ROUTER_CHECK_ATTEMPTS", "1")
+    monkeypatch.setenv("ZENOH_CONFIG_OVERRIDE", 'listen/endpoints=["tcp/192.0.2.1:7447"]')
+    with pytest.raises(WireError, match=r"Zenoh can't open a session in domain 3, of mode peer"):
+        open_session(3)
+    assert "tfloom_meeting_point" not in {thread.name for thread in threading.enumerate()}
+    monkeypatch.delenv("ZENOH_CONFIG_OVERRIDE")
+    opened = open_session()
+    assert opened.is_meeting_point  # so the router of the failed one was closed
+    opened.close()
+
+
+def test_refused_thread_leaves_nothing_open(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(_: threading.Thread) -> None:
+        raise RuntimeError("can't start new thread")
+
+    with monkeypatch.context() as patched:
+        patched.setattr(threading.Thread, "start", refuse)
+        with pytest.raises(RuntimeError, match="can't start new thread"):
+            open_session()
+    opened = open_session()
+    assert opened.is_meeting_point
+    opened.close()
+
+
+def test_takeover_survives_an_error(monkeypatch: pytest.MonkeyPatch, start: Callable[..., Program]) -> None:
+    """A lack of descriptors at the moment of the takeover may pass; the next round tries again."""
+    owner = start("owner")
+    opened = open_session()
+    tries = []
+
+    def fail_twice(config: object) -> object:
+        tries.append(config)
+        if len(tries) < 3:
+            raise zenoh_router.RouterError("too many open files")
+        return zenoh_router.open_router(config)
+
+    monkeypatch.setattr(zenoh_meeting_point, "open_router", fail_twice)
+    owner.signal(signal.SIGKILL)
+    wait_until(lambda: opened.is_meeting_point)
+    assert len(tries) >= 3
+    opened.close()
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="this system has no fork")
+def test_a_forked_child_is_refused_and_ends() -> None:
+    code = """
+import os, sys
+from tfloom.rmw.errors import ForkedError
+from tfloom.rmw.zenoh_session import open_session
+opened = open_session()
+child = os.fork()
+if child == 0:
+    for use in (lambda: opened.session, lambda: opened.zid, open_session):
+        try:
+            use()
+        except ForkedError as error:
+            assert "method 'spawn' or 'forkserver'" in str(error)
+        else:
+            os._exit(1)
+    opened.close()
+    sys.exit(3)
+assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 3
+assert opened.router_links()
+opened.close()
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=False
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+ENDS = {
+    "return": ("pass", 0),
+    "exception": ("raise ValueError('as asked')", 1),
+    "exit": ("sys.exit(7)", 7),
+    "thread": ("threading.Thread(target=flood, daemon=True).start(); time.sleep(0.05)", 0),
+    "interrupt": ("signal.raise_signal(signal.SIGINT)", 1),
+}
+
+
+@pytest.mark.parametrize("role", ["owner", "guest"])
+@pytest.mark.parametrize("end", ENDS)
+def test_a_program_that_never_closes_ends(end: str, role: str, start: Callable[..., Program]) -> None:
+    if role == "guest":
+        start("owner", "tick")
+    body, expected = ENDS[end]
+    code = f"""
+import signal, sys, threading, time
+import zenoh
+from tfloom.rmw.zenoh_session import open_session
+opened = open_session()
+kept = opened.session.declare_subscriber("test/**", zenoh.handlers.Callback(lambda sample: None, indirect=False))
+def flood():
+    while True:
+        opened.session.put("test/data/flood", bytes(1000))
+{body}
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=False
+    )
+    assert done.returncode in {expected, -signal.SIGINT if end == "interrupt" else expected}, done.stderr
+    assert "panicked" not in done.stderr
+
+
+@pytest.mark.parametrize("role", ["owner", "guest"])
+def test_what_was_written_before_the_close_arrives(role: str, start: Callable[..., Program]) -> None:
+    members = {name: start(name) for name in ("first", "second")}
+    sender, receiver = (
+        (members["first"], members["second"]) if role == "owner" else (members["second"], members["first"])
+    )
+    name = "first" if role == "owner" else "second"
+    wait_until(lambda: sees(receiver, "first", "second") and sees(sender, "first", "second"))
+    # A sample that has arrived tells that the two have a direct link.
+    wait_until(lambda: ask(sender, "send", 1, 10) and int(ask(receiver, "count", name)[2]) > 0)
+    before = int(ask(receiver, "count", name)[2])
+    tell(sender, "send", 2000, 5000)
+    tell(sender, "close")
+    sender.wait_for("closed")
+    wait_until(lambda: int(ask(receiver, "count", name)[2]) >= before + 2000)
