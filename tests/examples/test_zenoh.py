@@ -1,0 +1,227 @@
+"""The example of networks over Zenoh: two routers joined by TLS, a laptop that may read /tf, and who is refused."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack
+from pathlib import Path
+from typing import Any
+
+import pytest
+from tests.conftest import Program, wait_until
+from tests.zenoh_ports import hold_zenoh_port
+
+from tfloom.rmw import zenoh_config
+from tfloom.rmw.zenoh_config import SESSION_VARIABLE, session_configuration
+
+zenoh = pytest.importorskip("zenoh", reason="eclipse-zenoh is not installed: pip install 'tfloom[zenoh]'")
+
+pytestmark = pytest.mark.skipif(shutil.which("openssl") is None, reason="certificates are made by openssl")
+
+EXAMPLE = Path(__file__).parents[2] / "examples" / "zenoh"
+TF = "0/tf/tf2_msgs::msg::dds_::TFMessage_/RIHS01_0"
+STATIC = "0/tf_static/tf2_msgs::msg::dds_::TFMessage_/RIHS01_0"
+CMD_VEL = "0/cmd_vel/geometry_msgs::msg::dds_::Twist_/RIHS01_0"
+SERVICE = "0/reboot/std_srvs::srv::dds_::Empty_/RIHS01_0"
+TOKEN = "@ros2_lv/0/1/0/0/NN/%/%/driver"
+
+
+class Machine:
+    """A session, and what has reached it: the keys of samples and of tokens."""
+
+    def __init__(self, config: Any) -> None:
+        self.samples: list[str] = []
+        self.tokens: set[str] = set()
+        self.session = zenoh.open(config)
+        direct = zenoh.handlers.Callback
+        self._kept = [
+            self.session.declare_subscriber(
+                "**", direct(lambda sample: self.samples.append(str(sample.key_expr)), indirect=False)
+            ),
+            self.session.liveliness().declare_subscriber(
+                "@ros2_lv/0/**",
+                direct(lambda sample: self.tokens.add(str(sample.key_expr)), indirect=False),
+                history=True,
+            ),
+        ]
+
+    def keep(self, entity: Any) -> None:
+        """Keep an entity, which would be undeclared with its last reference."""
+        self._kept.append(entity)
+
+    def subscribe(self, key: str) -> None:
+        """Subscribe to one topic, because the router's rules let a laptop ask for no other."""
+        self.keep(
+            self.session.declare_subscriber(
+                key,
+                zenoh.handlers.Callback(
+                    lambda sample: self.samples.append(str(sample.key_expr)), indirect=False
+                ),
+            )
+        )
+
+
+@pytest.fixture
+def folder(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, start_program: Callable[..., Program]
+) -> Iterator[Path]:
+    """Return a copy of the example with ports of this test, in which the robot's address is 127.0.0.1."""
+    with hold_zenoh_port() as port:
+        base = port + 2
+        for file in EXAMPLE.glob("*.json5"):
+            text = file.read_text().replace("tls/robot:", "tls/127.0.0.1:").replace("0.0.0.0", "127.0.0.1")
+            text = text.replace(":7447", f":{base if file.name == 'base_router.json5' else port}")
+            (tmp_path / file.name).write_text(text.replace(":7448", f":{port + 1}"))
+        words = ("certificates", "robot=127.0.0.1", "base", "laptop", "stranger")
+        subprocess.run([sys.executable, EXAMPLE / "make_certificates.py", *words], cwd=tmp_path, check=True)
+        (tmp_path / "of_others").mkdir()
+        subprocess.run(
+            [sys.executable, EXAMPLE / "make_certificates.py", "of_others", "laptop"],
+            cwd=tmp_path,
+            check=True,
+        )
+        monkeypatch.chdir(tmp_path)
+        yield tmp_path
+
+
+@pytest.fixture
+def join(folder: Path) -> Iterator[Callable[..., Machine]]:
+    """Open a session with a file of the example, or, without one, as one of the robot's own programs."""
+    with ExitStack() as stack, pytest.MonkeyPatch.context() as patch:
+
+        def open_machine(file: str = "", **replaced: str) -> Machine:
+            patch.delenv(SESSION_VARIABLE, raising=False)
+            if file:
+                text = (folder / file).read_text()
+                for old, new in replaced.items():
+                    assert old in text
+                    text = text.replace(old, new)
+                (folder / "session.json5").write_text(text)
+                patch.setenv(SESSION_VARIABLE, "session.json5")
+            machine = Machine(session_configuration())
+            stack.callback(machine.session.close)
+            return machine
+
+        yield open_machine
+
+
+def serve(robot: Machine) -> list[str]:
+    """Let the robot have a node, a service and static transforms of before; return the requests that reach it."""
+    asked: list[str] = []
+    robot.keep(robot.session.liveliness().declare_token(TOKEN))
+    robot.keep(
+        robot.session.declare_queryable(
+            SERVICE,
+            zenoh.handlers.Callback(lambda query: asked.append(str(query.key_expr)), indirect=False),
+            complete=True,
+        )
+    )
+    static = zenoh.ext.declare_advanced_publisher(
+        robot.session, STATIC, cache=zenoh.ext.CacheConfig(max_samples=1), publisher_detection=True
+    )
+    static.put(b"of before")
+    robot.keep(static)
+    return asked
+
+
+@pytest.mark.parametrize("file", ["robot_router.json5", "robot_router_tf_only.json5"])
+def test_laptop_reads_tf_and_nothing_else(
+    file: str, join: Callable[..., Machine], start_program: Callable[..., Program]
+) -> None:
+    start_program("tfloom", "zenoh", "router", "-c", file).wait_for("listening on")
+    robot = join()
+    asked = serve(robot)
+    laptop = join("laptop.json5")
+    laptop.subscribe(TF)
+    statics: list[bytes] = []
+    laptop.keep(
+        zenoh.ext.declare_advanced_subscriber(
+            laptop.session,
+            STATIC,
+            zenoh.handlers.Callback(lambda sample: statics.append(sample.payload.to_bytes()), indirect=False),
+            history=zenoh.ext.HistoryConfig(detect_late_publishers=True, max_samples=1),
+        )
+    )
+
+    def tf_arrives() -> bool:
+        robot.session.put(CMD_VEL, b"secret")
+        robot.session.put(TF, b"transform")
+        return TF in laptop.samples
+
+    wait_until(tf_arrives)
+    wait_until(lambda: statics[:1] == [b"of before"])
+    assert CMD_VEL not in laptop.samples
+    if file == "robot_router.json5":
+        wait_until(lambda: TOKEN in laptop.tokens)
+    else:
+        assert laptop.tokens == set()
+    robot.samples.clear()
+    for key in (CMD_VEL, TF):
+        laptop.session.put(key, b"drive")
+    assert list(laptop.session.get(SERVICE, timeout=1.0)) == []
+    # What the laptop has written precedes what another program writes now.
+    other = join()
+    robot.samples.clear()
+    wait_until(lambda: other.session.put("0/mark", b"") or "0/mark" in robot.samples)
+    assert not {CMD_VEL, TF} & set(robot.samples)
+    assert asked == []
+
+
+def test_routers_join_two_machines(
+    join: Callable[..., Machine], start_program: Callable[..., Program]
+) -> None:
+    router = start_program("tfloom", "zenoh", "router", "-c", "robot_router.json5")
+    router.wait_for("listening on")
+    robot = join()
+    robot.keep(robot.session.liveliness().declare_token(TOKEN))
+    start_program("tfloom", "zenoh", "router", "-c", "base_router.json5").wait_for("listening on")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("TFLOOM_ZENOH_PORT", str(zenoh_config.port() + 2))
+        base = join()
+    wait_until(lambda: TOKEN in base.tokens)
+    wait_until(lambda: robot.session.put(CMD_VEL, b"") or CMD_VEL in base.samples)
+    # The router ends and comes back: the link is made anew, with nothing to start on the other machine.
+    router.end()
+    base.samples.clear()
+    start_program("tfloom", "zenoh", "router", "-c", "robot_router.json5").wait_for("listening on")
+    wait_until(lambda: robot.session.put(CMD_VEL, b"") or CMD_VEL in base.samples)
+
+
+STRANGERS = {
+    "no certificate": {"enable_mtls: true": "enable_mtls: false"},
+    "of another authority": {
+        "certificates/laptop.pem": "of_others/laptop.pem",
+        "certificates/laptop.key": "of_others/laptop.key",
+    },
+    "a name without rules": {
+        "certificates/laptop.pem": "certificates/stranger.pem",
+        "certificates/laptop.key": "certificates/stranger.key",
+    },
+    "trusts another authority": {"certificates/ca.pem": "of_others/ca.pem"},
+    "plain TCP": {"tls/": "tcp/"},
+}
+
+
+@pytest.mark.parametrize("stranger", STRANGERS)
+def test_strangers_get_nothing(
+    stranger: str, join: Callable[..., Machine], start_program: Callable[..., Program]
+) -> None:
+    start_program("tfloom", "zenoh", "router", "-c", "robot_router.json5").wait_for("listening on")
+    robot = join()
+    robot.keep(robot.session.liveliness().declare_token(TOKEN))
+    laptop = join("laptop.json5")
+    laptop.subscribe(TF)
+    # The link of a client with a certificate is made meanwhile, and gets what the stranger doesn't.
+    # A client without a link raises an error when it is opened, a peer seeks its router on and on.
+    is_linked = stranger == "a name without rules"
+    mode = {} if is_linked else {'mode: "client"': 'mode: "peer"'}
+    denied = join("laptop.json5", **STRANGERS[stranger], **mode)
+    denied.subscribe(TF)
+    wait_until(lambda: robot.session.put(TF, b"") or laptop.samples.count(TF) > 20)
+    wait_until(lambda: TOKEN in laptop.tokens)
+    assert denied.samples == []
+    assert denied.tokens == set()
+    assert bool(denied.session.info.routers_zid()) == is_linked
