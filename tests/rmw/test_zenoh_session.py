@@ -185,6 +185,38 @@ def test_a_router_of_its_own_is_used(
     assert not is_owner(b)
 
 
+def test_a_router_that_starts_later_takes_over(
+    start: Callable[..., Program], start_program: Callable[..., Program]
+) -> None:
+    owner, guest = start("owner"), start("guest")
+    wait_until(lambda: sees(owner, "guest", "owner") and sees(guest, "guest", "owner"))
+    router = start_program("tfloom", "zenoh", "router")
+    router.wait_for("listening on")
+    late = start("late")
+    for member in (owner, guest, late):
+        wait_until(lambda member=member: sees(member, "guest", "late", "owner"))
+        assert not is_owner(member)
+        assert "no answer" not in member.output
+    # It ends: a program takes over, and gives way again.
+    router.signal(signal.SIGKILL)
+    wait_until(lambda: any(is_owner(member) for member in (owner, guest, late)))
+    start_program("tfloom", "zenoh", "router").wait_for("listening on")
+    wait_until(lambda: not any(is_owner(member) for member in (owner, guest, late)))
+
+
+def test_a_router_that_asks_and_dies_is_replaced(
+    start: Callable[..., Program], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(zenoh_meeting_point, "GIVE_WAY_S", 0.5)
+    opened = open_session()
+    assert opened.is_meeting_point
+    assert zenoh_meeting_point._ask_to_give_way()
+    wait_until(lambda: not opened.is_meeting_point)
+    wait_until(lambda: opened.is_meeting_point)
+    opened.close()
+    assert not zenoh_meeting_point._ask_to_give_way()
+
+
 def test_a_named_router_makes_no_meeting_point(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], port: int
 ) -> None:

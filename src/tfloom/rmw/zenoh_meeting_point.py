@@ -3,10 +3,16 @@
 Two peers of Zenoh hear of each other by a router. So each session tries to open one at the port where all seek it; the
 kernel gives the port to one process. When that one ends, the others lose their link, and one of them has the port next.
 Peers have links of their own, so data that flows between them goes on meanwhile.
+
+A router in a process of its own takes precedence: when it starts and finds the port taken, it asks the sessions of this
+machine to give way. They answer, close their router, and leave the port alone for some seconds.
 """
 
 from __future__ import annotations
 
+import json
+import re
+import socket
 import sys
 import threading
 import time
@@ -14,16 +20,22 @@ from contextlib import suppress
 from typing import Any
 
 from tfloom.rmw.errors import WireError
-from tfloom.rmw.zenoh_config import meeting_point_configuration, port
+from tfloom.rmw.zenoh_config import endpoints_of, meeting_point_configuration, port, session_settings
+from tfloom.rmw.zenoh_library import open_library
 from tfloom.rmw.zenoh_port import find_port_owner
 from tfloom.rmw.zenoh_router import RouterError, open_router
 
-__all__ = ["MeetingPoint"]
+__all__ = ["MeetingPoint", "open_lone_router"]
 
 PERIOD_S = 0.2
 """How often a session looks whether it still has a router [s]."""
 NO_ANSWER_S = 3.0
 """How long the router's silence is no cause for a message [s]: after a change of owner, sessions retry for a second."""
+GIVE_WAY_S = 5.0
+"""How long sessions leave the port alone after a router has asked for it [s]."""
+REPLY_S = 0.1
+"""How long the owner's router goes on after the request, to carry the replies [s]."""
+ASK_TIMEOUT_S = 2.0
 
 
 class MeetingPoint:
@@ -42,6 +54,9 @@ class MeetingPoint:
         self._is_closed = threading.Event()
         self._thread: threading.Thread | None = None
         self._is_reported = False
+        self._asked_at: float | None = None
+        """When a router asked for the port [s]; set by Zenoh's thread, read by the own one."""
+        self._queryable: Any = None
         self._open_router()
 
     @property
@@ -56,6 +71,10 @@ class MeetingPoint:
         Raises:
             RuntimeError: the system has no thread.
         """
+        zenoh = open_library()
+        self._queryable = session.declare_queryable(
+            _give_way_key(), zenoh.handlers.Callback(self._on_request, indirect=False), complete=True
+        )
         self._thread = threading.Thread(
             target=self._watch, args=(session,), name="tfloom_meeting_point", daemon=True
         )
@@ -70,10 +89,7 @@ class MeetingPoint:
         self._is_closed.set()
         if self._thread is not None and self._thread is not threading.current_thread():
             self._thread.join()
-        with self._lock:
-            router, self._router = self._router, None
-        if router is not None:
-            router.close()
+        self._close_router()
 
     def report_silence(self) -> None:
         """Print, once until the router answers, that it doesn't, and which process holds its port."""
@@ -101,9 +117,36 @@ class MeetingPoint:
         with self._lock:
             self._router = router
 
+    def _close_router(self) -> None:
+        with self._lock:
+            router, self._router = self._router, None
+        if router is not None:
+            router.close()
+
+    def _on_request(self, query: Any) -> None:
+        """Note that a router asks for the port; called on a thread of Zenoh, which must not close a session."""
+        self._asked_at = time.monotonic()
+        query.reply(query.key_expr, b"")
+        query.drop()
+
+    def _gives_way(self) -> bool:
+        """Return whether the port is to be left to a router that asked; close the own one then."""
+        if self._asked_at is None:
+            return False
+        since_s = time.monotonic() - self._asked_at
+        if since_s > GIVE_WAY_S:
+            self._asked_at = None
+            return False
+        if since_s > REPLY_S:
+            self._close_router()
+        return True
+
     def _watch(self, session: Any) -> None:
         silent_since = time.monotonic()
         while not self._is_closed.wait(PERIOD_S):
+            if self._gives_way():
+                silent_since = time.monotonic()
+                continue
             try:
                 is_linked = bool(session.info.routers_zid())
             except Exception:  # noqa: BLE001  # the session was closed by other means: there is nothing to watch
@@ -118,3 +161,64 @@ class MeetingPoint:
                     self._open_router()
             if not self.is_owner and time.monotonic() - silent_since > NO_ANSWER_S:
                 self.report_silence()
+
+
+def open_lone_router(config: Any) -> Any:
+    """Open a router for a process of its own; if a session of this machine has its port, take it over from that one.
+
+    Args:
+        config: A `zenoh.Config` with the mode `router`.
+
+    Returns:
+        The `zenoh.Session`, which must be closed.
+
+    Raises:
+        RouterError: it can't listen, as where another program or router has the port.
+    """
+    try:
+        return open_router(config)
+    except RouterError as error:
+        ports = {endpoint.rpartition(":")[2] for endpoint in endpoints_of(config, "listen/endpoints")}
+        if not error.is_port_taken or str(port()) not in ports or not _ask_to_give_way():
+            raise
+    end = time.monotonic() + GIVE_WAY_S / 2
+    while True:
+        try:
+            return open_router(config)
+        except RouterError as error:
+            if not error.is_port_taken or time.monotonic() > end:
+                raise
+        time.sleep(REPLY_S / 2)
+
+
+def _ask_to_give_way() -> bool:
+    """Ask the sessions of this machine to leave the port alone; return whether one answered."""
+    zenoh = open_library()
+    config = zenoh.Config()
+    settings = {
+        **session_settings(),
+        "mode": "client",
+        "connect/endpoints": [f"tcp/127.0.0.1:{port()}"],
+        "connect/timeout_ms": round(1000 * ASK_TIMEOUT_S),
+        "connect/exit_on_failure": True,
+        "listen/endpoints": [],
+    }
+    for key, setting in settings.items():
+        config.insert_json5(key, json.dumps(setting))
+    try:
+        with zenoh.open(config) as session:
+            replies = session.get(
+                _give_way_key(),
+                target=zenoh.QueryTarget.ALL,
+                consolidation=zenoh.ConsolidationMode.NONE,
+                timeout=ASK_TIMEOUT_S,
+            )
+            return any(reply.ok is not None for reply in replies)
+    except zenoh.ZError:
+        return False
+
+
+def _give_way_key() -> str:
+    """Return the key of the request, which names this machine, because routers carry it to others."""
+    machine = re.sub(r"[^A-Za-z0-9_.-]", "_", socket.gethostname()) or "_"
+    return f"tfloom/give_way/{machine}/{port()}"

@@ -58,8 +58,7 @@ def open_router(config: Any) -> Any:
         owners = [owner for port in ports if port.isdigit() and (owner := find_port_owner(int(port)))]
         holder = str(owners[0]) if owners else "another process"
         raise RouterError(
-            f"the router can't listen on {where}: the port is held by {holder}. If that is a router, or a node of "
-            "tfloom, which is one while there is no other, programs meet there already; otherwise end it, or name "
-            "another port in TFLOOM_ZENOH_PORT, for all programs",
+            f"the router can't listen on {where}: the port is held by {holder}. If that is a router, programs meet "
+            "there already; otherwise end it, or name another port in TFLOOM_ZENOH_PORT, for all programs",
             is_port_taken=True,
         ) from None

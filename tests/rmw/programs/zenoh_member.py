@@ -1,8 +1,12 @@
 """A member of a Zenoh graph: prints the members that it sees whenever they change; argument: its name.
 
-A line on stdin is a command: `send N SIZE` puts N samples and prints `send N`; `close` closes the session and prints
-`closed`; `count NAME` prints how many samples of that member have come, and the longest time between two [s].
-Arguments after the name are commands that are run first.
+A line on stdin is a command, and so is each argument after the name:
+
+- `send N SIZE` puts N samples and prints `send N`
+- `pace N SIZE PERIOD` does so with a period [s], as a reliable topic whose full queue drops, and prints `pace N`
+- `tick` puts a sample each 10 ms
+- `count NAME` prints how many samples of that member have come, and the longest time between two [s]
+- `forget` forgets them, `owner` prints whether this process has the router, `close` closes the session
 """
 
 from __future__ import annotations
@@ -60,30 +64,58 @@ def tick() -> None:
         time.sleep(0.01)
 
 
+def send(count: str, size: str) -> None:
+    for _ in range(int(count)):
+        publisher.put(bytes(int(size)))
+    say("send", count)
+
+
+def pace(count: str, size: str, period_s: str) -> None:
+    dropping = session.declare_publisher(f"test/data/{name}", congestion_control=zenoh.CongestionControl.DROP)
+    start = time.monotonic()
+    for number in range(int(count)):
+        dropping.put(bytes(int(size)))
+        time.sleep(max(0.0, start + (number + 1) * float(period_s) - time.monotonic()))
+    dropping.undeclare()
+    say("pace", count)
+
+
+def start_ticks() -> None:
+    is_sending.set()
+    threading.Thread(target=tick, daemon=True).start()
+
+
+def print_count(member: str) -> None:
+    times = arrivals.get(member, [])
+    gaps = [after - before for before, after in pairwise(times)]
+    say("count", member, len(times), max(gaps, default=0.0))
+
+
+def forget() -> None:
+    arrivals.clear()
+    say("forget")
+
+
+def close() -> None:
+    is_sending.clear()
+    opened.close()
+    say("closed")
+
+
+VERBS = {
+    "send": send,
+    "pace": pace,
+    "tick": start_ticks,
+    "count": print_count,
+    "forget": forget,
+    "owner": lambda: say("owner", opened.is_meeting_point),
+    "close": close,
+}
+
+
 def run(line: str) -> None:
     verb, *words = line.split()
-    if verb == "send":
-        for _ in range(int(words[0])):
-            publisher.put(bytes(int(words[1])))
-        say("send", words[0])
-    elif verb == "close":
-        is_sending.clear()
-        opened.close()
-        say("closed")
-    elif verb == "tick":
-        is_sending.set()
-        threading.Thread(target=tick, daemon=True).start()
-    elif verb == "owner":
-        say("owner", opened.is_meeting_point)
-    elif verb == "count":
-        times = arrivals.get(words[0], [])
-        gaps = [after - before for before, after in pairwise(times)]
-        say("count", words[0], len(times), max(gaps, default=0.0))
-    elif verb == "forget":
-        arrivals.clear()
-        say("forget")
-    elif verb == "fail":
-        raise SystemExit("failed as asked")
+    VERBS[verb](*words)
 
 
 for command in commands:

@@ -35,7 +35,7 @@ def main(args: argparse.Namespace) -> int:
     import os
 
     from tfloom.rmw.zenoh_config import ROUTER_VARIABLE, endpoints_of, router_configuration
-    from tfloom.rmw.zenoh_router import open_router
+    from tfloom.rmw.zenoh_meeting_point import open_lone_router
 
     if args.config:
         os.environ[ROUTER_VARIABLE] = args.config
@@ -45,7 +45,7 @@ def main(args: argparse.Namespace) -> int:
         raise CommandError(
             f'the configuration has the mode {config.get_json("mode")}, a router needs "router"'
         )
-    session = open_router(config)
+    session = open_lone_router(config)
     try:
         listen = ", ".join(endpoints_of(config, "listen/endpoints"))
         connect = ", ".join(endpoints_of(config, "connect/endpoints"))

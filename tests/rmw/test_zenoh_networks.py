@@ -1,0 +1,142 @@
+"""Two hosts as network namespaces, each with a router, joined by a cable that is slow, lossy, cut, or mended."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from tests.conftest import Program, wait_until
+from tests.namespaces import CABLE, Host, hosts_on_a_subnet
+from tests.zenoh_ports import hold_zenoh_port
+
+pytest.importorskip("zenoh", reason="eclipse-zenoh is not installed: pip install 'tfloom[zenoh]'")
+
+MEMBER = Path(__file__).parent / "programs" / "zenoh_member.py"
+LEASE_S = 2.0
+LINKS = {
+    "lossy": ("netem", "delay", "20ms", "loss", "3%"),
+    # A queue of 3 packets, so that TCP loses some of each burst.
+    "slow": ("tbf", "rate", "4mbit", "burst", "3000", "limit", "4500"),
+}
+
+
+class Site:
+    """A host with a router and members."""
+
+    def __init__(self, host: Host, start_program: Callable[..., Program], *router_words: str) -> None:
+        self.host = host
+        self._start = start_program
+        self._router_words = router_words
+        self.router = self.start_router()
+
+    def start_router(self) -> Program:
+        """Start the host's router, and return it when it listens."""
+        command = (sys.executable, "-m", "tfloom.cli", "zenoh", "router", *self._router_words)
+        self.router = self._start(*self.host.enter, *command)
+        self.router.wait_for("listening on")
+        return self.router
+
+    def member(self, name: str) -> Program:
+        """Start a member, and return it when its session is open."""
+        member = self._start(*self.host.enter, sys.executable, MEMBER, name, stdin=subprocess.PIPE)
+        member.wait_for("open guest")
+        return member
+
+
+@pytest.fixture
+def sites(
+    start_program: Callable[..., Program], monkeypatch: pytest.MonkeyPatch
+) -> Iterator[tuple[Site, Site]]:
+    """Return two hosts whose routers are joined: the far one connects to the near one."""
+    with hold_zenoh_port() as port:
+        monkeypatch.setenv("TFLOOM_LEASE_S", str(LEASE_S))
+        near, far = hosts_on_a_subnet(start_program)
+        listen = ("-l", f"tcp/127.0.0.1:{port}", "-l", f"tcp/{near.address}:{port}")
+        yield Site(near, start_program, *listen), Site(far, start_program, "-e", f"tcp/{near.address}:{port}")
+
+
+def ask(program: Program, *words: object) -> list[str]:
+    """Give a command, and return the words of the line that answers it."""
+    before = len(program.lines)
+    program.process.stdin.write(" ".join(map(str, words)) + "\n")
+    program.process.stdin.flush()
+    wait_until(lambda: any(line.startswith(str(words[0])) for line in program.lines[before:]))
+    return next(line for line in program.lines[before:] if line.startswith(str(words[0]))).split()
+
+
+def graph(program: Program) -> list[str]:
+    return next((line.split()[1:] for line in reversed(program.lines) if line.startswith("sees")), [])
+
+
+def count(program: Program, name: str) -> int:
+    return int(ask(program, "count", name)[2])
+
+
+@pytest.mark.parametrize("link", LINKS)
+def test_nothing_is_lost_within_the_rate_of_the_link(link: str, sites: tuple[Site, Site]) -> None:
+    near, far = sites
+    for site in sites:
+        command = [*site.host.enter, "tc", "qdisc", "add", "dev", CABLE, "root", *LINKS[link]]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        if "kind is unknown" in done.stderr:
+            pytest.skip("this kernel has no netem")
+        assert done.returncode == 0, done.stderr
+    sender, receiver = near.member("sender"), far.member("receiver")
+    wait_until(lambda: graph(receiver) == graph(sender) == ["receiver", "sender"])
+    # The first sample that arrives tells that the subscription has reached the sender.
+    wait_until(lambda: ask(sender, "send", 1, 10) and count(receiver, "sender") > 0)
+    wait_until(lambda: count(receiver, "sender") == count(sender, "sender"))
+    before = count(receiver, "sender")
+    ask(sender, "pace", 300, 1500, 0.01)  # /tf of ten transforms at 100 Hz, 1.2 Mbit/s
+    wait_until(lambda: count(receiver, "sender") >= before + 300)
+    assert count(receiver, "sender") == before + 300
+
+
+def test_a_link_that_is_cut_and_mended(sites: tuple[Site, Site]) -> None:
+    near, far = sites
+    sender, receiver = near.member("sender"), far.member("receiver")
+    wait_until(lambda: graph(receiver) == graph(sender) == ["receiver", "sender"])
+    near.host.run("ip", "link", "set", CABLE, "down")
+    wait_until(lambda: graph(receiver) == ["receiver"] and graph(sender) == ["sender"])
+    near.host.run("ip", "link", "set", CABLE, "up")
+    wait_until(lambda: graph(receiver) == graph(sender) == ["receiver", "sender"])
+    before = count(receiver, "sender")
+    wait_until(lambda: ask(sender, "send", 1, 10) and count(receiver, "sender") > before)
+
+
+def test_a_short_cut_loses_nothing(sites: tuple[Site, Site]) -> None:
+    """A link that is back before its lease has ended goes on where it was."""
+    near, far = sites
+    sender, receiver = near.member("sender"), far.member("receiver")
+    wait_until(lambda: graph(receiver) == graph(sender) == ["receiver", "sender"])
+    wait_until(lambda: ask(sender, "send", 1, 10) and count(receiver, "sender") > 0)
+    wait_until(lambda: count(receiver, "sender") == count(sender, "sender"))
+    before = count(receiver, "sender")
+    near.host.run("ip", "link", "set", CABLE, "down")
+    ask(sender, "send", 100, 100)
+    near.host.run("ip", "link", "set", CABLE, "up")
+    wait_until(lambda: count(receiver, "sender") == before + 100)
+    assert not any(
+        line == "sees receiver" for line in receiver.lines[receiver.lines.index("sees receiver sender") :]
+    )
+
+
+@pytest.mark.timing
+@pytest.mark.parametrize("end", ["near", "far"])
+def test_the_graph_is_whole_again_after_a_restart(end: str, sites: tuple[Site, Site]) -> None:
+    near, far = sites
+    sender, receiver = near.member("sender"), far.member("receiver")
+    wait_until(lambda: graph(receiver) == graph(sender) == ["receiver", "sender"])
+    site = near if end == "near" else far
+    site.router.end()
+    wait_until(lambda: graph(receiver) == ["receiver"] and graph(sender) == ["sender"])
+    site.start_router()
+    restarted = time.monotonic()
+    wait_until(lambda: graph(receiver) == graph(sender) == ["receiver", "sender"])
+    before = count(receiver, "sender")
+    wait_until(lambda: ask(sender, "send", 1, 10) and count(receiver, "sender") > before)
+    assert time.monotonic() - restarted < 5.0
