@@ -1,9 +1,10 @@
 """Run tfloom on other systems, in chroots, and print a table: `python -m tools.platforms [PART …]`, `make platforms`.
 
-`testing` is Debian testing on this processor, with Debian's newest Python: README's `make demo`, then tests. `arm64` is
-Debian 13 on arm64, whose programs qemu-user runs: the extension is cross-compiled here; there the demonstration, tests,
-and a talk with nodes of this machine, over the loopback interface that both share. It needs these packages of Debian,
-and to be root, because of chroots, mounts and binfmt_misc:
+`testing`, `unstable` and `debian13` are Debian's on this processor, with its newest Python, the next one and 3.13:
+README's `make demo`, then tests. `arm64` is Debian 13 on arm64, whose programs qemu-user runs: the extension is
+cross-compiled here; there the demonstration, tests, and a talk with nodes of this machine, over the loopback interface
+that both share. With `--short`, only the checks that take less than five minutes on two quiet cores. It needs these
+packages of Debian, and to be root, because of chroots, mounts and binfmt_misc:
 
     apt-get install mmdebstrap qemu-user-static g++-aarch64-linux-gnu
 """
@@ -19,22 +20,33 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
-from tools.set_up import ROOT, SetUpError, say
+from tools.set_up import ROOT, SetUpError, only_one, say
 
 FOLDER = ROOT / "build" / "platforms"
 HERE = "root/tfloom"
 """The checkout's folder in a chroot."""
 CORE = "tests/tf2 tests/rosidl tests/kdl tests/test_walk.py"
-WIRE = "tests/rmw tests/node tests/tf2_ros"
+TESTS = {
+    "core tests": CORE,
+    "tests of the wire": "tests/rmw",
+    "tests of nodes": "tests/node",
+    "tests of tf2_ros": "tests/tf2_ros",
+    "tests of commands": "tests/cli",
+}
+"""The tests of each system, by what they are named in the table."""
+SHORT_TESTS = "tests/tf2/test_arrays.py tests/tf2/test_vectors.py tests/kdl"
+"""Those that run first on arm64: with the paths of `native/` that are written for its processor."""
 CERTIFICATES = Path("/etc/ssl/certs/ca-certificates.crt")
-SUITES = {"testing": "testing", "arm64": "trixie"}
-PACKAGES = {
-    "testing": "python3 python3-venv python3-dev g++ make git ca-certificates binutils",
+TOOLS = "g++ make git ca-certificates binutils iproute2 faketime"
+SUITES = {"testing": "testing", "unstable": "sid", "debian13": "trixie", "arm64": "trixie"}
+PYTHONS = {"testing": "python3", "unstable": "python3.15", "debian13": "python3"}
+"""The Python of each system of this processor, by the name of its command."""
+PACKAGES = {name: f"{python} {python}-venv {python}-dev {TOOLS}" for name, python in PYTHONS.items()} | {
     "arm64": "base-files bash coreutils dash findutils grep procps sed python3 python3-dev python3-numpy python3-yaml "
     "python3-argcomplete python3-pil python3-reportlab python3-psutil python3-rich python3-pytest python3-pytest-xdist "
     "python3-pytest-rerunfailures python3-hypothesis python3-pandas python3-transforms3d python3-scipy libddsc0t64",
@@ -58,6 +70,19 @@ class Row(NamedTuple):
     result: str
     seconds: float
     is_good: bool
+
+
+class Check(NamedTuple):
+    """One row of the table, not yet run.
+
+    Args:
+        run: Returns whether it succeeded, and what came of it.
+        is_short: Whether it takes less than five minutes.
+    """
+
+    what: str
+    run: Callable[[], tuple[bool, str]]
+    is_short: bool = True
 
 
 class Chroot:
@@ -94,6 +119,10 @@ class Chroot:
         for name in ("bin", "sbin", "lib"):
             if not (self.folder / name).exists():
                 (self.folder / name).symlink_to(f"usr/{name}")
+        for name in ("blas", "lapack"):
+            for library in self.folder.glob(f"usr/lib/*/{name}/lib{name}.so.3"):
+                if not (link := library.parents[1] / library.name).exists():
+                    link.symlink_to(f"{name}/{library.name}")
         for file in (Path("/etc/resolv.conf"), Path("/etc/hosts"), CERTIFICATES):
             if file.exists():
                 (self.folder / file.relative_to("/")).parent.mkdir(parents=True, exist_ok=True)
@@ -134,21 +163,31 @@ def measured(system: str, what: str, run: Callable[[], tuple[bool, str]]) -> Row
         is_good, result = run()
     except (SetUpError, subprocess.SubprocessError, OSError) as error:
         is_good, result = False, str(error)
-    row = Row(system, what, result, time.monotonic() - started, is_good)
+    row = Row(system, what, " ".join(result.split()), time.monotonic() - started, is_good)
     say(f"{row.system}: {row.what}: {row.result} ({row.seconds / 60:.1f} min)")
     return row
 
 
 def run_in(chroot: Chroot, text: str, log: str, **variables: str) -> tuple[bool, str]:
     """Run a line of shell in a chroot; return whether it succeeded, and pytest's counts or the last line it printed."""
-    path = FOLDER / f"{chroot.name}_{log}.log"
+    path = log_path(chroot, log)
     with path.open("w", encoding="utf-8") as file:
         code = subprocess.run(
             chroot.command(text, **variables), stdout=file, stderr=subprocess.STDOUT, check=False
         ).returncode
-    lines = path.read_text("utf-8", errors="replace").strip().splitlines() or [""]
+    lines = log_lines(chroot, log) or [""]
     counts = total_counts(lines)
     return code == 0, counts or (lines[-1] if code else "ran") + (f"; see {path}" if code else "")
+
+
+def log_path(chroot: Chroot, log: str) -> Path:
+    """Return the file with the output of a command in a chroot."""
+    return FOLDER / f"{chroot.name}_{log}.log"
+
+
+def log_lines(chroot: Chroot, log: str) -> list[str]:
+    """Return the lines that a command has printed in a chroot."""
+    return log_path(chroot, log).read_text("utf-8", errors="replace").strip().splitlines()
 
 
 def total_counts(lines: Sequence[str]) -> str:
@@ -161,22 +200,36 @@ def total_counts(lines: Sequence[str]) -> str:
     return ", ".join(f"{number} {word}" for word, number in totals.items())
 
 
-def run_testing() -> list[Row]:
-    """Run README's two commands on Debian testing."""
-    chroot = Chroot("testing", host_architecture())
-    rows = [measured("Debian testing", "installed", lambda: chroot.create("minbase"))]
+def run_all(system: str, checks: Sequence[Check], *, is_short: bool) -> list[Row]:
+    """Run the checks of a system, or only the short ones; return the rows."""
+    return [measured(system, check.what, check.run) for check in checks if check.is_short or not is_short]
+
+
+def run_native(name: str, *, is_short: bool) -> list[Row]:
+    """Run README's two commands on a Debian of this processor."""
+    chroot = Chroot(name, host_architecture())
+    rows = [measured(f"Debian {name}", "installed", lambda: chroot.create("minbase"))]
     if not rows[0].is_good:
         return rows
     export_checkout(chroot.folder / HERE)
-    python = chroot_output(chroot, "python3 --version")
-    system = f"Debian testing, {python}"
-    for what, text in (
-        ("make demo", 'make demo ARGS="--seconds 8" && .venv/bin/tfloom doctor'),
-        ("core tests", f'make test ARGS="{CORE}"'),
-        ("tests of wire and nodes", f'make test ARGS="{WIRE}"'),
-    ):
-        rows.append(measured(system, what, partial(run_in, chroot, text, what.replace(" ", "_"))))
-    return rows
+    make = f"make PYTHON={PYTHONS[name]}"
+    demo = f'{make} demo ARGS="--seconds 8" && .venv/bin/tfloom doctor'
+    checks = [Check("make demo", partial(run_in, chroot, demo, "demo"))]
+    checks += [
+        Check(
+            what,
+            partial(run_in, chroot, f'{make} test ARGS="--quiet {paths}"', log_name(what)),
+            is_short=False,
+        )
+        for what, paths in TESTS.items()
+    ]
+    system = f"Debian {name}, {chroot_output(chroot, f'{PYTHONS[name]} --version')}"
+    return rows + run_all(system, checks, is_short=is_short)
+
+
+def log_name(what: str) -> str:
+    """Return the name of a check in that of its log."""
+    return what.replace(" ", "_")
 
 
 def host_architecture() -> str:
@@ -279,8 +332,13 @@ PATIENT_DEMO = (
     "import sys, tfloom.demos.show as show, tfloom.cli.main as m; show.PATIENCE_S = 400.0; sys.exit(m.main())"
 )
 """The command `ros2`, whose demonstration waits ten times as long for its programs, because the emulator is slow."""
-PURE_PACKAGES = ("rosbags<0.12", "./packages/tfloom-ros2", "./packages/tfloom-interfaces")
-"""What the tests need and Debian hasn't."""
+PURE_PACKAGES = (
+    "rosbags<0.12",
+    "pytest-xdist>=3.7",
+    "./packages/tfloom-ros2",
+    "./packages/tfloom-interfaces",
+)
+"""What the tests need and Debian hasn't, or not as new."""
 
 
 def install_for_arm64(chroot: Chroot) -> tuple[bool, str]:
@@ -343,7 +401,38 @@ def talk(chroot: Chroot, *, speaks_there: bool) -> tuple[bool, str]:
     return has_heard, "heard" if has_heard else f"nothing was heard; see {log}"
 
 
-def run_arm64() -> list[Row]:
+@contextmanager
+def without_library(chroot: Chroot) -> Iterator[None]:
+    """Take libddsc away from a chroot as long as the block runs."""
+    libraries = list((chroot.folder / "usr/lib").rglob("libddsc.so.*"))
+    for library in libraries:
+        library.rename(library.with_name(f"away.{library.name}"))
+    try:
+        yield
+    finally:
+        for library in libraries:
+            library.with_name(f"away.{library.name}").rename(library)
+
+
+def demo_on_arm64(chroot: Chroot, *, has_library: bool) -> tuple[bool, str]:
+    """Run the demonstration, over DDS or without its library; return the line in which it says so."""
+    demo = f"mkdir -p /tmp/demo && cd /tmp/demo && python3 -c '{PATIENT_DEMO}' demo --seconds 8"
+    log = "demo" if has_library else "demo_without_libddsc"
+    with nullcontext() if has_library else without_library(chroot):
+        is_good, result = run_in(chroot, f"{demo} && ros2 doctor" if has_library else demo, log)
+    said = next(
+        (
+            line
+            for line in log_lines(chroot, log)
+            if line.startswith(("They meet over DDS", "No DDS library"))
+        ),
+        "",
+    )
+    is_told = said.startswith("They meet over DDS" if has_library else "No DDS library")
+    return is_good and is_told, said if is_good else result
+
+
+def run_arm64(*, is_short: bool) -> list[Row]:
     """Run the demonstration, tests and a talk on Debian 13 for arm64."""
     chroot = Chroot("arm64", "arm64")
     # The other variants of mmdebstrap run the packages' scripts, each under qemu.
@@ -351,24 +440,29 @@ def run_arm64() -> list[Row]:
     if not rows[0].is_good:
         return rows
     with arm64_programs():
-        python = chroot_output(chroot, "python3 --version")
-        system = f"Debian 13, arm64, {python}"
-        demo = f"mkdir -p /tmp/demo && cd /tmp/demo && python3 -c '{PATIENT_DEMO}' demo --seconds 8 && ros2 doctor"
-        tests = "python3 tools/run_tests.py --quiet --ignore=tests/rosidl/test_extra_interfaces.py"
-        for what, run in (
-            ("its wheel, unpacked", lambda: install_for_arm64(chroot)),
-            ("the extension", lambda: build_for_arm64(chroot)),
-            ("ros2 demo", lambda: run_in(chroot, demo, "demo")),
-            ("a talker there, a listener here", lambda: talk(chroot, speaks_there=True)),
-            ("a talker here, a listener there", lambda: talk(chroot, speaks_there=False)),
-            ("core tests", lambda: run_in(chroot, f"{tests} {CORE}", "core_tests")),
-            ("tests of wire and nodes", lambda: run_in(chroot, f"{tests} {WIRE}", "tests_of_wire")),
-        ):
-            rows.append(measured(system, what, run))
-    return rows
+        system = f"Debian 13, arm64, {chroot_output(chroot, 'python3 --version')}"
+        # Two workers: an emulated program computes where a native one would wait.
+        tests = "python3 tools/run_tests.py --quiet -n2 --ignore=tests/rosidl/test_extra_interfaces.py"
+        checks = [
+            Check("its wheel, unpacked", lambda: install_for_arm64(chroot)),
+            Check("the extension", lambda: build_for_arm64(chroot)),
+            Check("ros2 demo", lambda: demo_on_arm64(chroot, has_library=True)),
+            Check("ros2 demo without libddsc", lambda: demo_on_arm64(chroot, has_library=False)),
+            Check("a talker there, a listener here", lambda: talk(chroot, speaks_there=True)),
+            Check("a talker here, a listener there", lambda: talk(chroot, speaks_there=False)),
+            Check("paths for the processor", lambda: run_in(chroot, f"{tests} {SHORT_TESTS}", "short_tests")),
+        ]
+        checks += [
+            Check(what, partial(run_in, chroot, f"{tests} {paths}", log_name(what)), is_short=False)
+            for what, paths in TESTS.items()
+            if what != "tests of commands"  # each of a thousand starts a program or two
+        ]
+        return rows + run_all(system, checks, is_short=is_short)
 
 
-PARTS: dict[str, Callable[[], list[Row]]] = {"testing": run_testing, "arm64": run_arm64}
+PARTS: dict[str, Callable[..., list[Row]]] = {name: partial(run_native, name) for name in PYTHONS} | {
+    "arm64": run_arm64
+}
 
 
 def missing_tools() -> str:
@@ -388,13 +482,17 @@ def main() -> int:
     """Run the parts, print the table, and return the exit code: 1 if something failed, 3 if it can't run here."""
     parser = argparse.ArgumentParser(description="Run tfloom on other systems, in chroots.")
     parser.add_argument("parts", nargs="*", metavar="PART", help=f"{' or '.join(PARTS)}; without one, all")
-    parts = parser.parse_args().parts or list(PARTS)
+    parser.add_argument("--short", action="store_true", help="only the checks of less than five minutes")
+    options = parser.parse_args()
+    parts = options.parts or list(PARTS)
     if unknown := set(parts) - set(PARTS):
         parser.error(f"there is no part {', '.join(sorted(unknown))}: name {' or '.join(PARTS)}")
     if reason := missing_tools():
         print(f"platforms: {reason}", file=sys.stderr)
         return 3
-    rows = [row for part in parts for row in PARTS[part]()]
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    with only_one(FOLDER):  # another run would remove the chroots of this one
+        rows = [row for part in parts for row in PARTS[part](is_short=options.short)]
     print("| system | what | result | minutes |\n|---|---|---|---|")
     for row in rows:
         print(f"| {row.system} | {row.what} | {row.result} | {row.seconds / 60:.1f} |")

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
+import subprocess
 import sys
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -51,3 +53,76 @@ def test_mounts_are_of_the_command_alone(monkeypatch: pytest.MonkeyPatch, tmp_pa
     command = Chroot("arm64", "arm64").command("true")
     assert command[:2] == ["unshare", "--mount"]
     assert str(tmp_path / "arm64") in command
+
+
+def test_library_is_back_after_a_demonstration_without_it(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(platforms, "FOLDER", tmp_path)
+    chroot = Chroot("arm64", "arm64")
+    library = chroot.folder / "usr/lib/aarch64-linux-gnu/libddsc.so.0.10.5"
+    library.parent.mkdir(parents=True)
+    library.touch()
+    with suppress(KeyboardInterrupt), platforms.without_library(chroot):
+        assert [path.name for path in library.parent.iterdir()] == ["away.libddsc.so.0.10.5"]
+        raise KeyboardInterrupt
+    assert library.exists()
+
+
+@pytest.mark.parametrize(("has_library", "said"), [(True, False), (False, True)])
+def test_demonstration_must_say_what_it_found(
+    has_library: bool, said: bool, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(platforms, "FOLDER", tmp_path)
+    line = "No DDS library (libddsc) can be used, so all programs run within this process: install one"
+
+    def run_in(chroot: Chroot, text: str, log: str) -> tuple[bool, str]:
+        platforms.log_path(chroot, log).write_text(f"TF2 with turtles\n{line}\nAt time 0.0\n")
+        return True, "ran"
+
+    monkeypatch.setattr(platforms, "run_in", run_in)
+    assert platforms.demo_on_arm64(Chroot("arm64", "arm64"), has_library=has_library) == (said, line)
+
+
+def test_two_runs_at_once_go_one_after_the_other(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """The second one would remove the chroots of the first."""
+    monkeypatch.setattr(platforms, "FOLDER", tmp_path)
+    monkeypatch.setattr(platforms, "missing_tools", lambda: "")
+    monkeypatch.setattr(sys, "argv", ["platforms", "arm64"])
+    code = f"import sys; sys.path.insert(0, {str(platforms.ROOT)!r}); from pathlib import Path\n"
+    code += "from tools.set_up import only_one\nwith only_one(Path(sys.argv[1])): print('in')"
+    others: list[str] = []
+
+    def run(*, is_short: bool) -> list[Row]:
+        with subprocess.Popen(
+            [sys.executable, "-c", code, tmp_path], stdout=subprocess.PIPE, text=True
+        ) as other:
+            assert other.stdout is not None
+            others.append(other.stdout.readline())
+            other.kill()
+        return []
+
+    monkeypatch.setitem(platforms.PARTS, "arm64", run)
+    assert platforms.main() == 0
+    assert others[0].startswith("-- Waiting for another set-up")
+
+
+def test_short_run_leaves_out_what_takes_long() -> None:
+    checks = [
+        platforms.Check("short", lambda: (True, "ran")),
+        platforms.Check("long", lambda: (True, "ran"), is_short=False),
+    ]
+    assert [row.what for row in platforms.run_all("Debian", checks, is_short=True)] == ["short"]
+    assert [row.what for row in platforms.run_all("Debian", checks, is_short=False)] == ["short", "long"]
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(bool(reason := platforms.missing_tools()), reason=reason)
+@pytest.mark.parametrize("part", ["testing", "arm64"])
+def test_short_checks_of_a_system(part: str) -> None:
+    """The demonstration on Debian's newest Python, and on arm64 also a talk and the paths for its processor."""
+    command = [sys.executable, "-m", "tools.platforms", "--short", part]
+    done = subprocess.run(command, cwd=platforms.ROOT, capture_output=True, text=True, check=False)
+    if ": installed: mmdebstrap failed" in done.stdout:
+        pytest.skip(f"Debian can't be installed here: {done.stdout}")
+    assert done.returncode == 0, done.stdout + done.stderr
