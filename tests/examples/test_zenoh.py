@@ -14,8 +14,12 @@ import pytest
 from tests.conftest import Program, wait_until
 from tests.zenoh_ports import hold_zenoh_port
 
+from tfloom.cli.finding import Verdict
+from tfloom.cli.zenoh_health import check_router
 from tfloom.rmw import zenoh_config
+from tfloom.rmw.errors import WireError
 from tfloom.rmw.zenoh_config import SESSION_VARIABLE, session_configuration
+from tfloom.rmw.zenoh_session import open_session
 
 zenoh = pytest.importorskip("zenoh", reason="eclipse-zenoh is not installed: pip install 'tfloom[zenoh]'")
 
@@ -203,6 +207,61 @@ STRANGERS = {
     "trusts another authority": {"certificates/ca.pem": "of_others/ca.pem"},
     "plain TCP": {"tls/": "tcp/"},
 }
+
+
+REASONS = {
+    "no certificate": "demands a certificate, which isn't sent: set transport/link/tls/enable_mtls to true",
+    "of another authority": "refuses the certificate of_others/laptop.pem: its authority isn't the router's",
+    "trusts another authority": "has a certificate that of_others/ca.pem doesn't vouch for: ",
+    "plain TCP": "is open, but doesn't answer as a router: is it stopped, or does it want TLS (tls/…)?",
+    "no such file": "can't be tried: a file of transport/link/tls (certificates/ca.pem, nobody.pem, ",
+    "nothing there": "refuses: nothing listens there",
+}
+CASES = {
+    **STRANGERS,
+    "no such file": {"certificates/laptop.pem": "nobody.pem"},
+    "nothing there": {"127.0.0.1": "127.0.0.2"},
+}
+
+
+@pytest.mark.parametrize("case", REASONS)
+def test_client_and_doctor_say_why_there_is_no_link(
+    case: str, folder: Path, start_program: Callable[..., Program], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    start_program("tfloom", "zenoh", "router", "-c", "robot_router.json5").wait_for("listening on")
+    text = (folder / "laptop.json5").read_text()
+    for old, new in CASES[case].items():
+        assert old in text
+        text = text.replace(old, new)
+    (folder / "laptop.json5").write_text(text)
+    monkeypatch.setenv(SESSION_VARIABLE, "laptop.json5")
+    with pytest.raises(WireError) as told:
+        open_session()
+    assert REASONS[case] in str(told.value)
+    finding = check_router()
+    assert finding.verdict is Verdict.FAILED
+    assert REASONS[case] in finding.summary
+    assert finding.advice.startswith("start a router there")
+
+
+def test_doctor_names_the_router_and_the_transport(
+    folder: Path, start_program: Callable[..., Program], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    own = f"tcp/127.0.0.1:{zenoh_config.port()}"
+    assert check_router()[:2] == (Verdict.OK, f"no router at {own} yet: the first program opens one")
+    router = start_program("tfloom", "zenoh", "router", "-c", "robot_router.json5")
+    router.wait_for("listening on")
+    zid = router.lines[-1].split("id ")[1].split(",")[0]
+    finding = check_router()
+    assert finding.verdict is Verdict.OK
+    assert finding.summary.startswith(f"linked to the router {zid} by {own}")
+    monkeypatch.setenv(SESSION_VARIABLE, "laptop.json5")
+    finding = check_router()
+    assert finding.summary == f"linked to the router {zid} by tls/127.0.0.1:{zenoh_config.port() + 1}"
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "rmw_zenoh_cpp")
+    doctor = start_program("tfloom", "doctor", "-ep")
+    doctor.wait()
+    assert f"router: {finding.summary}" in doctor.output
 
 
 @pytest.mark.parametrize("stranger", STRANGERS)

@@ -15,6 +15,8 @@ import pytest
 from tests.conftest import Program, wait_until
 from tests.zenoh_ports import hold_zenoh_port
 
+from tfloom.cli.finding import Verdict
+from tfloom.cli.zenoh_health import check_router
 from tfloom.rmw import zenoh_meeting_point, zenoh_router, zenoh_session
 from tfloom.rmw.errors import ClosedError, ConfigurationError, WireError
 from tfloom.rmw.zenoh_session import open_session
@@ -129,6 +131,11 @@ def test_a_stopped_owner_is_named(start: Callable[..., Program], port: int) -> N
         assert f"held by process {owner.process.pid} (" in late.output
         assert "which is stopped (Ctrl-Z, a debugger?)" in late.output
     late.wait_for("open guest")
+    if sys.platform == "linux":
+        finding = check_router()
+        assert finding.verdict is Verdict.FAILED
+        assert f"held by process {owner.process.pid} (" in finding.summary
+        assert finding.advice == "end that process, or let it go on (fg, kill -CONT)"
     owner.signal(signal.SIGCONT)
     wait_until(lambda: sees(late, "late", "owner") and sees(owner, "late", "owner"))
     assert late.output.count("no answer") == 1
@@ -228,11 +235,18 @@ def test_a_named_router_makes_no_meeting_point(
     assert opened.endpoints == [elsewhere]
     opened.close()
     assert capsys.readouterr().err.startswith(
-        f"tfloom: no router answers at {elsewhere}; start one there, by "
+        f"tfloom: no router answers: {elsewhere} refuses: nothing listens there; start one there, by "
     )
     monkeypatch.setenv("ZENOH_ROUTER_CHECK_ATTEMPTS", "-1")
     open_session().close()
     assert capsys.readouterr().err == ""
+
+
+def test_a_client_without_its_router_is_an_error(monkeypatch: pytest.MonkeyPatch, port: int) -> None:
+    elsewhere = f"tcp/127.0.0.1:{port + 1}"
+    monkeypatch.setenv("ZENOH_CONFIG_OVERRIDE", f'mode="client";connect/endpoints=["{elsewhere}"]')
+    with pytest.raises(WireError, match=f"of mode client.*{elsewhere} refuses: nothing listens there"):
+        open_session()
 
 
 def test_waiting_for_a_router_without_end(

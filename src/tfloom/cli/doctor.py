@@ -8,6 +8,7 @@ import sys
 
 from tfloom.cli.finding import Finding, Verdict
 from tfloom.cli.health import CHECKS, PACKAGE_CHECKS
+from tfloom.cli.zenoh_health import check_router, is_zenoh_selected
 from tfloom.terminal_text import unescaped
 
 COLOURS = {Verdict.OK: "32", Verdict.WARNING: "33", Verdict.FAILED: "31"}
@@ -37,6 +38,8 @@ def main(args: argparse.Namespace) -> int:
         for name, check in CHECKS.items()
         if not (args.exclude_packages and name in PACKAGE_CHECKS)
     }
+    if is_zenoh_selected():
+        checks["router"] = check_router
     findings = {name: check() for name, check in checks.items()}
     failed = [name for name, finding in findings.items() if _counts_as_failure(finding, args)]
     if args.json:

@@ -143,8 +143,8 @@ def router_settings() -> dict[str, object]:
 def _common_settings() -> dict[str, object]:
     asked_lease_s = lease_s()
     return {
-        "connect/timeout_ms": -1,
-        "connect/exit_on_failure": False,
+        "connect/timeout_ms": {"router": -1, "peer": -1, "client": 0},
+        "connect/exit_on_failure": {"router": False, "peer": False, "client": True},
         "connect/retry": {"period_init_ms": 1000, "period_max_ms": 4000, "period_increase_factor": 2},
         "listen/timeout_ms": 0,
         "listen/exit_on_failure": True,

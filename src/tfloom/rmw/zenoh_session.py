@@ -19,6 +19,7 @@ from tfloom.rmw.zenoh_config import (
     session_configuration,
 )
 from tfloom.rmw.zenoh_library import open_library
+from tfloom.rmw.zenoh_links import why_no_links
 from tfloom.rmw.zenoh_meeting_point import MeetingPoint
 
 __all__ = ["FORK_ADVICE", "ZenohSession", "open_session", "refuse_fork"]
@@ -91,6 +92,10 @@ class ZenohSession:
         links = [(str(link.zid), str(link.dst)) for link in self.session.info.links()]
         return [(zid, endpoint) for zid, endpoint in links if zid in routers]
 
+    def why_no_links(self) -> str:
+        """Return, for each of `endpoints`, why there is no link, in one line."""
+        return why_no_links(self._config)
+
     def wait_for_router(self, timeout_s: float) -> bool:
         """Wait until the session is linked to a router, and return whether it is.
 
@@ -147,7 +152,7 @@ def open_session(domain_id: int = 0) -> ZenohSession:
         where = ", ".join(endpoints_of(config, "connect/endpoints")) or "nothing"
         raise WireError(
             f"Zenoh can't open a session in domain {domain_id}, of mode {_mode(config)}, connecting to {where}: "
-            f"{reason_of(error)}"
+            f"{reason_of(error)}{_why_no_client(config)}"
         ) from None
     try:
         if meeting_point is not None:
@@ -192,10 +197,15 @@ def _look_for_router(opened: ZenohSession, meeting_point: MeetingPoint | None, c
                 meeting_point.report_silence()
             elif done == 1:
                 print(
-                    f"tfloom: no router answers at {', '.join(opened.endpoints)}; start one there, by `ros2 run "
+                    f"tfloom: no router answers: {opened.why_no_links()}; start one there, by `ros2 run "
                     "rmw_zenoh_cpp rmw_zenohd` or `tfloom zenoh router`. The link is made as soon as it answers",
                     file=sys.stderr,
                 )
+
+
+def _why_no_client(config: Any) -> str:
+    """Return why a client, which is nothing without its router, has no link; empty for a peer."""
+    return f"; {why_no_links(config)}" if _mode(config) == "client" else ""
 
 
 def _mode(config: Any) -> str:

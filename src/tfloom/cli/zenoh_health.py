@@ -1,0 +1,85 @@
+"""The check of `doctor` that the wire on Zenoh has, in addition to those of all wires."""
+
+from __future__ import annotations
+
+import os
+from typing import Any
+
+from tfloom.cli.finding import Finding, Verdict
+from tfloom.rmw.errors import WireError
+
+LINK_TIMEOUT_S = 3.0
+WIRE = "rmw_zenoh_cpp"
+
+
+def is_zenoh_selected() -> bool:
+    """Return whether programs of this environment use the wire on Zenoh."""
+    from tfloom.rmw.backends import implementation_identifier
+
+    try:
+        return implementation_identifier() == WIRE
+    except WireError:
+        return os.environ.get("RMW_IMPLEMENTATION") == WIRE
+
+
+def check_router() -> Finding:
+    """Check which router a program of this environment is linked to, by which transport, and if it is none, why."""
+    from tfloom.rmw import zenoh_config as settings
+
+    names = (
+        settings.SESSION_VARIABLE,
+        settings.ROUTER_VARIABLE,
+        settings.OVERRIDE_VARIABLE,
+        settings.CHECKS_VARIABLE,
+        settings.PORT_VARIABLE,
+        "ROS_AUTOMATIC_DISCOVERY_RANGE",
+        "ROS_STATIC_PEERS",
+    )
+    details: dict[str, Any] = {name: os.environ.get(name, "not set") for name in names}
+    try:
+        settings.router_checks()
+        config = settings.session_configuration()
+        endpoints = settings.endpoints_of(config, "connect/endpoints")
+        details["mode"], details["connects to"] = config.get_json("mode").strip('"'), ", ".join(endpoints)
+        if not endpoints:
+            return Finding(Verdict.OK, "no router is sought", details=details)
+        return _linked(config, details)
+    except WireError as error:
+        return Finding(Verdict.FAILED, str(error), details=details)
+
+
+def _linked(config: Any, details: dict[str, Any]) -> Finding:
+    import time
+
+    from tfloom.rmw.zenoh_config import needs_meeting_point, port, reason_of
+    from tfloom.rmw.zenoh_library import open_library
+    from tfloom.rmw.zenoh_links import why_no_link, why_no_links
+    from tfloom.rmw.zenoh_port import find_port_owner
+
+    zenoh = open_library()
+    is_own = needs_meeting_point(config)
+    own = f"tcp/127.0.0.1:{port()}"
+    if is_own and "nothing listens" in why_no_link(own, config):
+        summary = f"no router at {own} yet: the first program opens one"
+        return Finding(Verdict.OK, summary, details=details)
+    owner = find_port_owner(port()) if is_own else None
+    held = f", held by {owner}" if owner else ""
+    try:
+        with zenoh.open(config) as session:
+            end = time.monotonic() + LINK_TIMEOUT_S
+            while not (routers := session.info.routers_zid()) and time.monotonic() < end:
+                time.sleep(0.01)
+            links = [(str(link.zid), str(link.dst)) for link in session.info.links() if link.zid in routers]
+    except zenoh.ZError as error:
+        links = []
+        details["error"] = reason_of(error)
+    if links:
+        details.update(dict(links))
+        named = ", ".join(f"{zid} by {endpoint}" for zid, endpoint in links)
+        return Finding(Verdict.OK, f"linked to the router {named}{held}", details=details)
+    advice = (
+        "end that process, or let it go on (fg, kill -CONT)"
+        if owner
+        else "start a router there, by `tfloom zenoh router`, or correct the endpoint or the certificates"
+    )
+    return Finding(Verdict.FAILED, f"no link to a router: {why_no_links(config)}{held}", advice, details)
