@@ -116,7 +116,7 @@ def test_nothing_is_served_beside_another_rclpy(workspace: Path, tmp_path: Path)
     package.mkdir(parents=True)
     (package / "__init__.py").write_text("")
     run = python("import my_interfaces", tmp_path, AMENT_PREFIX_PATH=workspace, PYTHONPATH=tmp_path / "path")
-    assert run.stderr.endswith("ModuleNotFoundError: No module named 'my_interfaces'\n")
+    assert "\nModuleNotFoundError: No module named 'my_interfaces'" in run.stderr
 
 
 @pytest.mark.usefixtures("sourced")
