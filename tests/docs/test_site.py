@@ -9,9 +9,13 @@ import subprocess
 import sys
 from collections import Counter
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pytest
 from tests.docs.page import DOCS
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
 
 ROOT = DOCS.parent
 ROOMS = {"tf2": "tf2", "tf2_ros": "tf2_ros"}
@@ -122,12 +126,20 @@ def exported(package: str) -> dict[str, str]:
     loaded = importlib.import_module(package)
     values = {name: getattr(loaded, name) for name in dir(loaded) if not name.startswith("_")}
     own = {
-        name: f"{value.__module__}.{value.__qualname__}"
+        name: f"{defining_module(value)}.{value.__qualname__}"
         for name, value in values.items()
         if inspect.isclass(value) or inspect.isfunction(value)
     }
     rooms = tuple(f"tfloom.{page}." for page in PAGES)
     return {name: text for name, text in own.items() if text.startswith(rooms)}
+
+
+def defining_module(value: type | Callable[..., object]) -> str:
+    """Return the module of tfloom that defines a class or function: an error's `__module__` is its name in ROS."""
+    if value.__module__.startswith("tfloom."):
+        return value.__module__
+    own = f"tfloom.{value.__module__}"
+    return own if getattr(sys.modules.get(own), value.__name__, None) is value else value.__module__
 
 
 @pytest.mark.slow

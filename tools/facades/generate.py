@@ -11,8 +11,10 @@ from tools.facades.recorded import imported_from, is_missing, recorded
 from tools.facades.rooms import Provider, exported, index_names
 from tools.facades.table import Facade, Package, TableError, read_table
 
-__all__ = ["Generator", "generate_all"]
+__all__ = ["HOMES_PATH", "Generator", "generate_all"]
 
+HOMES_PATH = "src/tfloom/ros_homes.py"
+"""The table of the modules that define classes in ROS, within the repository."""
 _SHOWN = {"launch", "launch_ros"}
 """The packages whose objects show their class's name in ROS, beside `rclpy.node`."""
 _MESSAGES = re.compile(r"(\w+)\.(msg|srv|action)(\._.*)?")
@@ -28,8 +30,9 @@ class _Names:
 
 
 def generate_all() -> dict[str, str]:
-    """Return the files of the façades in the table, by path within the repository."""
-    return Generator(read_table()).files()
+    """Return the files of the façades in the table and the table of homes, by path within the repository."""
+    generator = Generator(read_table())
+    return {**generator.files(), HOMES_PATH: _homes_text(generator.homes())}
 
 
 class Generator:
@@ -57,7 +60,6 @@ class Generator:
             files[f"{self._table[_top_package(module)].folder}/{path}"] = _text(
                 module, facade, self.names(module)
             )
-        files["src/tfloom/ros_homes.py"] = _homes_text(self.homes())
         return files
 
     def homes(self) -> dict[str, str]:
