@@ -25,6 +25,8 @@ _DEFINITIONS = {
 """The folders of definitions, each with the prefix of its packages."""
 _OF_PROGRAMS = {
     "demo_nodes_cpp": "Demonstration nodes, of which the original's are in C++.",
+    "foxglove_bridge": "A server of the graph for Foxglove and Lichtblick.",
+    "rmw_zenoh_cpp": "The router of the Zenoh wire.",
     "robot_state_publisher": "The frames of a robot, by its description and the states of its joints.",
     "turtle_tf2_py": "Demonstration of tf2 with turtlesim.",
     "turtlesim": "A simulator of turtles, with its messages, services and actions.",
