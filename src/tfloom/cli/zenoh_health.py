@@ -40,7 +40,7 @@ def check_router() -> Finding:
         settings.router_checks()
         config = settings.session_configuration()
         endpoints = settings.endpoints_of(config, "connect/endpoints")
-        details["mode"], details["connects to"] = config.get_json("mode").strip('"'), ", ".join(endpoints)
+        details["mode"], details["connects to"] = settings.mode_of(config), ", ".join(endpoints)
         if not endpoints:
             return Finding(Verdict.OK, "no router is sought", details=details)
         return _linked(config, details)
@@ -49,12 +49,13 @@ def check_router() -> Finding:
 
 
 def _linked(config: Any, details: dict[str, Any]) -> Finding:
-    import time
+    from contextlib import closing
 
     from tfloom.rmw.zenoh_config import needs_meeting_point, port, reason_of
     from tfloom.rmw.zenoh_library import open_library
     from tfloom.rmw.zenoh_links import why_no_link, why_no_links
     from tfloom.rmw.zenoh_port import find_port_owner
+    from tfloom.rmw.zenoh_session import ZenohSession
 
     zenoh = open_library()
     is_own = needs_meeting_point(config)
@@ -65,11 +66,9 @@ def _linked(config: Any, details: dict[str, Any]) -> Finding:
     owner = find_port_owner(port()) if is_own else None
     held = f", held by {owner}" if owner else ""
     try:
-        with zenoh.open(config) as session:
-            end = time.monotonic() + LINK_TIMEOUT_S
-            while not (routers := session.info.routers_zid()) and time.monotonic() < end:
-                time.sleep(0.01)
-            links = [(str(link.zid), str(link.dst)) for link in session.info.links() if link.zid in routers]
+        with closing(ZenohSession(zenoh.open(config), config, None)) as opened:
+            opened.wait_for_router(LINK_TIMEOUT_S)
+            links = opened.router_links()
     except zenoh.ZError as error:
         links = []
         details["error"] = reason_of(error)

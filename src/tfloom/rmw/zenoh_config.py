@@ -28,8 +28,10 @@ __all__ = [
     "ROUTER_VARIABLE",
     "SESSION_VARIABLE",
     "configured",
+    "default_configuration",
     "endpoints_of",
     "meeting_point_configuration",
+    "mode_of",
     "needs_meeting_point",
     "port",
     "reason_of",
@@ -187,8 +189,18 @@ def meeting_point_configuration() -> Any:
         ConfigurationError: a variable is invalid.
         NoBackendError: eclipse-zenoh isn't installed.
     """
+    return default_configuration(router_settings())
+
+
+def default_configuration(settings: Mapping[str, object]) -> Any:
+    """Return a `zenoh.Config` of values by key alone, without a file and overrides.
+
+    Raises:
+        ConfigurationError: Zenoh refuses a value.
+        NoBackendError: eclipse-zenoh isn't installed.
+    """
     config = open_library().Config()
-    for key, setting in router_settings().items():
+    for key, setting in settings.items():
         _insert(config, key, setting, "tfloom's settings")
     return config
 
@@ -197,7 +209,7 @@ def needs_meeting_point(config: Any) -> bool:
     """Return whether a session's configuration seeks its router on this machine alone, at the port of `port`."""
     own = {f"tcp/{host}:{port()}" for host in ("127.0.0.1", "localhost", "[::1]")}
     endpoints = endpoints_of(config, "connect/endpoints")
-    return bool(endpoints) and own.issuperset(endpoints) and json.loads(config.get_json("mode")) != "router"
+    return bool(endpoints) and own.issuperset(endpoints) and mode_of(config) != "router"
 
 
 def router_checks() -> int | None:
@@ -261,8 +273,13 @@ def endpoints_of(config: Any, key: str) -> list[str]:
     """
     endpoints = json.loads(config.get_json(key)) or []
     if isinstance(endpoints, dict):
-        endpoints = endpoints.get(json.loads(config.get_json("mode")) or "peer", [])
+        endpoints = endpoints.get(mode_of(config), [])
     return [endpoint for endpoint in endpoints if isinstance(endpoint, str)]
+
+
+def mode_of(config: Any) -> str:
+    """Return the mode of a `zenoh.Config`: peer, where it states none, client or router."""
+    return str(json.loads(config.get_json("mode")) or "peer")
 
 
 def reason_of(error: Exception) -> str:

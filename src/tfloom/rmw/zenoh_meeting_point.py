@@ -10,7 +10,6 @@ machine to give way. They answer, close their router, and leave the port alone f
 
 from __future__ import annotations
 
-import json
 import re
 import socket
 import sys
@@ -20,7 +19,13 @@ from contextlib import suppress
 from typing import Any
 
 from tfloom.rmw.errors import WireError
-from tfloom.rmw.zenoh_config import endpoints_of, meeting_point_configuration, port, session_settings
+from tfloom.rmw.zenoh_config import (
+    default_configuration,
+    endpoints_of,
+    meeting_point_configuration,
+    port,
+    session_settings,
+)
 from tfloom.rmw.zenoh_library import open_library
 from tfloom.rmw.zenoh_port import find_port_owner
 from tfloom.rmw.zenoh_router import RouterError, open_router
@@ -194,17 +199,16 @@ def open_lone_router(config: Any) -> Any:
 def _ask_to_give_way() -> bool:
     """Ask the sessions of this machine to leave the port alone; return whether one answered."""
     zenoh = open_library()
-    config = zenoh.Config()
-    settings = {
-        **session_settings(),
-        "mode": "client",
-        "connect/endpoints": [f"tcp/127.0.0.1:{port()}"],
-        "connect/timeout_ms": round(1000 * ASK_TIMEOUT_S),
-        "connect/exit_on_failure": True,
-        "listen/endpoints": [],
-    }
-    for key, setting in settings.items():
-        config.insert_json5(key, json.dumps(setting))
+    config = default_configuration(
+        {
+            **session_settings(),
+            "mode": "client",
+            "connect/endpoints": [f"tcp/127.0.0.1:{port()}"],
+            "connect/timeout_ms": round(1000 * ASK_TIMEOUT_S),
+            "connect/exit_on_failure": True,
+            "listen/endpoints": [],
+        }
+    )
     try:
         with zenoh.open(config) as session:
             replies = session.get(

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import atexit
-import json
 import os
 import sys
 import time
@@ -13,6 +12,7 @@ from typing import Any, NoReturn
 from tfloom.rmw.errors import ClosedError, ForkedError, WireError
 from tfloom.rmw.zenoh_config import (
     endpoints_of,
+    mode_of,
     needs_meeting_point,
     reason_of,
     router_checks,
@@ -151,7 +151,7 @@ def open_session(domain_id: int = 0) -> ZenohSession:
             meeting_point.close()
         where = ", ".join(endpoints_of(config, "connect/endpoints")) or "nothing"
         raise WireError(
-            f"Zenoh can't open a session in domain {domain_id}, of mode {_mode(config)}, connecting to {where}: "
+            f"Zenoh can't open a session in domain {domain_id}, of mode {mode_of(config)}, connecting to {where}: "
             f"{reason_of(error)}{_why_no_client(config)}"
         ) from None
     try:
@@ -205,8 +205,4 @@ def _look_for_router(opened: ZenohSession, meeting_point: MeetingPoint | None, c
 
 def _why_no_client(config: Any) -> str:
     """Return why a client, which is nothing without its router, has no link; empty for a peer."""
-    return f"; {why_no_links(config)}" if _mode(config) == "client" else ""
-
-
-def _mode(config: Any) -> str:
-    return str(json.loads(config.get_json("mode")) or "peer")
+    return f"; {why_no_links(config)}" if mode_of(config) == "client" else ""

@@ -34,17 +34,15 @@ def main(args: argparse.Namespace) -> int:
     """Route until Ctrl-C; return the exit code."""
     import os
 
-    from tfloom.rmw.zenoh_config import ROUTER_VARIABLE, endpoints_of, router_configuration
+    from tfloom.rmw.zenoh_config import ROUTER_VARIABLE, endpoints_of, mode_of, router_configuration
     from tfloom.rmw.zenoh_meeting_point import open_lone_router
 
     if args.config:
         os.environ[ROUTER_VARIABLE] = args.config
     asked = {"listen/endpoints": args.listen, "connect/endpoints": args.connect}
     config = router_configuration({key: endpoints for key, endpoints in asked.items() if endpoints})
-    if config.get_json("mode") != '"router"':
-        raise CommandError(
-            f'the configuration has the mode {config.get_json("mode")}, a router needs "router"'
-        )
+    if (mode := mode_of(config)) != "router":
+        raise CommandError(f'the configuration has the mode "{mode}", a router needs "router"')
     session = open_lone_router(config)
     try:
         listen = ", ".join(endpoints_of(config, "listen/endpoints"))
