@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING, Any
 
 from foxglove import Channel, Context, Schema
 
+from tfloom.bag.recording.requested_qos import adapted
 from tfloom.bag.writing.definition_text import find_definition
 from tfloom.node.qos.qos import QoSProfile
 from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, ReliabilityPolicy
-from tfloom.rosidl.class_search import find_class_of_kind
-from tfloom.rosidl.message import Message
+from tfloom.rosidl.registry import get_message_class
 
 if TYPE_CHECKING:
     from tfloom.node.endpoints.subscription import Subscription
@@ -59,7 +59,7 @@ class Channels:
     def _open(self, name: str, type_name: str) -> _TopicChannel | None:
         definition = find_definition(type_name)
         try:
-            message_class: type[Any] | None = find_class_of_kind(type_name, "msg", Message)
+            message_class: type[Any] | None = get_message_class(type_name)
         except (LookupError, ValueError, OSError):
             message_class = None
         if definition is None or message_class is None:
@@ -141,18 +141,14 @@ class _TopicChannel:
             for info in self._node.get_publishers_info_by_topic(self._topic)
             if info.topic_type == self._message_class._TYPE_NAME
         ]
-        is_reliable = self._topic not in self._settings.best_effort_topics and all(
-            qos.reliability is ReliabilityPolicy.RELIABLE for qos in publishers
-        )
-        is_kept = bool(publishers) and all(
-            qos.durability is DurabilityPolicy.TRANSIENT_LOCAL for qos in publishers
-        )
+        requested = adapted([qos.as_stated() for qos in publishers])
+        is_best_effort = self._topic in self._settings.best_effort_topics
         depth = sum(max(1, qos.depth) for qos in publishers)
         return QoSProfile(
             history=HistoryPolicy.KEEP_LAST,
             depth=min(max(depth, self._settings.min_depth), self._settings.max_depth),
-            reliability=ReliabilityPolicy.RELIABLE if is_reliable else ReliabilityPolicy.BEST_EFFORT,
-            durability=DurabilityPolicy.TRANSIENT_LOCAL if is_kept else DurabilityPolicy.VOLATILE,
+            reliability=ReliabilityPolicy.BEST_EFFORT if is_best_effort else requested.reliability,
+            durability=requested.durability,
         )
 
     def _close_subscription(self) -> None:

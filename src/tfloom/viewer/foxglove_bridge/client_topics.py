@@ -6,8 +6,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tfloom.node.qos.qos import QoSProfile
 from tfloom.rosidl import cdr
-from tfloom.rosidl.class_search import find_class_of_kind
-from tfloom.rosidl.message import Message
+from tfloom.rosidl.registry import get_message_class
 
 if TYPE_CHECKING:
     from tfloom.node.endpoints.publisher import Publisher
@@ -54,7 +53,7 @@ class ClientTopics:
         if len(self._publishers) >= MAX_TOPICS:
             raise ClientTopicError(f"{topic.name} can't be advertised: clients have {MAX_TOPICS} topics")
         try:
-            message_class: type[Any] = find_class_of_kind(topic.type_name, "msg", Message)
+            message_class = get_message_class(topic.type_name)
         except (LookupError, ValueError, OSError) as error:
             raise ClientTopicError(f"{topic.name} can't be advertised: {error}") from None
         self.unadvertise(client, channel_id)

@@ -9,8 +9,7 @@ from foxglove import MessageSchema, Schema, Service, ServiceRequest, ServiceSche
 
 from tfloom.bag.writing.definition_text import find_definition
 from tfloom.rosidl import cdr
-from tfloom.rosidl.class_search import find_class_of_kind
-from tfloom.rosidl.service import Service as RosService
+from tfloom.rosidl.registry import get_service_class
 from tfloom.viewer.foxglove_bridge.calls import Call
 
 if TYPE_CHECKING:
@@ -65,7 +64,7 @@ class Services:
 
     def _service(self, name: str, type_name: str) -> Service | None:
         try:
-            service_class: type[Any] = find_class_of_kind(type_name, "srv", RosService)
+            service_class = get_service_class(type_name)
         except (LookupError, ValueError, OSError):
             self._unknown.add(type_name)
             self._node.get_logger().warning(
