@@ -5,6 +5,7 @@ from __future__ import annotations
 import _thread
 import ast
 import asyncio
+import errno
 import os
 import shutil
 import signal
@@ -12,6 +13,7 @@ import socket
 import subprocess
 import sys
 import threading
+import urllib.request
 from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -52,6 +54,7 @@ from tfloom.rmw.base import RequestId
 from tfloom.tf2_ros import deadlines
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.transform_listener import TransformListener
+from tfloom.viewer import page_server
 from tfloom.viewer.inline_page import InlinePage
 from tfloom.viewer.page_server import PageServer, ServerError
 
@@ -347,6 +350,89 @@ def test_page_server_without_a_thread() -> None:
     server.stop()
     with socket.socket() as other:
         other.bind(("127.0.0.1", port))
+
+
+@pytest.mark.parametrize(
+    ("error", "reason"),
+    [
+        (OSError(errno.EADDRINUSE, "Address already in use"), "Address already in use"),
+        (RuntimeError("no loop"), "no loop"),
+    ],
+    ids=["system", "library"],
+)
+def test_page_server_that_fails_at_its_start(
+    monkeypatch: pytest.MonkeyPatch, error: Exception, reason: str
+) -> None:
+    """The start raises rather than waits; the port and the thread are given back, and a later start works."""
+
+    async def fail(*_: object, **__: object) -> None:
+        raise error
+
+    server = PageServer(SimpleNamespace(), lambda *_: None, lambda _: None)  # type: ignore[arg-type]
+    with socket.socket() as other:
+        other.bind(("127.0.0.1", 0))
+        port = other.getsockname()[1]
+    with monkeypatch.context() as patch:
+        patch.setattr(page_server, "serve", fail)
+        with pytest.raises(ServerError, match=f"can't serve pages at 127.0.0.1:{port}: {reason}"):
+            _within(lambda: server.start("127.0.0.1", port))
+    assert "tfloom_view_pages" not in {thread.name for thread in threading.enumerate()}
+    server.stop()
+    _serves_then_stops(server, port)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="elsewhere two sockets can't share a port so")
+def test_page_server_whose_port_is_taken_while_it_starts(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Another program that listens between the bind and the listen makes an error of the system."""
+    real_serve = page_server.serve
+    server = PageServer(SimpleNamespace(), lambda *_: None, lambda _: None)  # type: ignore[arg-type]
+    with socket.socket() as other:
+        other.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        other.bind(("127.0.0.1", 0))
+        port = other.getsockname()[1]
+
+        async def serve_late(*arguments: Any, **options: Any) -> Any:
+            other.listen()
+            return await real_serve(*arguments, **options)
+
+        monkeypatch.setattr(page_server, "serve", serve_late)
+        with pytest.raises(ServerError, match=f"can't serve pages at 127.0.0.1:{port}: "):
+            _within(lambda: server.start("127.0.0.1", port))
+    monkeypatch.undo()
+    _serves_then_stops(server, port)
+
+
+def test_page_server_starts_after_a_start_without_a_thread() -> None:
+    server = PageServer(SimpleNamespace(), lambda *_: None, lambda _: None)  # type: ignore[arg-type]
+    with no_threads(), pytest.raises(ServerError, match=NO_THREAD):
+        server.start("127.0.0.1", 0)
+    _serves_then_stops(server, 0)
+
+
+def _within(call: Callable[[], None], timeout_s: float = 20.0) -> None:
+    """Call on another thread, and raise its `ServerError`; fail when it does not return."""
+    raised: list[ServerError] = []
+
+    def run() -> None:
+        try:
+            call()
+        except ServerError as error:
+            raised.append(error)
+
+    thread = threading.Thread(target=run, daemon=True)
+    thread.start()
+    thread.join(timeout_s)
+    assert not thread.is_alive(), "the call does not return"
+    if raised:
+        raise raised[0]
+
+
+def _serves_then_stops(server: PageServer, port: int) -> None:
+    _within(lambda: server.start("127.0.0.1", port))
+    with urllib.request.urlopen(server.address, timeout=20.0) as response:
+        assert response.status == 200
+    server.stop()
+    assert "tfloom_view_pages" not in {thread.name for thread in threading.enumerate()}
 
 
 def test_inline_page_without_a_thread() -> None:

@@ -9,6 +9,7 @@ import secrets
 import socket
 import threading
 from collections.abc import Callable, Iterable
+from concurrent.futures import Future
 from http import HTTPStatus
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -105,7 +106,8 @@ class PageServer:
             embedders: Sites whose pages may show ours in a frame, as sources of a Content-Security-Policy.
 
         Raises:
-            ServerError: the address can't be used, or the system has no thread left.
+            ServerError: the address can't be used, the system has no thread left, or serving fails at its start. The
+                port is free again, and another `start` may follow.
         """
         family = socket.AF_INET6 if ":" in host else socket.AF_INET
         listener = socket.socket(family, socket.SOCK_STREAM)
@@ -118,9 +120,11 @@ class PageServer:
         self._host, self._port = host, listener.getsockname()[1]
         self._access = Access(host, self._port, token)
         self._embedders = f" {embedders}" if embedders else ""
-        ready = threading.Event()
+        if self._loop.is_closed():
+            self._loop = asyncio.new_event_loop()
+        started: Future[None] = Future()
         thread = threading.Thread(
-            target=self._run, args=(listener, ready), name="tfloom_view_pages", daemon=True
+            target=self._run, args=(listener, started), name="tfloom_view_pages", daemon=True
         )
         try:
             thread.start()
@@ -129,7 +133,13 @@ class PageServer:
             self._loop.close()
             raise ServerError(f"serving pages needs a thread: {error}") from None
         self._thread = thread
-        ready.wait()
+        try:
+            started.result()
+        except Exception as error:
+            thread.join()
+            self._thread = None
+            reason = (error.strerror if isinstance(error, OSError) else None) or str(error) or repr(error)
+            raise ServerError(f"can't serve pages at {host}:{self._port}: {reason}") from error
 
     @property
     def address(self) -> str:
@@ -144,24 +154,30 @@ class PageServer:
         """Number of open pages."""
         return len(self._pages)
 
-    def _run(self, listener: socket.socket, ready: threading.Event) -> None:
-        asyncio.set_event_loop(self._loop)
+    def _run(self, listener: socket.socket, started: Future[None]) -> None:
+        """Serve until `stop`; a failure before pages can come is the result of `started`."""
+        try:
+            self._loop.run_until_complete(self._serve(listener, started))
+        except BaseException as error:
+            if started.done():
+                raise
+            listener.close()
+            started.set_exception(error)
+        finally:
+            self._loop.close()
 
-        async def run() -> None:
-            self._server = await serve(
-                self._handle,
-                sock=listener,
-                process_request=self._respond,
-                select_subprotocol=lambda _, offered: offered[0] if offered else None,
-                max_size=MAX_COMMAND_BYTES,
-                compression=None,
-                server_header=None,
-            )
-            ready.set()
-            await self._server.wait_closed()
-
-        self._loop.run_until_complete(run())
-        self._loop.close()
+    async def _serve(self, listener: socket.socket, started: Future[None]) -> None:
+        self._server = await serve(
+            self._handle,
+            sock=listener,
+            process_request=self._respond,
+            select_subprotocol=lambda _, offered: offered[0] if offered else None,
+            max_size=MAX_COMMAND_BYTES,
+            compression=None,
+            server_header=None,
+        )
+        started.set_result(None)
+        await self._server.wait_closed()
 
     def stop(self) -> None:
         """Close all pages' connections, and the port."""
