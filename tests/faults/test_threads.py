@@ -409,6 +409,25 @@ def test_page_server_starts_after_a_start_without_a_thread() -> None:
     _serves_then_stops(server, 0)
 
 
+def test_page_server_whose_address_is_taken_leaves_nothing_open(monkeypatch: pytest.MonkeyPatch) -> None:
+    loops: list[asyncio.AbstractEventLoop] = []
+    real_new_event_loop = asyncio.new_event_loop
+
+    def new_event_loop() -> asyncio.AbstractEventLoop:
+        loops.append(real_new_event_loop())
+        return loops[-1]
+
+    monkeypatch.setattr(asyncio, "new_event_loop", new_event_loop)
+    server = PageServer(SimpleNamespace(), lambda *_: None, lambda _: None)  # type: ignore[arg-type]
+    with socket.create_server(("127.0.0.1", 0)) as other:
+        port = other.getsockname()[1]
+        with pytest.raises(ServerError, match=f"can't listen at 127.0.0.1:{port}"):
+            server.start("127.0.0.1", port)
+    server.stop()
+    assert len(loops) == 1
+    assert loops[0].is_closed()
+
+
 def _within(call: Callable[[], None], timeout_s: float = 20.0) -> None:
     """Call on another thread, and raise its `ServerError`; fail when it does not return."""
     raised: list[ServerError] = []

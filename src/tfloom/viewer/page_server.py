@@ -182,6 +182,7 @@ class PageServer:
     def stop(self) -> None:
         """Close all pages' connections, and the port."""
         if self._thread is None or self._server is None:
+            self._loop.close()
             return
         self._loop.call_soon_threadsafe(self._server.close)
         self._thread.join(5.0)
