@@ -9,6 +9,7 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -19,7 +20,8 @@ from tfloom.cli.finding import Verdict
 from tfloom.cli.zenoh_health import check_router
 from tfloom.rmw import zenoh_meeting_point, zenoh_router, zenoh_session
 from tfloom.rmw.errors import ClosedError, ConfigurationError, WireError
-from tfloom.rmw.zenoh_session import open_session
+from tfloom.rmw.zenoh_config import meeting_point_configuration
+from tfloom.rmw.zenoh_session import ZenohSession, open_session
 
 zenoh = pytest.importorskip("zenoh", reason="eclipse-zenoh is not installed: pip install 'tfloom[zenoh]'")
 
@@ -211,6 +213,30 @@ def test_a_router_that_starts_later_takes_over(
     wait_until(lambda: not any(is_owner(member) for member in (owner, guest, late)))
 
 
+def test_a_router_asks_again_where_no_session_is_linked_yet(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked = threading.Semaphore(0)
+    real_key = zenoh_meeting_point._give_way_key
+
+    def key() -> str:
+        asked.release()
+        return real_key()
+
+    def join() -> ZenohSession:
+        """Open a session when the router asks for the second time, so the first one had no answer."""
+        assert asked.acquire(timeout=5.0)
+        assert asked.acquire(timeout=5.0)
+        return open_session()
+
+    monkeypatch.setattr(zenoh_meeting_point, "_give_way_key", key)
+    with (
+        zenoh_router.open_router(meeting_point_configuration()),
+        ThreadPoolExecutor(1) as pool,
+    ):
+        joining = pool.submit(join)
+        assert zenoh_meeting_point._ask_to_give_way()
+        joining.result().close()
+
+
 def test_a_router_that_asks_and_dies_is_replaced(
     start: Callable[..., Program], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -358,7 +384,8 @@ def test_a_forked_child_is_refused_and_ends() -> None:
     code = """
 import os, sys
 from tfloom.rmw.errors import ForkedError
-from tfloom.rmw.zenoh_session import open_session
+from tfloom.rmw.zenoh_config import meeting_point_configuration
+from tfloom.rmw.zenoh_session import ZenohSession, open_session
 opened = open_session()
 child = os.fork()
 if child == 0:
@@ -399,7 +426,8 @@ def test_a_program_that_never_closes_ends(end: str, role: str, start: Callable[.
     code = f"""
 import signal, sys, threading, time
 import zenoh
-from tfloom.rmw.zenoh_session import open_session
+from tfloom.rmw.zenoh_config import meeting_point_configuration
+from tfloom.rmw.zenoh_session import ZenohSession, open_session
 opened = open_session()
 kept = opened.session.declare_subscriber("test/**", zenoh.handlers.Callback(lambda sample: None, indirect=False))
 def flood():

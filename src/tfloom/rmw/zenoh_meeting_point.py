@@ -197,7 +197,11 @@ def open_lone_router(config: Any) -> Any:
 
 
 def _ask_to_give_way() -> bool:
-    """Ask the sessions of this machine to leave the port alone; return whether one answered."""
+    """Ask the sessions of this machine to leave the port alone; return whether one answered.
+
+    It asks again for a while: after a change of owner, the sessions seek the new one's router for up to a second, and
+    until they are linked to it, nobody hears the request.
+    """
     zenoh = open_library()
     config = default_configuration(
         {
@@ -211,13 +215,19 @@ def _ask_to_give_way() -> bool:
     )
     try:
         with zenoh.open(config) as session:
-            replies = session.get(
-                _give_way_key(),
-                target=zenoh.QueryTarget.ALL,
-                consolidation=zenoh.ConsolidationMode.NONE,
-                timeout=ASK_TIMEOUT_S,
-            )
-            return any(reply.ok is not None for reply in replies)
+            end = time.monotonic() + ASK_TIMEOUT_S
+            while True:
+                replies = session.get(
+                    _give_way_key(),
+                    target=zenoh.QueryTarget.ALL,
+                    consolidation=zenoh.ConsolidationMode.NONE,
+                    timeout=ASK_TIMEOUT_S,
+                )
+                if any(reply.ok is not None for reply in replies):
+                    return True
+                if time.monotonic() > end:
+                    return False
+                time.sleep(REPLY_S)
     except zenoh.ZError:
         return False
 
