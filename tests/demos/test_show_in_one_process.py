@@ -15,7 +15,7 @@ import pytest
 from PIL import Image
 from tests.conftest import python_with
 
-from tfloom.cli.demo import describe_wire
+from tfloom.cli.demo import describe_end, describe_wire
 from tfloom.demos.show import Show, ShowError
 from tfloom.demos.threads import WINDOWLESS_PROGRAMS, ThreadProgram, thread_starter
 from tfloom.node.context.utilities import get_default_context
@@ -53,9 +53,11 @@ def test_demonstration_prints_draws_and_ends(
     command = python_with(without_library, run, "demo", "--seconds", "1")
     demo = start_program(sys.executable, *command, cwd=tmp_path)
     assert demo.wait(60.0) == 0, demo.output
-    assert MISSING.fullmatch(demo.lines[2])
+    assert MISSING.fullmatch(demo.lines[3])
     assert "ROS_DOMAIN_ID" not in demo.output
-    assert f"The tree of frames is drawn in {tmp_path / 'frames.pdf'}" in demo.lines
+    assert demo.lines[2] == "It ends after 1 s."
+    drawn = demo.lines.index(f"The tree of frames is drawn in {tmp_path / 'frames.pdf'}")
+    assert demo.lines[drawn + 1] == f"The turtles, drawn anew each second, are in {tmp_path / 'turtles.png'}"
     assert demo.lines[-1] == f"The picture of the turtles is in {tmp_path / 'turtles.png'}"
     first = next(i for i, line in enumerate(demo.lines) if line.startswith("At time"))
     echoed = "\n".join(demo.lines[first : first + 9])
@@ -82,7 +84,7 @@ def test_signal_ends_the_process(
 ) -> None:
     demo = start_program("tfloom", "demo", cwd=tmp_path)
     demo.wait_for("At time")
-    assert demo.lines[2] == CHOSEN
+    assert demo.lines[3] == CHOSEN
     pid = demo.process.pid
     children = [path.read_text() for path in Path(f"/proc/{pid}/task").glob("*/children")]
     assert "".join(children) == ""
@@ -176,6 +178,46 @@ def test_program_ends_if_requested_before_its_start(tmp_path: Path, monkeypatch:
         sys.modules["a_slow_starter"].may_begin.set()
         program.end(10.0)
     assert program.exit_code() == 7
+
+
+@pytest.mark.parametrize("is_terminal", [True, False])
+def test_end_without_a_terminal_comes_by_itself(
+    start_program: Start, tmp_path: Path, local: None, is_terminal: bool
+) -> None:
+    """With one it comes at Ctrl-C, and the first lines say so either way."""
+    streams = (
+        "import pty; pty.spawn([sys.executable, '-c', sys.argv[1]])" if is_terminal else "exec(sys.argv[1])"
+    )
+    shown = python_with(
+        {"tfloom.cli.demo.UNWATCHED_S": 0.5}, "from tfloom.cli.main import main; sys.exit(main(['demo']))"
+    )
+    demo = start_program(sys.executable, "-c", f"import sys; {streams}", shown[1], cwd=tmp_path)
+    if not is_terminal:
+        assert demo.wait(60.0) == 0
+        assert demo.lines[2] == "It has no terminal, so it ends after 0.5 s, or after --seconds N."
+        return
+    demo.wait_for("drawn anew each second")
+    assert demo.output.splitlines()[2].strip() == "Ctrl-C ends the demonstration."
+    assert demo.process.poll() is None
+
+
+@pytest.mark.parametrize(
+    ("requested_s", "opens_page", "expected"),
+    [
+        (4.5, False, (4.5, "It ends after 4.5 s.")),
+        (None, True, (None, "Ctrl-C ends the demonstration.")),
+    ],
+)
+def test_end_is_as_requested(
+    monkeypatch: pytest.MonkeyPatch,
+    requested_s: float | None,
+    opens_page: bool,
+    expected: tuple[float | None, str],
+) -> None:
+    for name in ("stdin", "stdout"):
+        monkeypatch.setattr(sys, name, None)  # as for a program without a console
+    assert describe_end(requested_s, opens_page=opens_page) == expected
+    assert describe_end(None, opens_page=False)[0] is not None
 
 
 def test_processes_are_used_if_the_library_is_installed(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from PIL import Image, ImageSequence
 
-from tfloom.turtlesim.record import FRAME_MS, SIDE_PX, RecordingError, open_recorder
+from tfloom.turtlesim.record import FRAME_MS, SIDE_PX, STILL_MS, RecordingError, open_recorder
 
 
 def picture(color: tuple[int, int, int]) -> Image.Image:
@@ -42,6 +42,23 @@ def test_last_picture_is_written(tmp_path: Path, ending: str) -> None:
     recorder.finish()
     with Image.open(path) as found:
         assert found.size == (SIDE_PX, SIDE_PX)
+
+
+def test_last_picture_is_written_meanwhile(tmp_path: Path) -> None:
+    """A disk that has no room then doesn't end the simulation: the end tells."""
+    path = tmp_path / "out.png"
+    recorder = open_recorder(path)
+    path.mkdir()
+    for _ in range(STILL_MS // FRAME_MS):
+        recorder.add(picture((1, 2, 3)))
+    with pytest.raises(RecordingError, match="can't record to"):
+        recorder.finish()
+    path.rmdir()
+    for count in range(1, STILL_MS // FRAME_MS + 1):
+        assert not path.exists()
+        recorder.add(picture((4, 5, count)))
+    with Image.open(path) as found:
+        assert found.convert("RGB").getpixel((9, 9)) == (4, 5, STILL_MS // FRAME_MS)
 
 
 @pytest.mark.parametrize("ending", ["gif", "webp", "png"])

@@ -4,12 +4,19 @@ from __future__ import annotations
 
 import argparse
 import os
+import sys
 
 from tfloom.cli.numbers import seconds
 
 INTRODUCTION = """\
 One turtle draws a figure, with a laser mounted on it; another follows it by their transforms on tf.
-Below is the output of `tf2_echo world laser`: the pose of the laser in the world. Ctrl-C ends the demonstration."""
+Below is the output of `tf2_echo world laser`: the pose of the laser in the world.
+{end}"""
+AT_CTRL_C = "Ctrl-C ends the demonstration."
+AFTER = "It ends after {seconds:g} s."
+NOBODY_WATCHES = "It has no terminal, so it ends after {seconds:g} s, or after --seconds N."
+UNWATCHED_S = 15.0
+"""Duration where neither a terminal nor a page shows the demonstration [s]."""
 JOIN_IN = "Join in from another terminal: export ROS_DOMAIN_ID={domain_id}"
 WIRE = "They meet over DDS, by libddsc {version} of {origin}."
 ONE_PROCESS = "{reason}, so all programs run within this process, and other terminals can't join in{remedy}."
@@ -18,7 +25,10 @@ ONE_PROCESS = "{reason}, so all programs run within this process, and other term
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments of `demo`."""
     parser.add_argument(
-        "--seconds", type=seconds, metavar="N", help="end after this time (default: at Ctrl-C)"
+        "--seconds",
+        type=seconds,
+        metavar="N",
+        help=f"end after this time (default: at Ctrl-C; without a terminal after {UNWATCHED_S:g} s)",
     )
     parser.add_argument(
         "--view", action="store_true", help="open the page of `tfloom view` in a browser, too"
@@ -40,18 +50,34 @@ def main(args: argparse.Namespace) -> int:
             signal.signal(getattr(signal, name), signal.default_int_handler)
     try:
         description, is_over_dds = describe_wire()
-        print(f"{INTRODUCTION}\n{description}")
+        duration_s, end = describe_end(args.seconds, opens_page=args.view)
+        print(f"{INTRODUCTION.format(end=end)}\n{description}")
         if is_over_dds:
-            _show_over_dds(args.seconds, opens_page=args.view)
+            _show_over_dds(duration_s, opens_page=args.view)
         elif args.view:
             raise CommandError("--view needs a DDS library, because the page is another process")
         else:
-            _show_in_one_process(args.seconds)
+            _show_in_one_process(duration_s)
     except ShowError as error:
         raise CommandError(str(error)) from None
     except KeyboardInterrupt:
         print("The demonstration has ended.")
     return 0
+
+
+def describe_end(requested_s: float | None, *, opens_page: bool) -> tuple[float | None, str]:
+    """Return the demonstration's duration [s], None until Ctrl-C, and a sentence that says how it ends.
+
+    Args:
+        requested_s: The duration that the user has requested, if any.
+        opens_page: Whether it is shown in a browser, too.
+    """
+    if requested_s is not None:
+        return requested_s, AFTER.format(seconds=requested_s)
+    has_terminal = any(stream is not None and stream.isatty() for stream in (sys.stdin, sys.stdout))
+    if has_terminal or opens_page:
+        return None, AT_CTRL_C
+    return UNWATCHED_S, NOBODY_WATCHES.format(seconds=UNWATCHED_S)
 
 
 def describe_wire() -> tuple[str, bool]:

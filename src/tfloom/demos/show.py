@@ -170,7 +170,7 @@ class Show:
         return any("Successfully spawned" in line for line in list(self._programs["listener"].log))
 
     def _check(self) -> None:
-        """Print the drawing's path when it is complete; raise ShowError for a program that has ended unexpectedly."""
+        """Print the drawings' paths when they are there; raise ShowError for a program that has ended unexpectedly."""
         for name, program in self._programs.items():
             code = program.exit_code()
             if code is None or (name == "view_frames" and self._has_drawn):
@@ -180,3 +180,5 @@ class Show:
                 raise ShowError(f"{name} ended unexpectedly with exit code {code}\n{log}".rstrip())
             self._has_drawn = True
             print(f"The tree of frames is drawn in {self._folder / 'frames.pdf'}")
+            if (self._folder / PICTURE).exists():
+                print(f"The turtles, drawn anew each second, are in {self._folder / PICTURE}")

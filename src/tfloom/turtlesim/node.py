@@ -176,7 +176,8 @@ def parse_arguments(words: list[str]) -> argparse.Namespace:
         "--record",
         type=Path,
         metavar="FILE",
-        help="record the picture: an animation (.gif, .webp), the last picture (.png) or a film (.mp4, by ffmpeg)",
+        help="record the picture: an animation (.gif, .webp), the last picture, written each second (.png), or a film "
+        "(.mp4, by ffmpeg)",
     )
     return parser.parse_args(words)
 

@@ -15,6 +15,8 @@ from tfloom.whole_files import Replacement
 
 FRAME_MS = 40
 """Time between two pictures [ms]: 25 a second, which GIF can express."""
+STILL_MS = 1000
+"""Time between two writes of the last picture [ms]."""
 SIDE_PX = 500
 
 
@@ -55,15 +57,22 @@ def open_recorder(path: Path) -> Recorder:
 
 
 class Still:
-    """Keeps the last picture."""
+    """Keeps the last picture; its file is written every STILL_MS, too, so that it can be looked at meanwhile."""
 
     def __init__(self, path: Path) -> None:
         self._path = path
         self._last: Picture | None = None
+        self._added = 0
 
     def add(self, picture: Picture) -> None:
         """Add the next picture."""
         self._last = picture
+        self._added += 1
+        if self._added % (STILL_MS // FRAME_MS) == 0:
+            with suppress(
+                RecordingError
+            ):  # a disk that is full now may have room at the end, which tells of an error
+                self.finish()
 
     def finish(self) -> None:
         """Write the last picture."""
