@@ -62,6 +62,7 @@ DOORS = {
     "lz4": ("bag/reading/compression.py",),
     "zstandard": ("bag/reading/compression.py",),
     "zenoh": ("rmw/zenoh",),
+    "xxhash": ("rmw/zenoh",),
     "PyInstaller": ("pyinstaller/",),
     "xacro": ("robot/xacro_program.py",),
     "pytest": ("launch/testing/", "testing/plugin.py"),

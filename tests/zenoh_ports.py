@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from importlib.util import find_spec
+from pathlib import Path
 
 import pytest
 from tests.conftest import hold_domain
@@ -12,21 +14,43 @@ FIRST_PORT = 7447
 PORTS_OF_A_DOMAIN = 250
 
 
-@contextmanager
-def hold_zenoh_port() -> Iterator[int]:
-    """Hold a domain of this machine and the port that goes with it, and set TFLOOM_ZENOH_PORT to that.
+NEEDS_ZENOH = pytest.mark.skipif(
+    find_spec("zenoh") is None, reason="eclipse-zenoh is not installed: pip install 'tfloom[zenoh]'"
+)
+NAMES = (
+    *("ZENOH_SESSION_CONFIG_URI", "ZENOH_ROUTER_CONFIG_URI", "ZENOH_CONFIG_OVERRIDE", "ROS_STATIC_PEERS"),
+    *("ZENOH_ROUTER_CHECK_ATTEMPTS", "TFLOOM_LEASE_S", "RUST_LOG"),
+)
 
-    Nothing of the user's environment configures Zenoh meanwhile.
+
+def leave_out(items: list[pytest.Item], folder: Path, names: Mapping[str, str]) -> None:
+    """Remove what Zenoh can't do from the tests of a folder that run on it too.
+
+    Args:
+        items: All tests, which lose those.
+        folder: The folder.
+        names: The names of the test functions, each with the reason.
     """
-    names = (
-        "ZENOH_SESSION_CONFIG_URI",
-        "ZENOH_ROUTER_CONFIG_URI",
-        "ZENOH_CONFIG_OVERRIDE",
-        "ROS_STATIC_PEERS",
-    )
-    with hold_domain() as domain, pytest.MonkeyPatch.context() as patch:
-        for name in (*names, "ZENOH_ROUTER_CHECK_ATTEMPTS", "TFLOOM_LEASE_S", "RUST_LOG"):
+    items[:] = [
+        item
+        for item in items
+        if not (item.path.parent == folder and "zenoh" in item.name and item.name.partition("[")[0] in names)
+    ]
+
+
+@contextmanager
+def use_port_of(domain: int) -> Iterator[int]:
+    """Set TFLOOM_ZENOH_PORT to the port that goes with a domain that is held. Nothing else configures Zenoh."""
+    with pytest.MonkeyPatch.context() as patch:
+        for name in NAMES:
             patch.delenv(name, raising=False)
         port = FIRST_PORT + PORTS_OF_A_DOMAIN * domain
         patch.setenv("TFLOOM_ZENOH_PORT", str(port))
+        yield port
+
+
+@contextmanager
+def hold_zenoh_port() -> Iterator[int]:
+    """Hold a domain of this machine, and use the port that goes with it; see `use_port_of`."""
+    with hold_domain() as domain, use_port_of(domain) as port:
         yield port

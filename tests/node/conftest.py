@@ -6,27 +6,51 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+from tests.zenoh_ports import NEEDS_ZENOH, hold_zenoh_port, leave_out
 
 from tfloom.node.context.context import Context
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.log import log_output
 from tfloom.node.node import Node
 
-WIRES = ["tfloom_local", pytest.param("rmw_cyclonedds_cpp", marks=pytest.mark.wire)]
+WIRES = [
+    "tfloom_local",
+    pytest.param("rmw_cyclonedds_cpp", marks=pytest.mark.wire),
+    pytest.param("rmw_zenoh_cpp", marks=NEEDS_ZENOH),
+]
+
+NOT_ON_ZENOH = {
+    "test_no_demangle_returns_dds_names": "names have no prefixes there",
+    "test_topic_can_avoid_ros_namespace_conventions": "there is no convention to avoid",
+}
+"""The tests of this folder that don't run on Zenoh, and why; tests/rmw/test_zenoh_wire.py has others for them."""
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Leave out `NOT_ON_ZENOH` there."""
+    leave_out(items, Path(__file__).parent, NOT_ON_ZENOH)
 
 
 @pytest.fixture(params=WIRES)
 def context_on_each_wire(
     request: pytest.FixtureRequest, local_wire: None, monkeypatch: pytest.MonkeyPatch
 ) -> Iterator[Context]:
-    """Return a context on the wire inside the process, and another one on DDS in a domain of the test's own."""
-    if request.param != "tfloom_local":
+    """Return a context on the wire inside the process, and others on DDS and Zenoh in a domain of the test's own."""
+    if request.param == "rmw_cyclonedds_cpp":
         request.getfixturevalue("domain_id")
+    if request.param == "rmw_zenoh_cpp":
+        request.getfixturevalue("zenoh_port")
     monkeypatch.setenv("RMW_IMPLEMENTATION", request.param)
     context = Context()
     context.init(["program"])
     yield context
     context.destroy()
+
+
+@pytest.fixture
+def zenoh_port() -> Iterator[int]:
+    with hold_zenoh_port() as port:
+        yield port
 
 
 @pytest.fixture(autouse=True)

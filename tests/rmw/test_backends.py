@@ -29,6 +29,28 @@ def test_cyclone_is_the_default(monkeypatch: pytest.MonkeyPatch, value: str | No
     assert backends.implementation_identifier() == "rmw_cyclonedds_cpp"
 
 
+@pytest.mark.parametrize(
+    ("installed", "name", "lines"),
+    [
+        ({"rmw_cyclonedds_cpp", "rmw_zenoh_cpp"}, "rmw_cyclonedds_cpp", 0),
+        ({"rmw_cyclonedds_cpp"}, "rmw_cyclonedds_cpp", 0),
+        ({"rmw_zenoh_cpp"}, "rmw_zenoh_cpp", 1),
+        (set(), "rmw_cyclonedds_cpp", 0),
+    ],
+)
+def test_zenoh_is_the_default_where_there_is_no_dds_and_one_line_says_so(
+    monkeypatch, capsys, installed: set[str], name: str, lines: int
+) -> None:
+    monkeypatch.delenv("RMW_IMPLEMENTATION", raising=False)
+    monkeypatch.setattr(backends, "_reported_replacements", set())
+    monkeypatch.setattr(backends, "is_installed", installed.__contains__)
+    assert backends.implementation_identifier() == name
+    assert backends.implementation_identifier() == name
+    told = capsys.readouterr().err
+    assert told.count("\n") == lines
+    assert ("there is no DDS library, so rmw_zenoh_cpp is used" in told) == bool(lines)
+
+
 def test_cyclone_replaces_fast_dds_with_one_message(monkeypatch, capsys) -> None:
     monkeypatch.setattr(backends, "_reported_replacements", set())
     monkeypatch.setenv("RMW_IMPLEMENTATION", "rmw_fastrtps_cpp")
@@ -68,7 +90,8 @@ def test_stand_in_says_whether_services_pass(
 def test_unknown_wire_error_lists_the_known_ones(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("RMW_IMPLEMENTATION", "rmw_conext_cpp")
     with pytest.raises(
-        NoBackendError, match="'rmw_conext_cpp', which is none of: rmw_cyclonedds_cpp, tfloom_local"
+        NoBackendError,
+        match="'rmw_conext_cpp', which is none of: rmw_cyclonedds_cpp, rmw_zenoh_cpp, tfloom_local",
     ):
         backends.open_participant()
 
@@ -108,6 +131,10 @@ def test_is_installed_reports_the_libraries(tmp_path: Path, monkeypatch: pytest.
     monkeypatch.setattr(cyclone_library, "_ROS_FOLDER", str(tmp_path))
     monkeypatch.delenv(cyclone_library.VARIABLE, raising=False)
     assert backends.is_installed("tfloom_local")
+    assert not backends.is_installed("rmw_zenoh_cpp")
+    (tmp_path / "zenoh").mkdir()
+    (tmp_path / "zenoh" / "__init__.py").touch()
+    assert backends.is_installed("rmw_zenoh_cpp")
     assert not backends.is_installed("rmw_cyclonedds_cpp")
     for name in ("cyclonedds", "cyclonedds.libs"):
         (tmp_path / name).mkdir()

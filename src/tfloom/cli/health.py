@@ -58,6 +58,14 @@ def check_wire() -> Finding:
             details["library from"] = library.origin
             details.update({f"passed over {n}": text for n, text in enumerate(library.passed_over, 1)})
             library_text = f"; libddsc {library.version or 'of unknown version'} of {library.origin}"
+        elif name == "rmw_zenoh_cpp":
+            from importlib.metadata import version
+
+            from tfloom.rmw.zenoh_library import open_library as open_zenoh
+
+            open_zenoh()
+            details["library version"] = version("eclipse-zenoh")
+            library_text = f"; eclipse-zenoh {details['library version']}"
     except WireError as error:
         return Finding(Verdict.FAILED, str(error), details=details)
     why = (
@@ -240,7 +248,9 @@ def check_reach() -> Finding:
 
     details = {"ROS_SECURITY_ENABLE": os.environ.get("ROS_SECURITY_ENABLE", "not set")}
     try:
-        if (name := implementation_identifier()) != DEFAULT:
+        if (name := implementation_identifier()) == "rmw_zenoh_cpp":
+            return _zenoh_reach(details)
+        if name != DEFAULT:
             return Finding(Verdict.OK, f"{name} stays inside one process", details=details)
         domain = domain_id_from_environment()
         opened = _opened_ports(domain) or _unbound_ports(domain)
@@ -257,6 +267,31 @@ def check_reach() -> Finding:
         summary = f"{where}, but ROS_SECURITY_ENABLE has no effect: nothing is encrypted"
         return Finding(Verdict.WARNING, summary, advice, details)
     return Finding(Verdict.OK, f"within this machine: {where}", details=details)
+
+
+def _zenoh_reach(details: dict[str, Any]) -> Finding:
+    """Return from where a session of Zenoh, with the configuration of the environment, can be reached.
+
+    Raises:
+        WireError: the configuration is invalid.
+    """
+    from tfloom.rmw.zenoh_config import endpoints_of, session_configuration
+
+    endpoints = endpoints_of(session_configuration(), "listen/endpoints")
+    details["listens at"] = ", ".join(endpoints) or "nothing"
+    local = ("/127.", "/localhost:", "/[::1]:")
+    opened = [endpoint for endpoint in endpoints if not any(part in endpoint for part in local)]
+    if not opened:
+        return Finding(Verdict.OK, "within this machine: sessions listen on loopback alone", details=details)
+    if all(endpoint.startswith("tls/") for endpoint in opened):
+        return Finding(Verdict.OK, f"sessions listen at {', '.join(opened)}, with TLS", details=details)
+    return Finding(
+        Verdict.WARNING,
+        f"sessions listen at {', '.join(opened)}: any machine that reaches them can read and publish all topics and "
+        "call all services, without encryption",
+        "use TLS and access rules: see docs/how_to/across_networks.md",
+        details,
+    )
 
 
 def _opened_ports(domain: int) -> str:
@@ -305,11 +340,13 @@ def _port_pair(domain: int) -> str:
 
 def check_round_trip() -> Finding:
     """Check that two participants of this process discover each other on the domain and exchange a message."""
+    from tfloom.interfaces.std_msgs.msg import Empty
     from tfloom.rmw.backends import open_participant
-    from tfloom.rmw.base import NodeName, Topic
+    from tfloom.rmw.base import NodeName
     from tfloom.rmw.qos import QoS
+    from tfloom.rmw.typed_names import topic_of
 
-    node, topic = NodeName("/", "_tfloom_doctor"), Topic("/_tfloom_doctor", "std_msgs/msg/Empty", "")
+    node, topic = NodeName("/", "_tfloom_doctor"), topic_of(Empty, "/_tfloom_doctor")
     start = time.monotonic()
     try:
         here, there = open_participant(), open_participant()

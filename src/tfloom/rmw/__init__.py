@@ -4,7 +4,7 @@
 - backends: the table of wires, by the value of RMW_IMPLEMENTATION
 - local*: the wire inside the process
 - cyclone*: the wire on libddsc
-- zenoh*: the wire on eclipse-zenoh, its configuration and its routers
+- zenoh*: the wire on eclipse-zenoh, from `zenoh_wire`; its configuration and its routers
 - services, events, qos, compatibility: what both wires share
 - forks: what a forked process has inherited
 - waiting, typed_names, action_names, endpoint_text, qos_mismatch: what nodes and commands share

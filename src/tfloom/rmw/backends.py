@@ -14,11 +14,15 @@ if TYPE_CHECKING:
 
 BACKENDS = {
     "rmw_cyclonedds_cpp": "tfloom.rmw.cyclonedds",
+    "rmw_zenoh_cpp": "tfloom.rmw.zenoh_wire",
     "tfloom_local": "tfloom.rmw.local",
 }
 """ROS's name of each wire, and the module that implements it."""
 
-LIBRARIES = {"rmw_cyclonedds_cpp": "tfloom.rmw.cyclone_library"}
+LIBRARIES = {
+    "rmw_cyclonedds_cpp": "tfloom.rmw.cyclone_library",
+    "rmw_zenoh_cpp": "tfloom.rmw.zenoh_library",
+}
 """The module whose `find_library` locates the library of a wire; other wires need none."""
 
 STAND_INS = {
@@ -31,6 +35,8 @@ TRANSLATING_PROCESSORS = ("x86_64", "aarch64")
 """The processors of Linux on which services pass between libddsc and Fast DDS; see `native/dds/imports.cpp`."""
 
 DEFAULT = "rmw_cyclonedds_cpp"
+WITHOUT_DDS = "rmw_zenoh_cpp"
+"""The wire that nobody has to select where there is no DDS library, if its own is installed."""
 MAX_DOMAIN_ID = 232
 
 _reported_replacements: set[str] = set()
@@ -59,7 +65,7 @@ def implementation_identifier() -> str:
     Raises:
         NoBackendError: RMW_IMPLEMENTATION names no known wire.
     """
-    asked = os.environ.get("RMW_IMPLEMENTATION") or DEFAULT
+    asked = os.environ.get("RMW_IMPLEMENTATION") or _default()
     name = STAND_INS.get(asked, asked)
     if name not in BACKENDS:
         known_names = ", ".join([*BACKENDS, *STAND_INS])
@@ -73,6 +79,19 @@ def implementation_identifier() -> str:
         )
         print(f"tfloom: {asked} isn't available, so {name} is used: {passing}", file=sys.stderr)
     return name
+
+
+def _default() -> str:
+    """Return the wire where RMW_IMPLEMENTATION is not set; say once if it isn't the usual one."""
+    if is_installed(DEFAULT) or not is_installed(WITHOUT_DDS):
+        return DEFAULT
+    if DEFAULT not in _reported_replacements:
+        _reported_replacements.add(DEFAULT)
+        print(
+            f"tfloom: there is no DDS library, so {WITHOUT_DDS} is used, because Zenoh is installed",
+            file=sys.stderr,
+        )
+    return WITHOUT_DDS
 
 
 def _untranslated() -> str:

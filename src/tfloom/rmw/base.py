@@ -76,6 +76,8 @@ class Service(NamedTuple):
     """`RIHS01_` and 64 hex digits, of the request's type; empty if unknown."""
     response_hash: str = ""
     """The same for the response's type."""
+    type_hash: str = ""
+    """The same for the service's own type, which has its events too."""
 
 
 class ServiceEndInfo(NamedTuple):
@@ -140,7 +142,7 @@ class Graph(Protocol):
         """Return writers and readers of ROS topics (`rt/…` on DDS), in order of topic name."""
 
     def raw_endpoints(self) -> list[EndpointInfo]:
-        """Return all writers and readers, by the names that topics and types have on DDS, in order of these."""
+        """Return all writers and readers, by the names that topics and types have on the wire, in order of these."""
 
     def service_ends(self) -> list[ServiceEndInfo]:
         """Return servers and clients, in order of service name."""
@@ -159,6 +161,9 @@ class Graph(Protocol):
 
     def is_whole(self) -> bool:
         """Return whether all announced entities have arrived, of each process that is known on this machine."""
+
+    def delivers_incompatible(self) -> bool:
+        """Return whether samples pass between a writer and a reader of incompatible qualities of service."""
 
     def late_count(self) -> int:
         """Return how many known participants are of an implementation that lists its nodes seconds later, and have not.

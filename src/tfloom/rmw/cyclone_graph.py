@@ -102,6 +102,10 @@ class CycloneGraph:
         view = self._current()
         return view.is_whole and view.process_count >= len(bound_indices(self._domain_id))
 
+    def delivers_incompatible(self) -> bool:
+        """Return False: such endpoints aren't connected."""
+        return False
+
     def late_count(self) -> int:
         """Return how many participants of Fast DDS have not sent their node lists, or not all endpoints on them.
 

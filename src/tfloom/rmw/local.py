@@ -169,6 +169,10 @@ class LocalGraph:
         """Return True, because all entities are visible at once."""
         return True
 
+    def delivers_incompatible(self) -> bool:
+        """Return False: such endpoints aren't connected."""
+        return False
+
     def late_count(self) -> int:
         """Return 0, for the same reason."""
         return 0

@@ -25,6 +25,8 @@ def mismatch_text(
         if is_publisher
         else ("publisher", "offering", "No messages will be received from it")
     )
+    if graph.delivers_incompatible():
+        consequence = "Messages pass all the same on this wire, but don't on others"
     policy = status.last_policy_kind.name
     return (
         f"New {peer} discovered on topic '{topic_name}', {verb} incompatible QoS. {consequence}. "

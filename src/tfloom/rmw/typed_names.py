@@ -28,4 +28,5 @@ def service_of(srv_type: type[ServiceType], full_name: str) -> Service:
         srv_type._TYPE_NAME,  # ours, here and below
         srv_type.Request._TYPE_HASH,
         srv_type.Response._TYPE_HASH,
+        srv_type._TYPE_HASH,
     )

@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 from tests.conftest import Program
+from tests.zenoh_ports import NEEDS_ZENOH, leave_out, use_port_of
 
 from tfloom.node.context.context import Context
 from tfloom.node.executing.executors import SingleThreadedExecutor
@@ -18,12 +19,37 @@ from tfloom.node.node import Node
 PROGRAMS = Path(__file__).parent / "programs"
 
 
-@pytest.fixture(autouse=True)
-def local_wire(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[None]:
-    """Replace the in-process wire with DDS."""
-    monkeypatch.setenv("RMW_IMPLEMENTATION", "rmw_cyclonedds_cpp")
+WIRES = ["rmw_cyclonedds_cpp", pytest.param("rmw_zenoh_cpp", marks=NEEDS_ZENOH)]
+
+
+ONLY_DDS = {
+    "test_server_that_is_discovered_is_ready_at_the_first_question": "delays DDS's discovery",
+    "test_restarted_server_is_called_at_once": "delays DDS's discovery",
+    "test_client_of_another_vendor_is_ignored_with_one_log_line": "vendors are DDS's",
+    "test_server_of_another_vendor_is_not_called_with_one_log_line": "vendors are DDS's",
+    "test_full_domain_gives_one_error_message": "Zenoh has room for any number of programs",
+    "test_different_type_hash_is_received_if_decodable": "a hash is a part of Zenoh's keys",
+    "test_killed_publisher_is_not_alive_after_its_lease": "Zenoh tells of its end at once, as of any other end",
+    "test_a_child_of_a_process_with_a_node_may_start_anew": "Zenoh can't be opened again in a child",
+    "test_a_grandchild_may_start_anew": "Zenoh can't be opened again in a child",
+}
+"""The tests of this folder that run on DDS alone, and why; tests/rmw/test_zenoh_wire.py has others for most."""
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Leave out `ONLY_DDS` on Zenoh."""
+    leave_out(items, PROGRAMS.parent, ONLY_DDS)
+
+
+@pytest.fixture(autouse=True, params=WIRES)
+def local_wire(
+    request: pytest.FixtureRequest, domain_id: int, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> Iterator[str]:
+    """Replace the in-process wire with DDS, and with Zenoh in turn; return its name."""
+    monkeypatch.setenv("RMW_IMPLEMENTATION", request.param)
     monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path / "log"))
-    yield
+    with use_port_of(domain_id):
+        yield request.param
     log_output.reset_levels()
     log_output.configure(file=None, console=True)
 

@@ -7,6 +7,7 @@ import signal
 from collections.abc import Callable
 
 import pytest
+from tests.zenoh_ports import NEEDS_ZENOH
 
 pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork")
 
@@ -70,7 +71,7 @@ if child == 0:
         try:
             print(name, operate(), flush=True)
         except Exception as error:
-            has_advice = "rclpy.init() and create the node anew" in str(error) and "'spawn'" in str(error)
+            has_advice = all(part in str(error) for part in ADVICE)
             print(name, type(error).__name__ if has_advice else error, flush=True)
     sys.exit(3)
 join(child)
@@ -78,8 +79,17 @@ join(child)
 QUIET = ("-W", "ignore::DeprecationWarning")  # From 3.12 on Python warns about a fork with other threads.
 
 
-def test_every_operation_on_what_was_inherited_raises(domain_id: int, start_program: Callable) -> None:
-    program = start_program("python", *QUIET, "-c", PARENT + OPERATIONS)
+ADVICE = {
+    "rmw_cyclonedds_cpp": "rclpy.init() and create the node anew",
+    "rmw_zenoh_cpp": "'forkserver', or fork before the first node is created",
+}
+
+
+def test_every_operation_on_what_was_inherited_raises(
+    domain_id: int, local_wire: str, start_program: Callable
+) -> None:
+    advice = ["'spawn'", ADVICE[local_wire]]
+    program = start_program("python", *QUIET, "-c", f"ADVICE = {advice}\n{PARENT}{OPERATIONS}")
     assert program.wait() == 0
     *children, child, parent = program.lines
     assert (child, parent) == ("child 3", "parent True")
@@ -157,6 +167,25 @@ join(child)
     program = start_program("python", *QUIET, "-c", PARENT + CHILD + program)
     assert program.wait() == 0
     assert program.lines == ["heard True", "child 0", "parent True"]
+
+
+INITIALISE = """
+child = os.fork()
+if not child:
+    try:
+        rclpy.init(args=[])
+    except RuntimeError as error:
+        print(type(error).__name__, "'forkserver'" in str(error), flush=True)
+    sys.exit(3)
+join(child)
+"""
+
+
+@pytest.mark.parametrize("local_wire", [pytest.param("rmw_zenoh_cpp", marks=NEEDS_ZENOH)], indirect=True)
+def test_on_zenoh_a_child_may_not_start_anew(domain_id: int, start_program: Callable) -> None:
+    program = start_program("python", *QUIET, "-c", PARENT + INITIALISE)
+    assert program.wait() == 0
+    assert program.lines == ["ForkedError True", "child 3", "parent True"]
 
 
 def test_a_grandchild_may_start_anew(domain_id: int, start_program: Callable) -> None:

@@ -2,23 +2,46 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any
 
 import pytest
 from tests.conftest import Program
-from tests.node.wire.conftest import PROGRAMS
+from tests.node.wire.conftest import PROGRAMS, WIRES
+from tests.zenoh_ports import use_port_of
 
 from tfloom.node.builtin.parameter_client import AsyncParameterClient
+from tfloom.node.log import log_output
 from tfloom.node.node import Node
 from tfloom.node.parameters.parameter import Parameter
 
 Finish = Callable[..., Any]
 
 
+@pytest.fixture(scope="module", autouse=True, params=WIRES)
+def wire_of_module(request: pytest.FixtureRequest, module_domain_id: int) -> Iterator[str]:
+    """Select a wire for the module's program and for the tests."""
+    with pytest.MonkeyPatch.context() as patch, use_port_of(module_domain_id):
+        patch.setenv("RMW_IMPLEMENTATION", request.param)
+        yield request.param
+
+
+@pytest.fixture(autouse=True)
+def local_wire(wire_of_module: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[str]:
+    monkeypatch.setenv("RMW_IMPLEMENTATION", wire_of_module)
+    monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path / "log"))
+    yield wire_of_module
+    log_output.reset_levels()
+    log_output.configure(file=None, console=True)
+
+
 @pytest.fixture(scope="module", autouse=True)
-def remote(module_domain_id: int, start_module_program: Callable[..., Program]) -> None:
-    start_module_program("python", PROGRAMS / "parameters.py").wait_for("ready")
+def remote(wire_of_module: str, start_module_program: Callable[..., Program]) -> Iterator[None]:
+    program = start_module_program("python", PROGRAMS / "parameters.py")
+    program.wait_for("ready")
+    yield
+    program.end()
 
 
 @pytest.fixture

@@ -118,7 +118,11 @@ class Context:
             UnknownROSArgsError: a ROS argument is unknown.
             RCLError: a configuration file for logging is given, which is not supported.
             UnicodeEncodeError: an argument isn't UTF-8.
+            ForkedError: the parent process had a node on a wire that can't be opened in a child.
         """
+        from tfloom.rmw.forks import check_start
+
+        check_start()
         if domain_id is not None and domain_id < 0:
             raise RuntimeError(f"Domain id ({domain_id}) should not be lower than zero.")
         words = sys.argv if args is None else args

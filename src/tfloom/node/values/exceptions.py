@@ -96,12 +96,13 @@ class ForkedProcessError(NotInitializedException, RCLError):
     """
 
     def __init__(self, what: str) -> None:
-        Exception.__init__(
-            self,
-            f"{what}: its context was initialised by the parent process, and a fork has none of the threads that send "
-            "and receive. In the child, call rclpy.init() and create the node anew, or start the child by "
-            "multiprocessing's method 'spawn'",
+        from tfloom.rmw.forks import lasting_advice
+
+        advice = lasting_advice() or (
+            "a fork has none of the threads that send and receive. In the child, call rclpy.init() and create the "
+            "node anew, or start the child by multiprocessing's method 'spawn'"
         )
+        Exception.__init__(self, f"{what}: its context was initialised by the parent process, and {advice}")
 
 
 class NodeNameNonExistentError(RCLError):

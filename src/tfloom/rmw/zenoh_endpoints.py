@@ -1,0 +1,603 @@
+"""Writers and readers on the Zenoh wire.
+
+No lock is held during a call of Zenoh, because a sample for a reader of the same session is delivered within it, on the
+thread that writes.
+"""
+
+from __future__ import annotations
+
+import sys
+import threading
+import time
+from collections import deque
+from collections.abc import Callable
+from contextlib import suppress
+from typing import Any
+
+from tfloom._native import ReadyQueue, Sink
+from tfloom.rmw.base import EndpointInfo, Sample
+from tfloom.rmw.compatibility import incompatible_policies
+from tfloom.rmw.errors import ClosedError, WireError
+from tfloom.rmw.events import Event, Status
+from tfloom.rmw.qos import (
+    INFINITE_NS,
+    DurabilityPolicy,
+    HistoryPolicy,
+    LivelinessPolicy,
+    QoS,
+    ReliabilityPolicy,
+)
+from tfloom.rmw.zenoh_attachment import pack, unpack
+from tfloom.rmw.zenoh_config import reason_of
+from tfloom.rmw.zenoh_events import LostSamples, Timers, ZenohEvents
+from tfloom.rmw.zenoh_graph import Peer, ZenohGraph
+from tfloom.rmw.zenoh_library import open_library
+from tfloom.rmw.zenoh_session import refuse_fork
+from tfloom.rmw.zenoh_tokens import Kind
+
+__all__ = ["ZenohEndpoint", "ZenohReader", "ZenohWriter", "end_declarations"]
+
+HEARTBEAT_S = 0.5
+"""How long after a sample its number is announced again, so that a reader knows of the last one that it missed [s]."""
+HEADER_SIZE = 4
+"""Size of the encapsulation header: a shorter sample holds nothing."""
+MAX_DEPTH = 1_000_000
+"""The most samples that are kept for late readers."""
+MAX_CATCH_UPS = 256
+"""Of how many writers a reader asks for earlier samples at a time."""
+CATCH_UP_S = 2.0
+"""How long samples are held until the earlier ones have come [s]."""
+_NS_PER_S = 1e9
+
+
+class ZenohEndpoint:
+    """The common part of writers and readers: its peers, its events, and its end."""
+
+    kind = ""
+    """For texts: writer or reader."""
+
+    def __init__(
+        self, info: EndpointInfo, graph: ZenohGraph, timers: Timers, forget: Callable[[Any], None]
+    ) -> None:
+        self.gid = info.gid
+        self.info = info
+        self.events = ZenohEvents(is_writer=info.is_writer)
+        self.watched_name = info.topic.name
+        self.watched_kind = Kind.SUBSCRIPTION if info.is_writer else Kind.PUBLISHER
+        self._graph = graph
+        self._timers = timers
+        self._timer_numbers: list[int] = []
+        self._forget = forget
+        self._lock = threading.Lock()
+        self._peers: dict[bytes, QoS] = {}
+        """The quality of each compatible peer by its gid, guarded by the graph's lock."""
+        self._declarations: list[Any] = []
+        """What Zenoh has of it, in the order in which it is ended."""
+        self._is_closed = False
+        self._is_forked = False
+
+    def adopt(self, *declarations: Any) -> None:
+        """Take what Zenoh has of this endpoint, in the order in which it is to be ended."""
+        self._declarations = list(declarations)
+
+    def add_peer(self, peer: Peer) -> Callable[[], None] | None:
+        """Note a peer: one of the same type and hash receives, or sends, whatever its quality of service."""
+        mine, theirs = self.info.topic, peer.end
+        if theirs.type_name != mine.type_name:
+            return None
+        if theirs.type_hash != mine.type_hash and theirs.type_hash and mine.type_hash:
+            return lambda: _report_hashes(self.info, peer)
+        qualities = (self.info.qos, theirs.qos) if self.info.is_writer else (theirs.qos, self.info.qos)
+        if policies := incompatible_policies(*qualities):
+            self.events.add_incompatible(policies[0])
+            return None
+        self._peers[peer.gid] = theirs.qos
+        self.events.add_match(1)
+        self._matched(peer)
+        return None
+
+    def remove_peer(self, peer: Peer) -> Callable[[], None] | None:
+        """Note a peer that has left."""
+        if self._peers.pop(peer.gid, None) is not None:
+            self.events.add_match(-1)
+            self._unmatched(peer)
+        return self._left(peer)
+
+    def _matched(self, peer: Peer) -> None:
+        """Note more of a compatible peer."""
+
+    def _unmatched(self, peer: Peer) -> None:
+        """Forget it."""
+
+    def _left(self, _peer: Peer) -> Callable[[], None] | None:
+        """Return what is to be done, without a lock, after a peer has left."""
+        return None
+
+    def matched_count(self) -> int:
+        """Return how many compatible peers are connected now."""
+        self._check_process()
+        return self.events.matched_count()
+
+    def notify_event(self, event: Event, queue: ReadyQueue | None, token: int = 0) -> None:
+        """Post `token` to `queue` when `take_event(event)` may have a new status, and once at the start; None ends it.
+
+        Raises:
+            UnsupportedEventError: the other kind of endpoint has this event, this one does not.
+        """
+        if queue is not None:
+            self._check_process()
+        self.events.notify(event, queue, token)
+
+    def take_event(self, event: Event) -> Status | None:
+        """Return the status of `event` if it has changed since it was taken last, or None.
+
+        Raises:
+            UnsupportedEventError: the other kind of endpoint has this event, this one does not.
+        """
+        self._check_process()
+        return self.events.take(event)
+
+    def _check_process(self) -> None:
+        if self._is_forked:
+            refuse_fork(f"the {self.kind} of {self.info.topic.name}")
+
+    def _call_at(self, first_s: float, check: Callable[[float], float]) -> None:
+        self._timer_numbers.append(self._timers.add(first_s, check))
+
+    def invalidate_after_fork(self) -> None:
+        """Become the copy of the parent's endpoint in a forked child."""
+        self._is_forked = True
+        self._lock = threading.Lock()
+        self.events.invalidate_after_fork()
+
+    def close(self) -> None:
+        """Leave the topic. Closing again does nothing."""
+        with self._lock:
+            if self._is_closed:
+                return
+            self._is_closed = True
+        if self._is_forked:
+            return
+        for number in self._timer_numbers:
+            self._timers.remove(number)
+        self._graph.unwatch(self)
+        end_declarations(self._declarations)
+        self._forget(self)
+
+
+class ZenohWriter(ZenohEndpoint):
+    """A writer; see `base.Writer`."""
+
+    kind = "writer"
+
+    def __init__(
+        self, info: EndpointInfo, graph: ZenohGraph, timers: Timers, forget: Callable[[Any], None]
+    ) -> None:
+        super().__init__(info, graph, timers, forget)
+        self._sequence_number = 0
+        self._written_s: float | None = None
+        """When it wrote last, on the monotonic clock [s]; None: never."""
+        self._asserted_s = time.monotonic()
+        self._is_alive = True
+        self._publisher: Any = None
+        qos = info.qos
+        self._is_timed = qos.deadline_ns < INFINITE_NS or qos.liveliness_lease_ns < INFINITE_NS
+
+    def declare(self, session: Any, key: str) -> Any:
+        """Open the publisher of Zenoh, and return it."""
+        zenoh = open_library()
+        import zenoh.ext as extension
+
+        qos = self.info.qos
+        is_reliable = qos.reliability == ReliabilityPolicy.RELIABLE
+        options: dict[str, Any] = {}
+        if qos.durability == DurabilityPolicy.TRANSIENT_LOCAL:
+            options = {
+                "cache": extension.CacheConfig(max_samples=min(qos.depth, MAX_DEPTH)),
+                "publisher_detection": True,
+            }
+            if is_reliable:
+                options["sample_miss_detection"] = extension.MissDetectionConfig(
+                    heartbeat=None, sporadic_heartbeat=HEARTBEAT_S
+                )
+        # One stopped reader of a publisher that blocks stops it for seconds, so only one that keeps all does.
+        blocks = is_reliable and qos.history == HistoryPolicy.KEEP_ALL
+        control, reliability = zenoh.CongestionControl, zenoh.Reliability
+        self._publisher = extension.declare_advanced_publisher(
+            session,
+            key,
+            congestion_control=control.BLOCK if blocks else control.DROP,
+            reliability=reliability.RELIABLE if is_reliable else reliability.BEST_EFFORT,
+            **options,
+        )
+        return self._publisher
+
+    def start_timers(self) -> None:
+        """Start to watch its deadline and its lease."""
+        qos = self.info.qos
+        if qos.deadline_ns < INFINITE_NS:
+            period_s = qos.deadline_ns / _NS_PER_S
+            self._call_at(time.monotonic() + period_s, lambda now_s: self._check_deadline(now_s, period_s))
+        if qos.liveliness == LivelinessPolicy.MANUAL_BY_TOPIC and qos.liveliness_lease_ns < INFINITE_NS:
+            lease_s = qos.liveliness_lease_ns / _NS_PER_S
+            self._call_at(time.monotonic() + lease_s, lambda now_s: self._check_lease(now_s, lease_s))
+
+    def _check_deadline(self, now_s: float, period_s: float) -> float:
+        if self._written_s is None:
+            return now_s + period_s
+        if now_s < self._written_s + period_s:
+            return self._written_s + period_s
+        self.events.count(Event.DEADLINE_MISSED)
+        return now_s + period_s
+
+    def _check_lease(self, now_s: float, lease_s: float) -> float:
+        if now_s < self._asserted_s + lease_s:
+            self._is_alive = True
+            return self._asserted_s + lease_s
+        if self._is_alive:
+            self._is_alive = False
+            self.events.count(Event.LIVELINESS_LOST)
+        return now_s + lease_s
+
+    def write(self, data: bytes) -> None:
+        """Send one sample. A reliable one waits for room for a short time, and without end if it keeps all.
+
+        Raises:
+            ClosedError: the writer has left its topic.
+            WireError: Zenoh refuses the sample.
+        """
+        self._check_process()
+        with self._lock:
+            if self._is_closed:
+                raise ClosedError(f"cannot write to {self.info.topic.name}: its writer is closed")
+            self._sequence_number += 1
+            number = self._sequence_number
+        if self._is_timed:
+            self._written_s = self._asserted_s = time.monotonic()
+            self._is_alive = True
+        try:
+            self._publisher.put(bytes(data), attachment=pack(number, self.gid))
+        except open_library().ZError as error:
+            if self._is_closed:
+                raise ClosedError(f"cannot write to {self.info.topic.name}: its writer is closed") from None
+            raise WireError(f"cannot write to {self.info.topic.name}: {reason_of(error)}") from None
+
+    def assert_liveliness(self) -> None:
+        """Assert that this writer is alive. On this wire other programs hear of it by samples alone.
+
+        Raises:
+            ClosedError: the writer has left its topic.
+        """
+        self._check_process()
+        if self._is_closed:
+            raise ClosedError(f"cannot assert liveliness on {self.info.topic.name}: its writer is closed")
+        self._asserted_s = time.monotonic()
+        self._is_alive = True
+
+    def wait_for_acks(self, timeout_ns: int) -> bool:  # noqa: ARG002 - nothing is acknowledged
+        """Return True, because readers acknowledge nothing on this wire."""
+        self._check_process()
+        if self._is_closed:
+            raise ClosedError(f"cannot wait for readers of {self.info.topic.name}: its writer is closed")
+        return True
+
+
+class ZenohReader(ZenohEndpoint):
+    """A reader; see `base.Reader`."""
+
+    kind = "reader"
+
+    def __init__(
+        self, info: EndpointInfo, graph: ZenohGraph, timers: Timers, forget: Callable[[Any], None]
+    ) -> None:
+        super().__init__(info, graph, timers, forget)
+        is_bounded = info.qos.history != HistoryPolicy.KEEP_ALL
+        self._waiting: deque[Sample] = deque(maxlen=min(info.qos.depth, MAX_DEPTH) if is_bounded else None)
+        self._listener: tuple[ReadyQueue, int] | None = None
+        self._sink: Sink | None = None
+        self._lost = LostSamples()
+        self._catches_up = info.qos.durability == DurabilityPolicy.TRANSIENT_LOCAL and info.qos.depth > 1
+        self._held: dict[bytes, dict[int, Sample]] = {}
+        """The samples of each writer whose earlier ones are asked for, by their numbers."""
+        self._released: dict[bytes, set[int]] = {}
+        """The numbers of the samples that were held of each writer."""
+        self._origin: tuple[Any, str] = (None, "")
+        """The session, and the key of the topic."""
+        self._lifespans_ns: dict[bytes, int] = {}
+        """Of the writers that have one. Replaced, never changed."""
+        self._leases: dict[bytes, _Lease] = {}
+        """Of the writers that must assert their liveliness. Replaced, never changed."""
+        self._received_s: float | None = None
+        self._is_timed = info.qos.deadline_ns < INFINITE_NS
+
+    def declare(self, session: Any, key: str) -> Any:
+        """Open the subscriber of Zenoh, and return it."""
+        zenoh = open_library()
+        import zenoh.ext as extension
+
+        qos = self.info.qos
+        self._origin = session, key
+        callback = zenoh.handlers.Callback(self._on_sample, indirect=False)
+        # An advanced subscriber with no option is the same on the wire. But it drops a sample whose time is before the
+        # last one's, and two threads that write at once have such.
+        if qos.durability != DurabilityPolicy.TRANSIENT_LOCAL:
+            return session.declare_subscriber(key, callback)
+        recovers = qos.reliability == ReliabilityPolicy.RELIABLE
+        return extension.declare_advanced_subscriber(
+            session,
+            key,
+            callback,
+            history=extension.HistoryConfig(
+                detect_late_publishers=True, max_samples=min(qos.depth, MAX_DEPTH)
+            ),
+            recovery=extension.RecoveryConfig(periodic_queries=None, heartbeat=True) if recovers else None,
+            subscriber_detection=True,
+        )
+
+    def start_timers(self) -> None:
+        """Start to watch its deadline."""
+        if self._is_timed:
+            period_s = self.info.qos.deadline_ns / _NS_PER_S
+            self._call_at(time.monotonic() + period_s, lambda now_s: self._check_deadline(now_s, period_s))
+
+    def _check_deadline(self, now_s: float, period_s: float) -> float:
+        if self._received_s is None:
+            return now_s + period_s
+        if now_s < self._received_s + period_s:
+            return self._received_s + period_s
+        self.events.count(Event.DEADLINE_MISSED)
+        return now_s + period_s
+
+    def _on_sample(self, sample: Any) -> None:
+        """Queue a sample, or push it into the sink; called on a thread of Zenoh, which all topics share."""
+        header = unpack(sample.attachment)
+        if header is None:
+            return
+        data = sample.payload.to_bytes()
+        if len(data) < HEADER_SIZE:
+            return
+        number, stamp_ns, gid = header
+        now_ns = time.time_ns()
+        if self._is_timed:
+            self._received_s = time.monotonic()
+        if self._leases and (lease := self._leases.get(gid)):
+            lease.renew()
+        accepted = Sample(data, stamp_ns, now_ns, gid)
+        sink = None
+        with self._lock:
+            if self._is_closed or self._is_held(number, accepted):
+                return
+            is_late = number > 1 and self._catches_up and self._hold(number, accepted)
+            if not is_late:
+                sink = self._accept(number, accepted)
+        if is_late:
+            self._catch_up(gid)
+        elif sink is not None:
+            sink.push(*accepted)
+
+    def _is_held(self, number: int, sample: Sample) -> bool:
+        """Return whether a sample is held now, or has been and is here again; the caller holds the lock."""
+        if self._held and (held := self._held.get(sample.publisher_gid)) is not None:
+            held[number] = sample
+            return True
+        released = self._released.get(sample.publisher_gid) if self._released else None
+        if released and number in released:  # Zenoh's own query has brought it too
+            released.discard(number)
+            return True
+        return False
+
+    def _hold(self, number: int, sample: Sample) -> bool:
+        """Hold a sample if it is its writer's first one here, and return whether it is; the caller holds the lock."""
+        gid = sample.publisher_gid
+        if self._lost.knows(gid) or len(self._held) >= MAX_CATCH_UPS:
+            return False
+        self._held[gid] = {number: sample}
+        while len(self._released) >= MAX_CATCH_UPS:
+            del self._released[next(iter(self._released))]
+        return True
+
+    def _accept(self, number: int, sample: Sample) -> Sink | None:
+        """Queue a sample, with the lock held; return the sink, if there is one, to push it into without the lock."""
+        lost = self._lost.add(sample.publisher_gid, number)
+        if lost:
+            self.events.count(Event.MESSAGE_LOST, lost)
+        if self._is_over(sample.publisher_gid, sample.source_stamp_ns, sample.received_stamp_ns):
+            return None
+        if self._sink is None:
+            self._waiting.append(sample)
+            if self._listener is not None:
+                self._listener[0].post(self._listener[1])
+        return self._sink
+
+    def _catch_up(self, gid: bytes) -> None:
+        """Ask for what a writer, whose first sample here wasn't its first, has kept; hold its samples meanwhile.
+
+        A reader asks a new writer at once. Until that knows of the reader, it sends nothing. What it writes after its
+        reply and before that time would be lost, and Zenoh recovers gaps alone.
+        """
+        zenoh = open_library()
+        session, key = self._origin
+
+        def add(reply: Any) -> None:
+            sample = reply.ok
+            header = None if sample is None else unpack(sample.attachment)
+            if header is None or header.gid != gid:
+                return
+            data = sample.payload.to_bytes()
+            with self._lock:
+                held = self._held.get(gid)
+                if held is not None and len(data) >= HEADER_SIZE and len(held) < MAX_DEPTH:
+                    held.setdefault(
+                        header.sequence_number, Sample(data, header.source_stamp_ns, time.time_ns(), gid)
+                    )
+
+        is_asked = False
+        try:
+            session.get(
+                f"{key}/@adv/pub/*/**?_max={min(self.info.qos.depth, MAX_DEPTH)}",
+                zenoh.handlers.Callback(add, lambda: self._release(gid), indirect=False),
+                target=zenoh.QueryTarget.ALL,
+                consolidation=zenoh.ConsolidationMode.NONE,
+                accept_replies=zenoh.ReplyKeyExpr.ANY,
+                timeout=CATCH_UP_S,
+            )
+            is_asked = True
+        finally:  # what is held must not be so for ever
+            if not is_asked:
+                self._release(gid)
+
+    def _release(self, gid: bytes) -> None:
+        """Deliver what is held of a writer, in the order of its numbers."""
+        while True:
+            with self._lock:
+                batch = self._held.get(gid)
+                if not batch or self._is_closed:
+                    self._held.pop(gid, None)
+                    return
+                self._held[gid] = {}
+                numbers = sorted(batch)
+                if self.info.qos.history != HistoryPolicy.KEEP_ALL:
+                    numbers = numbers[-self.info.qos.depth :]
+                self._released.setdefault(gid, set()).update(batch)
+                sinks = [(self._accept(number, batch[number]), batch[number]) for number in numbers]
+            for sink, sample in sinks:
+                if sink is not None:
+                    sink.push(*sample)
+
+    def _is_over(self, gid: bytes, stamp_ns: int, now_ns: int) -> bool:
+        """Return whether the lifespan of a sample has ended."""
+        lifespan_ns = self._lifespans_ns.get(gid) if self._lifespans_ns else None
+        return lifespan_ns is not None and stamp_ns + lifespan_ns < now_ns
+
+    def _matched(self, peer: Peer) -> None:
+        qos = peer.end.qos
+        self.events.change_liveliness(1, 0)
+        if qos.lifespan_ns < INFINITE_NS:
+            self._lifespans_ns = {**self._lifespans_ns, peer.gid: qos.lifespan_ns}
+        if qos.liveliness == LivelinessPolicy.MANUAL_BY_TOPIC and qos.liveliness_lease_ns < INFINITE_NS:
+            with suppress(RuntimeError):  # no thread: the lease is not watched
+                lease = _Lease(self.events, qos.liveliness_lease_ns / _NS_PER_S, self._timers)
+                self._leases = {**self._leases, peer.gid: lease}
+
+    def _unmatched(self, peer: Peer) -> None:
+        lease = self._leases.get(peer.gid)
+        is_alive = lease is None or lease.end()
+        self.events.change_liveliness(-1 if is_alive else 0, 0 if is_alive else -1)
+        for name in ("_lifespans_ns", "_leases"):
+            table = getattr(self, name)
+            if peer.gid in table:
+                setattr(self, name, {gid: entry for gid, entry in table.items() if gid != peer.gid})
+
+    def _left(self, peer: Peer) -> Callable[[], None] | None:
+        # What it has sent stays known: a peer whose router ends leaves, and comes back with the same gid.
+        with self._lock:
+            sink = self._sink
+        return None if sink is None else lambda: sink.forget(peer.gid)
+
+    def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
+        """Post `token` to `queue` when there is something to take, at once if there already is; None ends it."""
+        if queue is not None:
+            self._check_process()
+        with self._lock:
+            self._listener = None if queue is None else (queue, token)
+            if queue is not None and self._waiting:
+                queue.post(token)
+
+    def take(self) -> Sample | None:
+        """Remove and return the oldest waiting sample whose lifespan hasn't ended, or None."""
+        self._check_process()
+        with self._lock:
+            while self._waiting:
+                sample = self._waiting.popleft()
+                if not self._lifespans_ns or not self._is_over(
+                    sample.publisher_gid, sample.source_stamp_ns, time.time_ns()
+                ):
+                    return sample
+        return None
+
+    def feed(self, sink: Sink) -> None:
+        """Push every sample into `sink` from now on, those already waiting first."""
+        self._check_process()
+        # What arrives while the waiting ones are pushed waits behind them, so that the order is kept.
+        while True:
+            with self._lock:
+                batch = list(self._waiting)
+                self._waiting.clear()
+                if not batch:
+                    before, self._sink = self._sink, None if self._is_closed else sink
+                    break
+            for sample in batch:
+                sink.push(*sample)
+        del before  # outside the lock, because its end may run users' code
+
+    def close(self) -> None:
+        """Leave the topic; waiting samples are dropped, and none is pushed any more."""
+        super().close()
+        with self._lock:
+            sink, self._sink = self._sink, None
+            self._waiting.clear()
+            self._held.clear()
+            self._released.clear()
+            leases, self._leases = self._leases, {}
+        for lease in leases.values():
+            lease.end()
+        del sink  # outside the lock, for the same reason
+
+
+class _Lease:
+    """The liveliness of a writer that must assert it."""
+
+    def __init__(self, events: ZenohEvents, lease_s: float, timers: Timers) -> None:
+        self._events = events
+        self._lease_s = lease_s
+        self._timers = timers
+        self._lock = threading.Lock()
+        self._renewed_s = time.monotonic()
+        self._is_alive = True
+        self._is_ended = False
+        self._number = timers.add(self._renewed_s + lease_s, self._check)
+
+    def renew(self) -> None:
+        """Note a sample."""
+        with self._lock:
+            self._renewed_s = time.monotonic()
+            if self._is_alive or self._is_ended:
+                return
+            self._is_alive = True
+            self._events.change_liveliness(1, -1)
+
+    def _check(self, now_s: float) -> float:
+        with self._lock:
+            end_s = self._renewed_s + self._lease_s
+            if now_s < end_s:
+                return end_s
+            if self._is_alive and not self._is_ended:
+                self._is_alive = False
+                self._events.change_liveliness(-1, 1)
+        return now_s + self._lease_s
+
+    def end(self) -> bool:
+        """Stop to watch it, and return whether it is alive."""
+        with self._lock:
+            self._is_ended = True
+            is_alive = self._is_alive
+        self._timers.remove(self._number)
+        return is_alive
+
+
+def end_declarations(declarations: list[Any]) -> None:
+    """End what Zenoh has of an endpoint, in order. One that the session's end has ended before is no error."""
+    for declaration in declarations:
+        with suppress(Exception):  # a ZError, whose class is loaded with the library
+            declaration.undeclare()
+
+
+def _report_hashes(info: EndpointInfo, peer: Peer) -> None:
+    """Print that nothing passes between two endpoints whose types have one name and two definitions."""
+    other = "publisher" if peer.token.kind is Kind.PUBLISHER else "subscription"
+    print(
+        f"tfloom: nothing passes between the {'writer' if info.is_writer else 'reader'} of {info.topic.name} and the "
+        f"{other} of {peer.token.node.full}, because their definitions of {info.topic.type_name} differ: "
+        f"{info.topic.type_hash} here, {peer.end.type_hash} there",
+        file=sys.stderr,
+    )

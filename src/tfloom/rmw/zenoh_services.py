@@ -1,0 +1,427 @@
+"""Clients and servers on the Zenoh wire: a request is a query, and a response is its reply."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections import OrderedDict, deque
+from collections.abc import Callable, Iterable
+from typing import Any
+
+from tfloom._native import ReadyQueue
+from tfloom.rmw.action_names import GET_RESULT
+from tfloom.rmw.base import NodeName, Request, RequestId, Response, Service
+from tfloom.rmw.errors import ClosedError, ForeignPeerError, WireError
+from tfloom.rmw.qos import QoS
+from tfloom.rmw.services import waiting_qos
+from tfloom.rmw.zenoh_attachment import pack, unpack
+from tfloom.rmw.zenoh_config import reason_of
+from tfloom.rmw.zenoh_endpoints import HEADER_SIZE, end_declarations
+from tfloom.rmw.zenoh_graph import Peer, ZenohGraph
+from tfloom.rmw.zenoh_library import open_library
+from tfloom.rmw.zenoh_session import refuse_fork
+from tfloom.rmw.zenoh_tokens import Kind
+
+__all__ = ["ZenohRequester", "ZenohResponder"]
+
+ENDLESS_S = 1e9
+"""How long a result of an action is awaited [s]; Zenoh has no word for an endless wait."""
+ROUTE_WAIT_S = 0.1
+"""The longest wait for the route to a server whose token has come before it [s]."""
+POLL_S = 0.001
+
+
+class _ServiceEnd:
+    """The common part of clients and servers."""
+
+    kind = ""
+    """For texts: client or server."""
+
+    def __init__(
+        self,
+        gid: bytes,
+        node: NodeName,
+        service: Service,
+        qos: QoS,
+        graph: ZenohGraph,
+        forget: Callable[[Any], None],
+    ) -> None:
+        self.gid = gid
+        self.node = node
+        self.qos = qos
+        self.watched_name = service.name
+        self._service = service
+        self._graph = graph
+        self._forget = forget
+        self._lock = threading.Lock()
+        self._listener: tuple[ReadyQueue, int] | None = None
+        self._depth = waiting_qos(qos, is_client=self.kind == "client").depth
+        self._declarations: list[Any] = []
+        self._is_closed = False
+        self._is_forked = False
+
+    def adopt(self, *declarations: Any) -> None:
+        """Take what Zenoh has of this end, in the order in which it is to be ended."""
+        self._declarations = list(declarations)
+
+    def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
+        """Post `token` to `queue` when there may be something to take, at once if there already is; None ends it."""
+        if queue is not None:
+            self._check_process()
+        with self._lock:
+            self._listener = None if queue is None else (queue, token)
+            if queue is not None and self._has_waiting():
+                queue.post(token)
+
+    def _has_waiting(self) -> bool:
+        raise NotImplementedError
+
+    def _post(self) -> None:
+        if self._listener is not None:
+            self._listener[0].post(self._listener[1])
+
+    def _is_same_type(self, peer: Peer) -> bool:
+        mine = self._service
+        return peer.end.type_name == mine.type_name and peer.end.type_hash == mine.type_hash
+
+    def _difference(self, peer: Peer, other: str) -> str:
+        mine = self._service
+        return (
+            f"{other} of {mine.name}, {peer.token.node.full}, has another definition of its type: "
+            f"{peer.end.type_name} {peer.end.type_hash or 'without a hash'} there, "
+            f"{mine.type_name} {mine.type_hash} here"
+        )
+
+    def _check_process(self) -> None:
+        if self._is_forked:
+            refuse_fork(f"the {self.kind} of {self._service.name}")
+
+    def _check_open(self, what: str) -> None:
+        self._check_process()
+        if self._is_closed:
+            raise ClosedError(f"cannot {what}: the {self.kind} of {self._service.name} is closed")
+
+    def invalidate_after_fork(self) -> None:
+        """Become the copy of the parent's end in a forked child."""
+        self._is_forked = True
+        self._lock = threading.Lock()
+
+    def close(self) -> None:
+        """Leave the service. Closing again does nothing."""
+        with self._lock:
+            if self._is_closed:
+                return
+            self._is_closed = True
+        if self._is_forked:
+            return
+        self._graph.unwatch(self)  # type: ignore[arg-type]
+        end_declarations(self._declarations)
+        self._forget(self)
+
+
+class ZenohRequester(_ServiceEnd):
+    """A client; see `base.Requester`."""
+
+    kind = "client"
+    watched_kind = Kind.SERVER
+
+    def __init__(
+        self,
+        gid: bytes,
+        node: NodeName,
+        service: Service,
+        qos: QoS,
+        graph: ZenohGraph,
+        forget: Callable[[Any], None],
+    ) -> None:
+        super().__init__(gid, node, service, qos, graph, forget)
+        self.client_gid = gid
+        self._sequence_number = 0
+        self._responses: deque[Response] = deque(maxlen=self._depth)
+        self._servers: frozenset[str] = frozenset()
+        """Ids of the servers of this type. Replaced, never changed, under the graph's lock."""
+        self._others: dict[bytes, str] = {}
+        """Why each server of another type has no use, by its gid; replaced likewise."""
+        self._querier: Any = None
+        self._ready: tuple[ReadyQueue, int] | None = None
+        self._watch: tuple[ReadyQueue, int] | None = None
+        """The queue and token of `watch_servers`."""
+
+    def declare(self, session: Any, key: str) -> Any:
+        """Open the querier of Zenoh, and return it."""
+        zenoh = open_library()
+        options = {"timeout": ENDLESS_S} if self._service.name.endswith(GET_RESULT) else {}
+        self._querier = session.declare_querier(
+            key,
+            target=zenoh.QueryTarget.ALL_COMPLETE,
+            consolidation=zenoh.ConsolidationMode.NONE,
+            **options,
+        )
+        return self._querier
+
+    def add_peer(self, peer: Peer) -> None:
+        """Note a server."""
+        if self._is_same_type(peer):
+            self._servers = self._servers | {peer.gid.hex()}
+        else:
+            self._others = {**self._others, peer.gid: self._difference(peer, "a server")}
+        self._post_ready()
+
+    def remove_peer(self, peer: Peer) -> None:
+        """Note a server that has left."""
+        self._servers = self._servers - {peer.gid.hex()}
+        self._others = {gid: text for gid, text in self._others.items() if gid != peer.gid}
+        self._post_ready()
+
+    def _post_ready(self) -> None:
+        if (ready := self._ready) is not None:
+            ready[0].post(ready[1])
+
+    def _has_waiting(self) -> bool:
+        return bool(self._responses)
+
+    def send(self, data: bytes) -> int:
+        """Send a request and return its sequence number.
+
+        Raises:
+            ForeignPeerError: the servers have another definition of the service's type.
+            ClosedError: the requester is closed.
+            WireError: Zenoh refuses the request.
+        """
+        self._check_open("send a request")
+        if text := self.incompatibility():
+            raise ForeignPeerError(text)
+        self._await_route()
+        with self._lock:
+            self._sequence_number += 1
+            number = self._sequence_number
+        zenoh = open_library()
+        try:
+            self._querier.get(
+                zenoh.handlers.Callback(self._on_reply, indirect=False),
+                payload=bytes(data),
+                attachment=pack(number, self.gid),
+            )
+        except zenoh.ZError as error:
+            self._check_open("send a request")
+            raise WireError(f"cannot send a request to {self._service.name}: {reason_of(error)}") from None
+        return number
+
+    def _await_route(self) -> None:
+        """Wait, for a short time, for the route to a server that is on the graph."""
+        if not self.is_synchronising():
+            return
+        end_s = time.monotonic() + ROUTE_WAIT_S
+        while self.is_synchronising() and time.monotonic() < end_s and not self._is_closed:
+            time.sleep(POLL_S)
+
+    def _on_reply(self, reply: Any) -> None:
+        """Queue a response; called on a thread of Zenoh. The end of the wait, or no server, is no response."""
+        sample = reply.ok
+        if sample is None:
+            return
+        header = unpack(sample.attachment)
+        if header is None or header.gid != self.gid:
+            return
+        data = sample.payload.to_bytes()
+        if len(data) < HEADER_SIZE:
+            return
+        request_id = RequestId(self.gid, header.sequence_number)
+        response = Response(data, request_id, header.source_stamp_ns, time.time_ns())
+        with self._lock:
+            if self._is_closed or not 0 < header.sequence_number <= self._sequence_number:
+                return
+            self._responses.append(response)
+            self._post()
+
+    def take(self) -> Response | None:
+        """Remove and return the oldest waiting response, or None."""
+        self._check_process()
+        with self._lock:
+            return self._responses.popleft() if self._responses else None
+
+    def give_up(self, sequence_numbers: Iterable[int], *, is_lost: bool = False) -> None:
+        """Do nothing: a request is sent at once, and its response, if it comes, is the client's to drop."""
+
+    def notify_ready(self, queue: ReadyQueue | None, token: int = 0) -> None:
+        """Post `token` to `queue` when `is_ready` may have changed, and once at the start; None ends it."""
+        # As on DDS: a wait for readiness takes the place of `watch_servers`, which has it back afterwards.
+        if queue is not None:
+            self._check_process()
+        ready = self._watch if queue is None else (queue, token)
+        self._ready = ready
+        if ready is not None:
+            ready[0].post(ready[1])
+
+    def watch_servers(self, queue: ReadyQueue | None, token: int = 0) -> None:
+        """Post `token` to `queue` when a server may have come or left, and once at the start; None ends it."""
+        self._watch = None if queue is None else (queue, token)
+        self.notify_ready(queue, token)
+
+    def is_ready(self) -> bool:
+        """Return whether there is a server, and the route to it."""
+        self._check_process()
+        return bool(self._servers) and not self._is_closed and self._has_route()
+
+    def is_synchronising(self) -> bool:
+        """Return whether there is a server, and no route to it yet."""
+        self._check_process()
+        return bool(self._servers) and not self._is_closed and not self._has_route()
+
+    def _has_route(self) -> bool:
+        try:
+            return bool(self._querier.matching_status)
+        except Exception:  # noqa: BLE001  # a ZError: it was closed meanwhile
+            return False
+
+    def receiving_servers(self) -> frozenset[str]:
+        """Return ids of the servers that receive a request sent now."""
+        self._check_process()
+        return self._servers
+
+    def connected_servers(self) -> frozenset[str]:
+        """Return the same as `receiving_servers`, because a reply ends with its server."""
+        return self._servers
+
+    def incompatibility(self) -> str:
+        """Return why the present servers are of no use, or an empty text."""
+        self._check_process()
+        return "" if self._servers else next(iter(self._others.values()), "")
+
+
+class ZenohResponder(_ServiceEnd):
+    """A server; see `base.Responder`."""
+
+    kind = "server"
+    watched_kind = Kind.CLIENT
+
+    def __init__(
+        self,
+        gid: bytes,
+        node: NodeName,
+        service: Service,
+        qos: QoS,
+        graph: ZenohGraph,
+        forget: Callable[[Any], None],
+    ) -> None:
+        super().__init__(gid, node, service, qos, graph, forget)
+        self._requests: deque[Request] = deque()
+        self._queries: OrderedDict[RequestId, Any] = OrderedDict()
+        """The query of each request that is waiting or in work: the client waits until it is dropped."""
+        self._others: dict[bytes, str] = {}
+        """Why each client of another type can't be served, by its gid. Replaced, never changed."""
+        self._last_drop_reason = ""
+        self._key = ""
+
+    def declare(self, session: Any, key: str) -> Any:
+        """Open the queryable of Zenoh, and return it."""
+        zenoh = open_library()
+        self._key = key
+        return session.declare_queryable(
+            key, zenoh.handlers.Callback(self._on_query, indirect=False), complete=True
+        )
+
+    def add_peer(self, peer: Peer) -> None:
+        """Note a client."""
+        if not self._is_same_type(peer):
+            self._others = {**self._others, peer.gid: self._difference(peer, "a client")}
+
+    def remove_peer(self, peer: Peer) -> Callable[[], None]:
+        """Note a client that has left; what it has asked for needs no reply."""
+        self._others = {gid: text for gid, text in self._others.items() if gid != peer.gid}
+        return lambda: self._drop_queries(peer.gid)
+
+    def _drop_queries(self, gid: bytes) -> None:
+        with self._lock:
+            dropped = [self._queries.pop(key) for key in list(self._queries) if key.client_gid == gid]
+        for query in dropped:
+            query.drop()
+
+    def _has_waiting(self) -> bool:
+        return bool(self._requests)
+
+    def _on_query(self, query: Any) -> None:
+        """Queue a request; called on a thread of Zenoh."""
+        header = unpack(query.attachment)
+        payload = query.payload
+        data = b"" if payload is None else payload.to_bytes()
+        if header is None or len(data) < HEADER_SIZE:
+            with self._lock:
+                self._last_drop_reason = (
+                    f"a request to {self._service.name} has no attachment of rmw_zenoh's form, or no message"
+                )
+            query.drop()
+            return
+        request_id = RequestId(header.gid, header.sequence_number)
+        dropped = []
+        with self._lock:
+            if self._is_closed:
+                dropped.append(query)
+            else:
+                if (before := self._queries.pop(request_id, None)) is not None:
+                    dropped.append(before)
+                self._queries[request_id] = query
+                self._requests.append(Request(data, request_id, header.source_stamp_ns, time.time_ns()))
+                # The oldest ones make room: of those that wait, and of those that nobody ever replies to.
+                if len(self._requests) > self._depth:
+                    lost = self._requests.popleft()
+                    self._last_drop_reason = (
+                        f"more than {self._depth} requests to {self._service.name} were waiting"
+                    )
+                    dropped.append(self._queries.pop(lost.id, None))
+                while len(self._queries) > 2 * self._depth:
+                    dropped.append(self._queries.popitem(last=False)[1])
+                self._post()
+        for old in dropped:
+            if old is not None:
+                old.drop()
+
+    def take(self) -> Request | None:
+        """Remove and return the oldest waiting request, or None."""
+        self._check_process()
+        with self._lock:
+            return self._requests.popleft() if self._requests else None
+
+    def send(self, request_id: RequestId, data: bytes) -> None:
+        """Reply to a request; one whose client has left is dropped.
+
+        Raises:
+            ClosedError: the responder is closed.
+            WireError: Zenoh refuses the response.
+        """
+        self._check_open("reply to a request")
+        with self._lock:
+            query = self._queries.pop(request_id, None)
+        if query is None:
+            return
+        attachment = pack(request_id.sequence_number, request_id.client_gid)
+        zenoh = open_library()
+        try:
+            query.reply(self._key, bytes(data), attachment=attachment)
+        except zenoh.ZError as error:
+            self._check_open("reply to a request")
+            raise WireError(
+                f"cannot reply to a request of {self._service.name}: {reason_of(error)}"
+            ) from None
+        finally:
+            query.drop()  # or the client would wait for more
+
+    def incompatibility(self) -> str:
+        """Return why some of the present clients can't be served, or an empty text."""
+        self._check_process()
+        return next(iter(self._others.values()), "")
+
+    def last_drop_reason(self) -> str:
+        """Return why the last dropped request was dropped, or an empty text."""
+        return self._last_drop_reason
+
+    def close(self) -> None:
+        """Leave the service; clients that wait for a reply learn that none comes."""
+        super().close()
+        if self._is_forked:
+            return
+        with self._lock:
+            queries, self._queries = list(self._queries.values()), OrderedDict()
+            self._requests.clear()
+        for query in queries:
+            query.drop()

@@ -1,0 +1,875 @@
+"""The Zenoh wire beside plain Zenoh, by which tests write and read rmw_zenoh's bytes: data, graph, failures."""
+
+from __future__ import annotations
+
+import struct
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import pytest
+from tests.conftest import Program, wait_until
+from tests.rmw.conftest import Peer
+from tests.zenoh_ports import use_port_of
+
+from tfloom._native import ReadyQueue, SampleQueue
+from tfloom.rmw import zenoh_attachment
+from tfloom.rmw.base import NodeName, Participant, Reader, Sample, Service, Topic
+from tfloom.rmw.errors import ClosedError, ForeignPeerError, NoBackendError, WireError
+from tfloom.rmw.events import Event, LivelinessChanged, Matched
+from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoS, ReliabilityPolicy
+from tfloom.rmw.zenoh_tokens import End, Kind, Token, data_key, gid_of, token_key
+
+zenoh = pytest.importorskip("zenoh", reason="eclipse-zenoh is not installed: pip install 'tfloom[zenoh]'")
+
+HASH, OTHER_HASH = "RIHS01_" + "1" * 64, "RIHS01_" + "2" * 64
+TOPIC = Topic("/robot/chatter", "std_msgs/msg/String", HASH)
+KILL = Service("/kill", "turtlesim/srv/Kill", HASH, HASH, HASH)
+NODE = NodeName("/tests", "here")
+LATCHED = QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL, depth=5)
+HEADER = b"\0\1\0\0"
+GID = bytes(range(16))
+
+
+@pytest.fixture(autouse=True)
+def zenoh_environment(domain_id: int, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "rmw_zenoh_cpp")
+    with use_port_of(domain_id):
+        yield
+
+
+@pytest.fixture
+def participant(zenoh_environment: None, domain_id: int) -> Iterator[Participant]:
+    from tfloom.rmw.zenoh_wire import open_participant
+
+    participant = open_participant(domain_id)
+    participant.add_node(NODE)
+    yield participant
+    participant.close()
+
+
+@pytest.fixture
+def plain(participant: Participant) -> Iterator[Any]:
+    """Yield a plain session of Zenoh that is linked to the participant's router, as a client."""
+    import os
+
+    config = zenoh.Config()
+    config.insert_json5("mode", '"client"')
+    config.insert_json5("connect/endpoints", f'["tcp/127.0.0.1:{os.environ["TFLOOM_ZENOH_PORT"]}"]')
+    config.insert_json5("scouting/multicast/enabled", "false")
+    config.insert_json5("timestamping/enabled", "true")
+    with zenoh.open(config) as session:
+        yield session
+
+
+def key_of(topic: Topic, domain_id: int) -> str:
+    return data_key(domain_id, topic.name, topic.type_name, topic.type_hash)
+
+
+def take_all(reader: Reader, how_many: int) -> list[Sample]:
+    taken: list[Sample] = []
+    wait_until(
+        lambda: taken.extend(iter(reader.take, None)) or len(taken) >= how_many, what=f"{how_many} samples"
+    )
+    return taken
+
+
+def declare_token(session: Any, domain_id: int, kind: Kind, end: End | None, number: int = 5) -> Any:
+    token = Token(domain_id, str(session.zid()), 0, number, kind, "/", NodeName("/", "plain"), end)
+    return session.liveliness().declare_token(token_key(token))
+
+
+def test_a_sample_bears_number_time_and_gid_of_the_writers_token(
+    participant: Participant, plain: Any, domain_id: int
+) -> None:
+    heard: list[Any] = []
+    subscriber = plain.declare_subscriber(
+        f"{domain_id}/**", zenoh.handlers.Callback(heard.append, indirect=False)
+    )
+    writer = participant.create_writer(NODE, TOPIC, QoS())
+    before_ns = time.time_ns()
+    wait_until(lambda: writer.write(HEADER + b"one") or heard)
+    subscriber.undeclare()
+    first = heard[0]
+    assert str(first.key_expr) == f"{domain_id}/robot/chatter/std_msgs::msg::dds_::String_/{HASH}"
+    assert first.payload.to_bytes() == HEADER + b"one"
+    number, stamp_ns, size, gid = struct.unpack("<qqB16s", first.attachment.to_bytes())
+    assert number >= 1
+    assert before_ns <= stamp_ns <= time.time_ns()
+    assert size == 16
+    assert gid == writer.gid
+    tokens = [str(reply.ok.key_expr) for reply in plain.liveliness().get(f"@ros2_lv/{domain_id}/**")]
+    assert writer.gid in {gid_of(token) for token in tokens}
+
+
+def test_the_tokens_of_a_node_and_its_endpoints(participant: Participant, plain: Any, domain_id: int) -> None:
+    participant.create_writer(NODE, TOPIC, LATCHED)
+    participant.create_reader(NODE, TOPIC, QoS(reliability=ReliabilityPolicy.BEST_EFFORT, depth=5))
+    participant.create_requester(NODE, KILL, QoS())
+    participant.create_responder(NODE, KILL, QoS())
+
+    def tails() -> list[str]:
+        replies = plain.liveliness().get(f"@ros2_lv/{domain_id}/**")
+        return sorted(str(reply.ok.key_expr).split("/", 4)[4] for reply in replies)
+
+    wait_until(lambda: len(tails()) == 5)
+    topic = f"%robot%chatter/std_msgs::msg::dds_::String_/{HASH}"
+    service = f"%kill/turtlesim::srv::dds_::Kill_/{HASH}"
+    assert tails() == [
+        "0/NN/%/%tests/here",
+        f"1/MP/%/%tests/here/{topic}/:1:,5:,:,:,,",
+        f"2/MS/%/%tests/here/{topic}/2::,5:,:,:,,",
+        f"3/SC/%/%tests/here/{service}/::,10:,:,:,,",
+        f"4/SS/%/%tests/here/{service}/::,10:,:,:,,",
+    ]
+
+
+def test_the_graph_has_what_others_announce_and_loses_it(
+    participant: Participant, plain: Any, domain_id: int
+) -> None:
+    queue = ReadyQueue()
+    participant.graph.notify(queue, 3)
+    before = participant.graph.changes()
+    tokens = [
+        declare_token(plain, domain_id, Kind.NODE, None, 0),
+        declare_token(plain, domain_id, Kind.PUBLISHER, End(*TOPIC[:3], QoS())),
+        declare_token(plain, domain_id, Kind.SERVER, End(KILL.name, KILL.type_name, HASH, QoS()), 6),
+    ]
+    other = NodeName("/", "plain")
+    wait_until(participant.graph.service_ends)
+    assert participant.graph.nodes() == [other, NODE]
+    [end] = participant.graph.endpoints()
+    assert (end.topic, end.node, end.is_writer, end.qos) == (TOPIC, other, True, QoS())
+    [server] = participant.graph.service_ends()
+    assert (server.name, server.is_server, server.node) == ("/kill", True, other)
+    assert participant.graph.changes() >= before + 3
+    assert 3 in queue.wait(10_000_000_000)
+    assert {info.is_own for info in participant.graph.participants()} == {True, False}
+    for token in tokens:
+        token.undeclare()
+    wait_until(lambda: participant.graph.nodes() == [NODE])
+    wait_until(lambda: participant.graph.endpoints() == participant.graph.service_ends() == [])
+
+
+def test_a_repeated_token_changes_nothing_and_a_wrong_one_harms_no_other(
+    participant: Participant, plain: Any, domain_id: int
+) -> None:
+    bad = [
+        f"@ros2_lv/{domain_id}/x",
+        f"@ros2_lv/{domain_id}/zid/0/0/XX/%/%/node",
+        f"@ros2_lv/{domain_id}/zid/{'9' * 300}/0/NN/%/%/node",
+        f"@ros2_lv/{domain_id}/zid/0/0/NN/%/%/{'n' * 10_000}",
+        f"@ros2_lv/{domain_id}/zid/0/1/MP/%/%/node/%t/type/hash/text",
+    ]
+    kept = [plain.liveliness().declare_token(key) for key in bad]
+    kept.append(declare_token(plain, domain_id, Kind.NODE, None, 0))
+    wait_until(lambda: len(participant.graph.nodes()) == 2)
+    changes = participant.graph.changes()
+    key = next(key for key in participant.graph._entities if "/plain" in key)
+    participant.graph._add(key)
+    assert participant.graph.changes() == changes
+    assert participant.graph.endpoints() == []
+    assert len(kept) == len(bad) + 1
+
+
+def test_samples_of_others_are_taken_with_their_stamps(
+    participant: Participant, plain: Any, domain_id: int
+) -> None:
+    reader = participant.create_reader(NODE, TOPIC, QoS())
+    queue = ReadyQueue()
+    reader.notify(queue, 9)
+    publisher = plain.declare_publisher(key_of(TOPIC, domain_id))
+    attachment = struct.pack("<qqB16s", 1, 123456789, 16, GID)
+    received: list[Sample] = []
+
+    def has_come() -> bool:
+        publisher.put(HEADER + b"abc", attachment=attachment)
+        received.extend(iter(reader.take, None))
+        return bool(received)
+
+    wait_until(has_come)
+    assert received[0].data == HEADER + b"abc"
+    assert received[0].source_stamp_ns == 123456789
+    assert received[0].publisher_gid == GID
+    assert 0 <= time.time_ns() - received[0].received_stamp_ns < 30_000_000_000
+    assert queue.wait(10_000_000_000) == [9]
+
+
+HOSTILE = [
+    (None, HEADER + b"x"),
+    (b"", HEADER + b"x"),
+    (b"\xff" * 32, HEADER + b"x"),
+    (b"\xff" * 33, HEADER + b"x"),
+    (b"\x00" * 1_000_000, HEADER + b"x"),
+    (struct.pack("<qqB16s", 1, 0, 255, GID), HEADER + b"x"),
+    (struct.pack("<qqB16s", 1, 0, 16, GID), b""),
+    (struct.pack("<qqB16s", 1, 0, 16, GID), b"\0\1\0"),
+]
+
+
+def test_hostile_samples_are_dropped_and_the_stream_goes_on(
+    participant: Participant, plain: Any, domain_id: int, capfd: pytest.CaptureFixture[str]
+) -> None:
+    reader = participant.create_reader(NODE, TOPIC, QoS(depth=100))
+    key = key_of(TOPIC, domain_id)
+    good = struct.pack("<qqB16s", 2**63 - 1, -(2**63), 16, GID)
+    wait_until(lambda: plain.put(key, HEADER + b"start", attachment=good) or reader.take())
+    for attachment, payload in HOSTILE:
+        plain.put(key, payload, attachment=attachment)
+    plain.delete(key, attachment=good)
+    plain.put(key, HEADER + b"end", attachment=good)
+    datas: list[bytes] = []
+    wait_until(lambda: datas.extend(s.data for s in iter(reader.take, None)) or HEADER + b"end" in datas)
+    assert set(datas) <= {HEADER + b"start", HEADER + b"end"}
+    assert "Traceback" not in capfd.readouterr().err
+
+
+def test_hostile_requests_are_dropped_and_the_server_goes_on(
+    participant: Participant, plain: Any, domain_id: int, capfd: pytest.CaptureFixture[str]
+) -> None:
+    server = participant.create_responder(NODE, KILL, QoS())
+    key = data_key(domain_id, KILL.name, KILL.type_name, HASH)
+    querier = plain.declare_querier(key, target=zenoh.QueryTarget.ALL_COMPLETE)
+    wait_until(lambda: querier.matching_status)
+    for attachment, payload in HOSTILE:
+        # The stream ends, because the query is dropped: a client isn't kept waiting.
+        assert list(querier.get(payload=payload, attachment=attachment)) == []
+    assert list(querier.get()) == []
+    assert server.take() is None
+    assert "no attachment of rmw_zenoh's form" in server.last_drop_reason()
+    replies: list[Any] = []
+    querier.get(
+        zenoh.handlers.Callback(replies.append, indirect=False),
+        payload=HEADER + b"good",
+        attachment=zenoh_attachment.pack(4, GID),
+    )
+    requests: list[Any] = []
+    wait_until(lambda: requests.append(server.take()) or requests[-1])
+    assert requests[-1].data == HEADER + b"good"
+    assert requests[-1].id == (GID, 4)
+    server.send(requests[-1].id, HEADER + b"reply")
+    wait_until(lambda: replies)
+    sample = replies[0].ok
+    assert str(sample.key_expr) == key
+    assert sample.payload.to_bytes() == HEADER + b"reply"
+    assert struct.unpack("<qqB16s", sample.attachment.to_bytes())[::3] == (4, GID)
+    server.send(requests[-1].id, HEADER + b"again")  # nobody waits for it any more
+    assert "Traceback" not in capfd.readouterr().err
+
+
+def test_replies_of_others_are_dropped(participant: Participant, plain: Any, domain_id: int) -> None:
+    client = participant.create_requester(NODE, KILL, QoS())
+    key = data_key(domain_id, KILL.name, KILL.type_name, HASH)
+    asked: list[bytes] = []
+
+    def answer(query: Any) -> None:
+        header = query.attachment.to_bytes()
+        asked.append(header)
+        stranger = struct.pack("<qqB16s", 1, 5, 16, GID)
+        future = struct.pack("<qqB16s", 10**6, 5, 16, header[17:])
+        for attachment, payload in [
+            *HOSTILE,
+            (stranger, HEADER + b"stranger's"),
+            (future, HEADER + b"never asked"),
+            (header, HEADER + b"right"),
+        ]:
+            query.reply(key, payload, attachment=attachment)
+        query.reply_err(b"error")
+        query.drop()
+
+    token_end = End(KILL.name, KILL.type_name, HASH, QoS())
+    queryable = plain.declare_queryable(key, zenoh.handlers.Callback(answer, indirect=False), complete=True)
+    token = declare_token(plain, domain_id, Kind.SERVER, token_end)
+    wait_until(client.is_ready)
+    queue = ReadyQueue()
+    client.notify(queue, 8)
+    assert client.send(HEADER + b"ask") == 1
+    responses: list[Any] = []
+    wait_until(lambda: responses.append(client.take()) or responses[-1])
+    assert responses[-1].data == HEADER + b"right"
+    assert responses[-1].id == (client.client_gid, 1)
+    assert client.take() is None
+    assert struct.unpack("<qqB16s", asked[0])[::3] == (1, client.gid)
+    assert queue.wait(10_000_000_000) == [8]
+    token.undeclare()
+    wait_until(lambda: not client.is_ready())
+    queryable.undeclare()
+
+
+def test_a_request_without_a_server_stays_without_response(participant: Participant) -> None:
+    client = participant.create_requester(NODE, KILL, QoS())
+    assert client.send(HEADER + b"ask") == 1
+    assert client.take() is None
+    server = participant.create_responder(NODE, KILL, QoS())
+    wait_until(client.is_ready)
+    assert client.send(HEADER + b"ask") == 2
+    requests: list[Any] = []
+    wait_until(lambda: requests.append(server.take()) or requests[-1])
+    assert requests[-1].id.sequence_number == 2
+
+
+def test_more_requests_than_the_depth_push_out_the_oldest(participant: Participant) -> None:
+    server = participant.create_responder(NODE, KILL, QoS(depth=2))
+    client = participant.create_requester(NODE, KILL, QoS())
+    wait_until(client.is_ready)
+    for _ in range(5):
+        client.send(HEADER + b"ask")
+    taken: list[Any] = []
+    wait_until(lambda: taken.extend(iter(server.take, None)) or taken)
+    assert [request.id.sequence_number for request in taken] == [4, 5]
+    assert "more than 2 requests" in server.last_drop_reason()
+    assert len(server._queries) == 2
+
+
+def test_queries_of_a_client_that_left_are_dropped(
+    participant: Participant, domain_id: int, plain: Any
+) -> None:
+    server = participant.create_responder(NODE, KILL, QoS())
+    end = End(KILL.name, KILL.type_name, HASH, QoS())
+    token = declare_token(plain, domain_id, Kind.CLIENT, end)
+    gid = gid_of(
+        token_key(Token(domain_id, str(plain.zid()), 0, 5, Kind.CLIENT, "/", NodeName("/", "plain"), end))
+    )
+    key = data_key(domain_id, KILL.name, KILL.type_name, HASH)
+    querier = plain.declare_querier(key, target=zenoh.QueryTarget.ALL_COMPLETE)
+    wait_until(lambda: querier.matching_status)
+    querier.get(
+        zenoh.handlers.Callback(lambda reply: None, indirect=False),
+        payload=HEADER + b"ask",
+        attachment=zenoh_attachment.pack(1, gid),
+    )
+    wait_until(lambda: server._queries)
+    token.undeclare()
+    wait_until(lambda: not server._queries)
+
+
+def test_late_readers_get_the_last_samples_in_order(
+    participant: Participant, start_peer: Callable[..., Peer]
+) -> None:
+    writer = participant.create_writer(NODE, TOPIC, LATCHED)
+    for number in range(7):
+        writer.write(HEADER + bytes([number]))
+    same = participant.create_reader(NODE, TOPIC, LATCHED._replace(depth=10))
+    assert [sample.data[4] for sample in take_all(same, 5)] == [2, 3, 4, 5, 6]
+    few = participant.create_reader(NODE, TOPIC, LATCHED._replace(depth=3))
+    assert [sample.data[4] for sample in take_all(few, 3)] == [4, 5, 6]
+    peer = start_peer()
+    far, _ = peer("reader", list(TOPIC[:3]), list(LATCHED))
+    heard: list[str] = []
+    wait_until(lambda: heard.extend(peer("take", far)) or len(heard) >= 5)
+    assert [bytes.fromhex(data)[4] for data in heard] == [2, 3, 4, 5, 6]
+    volatile = participant.create_reader(NODE, TOPIC, QoS())
+    writer.write(HEADER + b"\x07")
+    assert [sample.data[4] for sample in take_all(volatile, 1)] == [7]
+
+
+def test_a_late_writer_of_another_process_is_heard_from_its_first_sample(
+    participant: Participant, start_peer: Callable[..., Peer]
+) -> None:
+    reader = participant.create_reader(NODE, TOPIC, LATCHED)
+    peer = start_peer()
+    end, gid = peer("writer", list(TOPIC[:3]), list(LATCHED))
+    for number in range(3):
+        peer("write", end, (HEADER + bytes([number])).hex())
+    samples = take_all(reader, 3)
+    assert [sample.data[4] for sample in samples] == [0, 1, 2]
+    assert {sample.publisher_gid.hex() for sample in samples} == {gid}
+    wait_until(lambda: peer("matched", end) == reader.matched_count() == 1)
+    assert reader.take_event(Event.MATCHED) == Matched(1, 1, 1, 1)
+    assert reader.take_event(Event.LIVELINESS_CHANGED) == LivelinessChanged(1, 0, 1, 0)
+    peer.program.end()
+    wait_until(lambda: reader.matched_count() == 0)
+    assert reader.take_event(Event.MATCHED) == Matched(1, 0, 0, -1)
+    assert reader.take_event(Event.LIVELINESS_CHANGED) == LivelinessChanged(0, 0, -1, 0)
+
+
+def test_what_a_writer_wrote_before_it_knew_of_the_reader_is_asked_for(
+    participant: Participant, plain: Any, domain_id: int
+) -> None:
+    """A writer whose first sample that arrives isn't its first one: it has kept others, of which nothing tells."""
+    reader = participant.create_reader(NODE, TOPIC, LATCHED)
+    key = key_of(TOPIC, domain_id)
+    asked: list[str] = []
+
+    def answer(query: Any) -> None:
+        asked.append(str(query.selector))
+        for number in (2, 1, 3):
+            query.reply(key, HEADER + bytes([number]), attachment=zenoh_attachment.pack(number, GID))
+        query.reply(key, HEADER + b"other", attachment=zenoh_attachment.pack(1, bytes(16)))
+        query.reply(key, HEADER + b"bad", attachment=b"")
+        plain.put(key, HEADER + b"\4", attachment=zenoh_attachment.pack(4, GID))
+        query.drop()
+
+    pattern = f"{key}/@adv/pub/{plain.zid()}/7/_"
+    queryable = plain.declare_queryable(pattern, zenoh.handlers.Callback(answer, indirect=False))
+    probe = plain.declare_querier(pattern)
+    wait_until(lambda: probe.matching_status)
+    end = time.monotonic() + 30
+    while not asked and time.monotonic() < end:
+        plain.put(key, HEADER + b"\3", attachment=zenoh_attachment.pack(3, GID))
+        wait_until(lambda: asked or time.monotonic() > end)
+    assert [sample.data[4] for sample in take_all(reader, 4)] == [1, 2, 3, 4]
+    plain.put(key, HEADER + b"\5", attachment=zenoh_attachment.pack(5, GID))
+    assert take_all(reader, 1)[0].data == HEADER + b"\5"
+    assert len([selector for selector in asked if "_max=5" in selector]) == 1
+    queryable.undeclare()
+
+
+def test_all_is_received_of_a_writer_that_keeps_all(
+    participant: Participant, start_peer: Callable[..., Peer]
+) -> None:
+    keep_all = QoS(history=HistoryPolicy.KEEP_ALL)
+    reader = participant.create_reader(NODE, TOPIC, keep_all)
+    writer = participant.create_writer(NODE, TOPIC, keep_all)
+    for number in range(5000):
+        writer.write(HEADER + struct.pack("<I", number))
+    assert [struct.unpack("<I", sample.data[4:])[0] for sample in take_all(reader, 5000)] == list(range(5000))
+
+
+def test_two_hashes_of_one_type_are_not_matched_and_told(
+    participant: Participant, capsys: pytest.CaptureFixture[str]
+) -> None:
+    writer = participant.create_writer(NODE, TOPIC, QoS())
+    other = participant.create_reader(NODE, TOPIC._replace(type_hash=OTHER_HASH), QoS())
+    same = participant.create_reader(NODE, TOPIC, QoS())
+    wait_until(lambda: same.matched_count() == 1)
+    writer.write(HEADER + b"x")
+    take_all(same, 1)
+    assert other.take() is None
+    assert other.matched_count() == 0
+    assert writer.matched_count() == 1
+    told = capsys.readouterr().err
+    assert f"{HASH} here, {OTHER_HASH} there" in told
+    assert f"{OTHER_HASH} here, {HASH} there" in told
+    assert "nothing passes between the writer of /robot/chatter and the subscription of /tests/here" in told
+
+
+def test_a_server_of_another_hash_is_named_to_its_client(participant: Participant) -> None:
+    server = participant.create_responder(NODE, KILL._replace(type_hash=OTHER_HASH), QoS())
+    client = participant.create_requester(NODE, KILL, QoS())
+    assert not client.is_ready()
+    assert "a server of /kill, /tests/here, has another definition" in client.incompatibility()
+    assert "a client of /kill, /tests/here, has another definition" in server.incompatibility()
+    with pytest.raises(ForeignPeerError, match="another definition"):
+        client.send(HEADER)
+    server.close()
+    assert client.incompatibility() == ""
+
+
+def test_a_reader_without_a_hash_hears_all_and_a_writer_or_service_without_is_an_error(
+    participant: Participant, capsys: pytest.CaptureFixture[str]
+) -> None:
+    reader = participant.create_reader(NODE, TOPIC._replace(type_hash=""), QoS())
+    writers = [
+        participant.create_writer(NODE, TOPIC._replace(type_hash=type_hash), QoS())
+        for type_hash in (HASH, OTHER_HASH)
+    ]
+    assert reader.matched_count() == 2
+    for writer in writers:
+        writer.write(HEADER + b"x")
+    assert len(take_all(reader, 2)) == 2
+    assert "nothing passes" not in capsys.readouterr().err
+    with pytest.raises(WireError, match="the hash of std_msgs/msg/String is unknown"):
+        participant.create_writer(NODE, TOPIC._replace(type_hash=""), QoS())
+    with pytest.raises(WireError, match="the hash of turtlesim/srv/Kill is unknown"):
+        participant.create_responder(NODE, KILL._replace(type_hash=""), QoS())
+
+
+def test_native_names_are_the_same_topic_and_raw_names_have_no_prefix(participant: Participant) -> None:
+    native = TOPIC._replace(is_native=True)
+    writer = participant.create_writer(NODE, native, QoS())
+    reader = participant.create_reader(NODE, TOPIC, QoS())
+    writer.write(HEADER + b"x")
+    take_all(reader, 1)
+    assert {end.topic.name for end in participant.graph.endpoints()} == {"/robot/chatter"}
+    assert {(end.topic.name, end.topic.type_name) for end in participant.graph.raw_endpoints()} == {
+        ("/robot/chatter", "std_msgs::msg::dds_::String_")
+    }
+
+
+def test_incompatible_endpoints_are_told_and_pass_samples(participant: Participant) -> None:
+    writer = participant.create_writer(NODE, TOPIC, QoS(reliability=ReliabilityPolicy.BEST_EFFORT))
+    reader = participant.create_reader(NODE, TOPIC, QoS())
+    for end in (writer, reader):
+        assert end.take_event(Event.INCOMPATIBLE_QOS).total_count == 1
+        assert end.matched_count() == 0
+    writer.write(HEADER + b"x")
+    take_all(reader, 1)
+    assert participant.graph.delivers_incompatible()
+
+
+def test_lost_samples_are_counted_by_the_gaps_of_each_writer(
+    participant: Participant, plain: Any, domain_id: int
+) -> None:
+    reader = participant.create_reader(NODE, TOPIC, QoS(depth=100))
+    key = key_of(TOPIC, domain_id)
+
+    def put(number: int, gid: bytes = GID) -> None:
+        plain.put(key, HEADER + b"x", attachment=zenoh_attachment.pack(number, gid))
+
+    wait_until(lambda: put(1) or reader.take())
+    queue = ReadyQueue()
+    reader.notify_event(Event.MESSAGE_LOST, queue, 4)
+    assert queue.wait(0) == [4]
+    for number in (2, 3, 5, 4, 6, 9, 10, 10_000):
+        put(number)
+    for number in (7, 8, 20):
+        put(number, bytes(16))
+    put(21, bytes(16))
+    wait_until(lambda: (reader.take_event(Event.MESSAGE_LOST) or (0, 0))[0] or None)
+    wait_until(lambda: reader.events._counts[Event.MESSAGE_LOST].total_count >= 2 + 9989 + 11)
+    assert reader.events._counts[Event.MESSAGE_LOST].total_count == 2 + 9989 + 11
+
+
+def test_a_flood_of_unknown_writers_takes_bounded_memory() -> None:
+    from tfloom.rmw.zenoh_events import MAX_WRITERS, LostSamples
+
+    lost = LostSamples()
+    for number in range(3 * MAX_WRITERS):
+        lost.add(number.to_bytes(16, "big"), 1)
+        lost.add(number.to_bytes(16, "big"), 3)
+    assert len(lost._last) == MAX_WRITERS
+    assert len(lost._missing) <= MAX_WRITERS
+
+
+def test_expired_samples_are_dropped(participant: Participant) -> None:
+    lived = LATCHED._replace(lifespan_ns=200_000_000)
+    writer = participant.create_writer(NODE, TOPIC, lived)
+    reader = participant.create_reader(NODE, TOPIC, LATCHED)
+    writer.write(HEADER + b"old")
+    wait_until(lambda: reader._waiting)
+    end = time.monotonic() + 0.3
+    wait_until(lambda: time.monotonic() > end)
+    assert reader.take() is None
+    late = participant.create_reader(NODE, TOPIC, LATCHED)
+    writer.write(HEADER + b"new")
+    assert [sample.data for sample in take_all(late, 1)] == [HEADER + b"new"]
+
+
+def test_missed_deadlines_are_counted_on_both_sides(participant: Participant) -> None:
+    timed = QoS(deadline_ns=50_000_000)
+    writer = participant.create_writer(NODE, TOPIC, timed)
+    reader = participant.create_reader(NODE, TOPIC, timed)
+    assert writer.take_event(Event.DEADLINE_MISSED) is None
+    writer.write(HEADER + b"x")
+    wait_until(lambda: reader.events._counts.get(Event.DEADLINE_MISSED, (0,))[0] >= 2)
+    wait_until(lambda: writer.take_event(Event.DEADLINE_MISSED))
+    assert reader.take_event(Event.DEADLINE_MISSED).total_count >= 2
+
+
+def test_a_writer_that_asserts_nothing_is_not_alive_until_it_writes(participant: Participant) -> None:
+    manual = QoS(liveliness=LivelinessPolicy.MANUAL_BY_TOPIC, liveliness_lease_ns=100_000_000)
+    writer = participant.create_writer(NODE, TOPIC, manual)
+    reader = participant.create_reader(NODE, TOPIC, manual)
+    assert reader.take_event(Event.LIVELINESS_CHANGED) == LivelinessChanged(1, 0, 1, 0)
+    wait_until(lambda: reader.take_event(Event.LIVELINESS_CHANGED) == LivelinessChanged(0, 1, -1, 1))
+    wait_until(lambda: writer.take_event(Event.LIVELINESS_LOST) == (1, 1))
+    writer.write(HEADER + b"x")
+    wait_until(lambda: reader.events._liveliness.alive_count == 1)
+    writer.close()
+    wait_until(lambda: reader.events._liveliness[:2] == (0, 0))
+
+
+def test_samples_reach_a_sink_in_order_those_that_waited_first(participant: Participant) -> None:
+    reader = participant.create_reader(NODE, TOPIC, QoS(depth=1000))
+    writer = participant.create_writer(NODE, TOPIC, QoS())
+    for number in range(5):
+        writer.write(HEADER + struct.pack("<I", number))
+    wait_until(lambda: len(reader._waiting) == 5)
+    sink = SampleQueue(1000)
+    reader.feed(sink)
+    for number in range(5, 10):
+        writer.write(HEADER + struct.pack("<I", number))
+    wait_until(lambda: sink.pushed() == 10)
+    assert [struct.unpack("<I", sample[0][4:])[0] for sample in sink.take()] == list(range(10))
+    assert reader.take() is None
+    reader.close()
+    writer.write(HEADER)
+    assert sink.pushed() == 10
+
+
+def test_many_threads_write_and_close_at_once(participant: Participant) -> None:
+    keep_all = QoS(history=HistoryPolicy.KEEP_ALL)
+    reader = participant.create_reader(NODE, TOPIC, keep_all)
+    writer = participant.create_writer(NODE, TOPIC, keep_all)
+
+    def write(base: int) -> None:
+        for number in range(200):
+            writer.write(HEADER + struct.pack("<I", base + number))
+
+    threads = [threading.Thread(target=write, args=(base,)) for base in (0, 1000, 2000)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join(30)
+    numbers = [struct.unpack("<I", sample.data[4:])[0] for sample in take_all(reader, 600)]
+    assert sorted(numbers) == [base + number for base in (0, 1000, 2000) for number in range(200)]
+    writer.close()
+    writer.close()
+    for operate in (lambda: writer.write(HEADER), writer.assert_liveliness, lambda: writer.wait_for_acks(0)):
+        with pytest.raises(ClosedError, match="/robot/chatter: its writer is closed"):
+            operate()
+
+
+def test_what_is_closed_raises_and_leaves_the_graph(participant: Participant) -> None:
+    client = participant.create_requester(NODE, KILL, QoS())
+    server = participant.create_responder(NODE, KILL, QoS())
+    wait_until(client.is_ready)
+    server.close()
+    wait_until(lambda: not client.is_ready())
+    client.close()
+    with pytest.raises(ClosedError, match="the client of /kill is closed"):
+        client.send(HEADER)
+    with pytest.raises(ClosedError, match="the server of /kill is closed"):
+        server.send((GID, 1), HEADER)
+    assert participant.graph.service_ends() == []
+    participant.remove_node(NODE)
+    assert participant.graph.nodes() == []
+    with pytest.raises(ValueError, match="/tests/here is no node"):
+        participant.remove_node(NODE)
+    participant.close()
+    participant.close()
+    with pytest.raises(ClosedError, match="its participant is closed"):
+        participant.create_writer(NODE, TOPIC, QoS())
+    with pytest.raises(ClosedError, match="its participant is closed"):
+        participant.add_node(NODE)
+
+
+def test_what_zenoh_refuses_leaves_nothing_behind(
+    participant: Participant, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(key: str) -> None:
+        raise zenoh.ZError("refused by the test")
+
+    monkeypatch.setattr(participant, "_declare_token", refuse)
+    for create, what in (
+        (participant.create_writer, TOPIC),
+        (participant.create_reader, TOPIC),
+        (participant.create_requester, KILL),
+        (participant.create_responder, KILL),
+    ):
+        with pytest.raises(WireError, match="refused by the test"):
+            create(NODE, what, QoS())
+    monkeypatch.undo()
+    assert participant._ends == set()
+    assert participant.graph._watchers == {}
+
+
+def test_domains_are_apart(participant: Participant, domain_id: int) -> None:
+    from tfloom.rmw.zenoh_wire import open_participant
+
+    other = open_participant(domain_id + 100)
+    other.add_node(NodeName("/", "other"))
+    reader = other.create_reader(NodeName("/", "other"), TOPIC, QoS())
+    writer = participant.create_writer(NODE, TOPIC, QoS())
+    writer.write(HEADER)
+    assert other.graph.nodes() == [NodeName("/", "other")]
+    assert participant.graph.nodes() == [NODE]
+    assert reader.matched_count() == writer.matched_count() == 0
+    assert reader.take() is None
+    other.close()
+
+
+def test_samples_and_the_graph_come_back_after_a_routers_death(
+    domain_id: int, start_program: Callable[..., Program], start_peer: Callable[..., Peer], monkeypatch
+) -> None:
+    """Clients of one router, which have no link of their own: all that passes between them passes through it."""
+    import os
+
+    from tfloom.rmw.zenoh_wire import open_participant
+
+    port = os.environ["TFLOOM_ZENOH_PORT"]
+    router = start_program("tfloom", "zenoh", "router")
+    router.wait_for(port)
+    monkeypatch.setenv("ZENOH_CONFIG_OVERRIDE", 'mode="client"')
+    participant = open_participant(domain_id)
+    try:
+        participant.add_node(NODE)
+        reader = participant.create_reader(NODE, TOPIC, LATCHED._replace(depth=100))
+        peer = start_peer()
+        monkeypatch.delenv("ZENOH_CONFIG_OVERRIDE")  # which the second router would heed
+        end, gid = peer("writer", list(TOPIC[:3]), list(LATCHED._replace(depth=100)))
+        peer("write", end, (HEADER + b"\0").hex())
+        take_all(reader, 1)
+        wait_until(lambda: reader.matched_count() == 1)
+        router.end()
+        wait_until(lambda: reader.matched_count() == 0)
+        assert participant.graph.nodes() == [NODE]
+        peer("write", end, (HEADER + b"\1").hex())
+        router = start_program("tfloom", "zenoh", "router")
+        router.wait_for(port)
+        wait_until(lambda: reader.matched_count() == 1)
+        wait_until(lambda: len(participant.graph.nodes()) == 2)
+        peer("write", end, (HEADER + b"\2").hex())
+        samples = take_all(reader, 2)
+        assert [sample.data[4] for sample in samples] == [1, 2]
+        assert {sample.publisher_gid.hex() for sample in samples} == {gid}
+    finally:
+        participant.close()
+
+
+END = """
+import sys, threading, time
+import rclpy
+from rclpy.node import Node
+from example_interfaces.srv import AddTwoInts
+from std_msgs.msg import String
+rclpy.init(args=[])
+node = Node("ends")
+heard = []
+publisher = node.create_publisher(String, "chatter", 10)
+node.create_subscription(String, "chatter", lambda message: heard.append(message.data), 10)
+client = node.create_client(AddTwoInts, "add")
+while not heard:
+    publisher.publish(String(data="x"))
+    rclpy.spin_once(node, timeout_sec=0.1)
+print("ready", flush=True)
+"""
+
+
+@pytest.mark.parametrize(
+    ("end", "code", "text"),
+    [
+        ("raise KeyError('main')", 1, "KeyError: 'main'"),
+        ("threading.Thread(target=rclpy.spin, args=(node,), daemon=True).start(); sys.exit(4)", 4, ""),
+        ("sys.exit(5)", 5, ""),
+        ("node.destroy_node(); rclpy.shutdown(); sys.exit(6)", 6, ""),
+        (
+            "threading.Timer(0.2, lambda: [publisher.publish(String()) for _ in range(5000)]).start(); sys.exit(7)",
+            7,
+            "",
+        ),
+    ],
+    ids=["exception", "daemon spins", "exit", "shut down", "thread writes"],
+)
+def test_a_program_ends_without_a_hang(
+    end: str, code: int, text: str, domain_id: int, start_program: Callable[..., Program]
+) -> None:
+    program = start_program("python", "-c", f"{END}\n{end}")
+    assert program.wait() == code, program.output
+    assert text in program.output
+    assert "panicked" not in program.output
+    assert "FATAL" not in program.output
+
+
+def test_ctrl_c_ends_a_call(domain_id: int, start_program: Callable[..., Program]) -> None:
+    import signal
+
+    server = (
+        "import rclpy, time; from rclpy.node import Node; from example_interfaces.srv import AddTwoInts\n"
+        "rclpy.init(args=[]); node = Node('slow')\n"
+        "def serve(request, response):\n    print('asked', flush=True); time.sleep(60)\n"
+        "node.create_service(AddTwoInts, 'add', serve); print('serves', flush=True); rclpy.spin(node)"
+    )
+    slow = start_program("python", "-c", server)
+    slow.wait_for("serves")
+    program = start_program(
+        "python",
+        "-c",
+        f"{END}\nthreading.Thread(target=rclpy.spin, args=(node,), daemon=True).start()\n"
+        "client.wait_for_service(20)\nclient.call(AddTwoInts.Request())",
+    )
+    slow.wait_for("asked")
+    program.signal(signal.SIGINT)
+    assert program.wait() != 0
+    assert "panicked" not in program.output
+
+
+def test_a_callback_that_sleeps_starves_no_other(
+    domain_id: int, start_program: Callable[..., Program]
+) -> None:
+    code = """
+import threading, time
+import rclpy
+from rclpy.executors import MultiThreadedExecutor
+from rclpy.callback_groups import ReentrantCallbackGroup
+from rclpy.node import Node
+from std_msgs.msg import String
+rclpy.init(args=[])
+node = Node("sleeper")
+group = ReentrantCallbackGroup()
+asleep, heard = threading.Event(), []
+def sleep(message):
+    asleep.set()
+    release.wait(60)
+release = threading.Event()
+node.create_subscription(String, "slow", sleep, 1, callback_group=group)
+node.create_subscription(String, "fast", lambda message: heard.append(message.data), 1000, callback_group=group)
+slow, fast = node.create_publisher(String, "slow", 10), node.create_publisher(String, "fast", 1000)
+executor = MultiThreadedExecutor(3)
+executor.add_node(node)
+threading.Thread(target=executor.spin, daemon=True).start()
+while not asleep.is_set():
+    slow.publish(String(data="x"))
+    time.sleep(0.01)
+for number in range(300):
+    fast.publish(String(data=str(number)))
+end = time.monotonic() + 30
+while len(heard) < 300 and time.monotonic() < end:
+    time.sleep(0.01)
+print("heard", len(heard), flush=True)
+release.set()
+executor.shutdown()
+rclpy.shutdown()
+"""
+    program = start_program("python", "-c", code)
+    assert program.wait() == 0, program.output
+    assert program.lines == ["heard 300"]
+
+
+def test_a_callback_that_raises_ends_nothing_of_the_wire(
+    participant: Participant, caplog: pytest.LogCaptureFixture
+) -> None:
+    reader = participant.create_reader(NODE, TOPIC, QoS(depth=10))
+    writer = participant.create_writer(NODE, TOPIC, QoS())
+
+    class Broken(SampleQueue):
+        def push(self, *arguments: object) -> None:
+            raise KeyError("planted")
+
+    reader.feed(Broken(3))
+    writer.write(HEADER + b"x")
+    sink = SampleQueue(10)
+    reader.feed(sink)
+    writer.write(HEADER + b"y")
+    wait_until(lambda: sink.pushed() == 1)
+    assert "planted" in caplog.text
+
+
+def test_without_a_thread_for_its_deadline_an_endpoint_is_not_opened(
+    participant: Participant, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(thread: threading.Thread) -> None:
+        raise RuntimeError("can't start new thread")
+
+    timed = QoS(deadline_ns=10**9)
+    with monkeypatch.context() as patch:
+        patch.setattr(threading.Thread, "start", refuse)
+        with pytest.raises(
+            WireError, match="the deadline of /robot/chatter, which takes a thread: can't start"
+        ):
+            participant.create_writer(NODE, TOPIC, timed)
+    assert participant.graph.endpoints() == []
+    participant.create_writer(NODE, TOPIC, timed).write(HEADER)
+
+
+def test_without_xxhash_the_error_says_what_to_install(
+    participant: Participant, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "xxhash", None)
+    with pytest.raises(NoBackendError, match=r"need xxhash.*pip install 'tfloom\[zenoh\]'"):
+        participant.create_writer(NODE, TOPIC, QoS())
+
+
+def test_no_thread_of_python_is_left(domain_id: int) -> None:
+    from tfloom.rmw.zenoh_wire import open_participant
+
+    before = set(threading.enumerate())
+    participant = open_participant(domain_id)
+    participant.add_node(NODE)
+    participant.create_writer(NODE, TOPIC, QoS(deadline_ns=10**9))
+    participant.create_responder(NODE, KILL, QoS())
+    participant.close()
+    assert set(threading.enumerate()) - before == set()
