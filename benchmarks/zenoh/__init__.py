@@ -1,0 +1,1 @@
+"""The wire on Zenoh beside the one on DDS."""
