@@ -88,6 +88,9 @@ PLACES = {
     "tf2_ros/deadlines.py": ["deadline"],
     "tf2_ros/listener_base.py": ["listener"],
     "turtlesim/teleop_key.py": [TOLD],
+    "viewer/foxglove_bridge/bridge.py": [
+        "stopped by the caller: tests/viewer/foxglove_bridge/test_stuck_clients.py, which refuses the thread"
+    ],
     "viewer/inline_page.py": ["inline_page"],
     "viewer/page_server.py": ["page_server"],
     "viewer/parameters.py": [TOLD],

@@ -21,8 +21,6 @@ HAS_VISER = all(find_spec(name) is not None for name in ("viser", "websockets", 
 collect_ignore = (
     [] if HAS_VISER else ["test_pages.py", "test_recorded.py", "test_browser.py", "test_inline.py"]
 )
-if find_spec("foxglove") is None or find_spec("websockets") is None:
-    collect_ignore.append("test_foxglove.py")
 """Tests of pages need the extra `view`; those of what is shown do not."""
 
 TIMEOUT_S = 30.0

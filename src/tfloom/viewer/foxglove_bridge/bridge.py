@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from collections import defaultdict
 from functools import partial
 from typing import TYPE_CHECKING
@@ -36,8 +37,8 @@ UPDATE_S = 0.25
 """Period at which the graph is looked at [s]."""
 CONNECTIONS_S = 1.0
 """Period at which the connection graph is published, while a client subscribes to it [s]."""
-MAX_BACKLOG = 512
-"""Number of messages that wait for a client; of more, the oldest are dropped."""
+STOP_S = 2.0
+"""The longest wait for the server's end [s]."""
 CAPABILITIES = {
     "clientPublish": Capability.ClientPublish,
     "parameters": Capability.Parameters,
@@ -94,7 +95,7 @@ class FoxgloveBridge(Node):
                 supported_encodings=["cdr"],
                 asset_handler=self._read_asset if "assets" in settings.capabilities else None,
                 context=sdk_context,
-                message_backlog_size=MAX_BACKLOG,
+                message_backlog_size=settings.backlog,
                 tls_cert=settings.certificate,
                 tls_key=settings.key,
             )
@@ -111,11 +112,28 @@ class FoxgloveBridge(Node):
             self.create_subscription(ParameterEvent, "/parameter_events", self._publish_parameters, 100)
 
     def close(self) -> None:
-        """Close all connections and the port, and destroy the node."""
+        """Close all connections and the port, and destroy the node.
+
+        A connection whose client takes nothing is left to the system, because closing it has to wait for the client.
+        """
         if self.server is not None:
-            self.server.stop()
+            self._stop(self.server)
             self.channels.close()
         self.destroy_node()
+
+    def _stop(self, server: WebSocketServer) -> None:
+        """Stop the server, for `STOP_S` at most."""
+        # `stop` returns when each client has taken the closing message. One whose receive buffer is full never takes
+        # it, so the wait is on a thread that neither the caller nor the interpreter's end waits for.
+        stopping = threading.Thread(target=server.stop, name="foxglove_bridge_stop", daemon=True)
+        try:
+            stopping.start()
+        except RuntimeError:  # no thread is left
+            server.stop()
+            return
+        stopping.join(STOP_S)
+        if stopping.is_alive():
+            self.get_logger().warning("A client takes nothing: its connection is left open until it ends")
 
     def warn(self, text: str) -> None:
         """Log a warning, which all clients get, too."""

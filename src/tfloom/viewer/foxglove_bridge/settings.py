@@ -36,6 +36,10 @@ PARAMETERS: dict[str, tuple[Any, str]] = {
     "max_qos_depth": (25, "Depth of a subscription's queue, at most"),
     "include_hidden": (False, "Whether clients see topics and services with a part that begins with _"),
     "ignore_unresponsive_param_nodes": (True, "Whether a node that didn't answer is asked no more"),
+    "message_backlog_size": (
+        128,
+        "Number of messages that wait for a client; of more, the oldest are dropped",
+    ),
     "send_buffer_limit": (10_000_000, "Accepted and not used"),
     "use_compression": (False, "Accepted and not used"),
     "num_threads": (0, "Accepted and not used"),
@@ -79,6 +83,7 @@ class Settings:
             raise SettingsError(f"parameter capabilities: there is no '{unknown[0]}', only {known}")
         self.min_depth = _in_range("min_qos_depth", values["min_qos_depth"], 1, 10_000)
         self.max_depth = _in_range("max_qos_depth", values["max_qos_depth"], self.min_depth, 10_000)
+        self.backlog = _in_range("message_backlog_size", values["message_backlog_size"], 1, 100_000)
         self.include_hidden: bool = values["include_hidden"]
         self.skips_silent_nodes: bool = values["ignore_unresponsive_param_nodes"]
         self.certificate: bytes | None = None

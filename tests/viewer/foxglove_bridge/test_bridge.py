@@ -3,27 +3,22 @@
 from __future__ import annotations
 
 import base64
-import json
 import signal
-import struct
 import subprocess
 import sys
 import threading
-import time
-from collections.abc import Callable, Iterator
-from contextlib import ExitStack, contextmanager
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
 from tests.conftest import Program, wait_until
-from websockets.sync.client import connect
+from tests.viewer.foxglove_bridge.clients import SUBPROTOCOL, TIMEOUT_S, Client, bridging
 
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.interfaces.std_srvs.srv import SetBool
 from tfloom.interfaces.visualization_msgs.msg import MarkerArray
 from tfloom.node.context.context import Context
-from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import QoSProfile
 from tfloom.rmw.qos import DurabilityPolicy, ReliabilityPolicy
@@ -34,172 +29,7 @@ from tfloom.viewer.foxglove_bridge.commands import Commands
 from tfloom.viewer.foxglove_bridge.settings import SettingsError
 
 pytestmark = pytest.mark.wire
-TIMEOUT_S = 30.0
-SUBPROTOCOL = "foxglove.sdk.v1"
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
-
-
-class Client:
-    """What Foxglove does: it notes all that a server sends."""
-
-    def __init__(self, port: int) -> None:
-        self.socket = connect(
-            f"ws://127.0.0.1:{port}",
-            subprotocols=[SUBPROTOCOL],
-            max_size=None,
-            proxy=None,
-            ping_interval=None,
-        )  # type: ignore[list-item]
-        self.info: dict[str, Any] = {}
-        self.channels: dict[str, dict[str, Any]] = {}
-        self.services: dict[str, dict[str, Any]] = {}
-        self.texts: list[dict[str, Any]] = []
-        self.messages: list[tuple[int, bytes]] = []
-        """Subscription and bytes of each message."""
-        self.responses: dict[int, tuple[str, bytes]] = {}
-        """Encoding and bytes of each service's response, by the id of the call."""
-        self.assets: dict[int, tuple[int, str, bytes]] = {}
-        """Status, error and bytes of each file."""
-        self.times: list[int] = []
-
-    def send(self, **message: Any) -> None:
-        self.socket.send(json.dumps(message))
-
-    def wait_for(self, condition: Callable[[], Any], what: str = "") -> Any:
-        end_s = time.monotonic() + TIMEOUT_S
-        while not (value := condition()):
-            assert time.monotonic() < end_s, f"timed out waiting for {what}: {self.texts[-5:]}"
-            try:
-                self.take(self.socket.recv(timeout=0.05))
-            except TimeoutError:
-                continue
-        return value
-
-    def take(self, message: str | bytes) -> None:
-        if isinstance(message, bytes):
-            self.take_bytes(message)
-            return
-        said = json.loads(message)
-        match said["op"]:
-            case "serverInfo":
-                self.info = said
-            case "advertise":
-                self.channels |= {channel["topic"]: channel for channel in said["channels"]}
-            case "unadvertise":
-                gone = set(said["channelIds"])
-                self.channels = {name: one for name, one in self.channels.items() if one["id"] not in gone}
-            case "advertiseServices":
-                self.services |= {service["name"]: service for service in said["services"]}
-            case "unadvertiseServices":
-                gone = set(said["serviceIds"])
-                self.services = {name: one for name, one in self.services.items() if one["id"] not in gone}
-            case _:
-                self.texts.append(said)
-
-    def take_bytes(self, data: bytes) -> None:
-        match data[0]:
-            case 1:
-                subscription, _ = struct.unpack_from("<IQ", data, 1)
-                self.messages.append((subscription, data[13:]))
-            case 2:
-                self.times.append(struct.unpack_from("<Q", data, 1)[0])
-            case 3:
-                _, call, length = struct.unpack_from("<III", data, 1)
-                self.responses[call] = data[13 : 13 + length].decode(), data[13 + length :]
-            case 4:
-                request, status, length = struct.unpack_from("<IBI", data, 1)
-                self.assets[request] = status, data[10 : 10 + length].decode(), data[10 + length :]
-
-    def subscribe(self, topic: str, subscription: int) -> None:
-        channel = self.wait_for(lambda: self.channels.get(topic), topic)
-        self.send(op="subscribe", subscriptions=[{"id": subscription, "channelId": channel["id"]}])
-
-    def advertise(self, channel: int, topic: str, schema: str, encoding: str = "cdr") -> None:
-        self.send(
-            op="advertise",
-            channels=[{"id": channel, "topic": topic, "encoding": encoding, "schemaName": schema}],
-        )
-
-    def publish(self, channel: int, data: bytes) -> None:
-        self.socket.send(b"\x01" + struct.pack("<I", channel) + data)
-
-    def call(self, name: str, call: int, data: bytes, encoding: str = "cdr") -> None:
-        service = self.wait_for(lambda: self.services.get(name), name)
-        head = struct.pack("<III", service["id"], call, len(encoding))
-        self.socket.send(b"\x02" + head + encoding.encode() + data)
-
-    def text(self, op: str, **parts: Any) -> dict[str, Any]:
-        """Wait for a message of one kind, with parts of these values, and return it."""
-
-        def match() -> Any:
-            return next(
-                (said for said in self.texts if said["op"] == op and parts.items() <= said.items()), None
-            )
-
-        said: dict[str, Any] = self.wait_for(match, op)
-        return said
-
-    def statuses(self) -> str:
-        return " ".join(said["message"] for said in self.texts if said["op"] == "status")
-
-
-@contextmanager
-def spinning(context: Context, *nodes: Node) -> Iterator[None]:
-    executor = SingleThreadedExecutor(context=context)
-    for node in nodes:
-        executor.add_node(node)
-    thread = threading.Thread(target=executor.spin)
-    thread.start()
-    try:
-        yield
-    finally:
-        executor.shutdown()
-        thread.join(TIMEOUT_S)
-
-
-@contextmanager
-def bridging(domain_id: int, *parameters: str) -> Iterator[FoxgloveBridge]:
-    """Run a bridge on a thread for the block, with a context of its own."""
-    context = Context()
-    words = [word for text in ("port:=0", *parameters) for word in ("-p", text)]
-    context.init(args=["--ros-args", *words], domain_id=domain_id)
-    try:
-        bridge = FoxgloveBridge(context)
-        try:
-            with spinning(context, bridge):
-                yield bridge
-        finally:
-            bridge.close()
-    finally:
-        context.try_shutdown()
-
-
-@pytest.fixture
-def node(domain_id: int) -> Iterator[Node]:
-    """Another node of the graph, which is spun."""
-    context = Context()
-    context.init(args=[], domain_id=domain_id)
-    made = Node("other", context=context)
-    try:
-        with spinning(context, made):
-            yield made
-    finally:
-        made.destroy_node()
-        context.try_shutdown()
-
-
-@pytest.fixture
-def client_of() -> Iterator[Callable[[FoxgloveBridge], Client]]:
-    with ExitStack() as stack:
-
-        def open_one(bridge: FoxgloveBridge) -> Client:
-            assert bridge.server is not None
-            client = Client(bridge.server.port)
-            stack.callback(client.socket.close)
-            client.wait_for(lambda: client.info, "serverInfo")
-            return client
-
-        yield open_one
 
 
 ClientOf = Callable[[FoxgloveBridge], Client]

@@ -1,0 +1,154 @@
+"""foxglove_bridge, while a client is connected that takes nothing."""
+
+from __future__ import annotations
+
+import signal
+import socket
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import closing, contextmanager
+
+import psutil
+import pytest
+from tests.conftest import Program, wait_until
+from tests.viewer.foxglove_bridge.clients import TIMEOUT_S, Client, RawClient, bridging
+
+from tfloom.interfaces.std_msgs.msg import UInt8MultiArray
+from tfloom.node.endpoints.publisher import Publisher
+from tfloom.node.node import Node
+from tfloom.rosidl import cdr
+from tfloom.viewer.foxglove_bridge.bridge import FoxgloveBridge
+
+pytestmark = pytest.mark.wire
+SIZE = 1_000_000
+"""Size of a message [bytes]; the system's buffers of a connection take a few of them."""
+MESSAGES = 60
+STOPPER = "foxglove_bridge_stop"
+
+
+@contextmanager
+def stuck_client(port: int) -> Iterator[RawClient]:
+    """Connect a client that subscribes to /big, and takes nothing from then on."""
+    client = RawClient(port)
+    with closing(client.socket):
+        client.subscribe("/big", 1)
+        yield client
+
+
+def publish(publisher: Publisher[UInt8MultiArray], reader: Client, count: int) -> None:
+    """Publish large messages, each when the one before has arrived at a client that reads."""
+    for number in range(count):
+        data = cdr.encode(UInt8MultiArray(data=bytes((number % 256,)) * SIZE))
+        publisher.publish(data)
+        reader.wait_for(lambda number=number: len(reader.messages) > number, f"message {number}")
+        assert reader.messages[number] == (2, data)
+        reader.messages[number] = 2, b""
+
+
+def is_refused(port: int) -> bool:
+    try:
+        socket.create_connection(("127.0.0.1", port), timeout=TIMEOUT_S).close()
+    except OSError:
+        return True
+    return False
+
+
+def port_of(program: Program) -> int:
+    program.wait_for("Server listening at ws://127.0.0.1:")
+    (line,) = (line for line in program.lines if "Server listening" in line)
+    return int(line.rpartition(":")[2])
+
+
+def test_client_that_takes_nothing_delays_nobody(
+    domain_id: int, node: Node, client_of: Callable[[FoxgloveBridge], Client]
+) -> None:
+    publisher = node.create_publisher(UInt8MultiArray, "/big", 1)
+    with bridging(domain_id) as bridge:
+        assert bridge.server is not None
+        reader = client_of(bridge)
+        reader.subscribe("/big", 2)
+        with stuck_client(bridge.server.port):
+            wait_until(lambda: publisher.get_subscription_count() == 1)
+            publish(publisher, reader, MESSAGES)
+
+
+def test_close_returns_while_a_client_takes_nothing(
+    domain_id: int, node: Node, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("tfloom.viewer.foxglove_bridge.bridge.STOP_S", 0.3)
+    publisher = node.create_publisher(UInt8MultiArray, "/big", 1)
+    with bridging(domain_id) as bridge:
+        assert bridge.server is not None
+        port = bridge.server.port
+        reader = Client(port)
+        reader.subscribe("/big", 2)
+        with closing(reader.socket), stuck_client(port):
+            wait_until(lambda: publisher.get_subscription_count() == 1)
+            publish(publisher, reader, MESSAGES)
+            closed = threading.Thread(target=bridge.close, daemon=True)
+            closed.start()
+            closed.join(TIMEOUT_S)
+            assert not closed.is_alive(), "close does not return"
+            wait_until(lambda: is_refused(port))
+            assert (
+                "A client takes nothing: its connection is left open until it ends" in capfd.readouterr().err
+            )
+            assert STOPPER in {thread.name for thread in threading.enumerate()}
+        # The client is gone, and so is what waited for it.
+        wait_until(lambda: STOPPER not in {thread.name for thread in threading.enumerate()})
+
+
+def test_close_waits_for_clients_that_take_their_messages(
+    domain_id: int, client_of: Callable[[FoxgloveBridge], Client], capfd: pytest.CaptureFixture[str]
+) -> None:
+    with bridging(domain_id) as bridge:
+        client = client_of(bridge)
+        bridge.close()
+        assert STOPPER not in {thread.name for thread in threading.enumerate()}
+        client.wait_for(client.is_closed, "the closing message")
+        assert "takes nothing" not in capfd.readouterr().err
+
+
+def test_close_without_a_thread(domain_id: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The caller stops the server itself: the port is closed."""
+
+    def refuse(_: threading.Thread) -> None:
+        raise RuntimeError("can't start new thread")
+
+    with bridging(domain_id) as bridge:
+        assert bridge.server is not None
+        port = bridge.server.port
+        with monkeypatch.context() as patched:
+            patched.setattr(threading.Thread, "start", refuse)
+            bridge.close()
+        assert is_refused(port)
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_program_ends_and_is_bounded_while_a_client_takes_nothing(
+    number: signal.Signals, node: Node, start_program: Callable[..., Program]
+) -> None:
+    publisher = node.create_publisher(UInt8MultiArray, "/big", 1)
+    program = start_program(
+        *("tfloom", "run", "foxglove_bridge", "foxglove_bridge", "--ros-args", "-p", "port:=0"),
+        *("-p", "message_backlog_size:=8"),
+    )
+    port = port_of(program)
+    reader = Client(port)
+    reader.subscribe("/big", 2)
+    with closing(reader.socket), stuck_client(port):
+        wait_until(lambda: publisher.get_subscription_count() == 1)
+        processes = [psutil.Process(program.process.pid)]
+        processes += processes[0].children(recursive=True)
+
+        def memory() -> int:
+            return sum(process.memory_info().rss for process in processes)
+
+        before = memory()
+        publish(publisher, reader, 2 * MESSAGES)
+        grown = memory() - before
+        assert grown < MESSAGES * SIZE, f"{grown} bytes more for {2 * MESSAGES} messages that nobody takes"
+        program.signal(number)
+        assert program.wait() == 0
+    assert "A client takes nothing: its connection is left open until it ends" in program.output
+    assert "Traceback" not in program.output
