@@ -176,7 +176,7 @@ VIOLATIONS: list[tuple[Rule, dict[str, str], list[str]]] = [
                 '    with base: an example\n"""\n'
             ),
             "rmw/base.py": "",
-            "rmw/local_events.py": "",
+            "rmw/local_services.py": "",
         },
         ["rmw/__init__.py lists old/, which isn't there", "rmw/__init__.py lists wire, which isn't there"],
     ),

@@ -519,8 +519,8 @@ def test_lost_samples_are_counted_by_the_gaps_of_each_writer(
         put(number, bytes(16))
     put(21, bytes(16))
     wait_until(lambda: (reader.take_event(Event.MESSAGE_LOST) or (0, 0))[0] or None)
-    wait_until(lambda: reader.events._counts[Event.MESSAGE_LOST].total_count >= 2 + 9989 + 11)
-    assert reader.events._counts[Event.MESSAGE_LOST].total_count == 2 + 9989 + 11
+    wait_until(lambda: reader.events._statuses[Event.MESSAGE_LOST].total_count >= 2 + 9989 + 11)
+    assert reader.events._statuses[Event.MESSAGE_LOST].total_count == 2 + 9989 + 11
 
 
 def test_a_flood_of_unknown_writers_takes_bounded_memory() -> None:
@@ -554,7 +554,7 @@ def test_missed_deadlines_are_counted_on_both_sides(participant: Participant) ->
     reader = participant.create_reader(NODE, TOPIC, timed)
     assert writer.take_event(Event.DEADLINE_MISSED) is None
     writer.write(HEADER + b"x")
-    wait_until(lambda: reader.events._counts.get(Event.DEADLINE_MISSED, (0,))[0] >= 2)
+    wait_until(lambda: reader.events._statuses[Event.DEADLINE_MISSED].total_count >= 2)
     wait_until(lambda: writer.take_event(Event.DEADLINE_MISSED))
     assert reader.take_event(Event.DEADLINE_MISSED).total_count >= 2
 
@@ -567,9 +567,9 @@ def test_a_writer_that_asserts_nothing_is_not_alive_until_it_writes(participant:
     wait_until(lambda: reader.take_event(Event.LIVELINESS_CHANGED) == LivelinessChanged(0, 1, -1, 1))
     wait_until(lambda: writer.take_event(Event.LIVELINESS_LOST) == (1, 1))
     writer.write(HEADER + b"x")
-    wait_until(lambda: reader.events._liveliness.alive_count == 1)
+    wait_until(lambda: reader.events._statuses[Event.LIVELINESS_CHANGED].alive_count == 1)
     writer.close()
-    wait_until(lambda: reader.events._liveliness[:2] == (0, 0))
+    wait_until(lambda: reader.events._statuses[Event.LIVELINESS_CHANGED][:2] == (0, 0))
 
 
 def test_samples_reach_a_sink_in_order_those_that_waited_first(participant: Participant) -> None:

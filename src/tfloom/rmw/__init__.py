@@ -5,7 +5,7 @@
 - local*: the wire inside the process
 - cyclone*: the wire on libddsc
 - zenoh*: the wire on eclipse-zenoh, from `zenoh_wire`; its configuration and its routers
-- services, events, qos, compatibility: what both wires share
+- services, events, endpoint_events, qos, compatibility: what the wires share
 - forks: what a forked process has inherited
 - waiting, typed_names, action_names, endpoint_text, qos_mismatch: what nodes and commands share
 """

@@ -16,10 +16,12 @@ from typing import NamedTuple
 from tfloom._native import ReadyQueue, Sink
 from tfloom.rmw.base import EndpointInfo, Sample
 from tfloom.rmw.compatibility import incompatible_policies
+from tfloom.rmw.endpoint_events import MATCH_EVENTS, EndpointEvents
 from tfloom.rmw.errors import ClosedError
 from tfloom.rmw.events import Event, Status
-from tfloom.rmw.local_events import LocalEvents
 from tfloom.rmw.qos import INFINITE_NS, DurabilityPolicy, HistoryPolicy, QoS
+
+REFUSAL = "the in-process wire has MATCHED and INCOMPATIBLE_QOS alone"
 
 
 class _Stored(NamedTuple):
@@ -38,7 +40,7 @@ class LocalEndpoint:
     def __init__(self, info: EndpointInfo) -> None:
         self.info = info
         self.gid = info.gid
-        self.events = LocalEvents()
+        self.events = EndpointEvents(MATCH_EVENTS, REFUSAL)
         self._lock = threading.Lock()
         self._closed = False
 

@@ -17,6 +17,7 @@ from typing import Any
 from tfloom._native import ReadyQueue, Sink
 from tfloom.rmw.base import EndpointInfo, Sample
 from tfloom.rmw.compatibility import incompatible_policies
+from tfloom.rmw.endpoint_events import READER_EVENTS, WRITER_EVENTS, EndpointEvents
 from tfloom.rmw.errors import ClosedError, WireError
 from tfloom.rmw.events import Event, Status
 from tfloom.rmw.qos import (
@@ -29,13 +30,13 @@ from tfloom.rmw.qos import (
 )
 from tfloom.rmw.zenoh_attachment import pack, unpack
 from tfloom.rmw.zenoh_config import reason_of
-from tfloom.rmw.zenoh_events import LostSamples, Timers, ZenohEvents
+from tfloom.rmw.zenoh_end import ZenohEnd
+from tfloom.rmw.zenoh_events import LostSamples, Timers
 from tfloom.rmw.zenoh_graph import Peer, ZenohGraph
 from tfloom.rmw.zenoh_library import open_library
-from tfloom.rmw.zenoh_session import refuse_fork
 from tfloom.rmw.zenoh_tokens import Kind
 
-__all__ = ["ZenohEndpoint", "ZenohReader", "ZenohWriter", "end_declarations"]
+__all__ = ["ZenohEndpoint", "ZenohReader", "ZenohWriter"]
 
 HEARTBEAT_S = 0.5
 """How long after a sample its number is announced again, so that a reader knows of the last one that it missed [s]."""
@@ -50,35 +51,21 @@ CATCH_UP_S = 2.0
 _NS_PER_S = 1e9
 
 
-class ZenohEndpoint:
-    """The common part of writers and readers: its peers, its events, and its end."""
-
-    kind = ""
-    """For texts: writer or reader."""
+class ZenohEndpoint(ZenohEnd):
+    """The common part of writers and readers: its peers and its events."""
 
     def __init__(
         self, info: EndpointInfo, graph: ZenohGraph, timers: Timers, forget: Callable[[Any], None]
     ) -> None:
-        self.gid = info.gid
+        watched_kind = Kind.SUBSCRIPTION if info.is_writer else Kind.PUBLISHER
+        super().__init__(info.gid, info.topic.name, watched_kind, graph, forget)
         self.info = info
-        self.events = ZenohEvents(is_writer=info.is_writer)
-        self.watched_name = info.topic.name
-        self.watched_kind = Kind.SUBSCRIPTION if info.is_writer else Kind.PUBLISHER
-        self._graph = graph
+        known = WRITER_EVENTS if info.is_writer else READER_EVENTS
+        self.events = EndpointEvents(known, f"a {self.kind} has no such event")
         self._timers = timers
         self._timer_numbers: list[int] = []
-        self._forget = forget
-        self._lock = threading.Lock()
         self._peers: dict[bytes, QoS] = {}
         """The quality of each compatible peer by its gid, guarded by the graph's lock."""
-        self._declarations: list[Any] = []
-        """What Zenoh has of it, in the order in which it is ended."""
-        self._is_closed = False
-        self._is_forked = False
-
-    def adopt(self, *declarations: Any) -> None:
-        """Take what Zenoh has of this endpoint, in the order in which it is to be ended."""
-        self._declarations = list(declarations)
 
     def add_peer(self, peer: Peer) -> Callable[[], None] | None:
         """Note a peer: one of the same type and hash receives, or sends, whatever its quality of service."""
@@ -137,32 +124,20 @@ class ZenohEndpoint:
         self._check_process()
         return self.events.take(event)
 
-    def _check_process(self) -> None:
-        if self._is_forked:
-            refuse_fork(f"the {self.kind} of {self.info.topic.name}")
-
     def _call_at(self, first_s: float, check: Callable[[float], float]) -> None:
         self._timer_numbers.append(self._timers.add(first_s, check))
 
     def invalidate_after_fork(self) -> None:
         """Become the copy of the parent's endpoint in a forked child."""
-        self._is_forked = True
-        self._lock = threading.Lock()
+        super().invalidate_after_fork()
         self.events.invalidate_after_fork()
 
     def close(self) -> None:
         """Leave the topic. Closing again does nothing."""
-        with self._lock:
-            if self._is_closed:
-                return
-            self._is_closed = True
-        if self._is_forked:
-            return
-        for number in self._timer_numbers:
-            self._timers.remove(number)
-        self._graph.unwatch(self)
-        end_declarations(self._declarations)
-        self._forget(self)
+        super().close()
+        if not self._is_forked:  # a thread of the parent may have held the lock of the timers
+            for number in self._timer_numbers:
+                self._timers.remove(number)
 
 
 class ZenohWriter(ZenohEndpoint):
@@ -547,7 +522,7 @@ class ZenohReader(ZenohEndpoint):
 class _Lease:
     """The liveliness of a writer that must assert it."""
 
-    def __init__(self, events: ZenohEvents, lease_s: float, timers: Timers) -> None:
+    def __init__(self, events: EndpointEvents, lease_s: float, timers: Timers) -> None:
         self._events = events
         self._lease_s = lease_s
         self._timers = timers
@@ -583,13 +558,6 @@ class _Lease:
             is_alive = self._is_alive
         self._timers.remove(self._number)
         return is_alive
-
-
-def end_declarations(declarations: list[Any]) -> None:
-    """End what Zenoh has of an endpoint, in order. One that the session's end has ended before is no error."""
-    for declaration in declarations:
-        with suppress(Exception):  # a ZError, whose class is loaded with the library
-            declaration.undeclare()
 
 
 def _report_hashes(info: EndpointInfo, peer: Peer) -> None:

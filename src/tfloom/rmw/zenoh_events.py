@@ -1,6 +1,6 @@
-"""The events of writers and readers on the Zenoh wire, which itself has none: they follow from tokens and samples.
+"""From what the events of the Zenoh wire, which itself has none, follow: gaps in the numbers of samples, and time.
 
-A thread counts missed deadlines and ended leases. It is started with the first endpoint that has one.
+A thread looks for missed deadlines and ended leases. It is started with the first endpoint that has one.
 """
 
 from __future__ import annotations
@@ -10,141 +10,12 @@ import time
 from collections.abc import Callable
 from contextlib import suppress
 
-from tfloom._native import ReadyQueue
-from tfloom.rmw.errors import UnsupportedEventError
-from tfloom.rmw.events import Count, Event, IncompatibleQoS, LivelinessChanged, Matched, Status
-from tfloom.rmw.qos import QoSPolicyKind
+__all__ = ["LostSamples", "Timers"]
 
-__all__ = ["LostSamples", "Timers", "ZenohEvents"]
-
-WRITER_EVENTS = frozenset(
-    {Event.MATCHED, Event.INCOMPATIBLE_QOS, Event.DEADLINE_MISSED, Event.LIVELINESS_LOST}
-)
-READER_EVENTS = frozenset(
-    {
-        Event.MATCHED,
-        Event.INCOMPATIBLE_QOS,
-        Event.DEADLINE_MISSED,
-        Event.LIVELINESS_CHANGED,
-        Event.MESSAGE_LOST,
-    }
-)
-MAX_COUNT = 0x7FFF_FFFF
-"""The largest number of a status: ROS has 32 bits for it."""
 MAX_GAP = 64
 """How many missing samples of one writer are remembered, in case that they come late."""
 MAX_WRITERS = 1024
 """How many writers are remembered that no token tells of."""
-
-
-class ZenohEvents:
-    """The statuses of one endpoint, and the queues to notify. All methods may be called from any thread."""
-
-    def __init__(self, *, is_writer: bool) -> None:
-        self._kind = "writer" if is_writer else "reader"
-        self._known = WRITER_EVENTS if is_writer else READER_EVENTS
-        self._lock = threading.Lock()
-        self._listeners: dict[Event, tuple[ReadyQueue, int]] = {}
-        self._matched = Matched(0, 0, 0, 0)
-        self._incompatible = IncompatibleQoS(0, 0, QoSPolicyKind.INVALID)
-        self._liveliness = LivelinessChanged(0, 0, 0, 0)
-        self._counts: dict[Event, Count] = {}
-
-    def invalidate_after_fork(self) -> None:
-        """Replace the lock, which a thread of the parent may have held."""
-        self._lock = threading.Lock()
-
-    def matched_count(self) -> int:
-        """Return how many compatible peers are connected now."""
-        return self._matched.current_count
-
-    def add_match(self, change: int) -> None:
-        """Count a peer that has come (1) or left (-1)."""
-        with self._lock:
-            was = self._matched
-            new = max(change, 0)
-            self._matched = Matched(
-                was.total_count + new,
-                was.total_count_change + new,
-                was.current_count + change,
-                was.current_count_change + change,
-            )
-            self._post(Event.MATCHED)
-
-    def add_incompatible(self, kind: QoSPolicyKind) -> None:
-        """Count a peer of an incompatible quality of service."""
-        with self._lock:
-            was = self._incompatible
-            self._incompatible = IncompatibleQoS(was.total_count + 1, was.total_count_change + 1, kind)
-            self._post(Event.INCOMPATIBLE_QOS)
-
-    def change_liveliness(self, alive: int, not_alive: int) -> None:
-        """Add to the numbers of writers that are alive, and that aren't."""
-        with self._lock:
-            was = self._liveliness
-            self._liveliness = LivelinessChanged(
-                was.alive_count + alive,
-                was.not_alive_count + not_alive,
-                was.alive_count_change + alive,
-                was.not_alive_count_change + not_alive,
-            )
-            self._post(Event.LIVELINESS_CHANGED)
-
-    def count(self, event: Event, more: int = 1) -> None:
-        """Count a missed deadline, a lost liveliness or lost samples."""
-        with self._lock:
-            was = self._counts.get(event, Count(0, 0))
-            self._counts[event] = Count(
-                min(was.total_count + more, MAX_COUNT), min(was.total_count_change + more, MAX_COUNT)
-            )
-            self._post(event)
-
-    def _post(self, event: Event) -> None:
-        if listener := self._listeners.get(event):
-            listener[0].post(listener[1])
-
-    def notify(self, event: Event, queue: ReadyQueue | None, token: int) -> None:
-        """Post `token` to `queue` when the event has a new status, and once at the start; None ends it.
-
-        Raises:
-            UnsupportedEventError: this kind of endpoint has no such event.
-        """
-        self._check(event)
-        with self._lock:
-            if queue is None:
-                self._listeners.pop(event, None)
-            else:
-                self._listeners[event] = (queue, token)
-                queue.post(token)
-
-    def take(self, event: Event) -> Status | None:
-        """Return the status of an event if it has changed since the last call, or None.
-
-        Raises:
-            UnsupportedEventError: this kind of endpoint has no such event.
-        """
-        self._check(event)
-        with self._lock:
-            if event == Event.MATCHED:
-                matched = self._matched
-                self._matched = matched._replace(total_count_change=0, current_count_change=0)
-                return matched if matched.total_count_change or matched.current_count_change else None
-            if event == Event.INCOMPATIBLE_QOS:
-                incompatible = self._incompatible
-                self._incompatible = incompatible._replace(total_count_change=0)
-                return incompatible if incompatible.total_count_change else None
-            if event == Event.LIVELINESS_CHANGED:
-                liveliness = self._liveliness
-                self._liveliness = liveliness._replace(alive_count_change=0, not_alive_count_change=0)
-                has_changed = liveliness.alive_count_change or liveliness.not_alive_count_change
-                return liveliness if has_changed else None
-            count = self._counts.get(event, Count(0, 0))
-            self._counts[event] = count._replace(total_count_change=0)
-            return count if count.total_count_change else None
-
-    def _check(self, event: Event) -> None:
-        if event not in self._known:
-            raise UnsupportedEventError(f"{event.name}: a {self._kind} has no such event")
 
 
 class LostSamples:

@@ -2,27 +2,26 @@
 
 from __future__ import annotations
 
-import threading
 import time
 from collections import OrderedDict, deque
 from collections.abc import Callable, Iterable
-from typing import Any
+from typing import Any, NamedTuple
 
 from tfloom._native import ReadyQueue
 from tfloom.rmw.action_names import GET_RESULT
 from tfloom.rmw.base import NodeName, Request, RequestId, Response, Service
-from tfloom.rmw.errors import ClosedError, ForeignPeerError, WireError
+from tfloom.rmw.errors import ForeignPeerError, WireError
 from tfloom.rmw.qos import QoS
 from tfloom.rmw.services import waiting_qos
 from tfloom.rmw.zenoh_attachment import pack, unpack
 from tfloom.rmw.zenoh_config import reason_of
-from tfloom.rmw.zenoh_endpoints import HEADER_SIZE, end_declarations
+from tfloom.rmw.zenoh_end import ZenohEnd
+from tfloom.rmw.zenoh_endpoints import HEADER_SIZE
 from tfloom.rmw.zenoh_graph import Peer, ZenohGraph
 from tfloom.rmw.zenoh_library import open_library
-from tfloom.rmw.zenoh_session import refuse_fork
 from tfloom.rmw.zenoh_tokens import Kind
 
-__all__ = ["ZenohRequester", "ZenohResponder"]
+__all__ = ["ServiceEndpoint", "ZenohRequester", "ZenohResponder"]
 
 ENDLESS_S = 1e9
 """How long a result of an action is awaited [s]; Zenoh has no word for an endless wait."""
@@ -31,38 +30,28 @@ ROUTE_WAIT_S = 0.1
 POLL_S = 0.001
 
 
-class _ServiceEnd:
+class ServiceEndpoint(NamedTuple):
+    """What a client or server is opened with."""
+
+    gid: bytes
+    node: NodeName
+    service: Service
+    qos: QoS
+
+
+class _ServiceEnd(ZenohEnd):
     """The common part of clients and servers."""
 
-    kind = ""
-    """For texts: client or server."""
+    peer_kind: Kind
+    """What the graph tells it of."""
 
-    def __init__(
-        self,
-        gid: bytes,
-        node: NodeName,
-        service: Service,
-        qos: QoS,
-        graph: ZenohGraph,
-        forget: Callable[[Any], None],
-    ) -> None:
-        self.gid = gid
-        self.node = node
-        self.qos = qos
-        self.watched_name = service.name
-        self._service = service
-        self._graph = graph
-        self._forget = forget
-        self._lock = threading.Lock()
+    def __init__(self, endpoint: ServiceEndpoint, graph: ZenohGraph, forget: Callable[[Any], None]) -> None:
+        super().__init__(endpoint.gid, endpoint.service.name, self.peer_kind, graph, forget)
+        self.node = endpoint.node
+        self.qos = endpoint.qos
+        self._service = endpoint.service
         self._listener: tuple[ReadyQueue, int] | None = None
-        self._depth = waiting_qos(qos, is_client=self.kind == "client").depth
-        self._declarations: list[Any] = []
-        self._is_closed = False
-        self._is_forked = False
-
-    def adopt(self, *declarations: Any) -> None:
-        """Take what Zenoh has of this end, in the order in which it is to be ended."""
-        self._declarations = list(declarations)
+        self._depth = waiting_qos(self.qos, is_client=self.kind == "client").depth
 
     def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
         """Post `token` to `queue` when there may be something to take, at once if there already is; None ends it."""
@@ -92,50 +81,16 @@ class _ServiceEnd:
             f"{mine.type_name} {mine.type_hash} here"
         )
 
-    def _check_process(self) -> None:
-        if self._is_forked:
-            refuse_fork(f"the {self.kind} of {self._service.name}")
-
-    def _check_open(self, what: str) -> None:
-        self._check_process()
-        if self._is_closed:
-            raise ClosedError(f"cannot {what}: the {self.kind} of {self._service.name} is closed")
-
-    def invalidate_after_fork(self) -> None:
-        """Become the copy of the parent's end in a forked child."""
-        self._is_forked = True
-        self._lock = threading.Lock()
-
-    def close(self) -> None:
-        """Leave the service. Closing again does nothing."""
-        with self._lock:
-            if self._is_closed:
-                return
-            self._is_closed = True
-        if self._is_forked:
-            return
-        self._graph.unwatch(self)  # type: ignore[arg-type]
-        end_declarations(self._declarations)
-        self._forget(self)
-
 
 class ZenohRequester(_ServiceEnd):
     """A client; see `base.Requester`."""
 
     kind = "client"
-    watched_kind = Kind.SERVER
+    peer_kind = Kind.SERVER
 
-    def __init__(
-        self,
-        gid: bytes,
-        node: NodeName,
-        service: Service,
-        qos: QoS,
-        graph: ZenohGraph,
-        forget: Callable[[Any], None],
-    ) -> None:
-        super().__init__(gid, node, service, qos, graph, forget)
-        self.client_gid = gid
+    def __init__(self, endpoint: ServiceEndpoint, graph: ZenohGraph, forget: Callable[[Any], None]) -> None:
+        super().__init__(endpoint, graph, forget)
+        self.client_gid = self.gid
         self._sequence_number = 0
         self._responses: deque[Response] = deque(maxlen=self._depth)
         self._servers: frozenset[str] = frozenset()
@@ -293,18 +248,10 @@ class ZenohResponder(_ServiceEnd):
     """A server; see `base.Responder`."""
 
     kind = "server"
-    watched_kind = Kind.CLIENT
+    peer_kind = Kind.CLIENT
 
-    def __init__(
-        self,
-        gid: bytes,
-        node: NodeName,
-        service: Service,
-        qos: QoS,
-        graph: ZenohGraph,
-        forget: Callable[[Any], None],
-    ) -> None:
-        super().__init__(gid, node, service, qos, graph, forget)
+    def __init__(self, endpoint: ServiceEndpoint, graph: ZenohGraph, forget: Callable[[Any], None]) -> None:
+        super().__init__(endpoint, graph, forget)
         self._requests: deque[Request] = deque()
         self._queries: OrderedDict[RequestId, Any] = OrderedDict()
         """The query of each request that is waiting or in work: the client waits until it is dropped."""

@@ -18,11 +18,12 @@ from tfloom.rmw.errors import ClosedError, WireError
 from tfloom.rmw.forks import forbid_children
 from tfloom.rmw.qos import QoS
 from tfloom.rmw.zenoh_config import reason_of
-from tfloom.rmw.zenoh_endpoints import ZenohReader, ZenohWriter, end_declarations
+from tfloom.rmw.zenoh_end import end_declarations
+from tfloom.rmw.zenoh_endpoints import ZenohReader, ZenohWriter
 from tfloom.rmw.zenoh_events import Timers
 from tfloom.rmw.zenoh_graph import ZenohGraph
 from tfloom.rmw.zenoh_library import open_library
-from tfloom.rmw.zenoh_services import ZenohRequester, ZenohResponder
+from tfloom.rmw.zenoh_services import ServiceEndpoint, ZenohRequester, ZenohResponder
 from tfloom.rmw.zenoh_session import FORK_ADVICE, ZenohSession, open_session, refuse_fork
 from tfloom.rmw.zenoh_tokens import End, Kind, Token, data_key, gid_of, token_key, wire_qos
 
@@ -207,7 +208,7 @@ class ZenohParticipant:
             )
         qos = wire_qos(qos)
         key = self._token_key(kind, node, End(service.name, service.type_name, service.type_hash, qos))
-        end = kind(gid_of(key), node, service, qos, self.graph, self._forget)
+        end = kind(ServiceEndpoint(gid_of(key), node, service, qos), self.graph, self._forget)
         self._open(end, key, data_key(self.domain_id, service.name, service.type_name, service.type_hash))
         return end
 
