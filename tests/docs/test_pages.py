@@ -1,8 +1,9 @@
-"""The code blocks of the tutorial and of the how-tos run, and print what the pages say."""
+"""The code blocks of README, of the tutorial and of the how-tos run, and print what the pages say."""
 
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -19,20 +20,22 @@ pytestmark = pytest.mark.skipif(os.name != "posix", reason="its commands are for
 
 TUTORIAL = sorted((DOCS / "tutorial").glob("*.md"))
 HOW_TOS = sorted((DOCS / "how_to").glob("*.md"))
-PAGES = [*TUTORIAL, *HOW_TOS]
+README = DOCS.parent / "README.md"
+PAGES = [*TUTORIAL, *HOW_TOS, README, DOCS / "index.md", DOCS / "install.md"]
 WITH_COMMANDS = [path for path in PAGES if list(page.commands(page.blocks(path)))]
 QUOTING = {"testing"}
 """Pages whose blocks are parts of an example, with which tests/testing compares them."""
 WITH_PROGRAMS = [
     path
-    for path in [*sorted(DOCS.glob("*.md")), *PAGES]
+    for path in sorted({*DOCS.glob("*.md"), *PAGES})
     if page.program(page.blocks(path))[1] and path.stem not in QUOTING
 ]
+PLACEHOLDER = re.compile(r"(?<!<)<[a-z][\w ]*>")
 BIN = Path(sys.executable).parent
 
 
 def name_of(path: Path) -> str:
-    return path.relative_to(DOCS).with_suffix("").as_posix()
+    return path.relative_to(DOCS if path != README else README.parent).with_suffix("").as_posix()
 
 
 @pytest.fixture
@@ -90,12 +93,21 @@ def test_programs_print_what_the_page_says(path: Path, tmp_path: Path) -> None:
 @for_each(PAGES, name=name_of)
 def test_each_block_is_run_or_says_why_not(path: Path) -> None:
     found = page.blocks(path)
-    unknown = [block for block in found if block.kind not in page.QUOTED]
+    unknown = [block for block in found if block.kind not in page.QUOTED and block.kind[:1] != "{"]
     assert not unknown
     not_run = [block.line for block in found if block.kind == "bash" and not block.reason]
     assert not not_run, "lines of ```bash blocks without <!-- not run: REASON -->"
     program = page.program(found)
     assert bool(program[0]) == bool(program[1]), "a program without its output"
+
+
+@for_each([README, *sorted(DOCS.rglob("*.md"))], name=name_of)
+def test_commands_can_be_pasted(path: Path) -> None:
+    """bash reads a placeholder in angle brackets as the name of a file."""
+    found = page.blocks(path)
+    lines = [line for block in found if block.kind == "bash" for line in block.text.splitlines()]
+    lines += [command.words for command in page.commands(found)]
+    assert not [line for line in lines if PLACEHOLDER.search(line)]
 
 
 def test_a_difference_is_found() -> None:
@@ -110,4 +122,5 @@ def test_pages_are_found() -> None:
     assert len(HOW_TOS) >= 7
     assert len(WITH_COMMANDS) >= 6
     assert len(WITH_PROGRAMS) >= 4
+    assert README in WITH_PROGRAMS
     assert shutil.which("bash")
