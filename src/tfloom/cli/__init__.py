@@ -5,6 +5,7 @@
 - api/: what programs import from the packages of the other commands, as ros2topic.api
 - nodes/: a node for a block, for these and for extensions
 - plugins/: commands and verbs of installed packages
+- verb_classes/: the verbs as classes for programs, as ros2topic.verb.echo.EchoVerb
 
 Each verb is a file, imported when it is called; those of a group, as `topic`, are in its folder.
 """

@@ -14,7 +14,9 @@ from ros2bag.api import convert_yaml_to_qos_profile
 from ros2cli.command import CommandExtension, add_subparsers_on_demand
 from ros2cli.node.direct import DirectNode
 from ros2cli.node.strategy import NodeStrategy, add_arguments
+from ros2component.api import ComponentInfo, get_components_in_container
 from ros2interface.api import type_completer
+from ros2lifecycle.api import call_get_states
 from ros2node.api import NodeName, get_node_names, get_publisher_info
 from ros2param.api import call_get_parameters, call_list_parameters, get_value
 from ros2pkg.api import get_package_names
@@ -22,6 +24,8 @@ from ros2run.api import get_executable_path
 from ros2service.api import get_service_names_and_types
 from ros2topic.api import get_msg_class, get_topic_names_and_types, qos_profile_from_short_keys
 from ros2topic.verb import VerbExtension
+from ros2topic.verb.echo import EchoVerb
+from ros2topic.verb.hz import ROSTopicHz
 from rosidl_adapter.parser import MessageSpecification, parse_message_string
 
 
@@ -41,6 +45,25 @@ class CountVerb(VerbExtension):
                 print(info.name, info.types)
         print(len(topics), len(services), len(clients), len(servers))
         return 0
+
+
+class BridgedEchoVerb(EchoVerb):
+    """Print the messages of a bridged topic."""
+
+    def add_arguments(self, parser: argparse.ArgumentParser, cli_name: str) -> None:
+        super().add_arguments(parser, cli_name)
+        parser.add_argument("--bridge")
+
+    def main(self, *, args: argparse.Namespace) -> int | str | None:
+        return super().main(args=args)
+
+
+def measure(node: Node) -> float:
+    measured = ROSTopicHz(node, 100).get_hz("/a")
+    is_there, components = get_components_in_container(node=node, remote_container_node_name="/a")
+    print(is_there, [part.uid for part in components if isinstance(part, ComponentInfo)])
+    print(call_get_states(node=node, node_names=["/b"])["/b"])
+    return 0.0 if measured is None else measured[0] * 1e9
 
 
 class TreeCommand(CommandExtension):

@@ -19,6 +19,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments of `component load`."""
     graph.add_arguments(parser)
     parser.add_argument("container_node_name", help="full name of the container")
+    add_component_arguments(parser)
+    parser.add_argument("-q", "--quiet", action="store_true", help="print only id and name")
+
+
+def add_component_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the arguments that say which component is loaded, and how."""
     parser.add_argument("package_name", help="package of the component")
     parser.add_argument("plugin_name", help="type of the component, for example composition::Talker")
     parser.add_argument("-n", "--node-name", default="", help="name of the node")
@@ -45,7 +51,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         dest="extra_arguments",
         help="an argument of the container for this component, as use_intra_process_comms:=true",
     )
-    parser.add_argument("-q", "--quiet", action="store_true", help="print only id and name")
 
 
 def log_level(text: str) -> int:
@@ -54,11 +59,19 @@ def log_level(text: str) -> int:
     Raises:
         argparse.ArgumentTypeError: there is no such level.
     """
+    try:
+        return log_level_number(text)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
+
+
+def log_level_number(text: str) -> int:
+    """Return a log level, given by its name or number; ValueError if there is no such level."""
     level = LOG_LEVELS.get(text.lower())
     if level is None and text.isdecimal():
         level = int(text)
     if level is None or level > MAX_LOG_LEVEL:
-        raise argparse.ArgumentTypeError(f"must be one of {', '.join(LOG_LEVELS)}, not {text!r}")
+        raise ValueError(f"must be one of {', '.join(LOG_LEVELS)}, not {text!r}")
     return level
 
 
@@ -71,8 +84,8 @@ def main(args: argparse.Namespace) -> int:
         node_namespace=args.node_namespace,
         log_level=args.log_level,
         remap_rules=args.remap_rules,
-        parameters=_parameters(args.parameters),
-        extra_arguments=_parameters(args.extra_arguments),
+        parameters=parameters_of(args.parameters),
+        extra_arguments=parameters_of(args.extra_arguments),
     )
     with containers(args, args.container_node_name) as (container,):
         unique_id, name = container.load(request)
@@ -83,7 +96,12 @@ def main(args: argparse.Namespace) -> int:
     return 0
 
 
-def _parameters(rules: Sequence[str]) -> list[Parameter]:
+def parameters_of(rules: Sequence[str]) -> list[Parameter]:
+    """Return the parameters of rules as `name:=value`.
+
+    Raises:
+        CommandError: a rule is none, or its value can't be used.
+    """
     from tfloom.node.parameters.parameter import get_parameter_value
 
     parameters: list[Parameter] = []

@@ -1,0 +1,68 @@
+"""Calls of several services at a time, by a node that other programs have created."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Hashable, Mapping
+from typing import Any, NamedTuple, TypeVar
+
+from tfloom.cli.nodes.strategy import GraphNode, node_of
+from tfloom.node.client_library import spin_until_future_complete
+
+__all__ = ["TIMEOUT_S", "Call", "call_services"]
+
+TIMEOUT_S = 5.0
+"""Longest wait for the services, and after it for their responses [s]."""
+
+_Key = TypeVar("_Key", bound=Hashable)
+
+
+class Call(NamedTuple):
+    """A request for a service."""
+
+    service_class: type[Any]
+    service_name: str
+    request: Any
+
+
+def call_services(
+    node: GraphNode, calls: Mapping[_Key, Call], timeout_s: float | None = TIMEOUT_S
+) -> dict[_Key, Any]:
+    """Call services, all at a time, and spin the node until they have responded.
+
+    Args:
+        node: What the clients belong to.
+        calls: The requests.
+        timeout_s: Longest wait for the services and for their responses, each [s]; None: no limit for the responses.
+
+    Returns:
+        For each key the response, or a RuntimeError where the service isn't there or doesn't respond.
+    """
+    caller = node_of(node)
+    clients = {
+        key: caller.create_client(call.service_class, call.service_name) for key, call in calls.items()
+    }
+    try:
+        futures, answers = {}, {}
+        end_s = time.monotonic() + (TIMEOUT_S if timeout_s is None else timeout_s)
+        for key, client in clients.items():
+            if client.wait_for_service(timeout_sec=max(0.0, end_s - time.monotonic())):
+                futures[key] = client.call_async(calls[key].request)
+            else:
+                answers[key] = RuntimeError(f"service {calls[key].service_name} is not there")
+        end_s = float("inf") if timeout_s is None else time.monotonic() + timeout_s
+        for key, future in futures.items():
+            left_s = None if timeout_s is None else max(0.0, end_s - time.monotonic())
+            spin_until_future_complete(caller, future, timeout_sec=left_s)
+            answers[key] = _answer(future, calls[key].service_name)
+        return {key: answers[key] for key in calls}
+    finally:
+        for client in clients.values():
+            caller.destroy_client(client)
+
+
+def _answer(future: Any, service_name: str) -> Any:
+    if not future.done():
+        return RuntimeError(f"service {service_name} does not respond")
+    error = future.exception()
+    return future.result() if error is None else error

@@ -1,0 +1,55 @@
+"""The base class of the verbs that `ros2` has of its own, for programs that run them or derive from them."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from importlib import import_module
+from typing import Any, ClassVar
+
+from tfloom.cli.errors import CommandError
+from tfloom.cli.plugins.extensions import VerbExtension
+
+__all__ = ["BuiltinVerb"]
+
+_OF_COMMANDS: dict[str, Any] = {
+    "include_hidden_topics": False,
+    "include_hidden_services": False,
+    "prog": "ros2",
+}
+"""What the parsers of commands give their verbs beside their own arguments."""
+
+
+class BuiltinVerb(VerbExtension):
+    """A verb of `ros2`. A derived class adds arguments, or does something before and after the verb.
+
+    The verb's code is in functions: to override a private method of a class of the reference has no effect here.
+    """
+
+    MODULE: ClassVar[str]
+    """The module with the verb's `add_arguments` and `main`, which is imported when one of them is called."""
+
+    def add_arguments(self, parser: argparse.ArgumentParser, cli_name: str) -> None:  # noqa: ARG002
+        """Add the verb's arguments to a parser."""
+        import_module(self.MODULE).add_arguments(parser)
+
+    def main(self, *, args: argparse.Namespace) -> int | str | None:
+        """Run the verb; return its exit code, None for 0, or the text of an error.
+
+        Args:
+            args: What a parser with the verb's arguments has read. An optional argument that it lacks has its default.
+        """
+        parser = argparse.ArgumentParser(add_help=False)
+        verb = import_module(self.MODULE)
+        verb.add_arguments(parser)
+        optional = {action.dest: action.default for action in parser._actions if not action.required}  # noqa: SLF001
+        optional |= parser._defaults  # noqa: SLF001  # argparse has no other way to ask for what a parser gives
+        complete = argparse.Namespace(**{**_OF_COMMANDS, **optional, **vars(args)})
+        try:
+            code: int | None = verb.main(complete)
+        except CommandError as error:
+            if error.exit_code == 1:
+                return str(error)
+            print(error, file=sys.stderr)
+            return error.exit_code
+        return code
