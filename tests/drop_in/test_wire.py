@@ -124,10 +124,13 @@ def test_domain_is_that_of_the_context(
 
 
 def test_without_the_dds_library_it_is_a_raw_subscription(
-    listen: Any, real_ros: Peer, domain_id: int, start_program: Any, site_without_dds: Path
+    listen: Any, real_ros: Peer, domain_id: int, start_program: Any, site_without_dds: Path, tmp_path: Path
 ) -> None:
     publish("rclpy", real_ros, start_program, domain_id)
-    listener = listen(domain_id, paths=[site_without_dds])
+    # The system may have a library of its own.
+    hidden = "from tfloom.rmw import cyclone_library\ncyclone_library._SYSTEM_FOLDERS = ()\n"
+    (tmp_path / "sitecustomize.py").write_text(hidden)
+    listener = listen(domain_id, paths=[tmp_path, site_without_dds])
     listener.ready('"there is no DDS: install one with')
     assert listener.query("world", "camera")["x"] == 11.5
     listener.end()

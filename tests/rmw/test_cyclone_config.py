@@ -324,6 +324,10 @@ def test_period_of_announcements_is_that_of_the_argument() -> None:
     assert discovery.findtext("SPDPInterval") == "0.500000000s"
     assert discovery.findtext("InitialLocatorPruneDelay") == "inf"
     assert domain(configuration(7)).find("Discovery/SPDPInterval") is None
+    before_11 = domain(configuration(7, 0.5, "0.10.2")).find("Discovery")
+    assert before_11 is not None
+    assert before_11.findtext("SPDPInterval") == "0.500000000s"
+    assert before_11.find("InitialLocatorPruneDelay") is None
 
 
 @pytest.mark.parametrize("discovery_range", ["LOCALHOST", "SUBNET"])

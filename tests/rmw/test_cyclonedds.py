@@ -297,3 +297,10 @@ def test_participants_of_one_process_discover_each_other(
     assert take_data(reader, 1) == [HEADER + b"data"]
     other.close()
     wait_until(lambda: reader.matched_count() == 0)
+
+
+def test_participant_that_announces_itself_at_a_period_of_its_own(domain_id, start_program) -> None:
+    code = "from tfloom.rmw.cyclonedds import open_participant as o; o(%d, announce_s=0.5).close(); print('open')"
+    program = start_program("python", "-c", code % domain_id)
+    assert program.wait() == 0, program.output
+    assert program.output == "open"

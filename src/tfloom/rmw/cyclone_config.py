@@ -54,7 +54,7 @@ _PROMPT_ACKNOWLEDGEMENTS = (
 _ANNOUNCE_TO_PEERS_S = 3.0
 
 
-def configuration(domain_id: int = 0, announce_s: float | None = None) -> str:
+def configuration(domain_id: int = 0, announce_s: float | None = None, library_version: str = "") -> str:
     """Return the configuration for the environment.
 
     Args:
@@ -62,13 +62,14 @@ def configuration(domain_id: int = 0, announce_s: float | None = None) -> str:
         announce_s: Period at which the searched ports of this machine and of other hosts get an announcement, for as
             long as the participant exists [s]; None: 3 s with other hosts, otherwise Cyclone's. Needed to
             discover those that announce themselves by multicast alone, which the range LOCALHOST does not receive.
+        library_version: That of libddsc, because 0.10 refuses settings that it doesn't know; empty: 11.
 
     Raises:
         ConfigurationError: ROS_AUTOMATIC_DISCOVERY_RANGE isn't one of `RANGES`, or TFLOOM_LEASE_S is outside
             `LEASE_RANGE_S`.
     """
     return os.environ.get("CYCLONEDDS_URI") or configuration_for(
-        discovery_range(), _static_peers(), domain_id, lease_s(), announce_s
+        discovery_range(), _static_peers(), domain_id, lease_s(), announce_s, library_version
     )
 
 
@@ -193,6 +194,7 @@ def configuration_for(
     domain_id: int = 0,
     lease: float | None = None,
     announce_s: float | None = None,
+    library_version: str = "",
 ) -> str:
     """Return the configuration of one of `RANGES`, with a lease and an `announce_s` [s].
 
@@ -204,7 +206,10 @@ def configuration_for(
     leased = "" if lease is None else f"<LeaseDuration>{lease:.9f}s</LeaseDuration>"
     if announce_s is not None:
         leased += f"<SPDPInterval>{announce_s:.9f}s</SPDPInterval>"
-        leased += "<InitialLocatorPruneDelay>inf</InitialLocatorPruneDelay>"
+        if not library_version.startswith(
+            "0."
+        ):  # 0.10 never stops to announce to them, and refuses an unknown element
+            leased += "<InitialLocatorPruneDelay>inf</InitialLocatorPruneDelay>"
     if asked == "OFF":
         return _domain("<Transport>none</Transport>", leased, "")  # without a socket
     if asked == "LOCALHOST":

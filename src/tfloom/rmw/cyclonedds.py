@@ -138,13 +138,14 @@ class CycloneParticipant:
         try:
             cyclone_config.refuse_enforced_security()
             cyclone_config.look_up_peers()
-            library = _open_library().path
+            opened = _open_library()
+            library = opened.path
             check_threads(domain_id)
             self._vendors = Vendors(untranslated(library), self._find_node)
             self._native = DdsParticipant(
                 library,
                 domain_id,
-                cyclone_config.configuration(domain_id, announce_s),
+                cyclone_config.configuration(domain_id, announce_s, opened.version),
                 f"enclave={enclave};".encode(),
                 is_local=cyclone_config.is_local(),
             )
