@@ -12,6 +12,10 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
+from tfloom.node.context.context import Context
+from tfloom.node.executing.executors import SingleThreadedExecutor
+from tfloom.node.node import Node
+
 if TYPE_CHECKING:
     from websockets.sync.client import ClientConnection
 
@@ -19,7 +23,9 @@ if TYPE_CHECKING:
 
 HAS_VISER = all(find_spec(name) is not None for name in ("viser", "websockets", "msgspec", "trimesh"))
 collect_ignore = (
-    [] if HAS_VISER else ["test_pages.py", "test_recorded.py", "test_browser.py", "test_inline.py"]
+    []
+    if HAS_VISER
+    else ["test_forms.py", "test_pages.py", "test_recorded.py", "test_browser.py", "test_inline.py"]
 )
 """Tests of pages need the extra `view`; those of what is shown do not."""
 
@@ -78,6 +84,28 @@ def running(viewer: Viewer) -> Iterator[Viewer]:
     finally:
         over.set()
         thread.join(TIMEOUT_S)
+
+
+@pytest.fixture
+def node(domain_id: int) -> Iterator[Node]:
+    context = Context()
+    context.init(args=[], domain_id=domain_id)
+    made = Node("feeder", context=context)
+    yield made
+    made.destroy_node()
+    context.try_shutdown()
+
+
+@pytest.fixture
+def spun(node: Node) -> Iterator[Node]:
+    """The node, spun on a thread."""
+    executor = SingleThreadedExecutor(context=node.context)
+    executor.add_node(node)
+    thread = threading.Thread(target=executor.spin)
+    thread.start()
+    yield node
+    executor.shutdown()
+    thread.join(10.0)
 
 
 @pytest.fixture

@@ -313,6 +313,68 @@ def test_log_graph_and_parameters(tab: Tab) -> None:
     wait_until(lambda: "use_sim_time" in tab.text("#parameter-rows"), what="the parameters")
 
 
+class Form:
+    """The form of a tab, filled in as a user does it."""
+
+    def __init__(self, tab: Tab, what: str, name: str) -> None:
+        self._tab = tab
+        tab.click("[data-panel=send]")
+        tab.page.select_option("#form-what", what)
+        wait_until(
+            lambda: tab.page.evaluate(
+                "name => [...document.querySelectorAll('#form-names option')].some(one => one.value === name)",
+                name,
+            ),
+            what="the name",
+        )
+        tab.page.fill("#form-name", name)
+        tab.page.dispatch_event("#form-name", "change")
+        tab.page.wait_for_selector("#form-send:not([disabled])")
+
+    def set(self, field: str, text: str) -> None:
+        self._tab.page.fill(f"#form-fields [data-field={field}] input", text)
+
+    def send(self, answer: str) -> None:
+        """Send it, and wait for an answer."""
+        self._tab.click("#form-send")
+        wait_until(lambda: answer in self._tab.text("#form-answer"), what=answer)
+
+
+def test_forms_publish_call_and_send_goals(tab: Tab, node: Node, spin_until: Callable[..., None]) -> None:
+    aims: list[PoseStamped] = []
+    subscription = node.create_subscription(PoseStamped, "/aim", aims.append, 10)
+    form = Form(tab, "topic", "/aim")
+    tab.page.fill("#form-fields [data-field=position] [data-field=x] input", "2.5")
+    form.set("frame_id", EVIL)
+    form.send("published on /aim: 1 subscription")
+    spin_until(lambda: aims)
+    assert aims[-1].pose.position.x == 2.5
+    assert aims[-1].header.frame_id == EVIL
+    assert aims[-1].header.stamp.sec > 0
+    tab.keep("form_topic")
+    tab.page.fill("#form-fields [data-field=position] [data-field=x] input", "far")
+    form.send("pose.position.x: could not convert string to float")
+    node.destroy_subscription(subscription)
+
+    form = Form(tab, "service", "/spawn")
+    for field, text in (("x", "2"), ("y", "3"), ("name", "formed")):
+        form.set(field, text)
+    form.send("name: formed")
+    form.send("name: ''")  # there is one of this name already
+    tab.keep("form_service")
+
+    form = Form(tab, "action", "/turtle1/rotate_absolute")
+    form.set("theta", "1.2")
+    form.send("remaining: ")
+    wait_until(lambda: "SUCCEEDED" in tab.text("#form-answer"), what="the result")
+    tab.keep("form_action")
+    form.set("theta", "-1.9")
+    form.send("remaining: ")
+    tab.click("#form-cancel")
+    wait_until(lambda: "CANCELED" in tab.text("#form-answer"), what="the goal's end")
+    tab.click("[data-panel=frames]")
+
+
 def test_click_on_a_frame_in_the_scene_selects_it(browser: Any, address: str, tab: Tab) -> None:
     tab.page.goto("about:blank")  # one scene at a time is drawn
     # The camera looks at the origin of the map, close enough that its axes are many pixels long.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import urllib.error
 import urllib.request
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import Any
 
 import msgspec
@@ -19,8 +19,6 @@ from websockets.sync.client import ClientConnection, connect
 
 from tfloom.interfaces.geometry_msgs.msg import PoseStamped, TransformStamped, Twist
 from tfloom.interfaces.sensor_msgs.msg import Image, PointCloud2
-from tfloom.node.context.context import Context
-from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
 from tfloom.tf2_ros.transform_broadcaster import TransformBroadcaster
@@ -32,30 +30,6 @@ from tfloom.viewer.tools import Tools
 
 OpenPage = Callable[[Viewer], Page]
 EVIL = "<img src=x onerror=alert(1)>"
-
-
-@pytest.fixture
-def node(domain_id: int) -> Iterator[Node]:
-    context = Context()
-    context.init(args=[], domain_id=domain_id)
-    made = Node("feeder", context=context)
-    yield made
-    made.destroy_node()
-    context.try_shutdown()
-
-
-@pytest.fixture
-def spun(node: Node) -> Iterator[Node]:
-    """The node, spun on a thread."""
-    import threading
-
-    executor = SingleThreadedExecutor(context=node.context)
-    executor.add_node(node)
-    thread = threading.Thread(target=executor.spin)
-    thread.start()
-    yield node
-    executor.shutdown()
-    thread.join(10.0)
 
 
 def transform(parent: str, child: str, sec: int, x: float = 0.0) -> TransformStamped:

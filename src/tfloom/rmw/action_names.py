@@ -17,6 +17,11 @@ STATUS = "/_action/status"
 SEND_GOAL_TYPE = "_SendGoal"
 """Suffix of the action's type name in the type name of its `SEND_GOAL` service."""
 
+GOAL_STATUS = ("UNKNOWN", "ACCEPTED", "EXECUTING", "CANCELING", "SUCCEEDED", "CANCELED", "ABORTED")
+"""The names of the constants of `action_msgs/msg/GoalStatus`."""
+CANCEL_REFUSALS = {1: "it was rejected", 2: "the goal is unknown", 3: "the goal has ended"}
+"""The meanings of the codes of `action_msgs/srv/CancelGoal`."""
+
 
 def new_goal_id() -> UUID:
     """Return a random id, a UUID of version 4."""

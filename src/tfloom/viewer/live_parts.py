@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
     from tfloom.rmw.base import Participant
+    from tfloom.viewer.forms.sending import Sending
     from tfloom.viewer.log_lines import LogLines
     from tfloom.viewer.parameters import Parameters
     from tfloom.viewer.tools import Tools
@@ -20,3 +21,4 @@ class LiveParts(NamedTuple):
     tools: Tools
     log: LogLines
     parameters: Parameters
+    forms: Sending

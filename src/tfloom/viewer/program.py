@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from tfloom.rosidl.message import DecodeError
 from tfloom.viewer.camera import floor_point
 from tfloom.viewer.displays.display import shown_text
+from tfloom.viewer.forms.sending import FORM_COMMANDS
 from tfloom.viewer.log_lines import MAX_LINES
 from tfloom.viewer.node_graph import node_graph
 from tfloom.viewer.page_command import PageError, number, text
@@ -38,6 +39,9 @@ MAX_COMMANDS = 1000
 """Number of commands that wait; of more, the newest are dropped."""
 TICK_S = 0.5
 """Longest wait for a command while no page is open [s]: so long takes an end."""
+
+LIVE_COMMANDS = FORM_COMMANDS | {"floor", "drive", "graph", "parameters", "set_parameter"}
+"""Commands that a recording has nobody for."""
 
 
 class Viewer:
@@ -118,6 +122,7 @@ class Viewer:
         if self._live is not None:
             self._live.log.close()
             self._live.tools.close()
+            self._live.forms.leave_topics()
 
     def _publish(self) -> None:
         state = self.view.snapshot()
@@ -149,8 +154,10 @@ class Viewer:
     def _run_command(self, page: str, command: Mapping[str, Any]) -> None:
         operation = text(command, "op")
         if operation in {"opened", "closed"}:
+            if operation == "closed" and self._live is not None:
+                self._live.forms.forget(page)
             return
-        if operation not in {"floor", "drive", "graph", "parameters", "set_parameter"}:
+        if operation not in LIVE_COMMANDS:
             self.view.command(command)
             return
         if self._live is None:
@@ -161,6 +168,8 @@ class Viewer:
             self._live.tools.drive(text(command, "topic"), number(command, "ahead"), number(command, "left"))
         elif operation == "graph":
             self.pages.answer(page, {"graph": node_graph(self._live.participant.graph.endpoints())})
+        elif operation in FORM_COMMANDS:
+            self._live.forms.ask(page, command, lambda answer: self.pages.answer(page, answer))
         else:
             self._live.parameters.ask(command, lambda answer: self.pages.answer(page, answer))
 

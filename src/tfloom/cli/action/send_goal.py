@@ -13,16 +13,21 @@ from tfloom.cli.errors import standard_input
 from tfloom.cli.interfaces import action_class, fill_message, parse_yaml
 from tfloom.cli.listen import cli_node, decoded, shown_node
 from tfloom.cli.names import full_topic_name
-from tfloom.rmw.action_names import CANCEL_GOAL, FEEDBACK, GET_RESULT, SEND_GOAL, key_of, new_goal_id
+from tfloom.rmw.action_names import (
+    CANCEL_GOAL,
+    CANCEL_REFUSALS,
+    FEEDBACK,
+    GET_RESULT,
+    GOAL_STATUS,
+    SEND_GOAL,
+    key_of,
+    new_goal_id,
+)
 from tfloom.rmw.base import NodeName, Participant, Reader
 from tfloom.rmw.qos import QoS
 from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl.yaml_text import message_to_yaml
 
-STATUS = ("UNKNOWN", "ACCEPTED", "EXECUTING", "CANCELING", "SUCCEEDED", "CANCELED", "ABORTED")
-"""The names of the constants of `action_msgs/msg/GoalStatus`."""
-CANCEL_REFUSALS = {1: "it was rejected", 2: "the goal is unknown", 3: "the goal has ended"}
-"""The meanings of the codes of `action_msgs/srv/CancelGoal`."""
 CANCEL_TIMEOUT_S = 5.0
 FEEDBACK_TIMEOUT_S = 2.0
 
@@ -62,7 +67,9 @@ def main(args: argparse.Namespace) -> int:
             print(client.cancel())
             raise
         print(f"Result:\n    {message_to_yaml(response.result)}")
-        status = STATUS[response.status] if 0 <= response.status < len(STATUS) else f"{response.status}"
+        status = (
+            GOAL_STATUS[response.status] if 0 <= response.status < len(GOAL_STATUS) else f"{response.status}"
+        )
         print(f"Goal finished with status: {status}")
         return int(status != "SUCCEEDED")
 

@@ -9,6 +9,10 @@ let page = "";
 let state = null;
 let isDragging = false;      // the slider
 let named = new Set();       // frames of the finding that was clicked
+// What the other scripts of the page add: by the key of a message, what takes it; by panel, what opening it asks for.
+const takers = {};
+const openers = {};
+const showers = [];           // called with each new state
 
 function send(command) {
   if (socket && socket.readyState === WebSocket.OPEN) socket.send(JSON.stringify(command));
@@ -53,6 +57,7 @@ function take(message) {
   if (message.done !== undefined) say(message.done);
   if (message.graph !== undefined) showGraph(message.graph);
   if (message.parameters !== undefined) showParameters(message.parameters);
+  for (const [key, taker] of Object.entries(takers)) if (message[key] !== undefined) taker(message[key]);
 }
 
 function openScene(id) {
@@ -77,6 +82,7 @@ function show() {
   showSelection();
   showPictures();
   showDriveTopics();
+  for (const shower of showers) shower();
   if (document.activeElement !== $("axes")) $("axes").value = state.axes_m;
   $("names").checked = state.with_names;
   document.body.dataset.ready = "yes";
@@ -476,6 +482,7 @@ function takeKey(event, isDown) {
 function openPanel(name) {
   for (const button of document.querySelectorAll("#tabs [data-panel]")) button.classList.toggle("on", button.dataset.panel === name);
   for (const panel of document.querySelectorAll(".panel")) panel.classList.toggle("on", panel.id === name);
+  if (openers[name]) openers[name]();
   if (name === "graph") send({ op: "graph" });
   if (name === "parameters") send({ op: "parameters", node: $("parameter-node").value });
 }
@@ -523,4 +530,4 @@ $("scene").addEventListener("load", () => {
   } catch { /* the scene is not loaded */ }
 });
 setInterval(drive, 100);
-connect();
+addEventListener("DOMContentLoaded", connect);   // when the other scripts have run, too

@@ -1,0 +1,279 @@
+"""A request of one service, and a goal of one action, in steps that never wait."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from tfloom.interfaces.action_msgs.msg import GoalInfo
+from tfloom.rmw.action_names import (
+    CANCEL_GOAL,
+    CANCEL_REFUSALS,
+    FEEDBACK,
+    GET_RESULT,
+    GOAL_STATUS,
+    SEND_GOAL,
+    key_of,
+    new_goal_id,
+)
+from tfloom.rmw.qos import QoS
+from tfloom.rmw.typed_names import service_of, topic_of
+from tfloom.rosidl import cdr
+from tfloom.rosidl.yaml_text import message_to_yaml
+from tfloom.viewer.page_command import PageError
+
+if TYPE_CHECKING:
+    from tfloom._native import ReadyQueue
+    from tfloom.rmw.base import NodeName, Participant
+
+__all__ = ["Call", "Goal", "Question", "Wire"]
+
+SERVER_S = 3.0
+"""The longest wait for a server [s]."""
+RESPONSE_S = 10.0
+"""The longest wait for a response, but for the result of a goal [s]."""
+CANCEL_S = 3.0
+"""The longest wait for the response to a goal's cancellation [s]."""
+FEEDBACK_S = 0.2
+"""Least time between two feedbacks that a page gets [s]."""
+MAX_FEEDBACK = 100
+"""Number of feedbacks that are taken at once, of which the newest counts."""
+MAX_ELEMENTS = 100
+"""Length of arrays and texts of a message that is shown."""
+
+Tell = Callable[[str, str], None]
+"""Tells a page of what was sent: a state (`waiting`, `accepted`, `feedback`, `done` or `error`), and a text."""
+
+
+class Wire(NamedTuple):
+    """What ends of services and topics are created with."""
+
+    participant: Participant
+    node: NodeName
+    arrived: ReadyQueue
+    """Gets a token when something may have arrived."""
+
+
+class Question:
+    """A request of one service. One thread may use it.
+
+    Args:
+        wire: What its end is created with.
+        name: The full name of the service.
+        service_class: Its class.
+    """
+
+    def __init__(self, wire: Wire, name: str, service_class: type[Any]) -> None:
+        self._name = name
+        self._class = service_class
+        self._requester = wire.participant.create_requester(wire.node, service_of(service_class, name), QoS())
+        self._requester.notify(wire.arrived, 1)
+        self._requester.notify_ready(wire.arrived, 1)
+        self._request = b""
+        self._number: int | None = None
+        self._response_s = RESPONSE_S
+        self._end_s = math.inf
+
+    def ask(self, request: bytes, response_s: float = RESPONSE_S) -> None:
+        """Send a request as soon as there is a server, which may take `SERVER_S`; then wait for its response [s]."""
+        self._request, self._number = request, None
+        self._response_s = response_s
+        self._end_s = time.monotonic() + SERVER_S
+
+    @property
+    def is_sent(self) -> bool:
+        """Whether the request was sent."""
+        return self._number is not None
+
+    def take(self) -> Any:
+        """Return the response; None while there is none.
+
+        Raises:
+            PageError: there is no server, it has left, or did not respond in time, or its response is damaged.
+        """
+        if self._number is None:
+            if self._requester.is_ready():
+                self._number = self._requester.send(self._request)
+                self._end_s = time.monotonic() + self._response_s
+            elif incompatibility := self._requester.incompatibility():
+                raise PageError(incompatibility)
+            elif time.monotonic() > self._end_s:
+                raise PageError(f"there is no server of {self._name}: waited {SERVER_S:g} s for it")
+            return None
+        while (response := self._requester.take()) is not None:
+            if response.id.sequence_number == self._number:
+                try:
+                    return cdr.decode(self._class.Response, response.data)
+                except cdr.DecodeError as error:
+                    raise PageError(f"the response of {self._name} can't be decoded: {error}") from None
+        # A response that arrived before the server left was taken above.
+        if not self._requester.is_ready():
+            raise PageError(f"the server of {self._name} has left without a response")
+        if time.monotonic() > self._end_s:
+            raise PageError(f"no response from {self._name} within {self._response_s:g} s")
+        return None
+
+    def close(self) -> None:
+        """Leave the service."""
+        self._requester.close()
+
+
+class Call:
+    """A call of a service, of which the response is told. One thread may use it.
+
+    Args:
+        wire: What its end is created with.
+        name: The full name of the service.
+        service_class: Its class.
+        request: The bytes of the request.
+        tell: Tells the page.
+    """
+
+    def __init__(self, wire: Wire, name: str, service_class: type[Any], request: bytes, tell: Tell) -> None:
+        self._question = Question(wire, name, service_class)
+        self._question.ask(request)
+        self._tell = tell
+
+    def step(self) -> bool:
+        """Do what can be done now; return whether the call is over.
+
+        Raises:
+            PageError: it has failed.
+        """
+        response = self._question.take()
+        if response is None:
+            return False
+        self._tell("done", _text_of(response) or "the response has no fields")
+        return True
+
+    def cancel(self) -> bool:
+        """Wait no longer; return whether the call is over: a server can't be told."""
+        return True
+
+    def close(self) -> None:
+        """Leave the service."""
+        self._question.close()
+
+
+class Goal:
+    """A goal of an action, of which feedback and result are told. One thread may use it.
+
+    Args:
+        wire: What its ends are created with.
+        name: The full name of the action.
+        action_class: Its class.
+        goal: The goal.
+        tell: Tells the page.
+    """
+
+    def __init__(self, wire: Wire, name: str, action_class: type[Any], goal: Any, tell: Tell) -> None:
+        self._tell = tell
+        parts = action_class.Impl
+        self._feedback_class = parts.FeedbackMessage
+        self._id = new_goal_id()
+        # Before the services, because a server discovers ends in the order of their creation: one that responds to a
+        # goal then sends its feedback here, too.
+        self._feedback = wire.participant.create_reader(
+            wire.node, topic_of(self._feedback_class, name + FEEDBACK), QoS()
+        )
+        self._feedback.notify(wire.arrived, 1)
+        self._accepting = Question(wire, name + SEND_GOAL, parts.SendGoalService)
+        self._resulting = Question(wire, name + GET_RESULT, parts.GetResultService)
+        self._cancelling = Question(wire, name + CANCEL_GOAL, parts.CancelGoalService)
+        self._result_request = cdr.encode(parts.GetResultService.Request(goal_id=self._id))
+        self._cancel_request = cdr.encode(
+            parts.CancelGoalService.Request(goal_info=GoalInfo(goal_id=self._id))
+        )
+        self._accepting.ask(cdr.encode(parts.SendGoalService.Request(goal_id=self._id, goal=goal)))
+        self._is_accepted = False
+        self._is_cancel_wanted = False
+        self._is_cancelling = False
+        self._newest: Any = None
+        """The newest feedback that the page has not been told."""
+        self._next_feedback_s = 0.0
+
+    def step(self) -> bool:
+        """Do what can be done now; return whether the goal has ended.
+
+        Raises:
+            PageError: it has failed.
+        """
+        self._take_feedback()
+        if not self._is_accepted:
+            response = self._accepting.take()
+            if response is None:
+                return False
+            if not response.accepted:
+                raise PageError("the server rejected the goal")
+            self._is_accepted = True
+            self._tell("accepted", "the goal is accepted")
+            self._resulting.ask(self._result_request, math.inf)
+        if self._is_cancel_wanted:
+            self._is_cancel_wanted, self._is_cancelling = False, True
+            self._cancelling.ask(self._cancel_request, CANCEL_S)
+        if self._is_cancelling:
+            self._take_cancellation()
+        result = self._resulting.take()
+        if result is None:
+            self._tell_feedback(time.monotonic())
+            return False
+        self._take_feedback()
+        self._tell_feedback(math.inf)
+        status = GOAL_STATUS[result.status] if 0 <= result.status < len(GOAL_STATUS) else str(result.status)
+        self._tell("done", f"{status}\n{_text_of(result.result)}")
+        return True
+
+    def _take_feedback(self) -> None:
+        for _ in range(MAX_FEEDBACK):
+            sample = self._feedback.take()
+            if sample is None:
+                return
+            try:
+                message = cdr.decode(self._feedback_class, sample.data)
+            except cdr.DecodeError:
+                continue
+            if key_of(message.goal_id) == key_of(self._id):
+                self._newest = message.feedback
+
+    def _tell_feedback(self, now_s: float) -> None:
+        if self._newest is not None and now_s >= self._next_feedback_s:
+            self._next_feedback_s = time.monotonic() + FEEDBACK_S
+            self._tell("feedback", _text_of(self._newest))
+            self._newest = None
+
+    def _take_cancellation(self) -> None:
+        try:
+            response = self._cancelling.take()
+        except PageError as error:
+            self._is_cancelling = False
+            self._tell("accepted", str(error))
+            return
+        if response is None:
+            return
+        self._is_cancelling = False
+        if any(key_of(info.goal_id) == key_of(self._id) for info in response.goals_canceling):
+            self._tell("accepted", "the goal is being canceled")
+        else:
+            reason = CANCEL_REFUSALS.get(response.return_code, "no reason given")
+            self._tell("accepted", f"the server did not cancel the goal: {reason}")
+
+    def cancel(self) -> bool:
+        """Let the server be asked to cancel the goal; return whether it is over, because it was never sent.
+
+        A goal that was sent may be accepted yet, so it is cancelled then.
+        """
+        self._is_cancel_wanted = not self._is_cancelling
+        return not self._accepting.is_sent
+
+    def close(self) -> None:
+        """Leave the action."""
+        self._feedback.close()
+        for question in (self._accepting, self._resulting, self._cancelling):
+            question.close()
+
+
+def _text_of(message: Any) -> str:
+    """Return a message as YAML, with long arrays and texts cut."""
+    return message_to_yaml(message, truncate_length=MAX_ELEMENTS) if type(message)._FIELDS else ""

@@ -1,0 +1,346 @@
+"""Forms of pages, on a live graph: how they are made from types, and what is published, called and sent by them."""
+
+from __future__ import annotations
+
+import json
+import time
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from tests.conftest import wait_until
+from tests.viewer.conftest import Page
+
+from tfloom.interfaces.action_msgs.msg import GoalStatus
+from tfloom.interfaces.example_interfaces.action import Fibonacci
+from tfloom.interfaces.geometry_msgs.msg import PoseStamped
+from tfloom.interfaces.rcl_interfaces.msg import Log
+from tfloom.interfaces.sensor_msgs.msg import Imu
+from tfloom.interfaces.std_msgs.msg import Int64, String
+from tfloom.interfaces.std_srvs.srv import SetBool
+from tfloom.interfaces.turtlesim.srv import Spawn
+from tfloom.interfaces.visualization_msgs.msg import MarkerArray
+from tfloom.node.action.server import ActionServer, CancelResponse, GoalResponse, ServerGoalHandle
+from tfloom.node.executing.task import Future
+from tfloom.node.node import Node
+from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
+from tfloom.rosidl.class_search import find_class
+from tfloom.rosidl.definition_files import interface_names
+from tfloom.viewer.forms import asking, filling, sending, type_form
+from tfloom.viewer.forms.filling import fill
+from tfloom.viewer.page_command import PageError
+from tfloom.viewer.program import Viewer
+
+OpenPage = Callable[[Viewer], Page]
+
+
+def sent(page: Page, state: str) -> str:
+    """Wait until something that was sent is in a state; return the text."""
+    rows = page.wait_for(
+        lambda: [one["sent"] for one in page.answers if "sent" in one and one["sent"]["state"] == state]
+    )
+    return str(rows[-1]["text"])
+
+
+def send(page: Page, what: str, name: str, values: Any, type_name: str = "", key: str = "1") -> None:
+    page.answers.clear()
+    page.send(op="send", key=key, what=what, name=name, type=type_name, values=values)
+
+
+# The form of a type.
+
+
+def test_every_type_has_a_form_that_json_and_a_page_can_take() -> None:
+    kinds = set()
+    for name in interface_names("msg"):
+        form = type_form.type_form(find_class(name))
+        json.dumps(form, allow_nan=False)
+        assert form["root"] == name
+        for fields in form["types"].values():
+            for field in fields:
+                kinds.add(field["kind"])
+                assert field["kind"] != "message" or field["base"] in form["types"]
+    assert kinds == {"bool", "integer", "float", "text", "time", "message"}
+
+
+def field_of(form: dict[str, Any], type_name: str, name: str) -> dict[str, Any]:
+    return next(field for field in form["types"][type_name] if field["name"] == name)
+
+
+def test_form_has_bounds_defaults_and_constants_as_choices() -> None:
+    level = field_of(type_form.type_form(Log), "rcl_interfaces/msg/Log", "level")
+    assert (level["kind"], level["min"], level["max"]) == ("integer", "0", "255")
+    data = field_of(type_form.type_form(Int64), "std_msgs/msg/Int64", "data")
+    assert (data["min"], data["max"]) == (str(-(2**63)), str(2**63 - 1))
+    covariance = field_of(type_form.type_form(Imu), "sensor_msgs/msg/Imu", "orientation_covariance")
+    assert (covariance["shape"], covariance["length"], covariance["value"]) == ("array", 9, ["0.0"] * 9)
+    form = type_form.type_form(MarkerArray)
+    kind = field_of(form, "visualization_msgs/msg/Marker", "type")
+    assert ["CUBE", "1"] in kind["choices"]
+    assert field_of(form, "visualization_msgs/msg/Marker", "ns")["choices"] == []
+    assert field_of(form, "std_msgs/msg/Header", "stamp")["kind"] == "time"
+
+
+def test_too_many_fields_are_no_form(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(type_form, "MAX_FIELDS", 20)
+    with pytest.raises(PageError, match="visualization_msgs/msg/MarkerArray has more than 20 fields"):
+        type_form.type_form(MarkerArray)
+
+
+# From what is filled in to a message.
+
+
+def test_defaults_of_a_form_fill_the_message_that_is_new() -> None:
+    """What a page reads back from a form that nobody has changed is each type's new message."""
+
+    def values_of(form: dict[str, Any], type_name: str) -> dict[str, Any]:
+        values: dict[str, Any] = {}
+        for field in form["types"][type_name]:
+            if field["shape"] and field["kind"] in {"message", "time"}:
+                if field["shape"] != "array":
+                    values[field["name"]] = []
+            elif field["kind"] == "message":
+                values[field["name"]] = values_of(form, field["base"])
+            elif field["kind"] == "time":
+                values[field["name"]] = {"sec": "0", "nanosec": "0"}
+            elif field["value"] or field["shape"] != "array":
+                values[field["name"]] = field["value"]
+        return values
+
+    for name in interface_names("msg"):
+        message_class = find_class(name)
+        form = type_form.type_form(message_class)
+        message = message_class()
+        fill(message, values_of(form, name), 0)
+        assert message == message_class() or "nan" in repr(message), name
+
+
+def test_now_is_the_time_of_sending_and_numbers_may_be_texts() -> None:
+    message = PoseStamped()
+    fill(
+        message,
+        {"header": {"stamp": "now", "frame_id": "map"}, "pose": {"position": {"x": "1e3"}}},
+        5_000_000_007,
+    )
+    assert (message.header.stamp.sec, message.header.stamp.nanosec) == (5, 7)
+    assert message.pose.position.x == 1000.0
+    number = Int64()
+    fill(number, {"data": str(2**63 - 1)}, 0)
+    assert number.data == 2**63 - 1
+
+
+WRONG: list[tuple[type[Any], Any, str]] = [
+    (PoseStamped, {"pose": {"position": {"x": "far"}}}, r"pose\.position\.x: .*'far'"),
+    (PoseStamped, {"pose": {"position": {"w": 1}}}, "pose.position: .*no attribute 'w'"),
+    (PoseStamped, {"pose": [1]}, "pose: .*expected to be a dictionary"),
+    (PoseStamped, 3, "expected to be a dictionary"),
+    (Int64, {"data": str(2**63)}, "data: .*outside"),
+    (Int64, {"data": "9" * 10_000}, "data: "),
+    (Int64, {"data": 1.5}, "no whole number"),
+    (Imu, {"orientation_covariance": [1, 2]}, "orientation_covariance"),
+    (Imu, {"orientation_covariance": [[1]] * 9}, "orientation_covariance"),
+    (MarkerArray, {"markers": [{"color": {"r": None}}]}, r"markers\[0\]\.color\.r"),
+    (MarkerArray, {"markers": {"a": 1}}, "markers: .*expected to be a list"),
+    (String, {"data": "\ud800"}, "data"),
+]
+
+
+def test_what_does_not_fit_is_refused_and_its_field_named() -> None:
+    for message_class, values, sentence in WRONG:
+        with pytest.raises(PageError, match=sentence):
+            fill(message_class(), values, 0)
+
+
+def test_message_that_a_short_text_makes_large_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(filling, "MAX_VALUES", 1000)
+    fill(MarkerArray(), {"markers": [{}] * 10}, 0)
+    with pytest.raises(PageError, match="at most 1000 values"):
+        fill(MarkerArray(), {"markers": [{}] * 100}, 0)
+    with pytest.raises(PageError, match="at most 1000 values"):
+        fill(MarkerArray(), {"markers": [{"points": [{}] * 400}]}, 0)
+
+
+# On a graph.
+
+
+def test_page_gets_names_and_the_form_of_a_name(spun: Node, viewer: Viewer, open_page: OpenPage) -> None:
+    spun.create_subscription(PoseStamped, "/aim", lambda _: None, 10)
+    spun.create_service(SetBool, "/lamp", lambda _, response: response)
+    ActionServer(spun, Fibonacci, "/count", lambda _: Fibonacci.Result())
+    page = open_page(viewer)
+
+    def names(what: str, name: str) -> Any:
+        page.answers.clear()
+        page.send(op="form_names", what=what)
+        return dict(page.answer("form_names")["names"]).get(name)
+
+    wait_until(lambda: names("topic", "/aim") == "geometry_msgs/msg/PoseStamped", what="the topic")
+    wait_until(lambda: names("service", "/lamp") == "std_srvs/srv/SetBool", what="the service")
+    wait_until(lambda: names("action", "/count") == "example_interfaces/action/Fibonacci", what="the action")
+    assert names("service", "/count/_action/send_goal") is None
+    page.answers.clear()
+    page.send(op="form", what="action", name="count", type="")
+    form = page.answer("form")
+    assert form["name"] == "/count"
+    assert [field["name"] for field in form["types"][form["root"]]] == ["order"]
+    page.answers.clear()
+    page.send(op="form", what="topic", name="/aim", type="std_msgs/String", key="form")
+    assert "/aim has the type geometry_msgs/msg/PoseStamped, not std_msgs/msg/String" in sent(page, "error")
+
+
+def test_message_is_published_to_all_subscriptions_of_the_graph(
+    spun: Node, viewer: Viewer, open_page: OpenPage
+) -> None:
+    plain: list[PoseStamped] = []
+    kept: list[PoseStamped] = []
+    spun.create_subscription(PoseStamped, "/aim", plain.append, 10)
+    spun.create_subscription(
+        PoseStamped, "/aim", kept.append, QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+    )
+    page = open_page(viewer)
+    graph = viewer._live.participant.graph
+    wait_until(lambda: sum(end.topic.name == "/aim" for end in graph.endpoints()) == 2, what="subscriptions")
+    before_s = time.time()
+    send(page, "topic", "aim", {"header": {"stamp": "now"}, "pose": {"position": {"x": "2.5"}}})
+    assert sent(page, "done") == "published on /aim: 2 subscriptions"
+    wait_until(lambda: plain and kept, what="the message")
+    assert plain[0].pose.position.x == kept[0].pose.position.x == 2.5
+    assert before_s - 1 <= plain[0].header.stamp.sec <= time.time()
+    send(page, "topic", "/nobody", {"data": "x"}, "std_msgs/msg/String")
+    assert sent(page, "done") == "published on /nobody: 0 subscriptions"
+    wait_until(lambda: any(end.topic.name == "/nobody" for end in graph.endpoints()), what="the writer")
+    page.socket.close()
+    wait_until(lambda: not any(end.topic.name == "/nobody" for end in graph.endpoints()), what="its end")
+
+
+def test_service_is_called_and_its_response_shown(spun: Node, viewer: Viewer, open_page: OpenPage) -> None:
+    def spawn(request: Spawn.Request, response: Spawn.Response) -> Spawn.Response:
+        response.name = f"{request.name} at {request.x:g}"
+        return response
+
+    spun.create_service(Spawn, "/spawn", spawn)
+    page = open_page(viewer)
+    send(page, "service", "/spawn", {"name": "t2", "x": "3"}, "turtlesim/srv/Spawn")
+    assert sent(page, "done") == "name: t2 at 3\n"
+    send(page, "service", "/spawn", {"x": "three"}, "turtlesim/srv/Spawn")
+    assert "x: " in sent(page, "error")
+
+
+def test_service_that_is_not_there_or_does_not_respond_is_an_error_in_time(
+    node: Node, viewer: Viewer, open_page: OpenPage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(asking, "SERVER_S", 0.3)
+    page = open_page(viewer)
+    send(page, "service", "/gone", {}, "std_srvs/srv/SetBool")
+    assert sent(page, "error") == "there is no server of /gone: waited 0.3 s for it"
+    send(page, "action", "/gone", {}, "example_interfaces/action/Fibonacci")
+    assert "there is no server of /gone/_action/send_goal" in sent(page, "error")
+    monkeypatch.setattr(asking.Question.ask, "__defaults__", (0.5,))
+    service = node.create_service(SetBool, "/silent", lambda _, response: response)  # nobody spins the node
+    monkeypatch.setattr(asking, "SERVER_S", 20.0)
+    send(page, "service", "/silent", {}, "std_srvs/srv/SetBool")
+    assert sent(page, "error") == "no response from /silent within 0.5 s"
+    monkeypatch.setattr(asking.Question.ask, "__defaults__", (60.0,))
+    send(page, "service", "/silent", {}, "std_srvs/srv/SetBool", key="2")
+    tasks = viewer._live.forms._tasks
+    wait_until(
+        lambda: any(one.key == "2" and one.task._question.is_sent for one in tasks), what="the request"
+    )
+    node.destroy_service(service)
+    assert sent(page, "error") == "the server of /silent has left without a response"
+
+
+class Counting:
+    """A server of /count that counts until it is released or cancelled."""
+
+    def __init__(self, node: Node) -> None:
+        self.handles: list[ServerGoalHandle] = []
+        self._gate: Future[None] = Future(executor=node.executor)
+        ActionServer(
+            node,
+            Fibonacci,
+            "/count",
+            self._run,
+            goal_callback=lambda goal: GoalResponse.ACCEPT if goal.order < 10 else GoalResponse.REJECT,
+            cancel_callback=self._cancel,
+        )
+
+    async def _run(self, handle: ServerGoalHandle) -> Fibonacci.Result:
+        self.handles.append(handle)
+        handle.publish_feedback(Fibonacci.Feedback(sequence=[7]))
+        await self._gate
+        handle.canceled() if handle.is_cancel_requested else handle.succeed()
+        return Fibonacci.Result(sequence=[1, 2])
+
+    def _cancel(self, _: object) -> CancelResponse:
+        self._gate.set_result(None)
+        return CancelResponse.ACCEPT
+
+    def release(self) -> None:
+        self._gate.set_result(None)
+
+
+def test_goal_tells_its_feedback_and_its_result(spun: Node, viewer: Viewer, open_page: OpenPage) -> None:
+    server = Counting(spun)
+    page = open_page(viewer)
+    send(page, "action", "/count", {"order": "3"}, "example_interfaces/action/Fibonacci")
+    assert sent(page, "accepted") == "the goal is accepted"
+    assert sent(page, "feedback") == "sequence:\n- 7\n"
+    assert server.handles[0].request.order == 3
+    server.release()
+    assert sent(page, "done") == "SUCCEEDED\nsequence:\n- 1\n- 2\n"
+    send(page, "action", "/count", {"order": "10"}, "example_interfaces/action/Fibonacci")
+    assert sent(page, "error") == "the server rejected the goal"
+
+
+def test_goal_is_canceled_by_its_page_alone(spun: Node, viewer: Viewer, open_page: OpenPage) -> None:
+    server = Counting(spun)
+    page, other = open_page(viewer), open_page(viewer)
+    send(page, "action", "/count", {"order": "3"}, "example_interfaces/action/Fibonacci", key="a")
+    sent(page, "accepted")
+    other.send(op="cancel", key="a")
+    send(other, "topic", "/x", {}, "std_msgs/msg/Empty")
+    sent(other, "done")  # after the cancel, which was not its own
+    assert not server.handles[0].is_cancel_requested
+    page.send(op="cancel", key="a")
+    assert sent(page, "done").startswith("CANCELED\n")
+    assert server.handles[0].status == GoalStatus.STATUS_CANCELED
+
+
+def test_closed_page_cancels_its_goal(spun: Node, viewer: Viewer, open_page: OpenPage) -> None:
+    server = Counting(spun)
+    page = open_page(viewer)
+    send(page, "action", "/count", {"order": "3"}, "example_interfaces/action/Fibonacci")
+    sent(page, "accepted")
+    page.socket.close()
+    wait_until(lambda: server.handles[0].status == GoalStatus.STATUS_CANCELED, what="the goal's end")
+    forms = viewer._live.forms
+    wait_until(lambda: not forms._tasks and not forms._orphans, what="the client's end")
+
+
+def test_wrong_commands_get_a_sentence_and_forms_go_on(
+    viewer: Viewer, open_page: OpenPage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    page = open_page(viewer)
+    wrong: list[tuple[dict[str, Any], str]] = [
+        ({"op": "form", "what": "dream", "name": "/x", "type": ""}, "what has to be topic, service, action"),
+        ({"op": "form", "what": "topic", "name": "/x", "type": ""}, "nobody has /x: say its type"),
+        ({"op": "form", "what": "topic", "name": "/x y", "type": "std_msgs/String"}, "x y"),
+        ({"op": "form", "what": "topic", "name": "/x", "type": "no_pkg/No"}, "there is no message type"),
+        ({"op": "form", "what": "service", "name": "/x", "type": "std_msgs/msg/String"}, "no service type"),
+        ({"op": "form", "what": "topic", "name": 3, "type": ""}, "name has to be a text"),
+        ({"op": "send", "what": "topic", "name": "/x", "type": "std_msgs/String", "values": 1}, "key has to"),
+    ]
+    for command, sentence in wrong:
+        page.answers.clear()
+        page.send(**command)
+        assert sentence in page.answer("error"), command
+    for values in (None, [], {"data": {"a": "b"}, "x": 1}, {"data": [[[[[]]]]]}):
+        send(page, "topic", "/x", values, "std_msgs/msg/Int64")
+        assert sent(page, "error")
+    monkeypatch.setattr(sending, "MAX_OPEN", 0)
+    send(page, "topic", "/x", {}, "std_msgs/msg/Int64")
+    assert "are under way already" in sent(page, "error")
+    monkeypatch.setattr(sending, "MAX_OPEN", 5)
+    send(page, "topic", "/x", {"data": "5"}, "std_msgs/msg/Int64")
+    assert sent(page, "done")
