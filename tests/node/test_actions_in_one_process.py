@@ -199,30 +199,153 @@ def test_a_nested_spin_in_the_clients_group_gets_its_result(
     finish(executor, done)
 
 
-def test_threads_deliver_feedback_and_result(context: Context, node: Node, client: ActionClient) -> None:
-    heard: list[int] = []
+@pytest.mark.parametrize("group", [None, ReentrantCallbackGroup], ids=["exclusive", "reentrant"])
+def test_threads_deliver_all_feedback_before_the_result(
+    context: Context, node: Node, group: type[ReentrantCallbackGroup] | None
+) -> None:
+    """Goal after goal, while other callbacks keep the threads busy."""
+    heard: dict[int, list[int]] = {}
+    at_end: dict[int, list[int]] = {}
 
     def execute(goal_handle: ServerGoalHandle) -> Fibonacci.Result:
         for number in range(5):
             goal_handle.publish_feedback(Fibonacci.Feedback(sequence=[number]))
         return succeed(goal_handle)
 
-    ActionServer(node, Fibonacci, "count", execute)
-    with MultiThreadedExecutor(context=context) as executor:
+    client = ActionClient(node, Fibonacci, "count", callback_group=group() if group else None)
+    ActionServer(node, Fibonacci, "count", execute, callback_group=ReentrantCallbackGroup())
+    node.create_timer(0.001, lambda: sum(range(1000)), ReentrantCallbackGroup())
+    with MultiThreadedExecutor(3, context=context) as executor:
         executor.add_node(node)
         assert client.wait_for_server(30)
-        sent = client.send_goal_async(
-            Fibonacci.Goal(), feedback_callback=lambda message: heard.append(message.feedback.sequence[0])
-        )
-        result = finish(executor, finish(executor, sent).get_result_async())
-        assert list(result.result.sequence) == [1]
-        everything: Future[None] = Future()
-        spinning = threading.Thread(target=executor.spin_until_future_complete, args=(everything,))
-        spinning.start()
-        wait_until(lambda: len(heard) == 5)
-        everything.set_result(None)
+        for goal in range(40):
+            heard[goal] = []
+
+            def hear(message: Any, goal: int = goal) -> None:
+                heard[goal].append(message.feedback.sequence[0])
+
+            def note(_: Any, goal: int = goal) -> None:
+                at_end[goal] = sorted(heard[goal])
+
+            handle = finish(executor, client.send_goal_async(Fibonacci.Goal(), feedback_callback=hear))
+            result = handle.get_result_async()
+            result.add_done_callback(note)
+            assert list(finish(executor, result).result.sequence) == [1]
+            assert sorted(heard[goal]) == [0, 1, 2, 3, 4]
+        executor.spin_until_future_complete(executor.create_task(lambda: None), timeout_sec=30)
+    assert at_end == {goal: [0, 1, 2, 3, 4] for goal in range(40)}
+
+
+def run_with_threads(
+    executor: Executor, node: Node, begin: Callable[[], None], group: Any = None
+) -> tuple[Future[None], threading.Thread]:
+    """Call a function in a callback of the node; return a future that ends the spin, and the thread that spins."""
+
+    def once() -> None:
+        timer.cancel()
+        begin()
+
+    timer = node.create_timer(0.0, once, group)
+    end: Future[None] = Future()
+    executor.add_node(node)
+    spinning = threading.Thread(target=executor.spin_until_future_complete, args=(end,))
+    spinning.start()
+    return end, spinning
+
+
+@pytest.mark.parametrize("case", ["own group", "all threads", "feedback itself"])
+def test_a_result_is_not_held_back_by_what_waits_for_it(
+    context: Context, node: Node, case: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Its feedback can't run: its group is that of the waiting callback, or no thread is free, or it waits itself."""
+    monkeypatch.setattr("tfloom.node.executing.executors.MAX_HOLD_NS", 300_000_000)
+    group = ReentrantCallbackGroup()
+    goals: list[ServerGoalHandle] = []
+    results: list[Any] = []
+    handles: list[Any] = []
+
+    def handle_accepted(goal_handle: ServerGoalHandle) -> None:
+        goals.append(goal_handle)
+        if case != "feedback itself":
+            goal_handle.execute()
+
+    def execute(goal_handle: ServerGoalHandle) -> Fibonacci.Result:
+        goal_handle.publish_feedback(Fibonacci.Feedback(sequence=[1]))
+        return succeed(goal_handle)
+
+    server_node = Node("server", context=context)
+    client = ActionClient(
+        node, Fibonacci, "count", callback_group=None if case == "own group" else ReentrantCallbackGroup()
+    )
+    ActionServer(
+        server_node,
+        Fibonacci,
+        "count",
+        execute,
+        handle_accepted_callback=handle_accepted,
+        callback_group=group,
+    )
+
+    def hear(message: Any) -> None:
+        if case == "feedback itself":
+            results.append(handles[0].get_result())
+
+    def execute_it(sent: Future[Any]) -> None:
+        handles.append(sent.result())
+        wait_until(lambda: goals)
+        goals[0].execute()
+
+    def send() -> None:
+        if case == "feedback itself":
+            sent = client.send_goal_async(Fibonacci.Goal(), feedback_callback=hear)
+            sent.add_done_callback(execute_it)
+        else:
+            results.append(client.send_goal(Fibonacci.Goal(), feedback_callback=hear))
+
+    with (
+        MultiThreadedExecutor(1 if case == "all threads" else 2, context=context) as executor,
+        MultiThreadedExecutor(context=context) as servers,
+    ):
+        server_end, serving = run_with_threads(servers, server_node, lambda: None)
+        assert client.wait_for_server(30)
+        end, spinning = run_with_threads(executor, node, send)
+        wait_until(lambda: results)
+        for future, thread in ((end, spinning), (server_end, serving)):
+            future.set_result(None)
+            thread.join(30)
+    assert list(results[0].result.sequence) == [1]
+
+
+def test_a_result_of_a_node_that_leaves_its_threads_is_delivered(context: Context, node: Node) -> None:
+    """The node is removed while its feedback's callback still runs."""
+    begun, gate = threading.Event(), threading.Event()
+    done = threading.Event()
+
+    def execute(goal_handle: ServerGoalHandle) -> Fibonacci.Result:
+        goal_handle.publish_feedback(Fibonacci.Feedback(sequence=[1]))
+        return succeed(goal_handle)
+
+    def hear(_: Any) -> None:
+        begun.set()
+        gate.wait(30)
+
+    client = ActionClient(node, Fibonacci, "count")
+    ActionServer(node, Fibonacci, "count", execute, callback_group=ReentrantCallbackGroup())
+    with MultiThreadedExecutor(3, context=context) as executor:
+
+        def send() -> None:
+            sent = client.send_goal_async(Fibonacci.Goal(), feedback_callback=hear)
+            sent.add_done_callback(lambda sent: sent.result().get_result_async().when_complete(done.set))
+
+        end, spinning = run_with_threads(executor, node, send)
+        assert begun.wait(30)
+        wait_until(lambda: executor._held)
+        assert not done.is_set()
+        executor.remove_node(node)
+        assert done.wait(30)
+        gate.set()
+        end.set_result(None)
         spinning.join(30)
-    assert heard == [0, 1, 2, 3, 4]
 
 
 def test_threads_that_all_wait_get_their_responses(context: Context, node: Node) -> None:

@@ -303,7 +303,7 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
         # The result may be received before feedback that was sent earlier, because they are on different endpoints.
         # What has arrived by then is delivered first, so that the future's completion is the end of the goal's
         # feedback.
-        self._chain(answer, future, on_response, self._deliver_waiting_feedback)
+        self._chain(answer, future, on_response, self._after_waiting_feedback)
         answer.when_complete(end_if_lost)
         return future
 
@@ -329,11 +329,12 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
         first: Future[Any],
         then: Future[T],
         convert: Callable[[Any, int | None], T],
-        before: Callable[[], None] | None = None,
+        after: Callable[[Callable[[], None]], None] | None = None,
     ) -> None:
-        """When `first` completes with `result`, call `before`, and complete `then` with `convert(result, stamp_ns)`.
+        """When `first` completes with `result`, complete `then` with `convert(result, stamp_ns)`.
 
-        `stamp_ns` is when the server sent the result, by its clock.
+        `stamp_ns` is when the server sent the result, by its clock. `after` calls what it is given when that may be
+        done; without it, it is done at once.
         """
 
         def complete() -> None:
@@ -346,16 +347,18 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
                 then.set_executor(executor_of(self._node))
                 then.set_exception(error)
                 return
-            # `before` may call the program's callback for feedback. What that raises goes on to the spin, and the
-            # future is completed nevertheless, because no other response would do it.
-            try:
-                if before is not None:
-                    before()
-            finally:
-                # The executor of now: the node may have been added to one after the request was sent.
-                then.set_executor(executor_of(self._node))
-                stamp_ns = first.source_stamp_ns if isinstance(first, ResponseFuture) else None
-                then.set_result(convert(first.result(), stamp_ns))
+            if after is None:
+                finish()
+            else:
+                after(finish)
+
+        def finish() -> None:
+            if then.cancelled():
+                return
+            # The executor of now: the node may have been added to one after the request was sent.
+            then.set_executor(executor_of(self._node))
+            stamp_ns = first.source_stamp_ns if isinstance(first, ResponseFuture) else None
+            then.set_result(convert(first.result(), stamp_ns))
 
         first.when_complete(complete)
 
@@ -408,10 +411,14 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
             return None
         return callback(message)
 
-    def _deliver_waiting_feedback(self) -> None:
+    def _after_waiting_feedback(self, finish: Callable[[], None]) -> None:
         executor = executor_of(self._node)
-        if executor is not None:
-            executor.run_waiting(self._feedback)
+        if executor is None:
+            finish()
+        else:
+            # What the program's callback raises goes on to the spin, and `finish` is called nevertheless, because no
+            # other response would complete the future.
+            executor.run_waiting(self._feedback, finish)
 
     def _on_status(self, message: GoalStatusArray) -> None:
         for goal_status in message.status_list:

@@ -277,11 +277,18 @@ class Executor(WorkQueue):
 
     # Running
 
-    def run_waiting(self, entity: Entity) -> None:
-        """Run the callbacks for all that an entity has waiting, as far as its group admits them.
+    def run_waiting(self, entity: Entity, then: Callable[[], None]) -> None:
+        """Run the callbacks for all that an entity has waiting, as far as its group admits them; then call `then`.
 
-        To be called where a response was taken. It does nothing while another thread spins.
+        To be called where a response was taken. It runs no callback while another thread spins. What a callback raises
+        is raised after `then` was called.
         """
+        try:
+            self._run_all_of(entity)
+        finally:
+            then()
+
+    def _run_all_of(self, entity: Entity) -> None:
         token = self._tokens.get(entity)
         # `_take` uses what belongs to the thread that spins alone. If that is another one, the posts of the entity have
         # told it, and it runs these callbacks itself.

@@ -6,7 +6,7 @@ import sys
 import threading
 import time
 from collections import deque
-from collections.abc import Callable, Coroutine
+from collections.abc import Callable, Coroutine, Iterable
 from contextlib import suppress
 from types import CoroutineType
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -42,6 +42,11 @@ __all__ = [
 
 WaitableEntityType = TypeVar("WaitableEntityType")
 
+MAX_HOLD_NS = 1_000_000_000
+"""How long the end of what was sent before a response is waited for at most, before the response's future is
+completed [ns]: a callback may itself wait for that future."""
+MAX_HOLD_BY_OTHERS_NS = 100_000_000
+"""The same while other callbacks occupy all threads, or the group: those, too, may wait for that future [ns]."""
 BATCH_NS = 200_000
 """How long a thread of the pool runs one callback after the other without returning to the thread that spins [ns]."""
 
@@ -50,6 +55,25 @@ async def await_or_execute(callback: Callable[..., Any] | Coroutine[Any, Any, An
     """Call a function, or await a coroutine function or coroutine, and return the result."""
     outcome = callback if isinstance(callback, Coroutine) else callback(*args)
     return await outcome if isinstance(outcome, Coroutine) else outcome
+
+
+class _Held:
+    """What is called when an entity has nothing waiting any more, and none of its callbacks runs.
+
+    Args:
+        entity: The entity.
+        then: What is called.
+    """
+
+    def __init__(self, entity: Entity, then: Callable[[], None]) -> None:
+        self.entity = entity
+        self.then = then
+        self.end_ns = time.monotonic_ns() + MAX_HOLD_NS
+        """When it is called in any case, by the steady clock."""
+
+    def is_over(self) -> bool:
+        """Return whether the wait has been as long as it may be."""
+        return time.monotonic_ns() >= self.end_ns
 
 
 class SingleThreadedExecutor(Executor):
@@ -89,6 +113,10 @@ class MultiThreadedExecutor(Executor):
         """Whether the pool has a thread. Set once, by the first callback that runs there, without a lock."""
         self._lacks_thread = False
         """Whether the pool's queue has a callback for which no thread could be started. Of the thread that spins."""
+        self._in_pool: list[Entity | None] = []
+        """The entities whose callbacks are in the pool. Changed by single operations, without a lock."""
+        self._held: list[_Held] = []
+        """What `run_waiting` holds back. Whoever removes one calls it; changed by single operations, without a lock."""
         self._awaited: Future[Any] | None = None
         """The future at whose completion the present spin ends. Written by the thread that spins, without a lock."""
 
@@ -125,6 +153,7 @@ class MultiThreadedExecutor(Executor):
         # Counted here and not on the pool's thread, which may begin late: `_has_room` would admit too many meanwhile.
         with self._busy_lock:
             self._busy += 1
+        self._in_pool.append(work.entity)
         self._start_thread(lambda: self._run_in_pool(work), work)
 
     def _start_thread(self, run: Callable[[], None], work: Work | None = None) -> None:
@@ -151,8 +180,10 @@ class MultiThreadedExecutor(Executor):
                 return
             with self._busy_lock:  # another thread has just shut this executor down: the callback isn't run
                 self._busy -= work is not None
-            if work is not None and work.entity is not None:
-                self._end(work.entity)
+            if work is not None:
+                self._in_pool.remove(work.entity)
+                if work.entity is not None:
+                    self._end(work.entity)
 
     def _run_in_pool(self, work: Work) -> None:
         self._has_thread = True
@@ -161,6 +192,7 @@ class MultiThreadedExecutor(Executor):
         except BaseException as error:  # noqa: BLE001  # raised on the thread that spins
             self._errors.append(error)
         finally:
+            self._in_pool.remove(work.entity)
             with self._busy_lock:
                 self._busy -= 1
             # The thread that spins may wait for a free thread of the pool, or has an error to raise.
@@ -202,8 +234,67 @@ class MultiThreadedExecutor(Executor):
             and time.monotonic_ns() < batch_end_ns
         )
 
-    def run_waiting(self, entity: Entity) -> None:
-        """Do nothing, because callbacks run on other threads than the one that takes responses."""
+    def run_waiting(self, entity: Entity, then: Callable[[], None]) -> None:
+        """Call `then` on the thread that spins, when all that an entity has waiting has run on threads of the pool.
+
+        A callback may wait for what `then` completes, on a thread or in the group that the entity's own need: so it is
+        called after `MAX_HOLD_NS` in any case. On another thread than the one that spins, it is called at once.
+        """
+        if not self._spinning.acquire(blocking=False):
+            then()
+            return
+        try:
+            held = _Held(entity, then)
+            self._held.append(held)
+            self._release_if_over(held)
+        finally:
+            self._spinning.release()
+
+    def _collect(self, end_ns: int | None, *, quiet: bool = False) -> None:
+        if not self._held:
+            super()._collect(end_ns, quiet=quiet)
+            return
+        for held in list(self._held):
+            self._release_if_over(held)
+        # A released one may have completed the future that this spin waits for: `_next` looks at it before it waits.
+        hold_ends = [time.monotonic_ns()] if self._has_response else [held.end_ns for held in self._held]
+        super()._collect(min(hold_ends if end_ns is None else [end_ns, *hold_ends]), quiet=quiet)
+
+    def _release_if_over(self, held: _Held) -> None:
+        """Hand what an entity has waiting to the pool; call what is held back, if nothing is left."""
+        entity, token = held.entity, self._tokens.get(held.entity)
+        # None: the entity was removed, and `remove_entities` may have looked for what is held back before it was there.
+        while token is not None and not self._is_shutdown and not held.is_over():
+            # Asked first, because only this thread begins callbacks: what is admitted now and not taken isn't there.
+            may_run = self._has_room() and self.can_execute(entity)
+            taken = self._take(entity, token) if may_run else None
+            if taken is not None:
+                self._submit(Work(entity, taken))
+            elif entity in self._in_pool:  # the end of the callback wakes this thread
+                return
+            elif may_run:
+                break
+            elif not (
+                self._has_room() and self.can_execute(entity)
+            ):  # or else one has just ended: look again
+                held.end_ns = min(held.end_ns, time.monotonic_ns() + MAX_HOLD_BY_OTHERS_NS)
+                return
+        self._release(held)
+
+    def _release(self, held: _Held) -> None:
+        try:
+            self._held.remove(held)
+        except ValueError:  # another thread has been faster
+            return
+        self._has_response = True
+        held.then()
+
+    def remove_entities(self, entities: Iterable[Entity]) -> None:
+        """Remove entities; what waits for their callbacks is held back no longer."""
+        removed = list(entities)
+        super().remove_entities(removed)
+        for held in [held for held in self._held if held.entity in removed]:
+            self._release(held)
 
     @property
     def _executor(self) -> ThreadPoolExecutor:
