@@ -73,7 +73,7 @@ def test_a_live_graph_is_recorded_until_ctrl_c(
         "tfloom", "tf", "plot", "odom", "base", "--seconds", "60", "--wait", "20", cwd=tmp_path
     )
     start_program(sys.executable, "-c", DRIVER).wait_for("running")
-    plot.wait_for("recording 60 s, until Ctrl-C")
+    plot.wait_for("recording for 60 s; Ctrl-C ends it earlier")
     other = start_program(
         "tfloom", "tf", "plot", "odom", "base", "--seconds", "1", "-o", "1.svg", cwd=tmp_path
     )

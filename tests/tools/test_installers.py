@@ -73,6 +73,14 @@ def expect_working(ros2: Path) -> None:
         assert expected in done.stdout, done.stdout + done.stderr
 
 
+def expect_commands(folder: Path) -> None:
+    """Run the commands that docs/install.md promises of uv and pipx."""
+    for name in ("ros2", "tfloom"):
+        expect_working(folder / name)
+    for name in ("colcon", "xacro"):
+        subprocess.run([folder / name, "--help"], check=True, capture_output=True, timeout=60)
+
+
 def test_pip_installs_all_packages(clone: Path, tmp_path: Path) -> None:
     subprocess.run([sys.executable, "-m", "venv", tmp_path / "venv"], check=True, timeout=TIMEOUT_S)
     python = tmp_path / "venv" / "bin" / "python"
@@ -110,14 +118,16 @@ def test_uv_installs_a_tool(
     tools: Path, clone: Path, home_of_uv: Path, with_extras: str, tmp_path: Path
 ) -> None:
     folders = {"UV_TOOL_DIR": tmp_path / "tools", "UV_TOOL_BIN_DIR": tmp_path / "bin"}
-    command = ["tool", "install", "--python", sys.executable, COMMAND, "--with", with_extras]
-    run(home_of_uv, tools / "uv", *command, cwd=clone, **folders)
-    expect_working(tmp_path / "bin" / "ros2")
+    command = ["tool", "install", "--python", sys.executable, with_extras, "--with", COMMAND]
+    from_packages = ["--with-executables-from", "tfloom-ros2,colcon-core,xacro"]
+    run(home_of_uv, tools / "uv", *command, *from_packages, cwd=clone, **folders)
+    expect_commands(tmp_path / "bin")
 
 
 def test_pipx_installs_and_injects(tools: Path, clone: Path, with_extras: str, tmp_path: Path) -> None:
     folders = {"PIPX_HOME": tmp_path / "pipx", "PIPX_BIN_DIR": tmp_path / "bin"}
     run(tmp_path, tools / "pipx", "install", "--python", sys.executable, with_extras, cwd=clone, **folders)
     run(tmp_path, tools / "pipx", "inject", "tfloom", COMMAND, "--include-apps", cwd=clone, **folders)
-    for name in ("ros2", "tfloom"):
-        expect_working(tmp_path / "bin" / name)
+    provided = ["colcon-core", "xacro", "--include-apps", "--force"]
+    run(tmp_path, tools / "pipx", "inject", "tfloom", *provided, cwd=clone, **folders)
+    expect_commands(tmp_path / "bin")

@@ -101,7 +101,7 @@ def _record(opened: Source, buffer: Buffer, args: argparse.Namespace) -> None:
         opened.wait(min(end_s, time.monotonic() + LOOK_S))
     if not buffer.can(*frames) or all(edge.is_static for edge in buffer.explain(*frames).edges):
         return
-    print(f"recording {args.seconds:g} s, until Ctrl-C", file=sys.stderr)
+    print(f"recording for {args.seconds:g} s; Ctrl-C ends it earlier", file=sys.stderr)
     end_s = time.monotonic() + args.seconds
     try:
         while (left_s := end_s - time.monotonic()) > 0.0:
