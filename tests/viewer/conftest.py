@@ -25,7 +25,14 @@ HAS_VISER = all(find_spec(name) is not None for name in ("viser", "websockets", 
 collect_ignore = (
     []
     if HAS_VISER
-    else ["test_forms.py", "test_pages.py", "test_recorded.py", "test_browser.py", "test_inline.py"]
+    else [
+        "test_field_plots.py",
+        "test_forms.py",
+        "test_pages.py",
+        "test_recorded.py",
+        "test_browser.py",
+        "test_inline.py",
+    ]
 )
 """Tests of pages need the extra `view`; those of what is shown do not."""
 

@@ -375,6 +375,58 @@ def test_forms_publish_call_and_send_goals(tab: Tab, node: Node, spin_until: Cal
     tab.click("[data-panel=frames]")
 
 
+def test_field_is_plotted_and_a_drag_in_its_plot_turns_the_time_back(tab: Tab) -> None:
+    tab.click("[data-panel=plot-panel]")
+    for topic, field in (("/odom", "pose.pose.position.x"), ("/scan", "ranges[3]")):
+        wait_until(
+            lambda topic=topic: tab.page.evaluate(
+                "topic => [...document.querySelectorAll('#plot-topics option')].some(one => one.value === topic)",
+                topic,
+            ),
+            what=topic,
+        )
+        tab.page.fill("#plot-topic", topic)
+        tab.page.dispatch_event("#plot-topic", "change")
+        tab.page.wait_for_selector("#plot-fields option", state="attached")
+        tab.page.fill("#plot-field", field)
+        tab.click("#plot-add")
+    canvas = tab.page.locator("[data-plot='/odom pose.pose.position.x'] canvas")
+
+    def blue() -> int:
+        return int(
+            canvas.evaluate(
+                "canvas => { const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;"
+                " let count = 0; for (let i = 0; i < data.length; i += 4)"
+                " count += data[i + 2] > 180 && data[i] < 130 && data[i + 3] > 60; return count; }"
+            )
+        )
+
+    wait_until(lambda: blue() > 60, what="the curve")
+    wait_until(
+        lambda: tab.page.evaluate(
+            "state.plots.length === 2 && state.plots.every(one => one.seconds[0] < -0.5 * one.length_s)"
+        ),
+        what="half of the time",
+    )
+    box = canvas.bounding_box()
+    tab.page.mouse.move(box["x"] + 0.8 * box["width"], box["y"] + 40)
+    tab.page.mouse.down()
+    tab.page.mouse.up()
+    wait_until(lambda: tab.text("#clock").startswith("-"), what="an earlier time")
+    shown = "document.querySelector('#plots-right .plot-value').textContent"
+    value = tab.page.evaluate(shown)
+    assert abs(float(value)) < 10.0
+    tab.page.wait_for_timeout(1000)
+    assert tab.page.evaluate(shown) == value  # it stands, while the robot moves on
+    tab.keep("plots")
+    tab.click("#live")
+    for _ in range(2):
+        tab.click("#plot-rows button")
+        tab.page.wait_for_timeout(500)
+    wait_until(lambda: tab.page.evaluate("state.plots.length") == 0, what="no plots")
+    tab.click("[data-panel=frames]")
+
+
 def test_click_on_a_frame_in_the_scene_selects_it(browser: Any, address: str, tab: Tab) -> None:
     tab.page.goto("about:blank")  # one scene at a time is drawn
     # The camera looks at the origin of the map, close enough that its axes are many pixels long.

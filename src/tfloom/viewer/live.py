@@ -67,7 +67,9 @@ def live_viewer(
             live_topics = LiveTopics(participant, node, history_ns, watch.now_ns)
             parts = LiveParts(participant, tools, log, parameters, forms)
             try:
-                with Viewer(watch, live_topics, parts, fixed_frame=fixed_frame) as viewer:
+                with Viewer(
+                    watch, live_topics, parts, history_ns=history_ns, fixed_frame=fixed_frame
+                ) as viewer:
                     yield viewer
             finally:
                 live_topics.close_all()

@@ -44,7 +44,9 @@ SCENE_MESSAGES = frozenset(
 FILES = {
     "/": ("index.html", "text/html; charset=utf-8"),
     "/page.css": ("page.css", "text/css; charset=utf-8"),
-    **{f"/{name}.js": (f"{name}.js", "text/javascript; charset=utf-8") for name in ("page", "forms")},
+    **{
+        f"/{name}.js": (f"{name}.js", "text/javascript; charset=utf-8") for name in ("page", "forms", "plots")
+    },
 }
 PAGE_POLICY = (
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; frame-src 'self'; "

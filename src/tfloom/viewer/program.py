@@ -51,18 +51,27 @@ class Viewer:
         source: The transforms, with a buffer.
         topics: The topics.
         live: What else a graph has; None for a recording.
+        history_ns: How long the numbers of plots are kept [ns], if they are of a graph.
         fixed_frame: The fixed frame; empty: a usual one, or the root of the largest tree.
     """
 
     def __init__(
-        self, source: Source, topics: Topics, live: LiveParts | None = None, *, fixed_frame: str = ""
+        self,
+        source: Source,
+        topics: Topics,
+        live: LiveParts | None = None,
+        *,
+        history_ns: int = 60_000_000_000,
+        fixed_frame: str = "",
     ) -> None:
         self._live = live
         self._topics = topics
         self._commands: queue.Queue[tuple[str, dict[str, Any]]] = queue.Queue(MAX_COMMANDS)
         self._server = SceneServer()
         scene = Scene(self._server.scene, lambda frame: self._put("", {"op": "select", "frame": frame}))
-        self.view = View(source, topics, scene, is_live=live is not None, fixed_frame=fixed_frame)
+        self.view = View(
+            source, topics, scene, is_live=live is not None, history_ns=history_ns, fixed_frame=fixed_frame
+        )
         self.pages = PageServer(self._server, self._put, self._image_of)
         self._image_lock = threading.Lock()
         self._images: dict[str, tuple[Any, tuple[str, bytes] | None]] = {}
@@ -153,28 +162,40 @@ class Viewer:
 
     def _run_command(self, page: str, command: Mapping[str, Any]) -> None:
         operation = text(command, "op")
-        if operation in {"opened", "closed"}:
-            if operation == "closed" and self._live is not None:
+        if operation == "opened":
+            return
+        if operation == "closed":
+            if self._live is not None:
                 self._live.forms.forget(page)
-            return
-        if operation not in LIVE_COMMANDS:
+        elif operation == "plot_topics":
+            self.pages.answer(page, {"plot_topics": self.view.plots.topics()})
+        elif operation == "plot_fields":
+            topic = text(command, "topic")
+            self.pages.answer(
+                page, {"plot_fields": {"topic": topic, "fields": self.view.plots.fields(topic)}}
+            )
+        elif operation not in LIVE_COMMANDS:
             self.view.command(command)
-            return
-        if self._live is None:
+        elif self._live is None:
             raise PageError("this is a recording: there is nobody to ask")
-        if operation == "floor":
-            self._use_tool(page, command)
-        elif operation == "drive":
-            self._live.tools.drive(text(command, "topic"), number(command, "ahead"), number(command, "left"))
-        elif operation == "graph":
-            self.pages.answer(page, {"graph": node_graph(self._live.participant.graph.endpoints())})
-        elif operation in FORM_COMMANDS:
-            self._live.forms.ask(page, command, lambda answer: self.pages.answer(page, answer))
         else:
-            self._live.parameters.ask(command, lambda answer: self.pages.answer(page, answer))
+            self._run_live_command(self._live, page, operation, command)
 
-    def _use_tool(self, page: str, command: Mapping[str, Any]) -> None:
-        assert self._live is not None  # noqa: S101  # for the type checker; the caller has asked
+    def _run_live_command(
+        self, live: LiveParts, page: str, operation: str, command: Mapping[str, Any]
+    ) -> None:
+        if operation == "floor":
+            self._use_tool(live, page, command)
+        elif operation == "drive":
+            live.tools.drive(text(command, "topic"), number(command, "ahead"), number(command, "left"))
+        elif operation == "graph":
+            self.pages.answer(page, {"graph": node_graph(live.participant.graph.endpoints())})
+        elif operation in FORM_COMMANDS:
+            live.forms.ask(page, command, lambda answer: self.pages.answer(page, answer))
+        else:
+            live.parameters.ask(command, lambda answer: self.pages.answer(page, answer))
+
+    def _use_tool(self, live: LiveParts, page: str, command: Mapping[str, Any]) -> None:
         camera = self._server.camera(page)
         if camera is None:
             raise PageError("the scene has not told its camera yet")
@@ -188,7 +209,7 @@ class Viewer:
             if spot is None:
                 raise PageError("there is no floor at this place")
             spots.append(spot)
-        done = self._live.tools.use(text(command, "tool"), self.view.fixed_frame, spots[0], spots[1])
+        done = live.tools.use(text(command, "tool"), self.view.fixed_frame, spots[0], spots[1])
         self.pages.answer(page, {"done": shown_text(done)})
 
     # Images, which pages ask for when they have shown the one before.

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+import time
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -19,12 +20,18 @@ from tfloom.viewer.shapes import DisplayError
 
 if TYPE_CHECKING:
     from tfloom.bag.bag import Bag
+    from tfloom.rosidl.message import Message
     from tfloom.viewer.history import Messages
+    from tfloom.viewer.topics import Follower
 
 __all__ = ["RecordedTopics", "recorded_viewer"]
 
 WINDOWS_NS = (500_000_000, 5_000_000_000, 60_000_000_000)
 """How far before a time its last message is looked for, in turn; then from the start [ns]."""
+STEPS = 200
+"""Number of parts of a recording that are read one after the other for a plot."""
+READ_S = 0.005
+"""How long a recording is read for one picture [s]; one part is read at least."""
 MAX_ENTRIES = 500
 """Number of messages up to a time that a display gets, if all matter to it."""
 
@@ -52,17 +59,72 @@ class RecordedTopics:
         Raises:
             DisplayError: its type has no definition, here or in the recording.
         """
+        message_class = self.message_class(topic)
+        return _RecordedMessages(self._bag, topic), lambda data: cdr.decode(message_class, data)
+
+    def message_class(self, topic: str) -> type[Message]:
+        """Return the class of a topic's messages.
+
+        Raises:
+            DisplayError: there is no such topic, or its type has no definition, here or in the recording.
+        """
+        if topic not in self._types:
+            raise DisplayError(f"the recording has no topic {topic}")
         try:
-            message_class = class_of(self._bag.path, self._bag.topic(topic))
+            message_class: type[Message] = class_of(self._bag.path, self._bag.topic(topic))
         except BagError as error:
             raise DisplayError(str(error)) from None
-        return _RecordedMessages(self._bag, topic), lambda data: cdr.decode(message_class, data)
+        return message_class
+
+    def follow(self, topic: str) -> Follower:
+        """Begin to read all messages of a topic, a part for each picture.
+
+        Raises:
+            DisplayError: as `message_class`.
+        """
+        return _RecordedFollower(self._bag, topic, self.message_class(topic))
 
     def close(self, topic: str) -> None:
         """Do nothing: files are open while they are read only."""
 
     def poll(self) -> None:
         """Do nothing: all messages are there."""
+
+
+class _RecordedFollower:
+    """Reads all messages of one topic of a recording, a part at a time, so that pages are drawn meanwhile."""
+
+    def __init__(self, bag: Bag, topic: str, message_class: type[Message]) -> None:
+        self._bag = bag
+        self._topic = topic
+        self._class = message_class
+        self._next_ns = bag.start_ns
+        self._step_ns = (bag.end_ns - bag.start_ns) // STEPS + 1
+
+    def take(self) -> Iterable[Entry]:
+        end_s = time.monotonic() + READ_S
+        while self._next_ns <= self._bag.end_ns:
+            start_ns, self._next_ns = self._next_ns, self._next_ns + self._step_ns
+            # The last nanosecond is of the next part.
+            yield from _read_entries(self._bag, self._topic, start_ns, self._next_ns - 1)
+            if time.monotonic() > end_s:
+                return
+
+    def decode(self, data: bytes) -> Any:
+        return cdr.decode(self._class, data)
+
+    def close(self) -> None:
+        """Do nothing: files are open while they are read only."""
+
+
+def _read_entries(bag: Bag, topic: str, start_ns: int, end_ns: int) -> list[Entry]:
+    try:
+        return [
+            Entry(message.log_time_ns, message.data)
+            for message in bag.messages(topic, max(0, start_ns), end_ns)
+        ]
+    except BagError:
+        return []  # a damaged part of the recording has no messages
 
 
 class _RecordedMessages:
@@ -86,7 +148,7 @@ class _RecordedMessages:
             return self._found[2]
         for window_ns in (*WINDOWS_NS, end_ns):
             # A little beyond the time, because the message that follows says until when the answer holds.
-            entries = self._read(end_ns - window_ns, end_ns + WINDOWS_NS[0])
+            entries = _read_entries(self._bag, self._topic, end_ns - window_ns, end_ns + WINDOWS_NS[0])
             until = [entry for entry in entries if entry.stamp_ns <= end_ns][-MAX_ENTRIES:]
             if until or window_ns == end_ns:
                 after_ns = next(
@@ -96,15 +158,6 @@ class _RecordedMessages:
                 self._found = begin_ns, after_ns, until
                 return until
         return []
-
-    def _read(self, start_ns: int, end_ns: int) -> list[Entry]:
-        try:
-            return [
-                Entry(message.log_time_ns, message.data)
-                for message in self._bag.messages(self._topic, max(0, start_ns), end_ns)
-            ]
-        except BagError:
-            return []  # a damaged part of the recording has no messages
 
 
 @contextmanager

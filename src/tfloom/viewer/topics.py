@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Protocol
 
 from tfloom.rmw.qos import DurabilityPolicy, QoS, ReliabilityPolicy
@@ -13,9 +13,9 @@ from tfloom.viewer.history import Entry, History, Messages, header_stamp_ns
 from tfloom.viewer.shapes import DisplayError
 
 if TYPE_CHECKING:
-    from tfloom.rmw.base import NodeName, Participant, Reader
+    from tfloom.rmw.base import EndpointInfo, NodeName, Participant, Reader
 
-__all__ = ["LiveTopics", "Topics", "begins_with_header"]
+__all__ = ["Follower", "LiveTopics", "Topics", "begins_with_header"]
 
 DEPTH = 50
 """Number of messages of a topic that wait between two pictures; older ones are dropped."""
@@ -23,6 +23,23 @@ LATCHED_DEPTH = 100
 """… of a topic whose publishers keep messages for late subscriptions."""
 MAX_TAKEN = 200
 """Number of messages of a topic that are taken for one picture."""
+
+
+class Follower(Protocol):
+    """Reads all messages of one topic, one after the other."""
+
+    def take(self) -> Iterable[Entry]:
+        """Return the messages that have come since. Never waits."""
+
+    def decode(self, data: bytes) -> Any:
+        """Return the message of an entry's bytes.
+
+        Raises:
+            DecodeError: the bytes are none.
+        """
+
+    def close(self) -> None:
+        """End reading."""
 
 
 class Topics(Protocol):
@@ -40,6 +57,20 @@ class Topics(Protocol):
 
     def close(self, topic: str) -> None:
         """End reading a topic."""
+
+    def message_class(self, topic: str) -> type[Message]:
+        """Return the class of a topic's messages.
+
+        Raises:
+            DisplayError: there is no such topic, or its type is unknown here.
+        """
+
+    def follow(self, topic: str) -> Follower:
+        """Begin to read all messages of a topic, beside those of `open`.
+
+        Raises:
+            DisplayError: it can't be read.
+        """
 
     def poll(self) -> None:
         """Take what has come. Never waits."""
@@ -84,23 +115,47 @@ class LiveTopics:
             DisplayError: nobody publishes it, or its type is unknown here.
         """
         self.close(topic)
-        writers = [
-            end for end in self._participant.graph.endpoints() if end.is_writer and end.topic.name == topic
-        ]
-        if not writers:
-            raise DisplayError(f"nobody publishes {topic}")
+        message_class = self.message_class(topic)
+        reader, is_latched = self._reader(topic)
+        history = History(self._history_ns, is_latched=is_latched)
+        self._readers[topic] = reader, history, begins_with_header(message_class)
+        return history, lambda data: cdr.decode(message_class, data)
+
+    def message_class(self, topic: str) -> type[Message]:
+        """Return the class of a topic's messages.
+
+        Raises:
+            DisplayError: nobody publishes it, or its type is unknown here.
+        """
         try:
-            message_class: type[Any] = find_class_of_kind(writers[0].topic.type_name, "msg", Message)
+            return find_class_of_kind(self._writers(topic)[0].topic.type_name, "msg", Message)
         except (LookupError, ValueError) as error:
             raise DisplayError(str(error)) from None
+
+    def _writers(self, topic: str) -> list[EndpointInfo]:
+        ends = self._participant.graph.endpoints()
+        writers = [end for end in ends if end.is_writer and end.topic.name == topic]
+        if not writers:
+            raise DisplayError(f"nobody publishes {topic}")
+        return writers
+
+    def follow(self, topic: str) -> Follower:
+        """Begin to read all messages of a topic, beside those of `open`.
+
+        Raises:
+            DisplayError: nobody publishes it, or its type is unknown here.
+        """
+        message_class = self.message_class(topic)
+        return _LiveFollower(self._reader(topic)[0], message_class, self._now_ns)
+
+    def _reader(self, topic: str) -> tuple[Reader, bool]:
+        """Return a new reader of a topic, and whether its publishers keep messages for late subscriptions."""
+        writers = self._writers(topic)
         is_latched = any(end.qos.resolved().durability is DurabilityPolicy.TRANSIENT_LOCAL for end in writers)
         qos = QoS(ReliabilityPolicy.BEST_EFFORT, DurabilityPolicy.VOLATILE, depth=DEPTH)
         if is_latched:
             qos = QoS(ReliabilityPolicy.RELIABLE, DurabilityPolicy.TRANSIENT_LOCAL, depth=LATCHED_DEPTH)
-        reader = self._participant.create_reader(self._node, writers[0].topic, qos)
-        history = History(self._history_ns, is_latched=is_latched)
-        self._readers[topic] = reader, history, begins_with_header(message_class)
-        return history, lambda data: cdr.decode(message_class, data)
+        return self._participant.create_reader(self._node, writers[0].topic, qos), is_latched
 
     def close(self, topic: str) -> None:
         """End reading a topic."""
@@ -115,12 +170,36 @@ class LiveTopics:
     def poll(self) -> None:
         """Take what has come. Never waits."""
         for reader, history, has_header in self._readers.values():
-            for _ in range(MAX_TAKEN):
-                sample = reader.take()
-                if sample is None:
-                    break
-                stamp_ns = header_stamp_ns(sample.data) if has_header else 0
-                history.add(Entry(stamp_ns or self._now_ns(), sample.data))
+            for entry in _entries(reader, has_header, self._now_ns):
+                history.add(entry)
+
+
+def _entries(reader: Reader, has_header: bool, now_ns: Callable[[], int]) -> Iterable[Entry]:
+    """Yield the messages that a reader has; those without a stamp get the time of now [ns since epoch]."""
+    for _ in range(MAX_TAKEN):
+        sample = reader.take()
+        if sample is None:
+            return
+        stamp_ns = header_stamp_ns(sample.data) if has_header else 0
+        yield Entry(stamp_ns or now_ns(), sample.data)
+
+
+class _LiveFollower:
+    """Reads all messages of a topic of a graph."""
+
+    def __init__(self, reader: Reader, message_class: type[Message], now_ns: Callable[[], int]) -> None:
+        self._reader = reader
+        self._class = message_class
+        self._now_ns = now_ns
+
+    def take(self) -> Iterable[Entry]:
+        return _entries(self._reader, begins_with_header(self._class), self._now_ns)
+
+    def decode(self, data: bytes) -> Any:
+        return cdr.decode(self._class, data)
+
+    def close(self) -> None:
+        self._reader.close()
 
 
 def begins_with_header(message_class: Any) -> bool:

@@ -32,6 +32,7 @@ from tfloom.viewer.frames import (
 )
 from tfloom.viewer.page_command import PageError, flag, number, stamp, text
 from tfloom.viewer.playback import Playback
+from tfloom.viewer.plots.plots import Plots
 from tfloom.viewer.shapes import DisplayError
 
 if TYPE_CHECKING:
@@ -68,11 +69,19 @@ class View:
         scene: The scene to draw in.
         is_live: Whether they are of a graph, whose newest time is shown until the user holds one; a recording is
             played.
+        history_ns: How long the numbers of plots are kept [ns], if they are of a graph.
         fixed_frame: The fixed frame; empty: a usual one, or the root of the largest tree.
     """
 
     def __init__(
-        self, source: Source, topics: Topics, scene: Scene, *, is_live: bool, fixed_frame: str = ""
+        self,
+        source: Source,
+        topics: Topics,
+        scene: Scene,
+        *,
+        is_live: bool,
+        history_ns: int = 60_000_000_000,
+        fixed_frame: str = "",
     ) -> None:
         assert source.buffer is not None  # noqa: S101  # the caller gives one
         self.buffer: Buffer = source.buffer
@@ -88,6 +97,7 @@ class View:
         self._feeds: dict[str, Feed] = {}
         self._wanted: list[str] = []
         """Topics to show as soon as they are there."""
+        self.plots = Plots(topics, history_ns if is_live else None)
         self._with_names = True
         self._axes_m = 0.3
         self._started_ns = time.time_ns()
@@ -120,6 +130,7 @@ class View:
             "image_fault": self._note_image_fault,
             "names": self._show_names,
             "axes": self._set_axes,
+            "plot": self._set_plot,
         }.get(text(command, "op"))
         if do is None:
             raise PageError("there is no such command")
@@ -149,6 +160,13 @@ class View:
         if not 0.001 <= length <= 1000.0:
             raise PageError("axes are from 0.001 m to 1000 m long")
         self._axes_m = length
+
+    def _set_plot(self, command: Mapping[str, Any]) -> None:
+        topic, field = text(command, "topic"), text(command, "field").strip()
+        if flag(command, "on"):
+            self.plots.add(topic, field)
+        else:
+            self.plots.remove(topic, field)
 
     def _hold(self, command: Mapping[str, Any]) -> None:
         stamp_ns = stamp(command, "stamp_ns")
@@ -239,6 +257,7 @@ class View:
 
     def suspend(self) -> None:
         """End reading topics, because nobody looks."""
+        self.plots.suspend()
         for topic in self._feeds:
             self.topics.close(topic)
 
@@ -277,10 +296,12 @@ class View:
         """Draw everything anew, and observe what is due."""
         now_s = time.monotonic()
         self.topics.poll()
+        self.plots.poll()
         if now_s >= self._next_look_s:
             self._next_look_s = now_s + LOOK_S
             self._look(now_s)
             self._show_wanted()
+            self.plots.look()
         span, fixed = span_of(self.buffer), self.fixed_frame
         held_ns = self.shown_ns(span)
         self._poses = frames_at(self.buffer, fixed, LATEST if held_ns is None else held_ns)
@@ -332,6 +353,7 @@ class View:
             "selection": self._selection(held_ns),
             "findings": [self._finding(finding) for finding in self._findings[:MAX_FINDINGS]],
             "displays": self._displays(),
+            "plots": self.plots.snapshot(span, held_ns),
         }
 
     def _row(self, row: Row) -> dict[str, Any]:

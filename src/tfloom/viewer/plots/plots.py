@@ -1,0 +1,188 @@
+"""The plots that all pages share."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from tfloom.rosidl.message import DecodeError
+from tfloom.viewer.displays.display import shown_text
+from tfloom.viewer.page_command import PageError
+from tfloom.viewer.plots.field_path import number_at, numeric_paths, parse_path
+from tfloom.viewer.plots.series import Series
+from tfloom.viewer.shapes import DisplayError
+
+if TYPE_CHECKING:
+    from tfloom.viewer.frames import Span
+    from tfloom.viewer.plots.field_path import Path
+    from tfloom.viewer.topics import Follower, Topics
+
+__all__ = ["Plots"]
+
+MAX_PLOTS = 12
+"""Number of plots."""
+PARTS = 200
+"""Number of parts of a plot's time, of each of which a page gets the least and the greatest value."""
+
+
+class _Plot:
+    """One field of one topic."""
+
+    def __init__(self, topic: str, field: str, length_ns: int | None) -> None:
+        self.topic = topic
+        self.field = field
+        self.series = Series(length_ns)
+        self.path: Path | None = None
+        """None until the type is known."""
+        self.status = f"nobody publishes {topic} yet"
+
+
+class Plots:
+    """Numeric fields of topics over time. One thread may use it.
+
+    Args:
+        topics: The topics.
+        length_ns: How long numbers are kept [ns]; None: without limit, as of a recording.
+    """
+
+    def __init__(self, topics: Topics, length_ns: int | None) -> None:
+        self._topics = topics
+        self._length_ns = length_ns
+        self._plots: dict[tuple[str, str], _Plot] = {}
+        self._followers: dict[str, Follower] = {}
+
+    def names(self) -> list[tuple[str, str]]:
+        """Return topic and field of each plot."""
+        return list(self._plots)
+
+    def topics(self) -> list[list[str]]:
+        """Return the topics with their types, for a page to choose from."""
+        return [[shown_text(name), shown_text(kind)] for name, kind in sorted(self._topics.types().items())]
+
+    def fields(self, topic: str) -> list[str]:
+        """Return the paths of a topic's numeric fields, of arrays the first element's.
+
+        Raises:
+            PageError: there is no such topic, or its type is unknown here.
+        """
+        try:
+            return numeric_paths(self._topics.message_class(topic))
+        except (DisplayError, LookupError, ValueError) as error:
+            raise PageError(str(error)) from None
+
+    def add(self, topic: str, field: str, *, is_there: bool = True) -> None:
+        """Plot a field.
+
+        Args:
+            topic: The topic.
+            field: The path of the field.
+            is_there: Whether the topic has to be there; if not, it is plotted as soon as it is.
+
+        Raises:
+            PageError: there are too many plots, no such topic, or no such field, which is then not plotted.
+        """
+        if (topic, field) in self._plots:
+            return
+        if len(self._plots) >= MAX_PLOTS:
+            raise PageError(f"there are {MAX_PLOTS} plots already")
+        plot = _Plot(topic, field, self._length_ns)
+        if is_there:
+            self._open(plot)
+        self._plots[topic, field] = plot
+
+    def remove(self, topic: str, field: str) -> None:
+        """End a plot."""
+        self._plots.pop((topic, field), None)
+        if not any(plot.topic == topic for plot in self._plots.values()):
+            self._close(topic)
+
+    def _open(self, plot: _Plot) -> None:
+        """Begin to read a plot's topic.
+
+        Raises:
+            PageError: it can't be read, or has no such field.
+        """
+        try:
+            plot.path = parse_path(self._topics.message_class(plot.topic), plot.field)
+            if self._length_ns is None:
+                self._restart(plot.topic)
+            if plot.topic not in self._followers:
+                self._followers[plot.topic] = self._topics.follow(plot.topic)
+        except (DisplayError, LookupError, ValueError) as error:
+            raise PageError(str(error)) from None
+        plot.status = "no message yet"
+
+    def _restart(self, topic: str) -> None:
+        """Read a recording's topic again from its start, because its numbers so far lack a new field."""
+        self._close(topic)
+        for plot in self._plots.values():
+            if plot.topic == topic:
+                plot.series.clear()
+
+    def _close(self, topic: str) -> None:
+        if (follower := self._followers.pop(topic, None)) is not None:
+            follower.close()
+
+    def look(self) -> None:
+        """Begin to read the topics of plots that are there by now."""
+        types = self._topics.types()
+        for plot in self._plots.values():
+            if plot.topic in types and (plot.path is None or plot.topic not in self._followers):
+                try:
+                    self._open(plot)
+                except PageError as error:
+                    plot.status = shown_text(str(error))
+
+    def suspend(self) -> None:
+        """End reading topics, because nobody looks; what was read stays. A recording is read only when it is polled."""
+        if self._length_ns is None:
+            return
+        for topic in list(self._followers):
+            self._close(topic)
+
+    def poll(self) -> None:
+        """Take what has come. Never waits."""
+        for topic, follower in self._followers.items():
+            plots = [plot for plot in self._plots.values() if plot.topic == topic and plot.path is not None]
+            for entry in follower.take():
+                try:
+                    message = follower.decode(entry.data)
+                except DecodeError as error:
+                    for plot in plots:
+                        plot.status = shown_text(str(error))
+                    continue
+                for plot in plots:
+                    assert plot.path is not None  # noqa: S101  # for the type checker; they were chosen so
+                    plot.series.add(entry.stamp_ns, number_at(message, plot.path))
+                    plot.status = ""
+
+    def snapshot(self, span: Span | None, held_ns: int | None) -> list[dict[str, Any]]:
+        """Return the plots as values for JSON: all over the same time.
+
+        Args:
+            span: The time of the transforms, which the slider has.
+            held_ns: The time that is shown [ns since epoch]; None: the newest.
+        """
+        spans = [plot.series.span for plot in self._plots.values()]
+        known = [one for one in spans if one is not None] + ([] if span is None else [tuple(span)])
+        end_ns = max((end for _, end in known), default=0)
+        start_ns = min((start for start, _ in known), default=0)
+        if self._length_ns is not None:
+            start_ns = max(start_ns, end_ns - self._length_ns)
+        return [self._values(plot, start_ns, end_ns, held_ns) for plot in self._plots.values()]
+
+    def _values(self, plot: _Plot, start_ns: int, end_ns: int, held_ns: int | None) -> dict[str, Any]:
+        seconds, values = plot.series.reduced(start_ns, end_ns, PARTS)
+        status = plot.status
+        if not status and values and all(value is None for value in values):
+            status = "there is no number at this field: an array is shorter, or the numbers are not finite"
+        shown = plot.series.at(held_ns)
+        return {
+            "topic": shown_text(plot.topic),
+            "field": shown_text(plot.field),
+            "status": status,
+            "length_s": (end_ns - start_ns) / 1e9,
+            "end_ns": str(end_ns),
+            "seconds": seconds,
+            "values": values,
+            "shown": None if shown is None else float(f"{shown:.7g}"),
+        }

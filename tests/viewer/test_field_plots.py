@@ -1,0 +1,264 @@
+"""Numeric fields over time: their paths, the numbers that are kept, and what pages get of them."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Callable, Iterator
+from contextlib import closing
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from tests.conftest import wait_until
+from tests.tf2_tools.recordings import START_NS, transform
+from tests.viewer.conftest import Page, running
+
+from tfloom.bag.values import Topic
+from tfloom.bag.writing.bag_writer import BagWriter
+from tfloom.interfaces.geometry_msgs.msg import PoseArray, PoseWithCovariance
+from tfloom.interfaces.sensor_msgs.msg import LaserScan
+from tfloom.interfaces.std_msgs.msg import Float64, String
+from tfloom.interfaces.tf2_msgs.msg import TFMessage
+from tfloom.node.node import Node
+from tfloom.rosidl import cdr
+from tfloom.rosidl.class_search import find_class
+from tfloom.rosidl.definition_files import interface_names
+from tfloom.viewer.page_command import PageError
+from tfloom.viewer.plots import plots as plots_module
+from tfloom.viewer.plots import series as series_module
+from tfloom.viewer.plots.field_path import number_at, numeric_paths, parse_path
+from tfloom.viewer.plots.series import Series
+from tfloom.viewer.program import Viewer
+from tfloom.viewer.recorded import recorded_viewer
+
+OpenPage = Callable[[Viewer], Page]
+S = 1_000_000_000
+
+
+# Paths.
+
+
+def test_paths_of_every_type_are_paths_of_numbers() -> None:
+    for name in interface_names("msg"):
+        message_class = find_class(name)
+        for path in numeric_paths(message_class):
+            number_at(message_class(), parse_path(message_class, path))
+
+
+def test_number_is_that_of_the_path() -> None:
+    scan = LaserScan(ranges=[1.0, 2.0, 4.5])
+    assert number_at(scan, parse_path(LaserScan, "ranges[2]")) == 4.5
+    assert math.isnan(number_at(scan, parse_path(LaserScan, "ranges[3]")))
+    covariance = PoseWithCovariance(covariance=range(36))
+    assert number_at(covariance, parse_path(PoseWithCovariance, " covariance[35] ")) == 35.0
+    assert "poses[0].position.x" in numeric_paths(PoseArray)
+    level = find_class("diagnostic_msgs/msg/DiagnosticStatus")
+    assert number_at(level(level=b"\x02"), parse_path(level, "level")) == 2.0
+
+
+WRONG_PATHS: list[tuple[type[Any], str, str]] = [
+    (LaserScan, "rages[0]", "has no field rages.*ranges"),
+    (LaserScan, "ranges", "needs an index, as ranges"),
+    (LaserScan, "header", "is a message: choose one of its fields, stamp, frame_id"),
+    (LaserScan, "header.frame_id", "is a text"),
+    (LaserScan, "scan_time[0]", "is no array"),
+    (LaserScan, "scan_time.x", "scan_time is a value"),
+    (LaserScan, "ranges[-1]", "no path"),
+    (LaserScan, "ranges[1][2]", "no path"),
+    (LaserScan, "", "no path"),
+    (LaserScan, "__class__", "no path"),
+    (LaserScan, "_FIELDS", "no path"),
+    (PoseWithCovariance, "covariance[36]", "at most 36 elements"),
+]
+
+
+def test_wrong_paths_are_named() -> None:
+    for message_class, path, sentence in WRONG_PATHS:
+        with pytest.raises(PageError, match=sentence):
+            parse_path(message_class, path)
+
+
+# Numbers.
+
+
+def test_old_numbers_are_dropped_and_a_clock_that_went_back_begins_anew() -> None:
+    series = Series(10 * S)
+    for second in range(1000):
+        series.add(second * S, float(second))
+    assert series.span[1] == 999 * S
+    assert len(series) <= 10 + 64
+    assert series.at(998 * S) == 998.0
+    series.add(5 * S, 7.0)
+    assert series.span == (5 * S, 5 * S)
+
+
+def test_late_numbers_stand_at_their_time() -> None:
+    series = Series(None)
+    for second in (1, 4, 2, 3):
+        series.add(second * S, float(second))
+    assert series.reduced(0, 4 * S, 10) == ([-3.0, -2.0, -1.0, 0.0], [1.0, 2.0, 3.0, 4.0])
+    assert series.at(2 * S + 1) == 2.0
+    assert series.at(0) is None
+
+
+def test_page_gets_few_numbers_and_every_peak_among_many(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(series_module, "MAX_SAMPLES", 10_000)
+    series = Series(None)
+    values = np.sin(np.arange(35_000) / 500.0)
+    values[7_777], values[30_001] = 9.0, -9.0
+    for number, value in enumerate(values.tolist()):
+        series.add(number * S, value)
+    assert len(series) <= 10_000
+    seconds, shown = series.reduced(0, 34_999 * S, 100)
+    assert len(shown) <= 200
+    assert (max(shown), min(shown)) == (9.0, -9.0)
+    assert seconds == sorted(seconds)
+    assert seconds[shown.index(9.0)] == pytest.approx(7_777 - 34_999)
+    assert seconds[-1] <= 0.0
+
+
+def test_what_is_not_finite_is_a_gap() -> None:
+    series = Series(None)
+    for second, value in enumerate((1.0, math.inf, math.nan, -1e308, 2.0)):
+        series.add(second * S, value)
+    _, shown = series.reduced(0, 4 * S, 10)
+    assert shown == [1.0, None, None, None, 2.0]
+    json.dumps(shown, allow_nan=False)
+    gaps = Series(None)
+    for second in range(100):
+        gaps.add(second * S, math.nan)
+    assert set(gaps.reduced(0, 100 * S, 5)[1]) == {None}
+
+
+# On a graph.
+
+
+def plot_of(page: Page, field: str) -> dict[str, Any] | None:
+    return next((plot for plot in page.state["plots"] if plot["field"] == field), None)
+
+
+def test_page_plots_fields_and_ends_them(node: Node, viewer: Viewer, open_page: OpenPage) -> None:
+    publisher = node.create_publisher(LaserScan, "/scan", 10)
+    page = open_page(viewer)
+    wait_until(lambda: "/scan" in viewer.view.topics.types(), what="the topic")
+    page.send(op="plot_topics")
+    assert ["/scan", "sensor_msgs/msg/LaserScan"] in page.answer("plot_topics")
+    page.send(op="plot_fields", topic="/scan")
+    assert page.answer("plot_fields")["fields"][:3] == [
+        "header.stamp.sec",
+        "header.stamp.nanosec",
+        "angle_min",
+    ]
+    for field in ("range_max", "ranges[1]", "intensities[0]"):
+        page.send(op="plot", topic="/scan", field=field, on=True)
+    wait_until(lambda: publisher.get_subscription_count() == 1, what="one reader for all")
+    for second in range(5):
+        scan = LaserScan(range_max=float(second), ranges=[0.0, second * 2.0])
+        scan.header.stamp.sec = 100 + second
+        publisher.publish(scan)
+    page.wait_for(lambda: (plot_of(page, "ranges[1]") or {}).get("shown") == 8.0)
+    plot = plot_of(page, "range_max")
+    assert plot["values"] == [0.0, 1.0, 2.0, 3.0, 4.0]
+    assert plot["seconds"] == [-4.0, -3.0, -2.0, -1.0, 0.0]
+    assert (plot["end_ns"], plot["length_s"], plot["status"]) == (str(104 * S), 4.0, "")
+    assert "an array is shorter" in plot_of(page, "intensities[0]")["status"]
+    page.socket.close()
+    wait_until(lambda: publisher.get_subscription_count() == 0, what="the reader's end with the page")
+    again = open_page(viewer)
+    wait_until(lambda: publisher.get_subscription_count() == 1, what="the reader of the next page")
+    again.wait_for(lambda: plot_of(again, "range_max") and plot_of(again, "range_max")["shown"] == 4.0)
+    for field in ("range_max", "ranges[1]", "intensities[0]"):
+        again.send(op="plot", topic="/scan", field=field, on=False)
+    wait_until(lambda: publisher.get_subscription_count() == 0, what="the reader's end")
+
+
+def test_plot_waits_for_its_topic(node: Node, viewer: Viewer, open_page: OpenPage) -> None:
+    viewer.view.plots.add("/late", "data", is_there=False)
+    viewer.view.plots.add("/text", "data", is_there=False)
+    page = open_page(viewer)
+    page.wait_for(lambda: plot_of(page, "data"))
+    assert page.state["plots"][0]["status"] == "nobody publishes /late yet"
+    publisher = node.create_publisher(Float64, "/late", 10)
+    node.create_publisher(String, "/text", 10)
+    wait_until(publisher.get_subscription_count, what="the reader")
+    publisher.publish(Float64(data=2.5))
+    page.wait_for(lambda: page.state["plots"][0]["shown"] == 2.5)
+    page.wait_for(lambda: "data is a text" in page.state["plots"][1]["status"])
+
+
+def test_wrong_plots_get_a_sentence(
+    node: Node, viewer: Viewer, open_page: OpenPage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    node.create_publisher(Float64, "/number", 10)
+    page = open_page(viewer)
+    wait_until(lambda: "/number" in viewer.view.topics.types(), what="the topic")
+    wrong: list[tuple[dict[str, Any], str]] = [
+        ({"op": "plot", "topic": "/number", "field": "date", "on": True}, "has no field date"),
+        ({"op": "plot", "topic": "/none", "field": "data", "on": True}, "nobody publishes /none"),
+        ({"op": "plot", "topic": "/number", "field": 3, "on": True}, "field has to be a text"),
+        ({"op": "plot_fields", "topic": "/none"}, "nobody publishes /none"),
+    ]
+    for command, sentence in wrong:
+        page.answers.clear()
+        page.send(**command)
+        assert sentence in page.answer("error"), command
+    assert viewer.view.plots.names() == []
+    monkeypatch.setattr(plots_module, "MAX_PLOTS", 0)
+    page.answers.clear()
+    page.send(op="plot", topic="/number", field="data", on=True)
+    assert "there are 0 plots already" in page.answer("error")
+
+
+def test_damaged_message_is_a_sentence_and_the_next_one_counts(
+    node: Node, viewer: Viewer, open_page: OpenPage
+) -> None:
+    publisher = node.create_publisher(Float64, "/number", 10)
+    page = open_page(viewer)
+    wait_until(lambda: "/number" in viewer.view.topics.types(), what="the topic")
+    page.send(op="plot", topic="/number", field="data", on=True)
+    wait_until(publisher.get_subscription_count, what="the reader")
+    publisher.publish(b"\x00\x01\x00\x00\x01\x02")
+    page.wait_for(lambda: "Float64.data" in (plot_of(page, "data") or {}).get("status", ""))
+    publisher.publish(Float64(data=1.5))
+    page.wait_for(lambda: plot_of(page, "data")["shown"] == 1.5 and not plot_of(page, "data")["status"])
+
+
+# Of a recording.
+
+
+@pytest.fixture
+def recorded(tmp_path: Path) -> Iterator[Viewer]:
+    """A viewer of 100 s of a number that grows, and of its transforms."""
+    folder = tmp_path / "recording"
+    with closing(BagWriter(folder)) as writer:
+        tf = writer.add_topic(Topic("/tf", "tf2_msgs/msg/TFMessage"))
+        numbers = writer.add_topic(Topic("/number", "std_msgs/msg/Float64"))
+        for second in range(101):
+            stamp_ns = START_NS + second * S
+            moved = TFMessage(transforms=[transform("map", "base", stamp_ns, (float(second), 0.0, 0.0))])
+            writer.push(tf, cdr.encode(moved), stamp_ns, stamp_ns)
+            writer.push(numbers, cdr.encode(Float64(data=second * 0.5)), stamp_ns, stamp_ns)
+    with recorded_viewer(folder, topics=("/tf", "/tf_static")) as made, running(made):
+        yield made
+
+
+def test_recording_is_plotted_whole_and_the_slider_shows_a_value(
+    recorded: Viewer, open_page: OpenPage
+) -> None:
+    page = open_page(recorded)
+    page.send(op="plot", topic="/number", field="data", on=True)
+    page.wait_for(lambda: plot_of(page, "data") and len(plot_of(page, "data")["values"]) == 101)
+    assert plot_of(page, "data")["values"] == [second * 0.5 for second in range(101)]
+    assert plot_of(page, "data")["shown"] == 0.0  # the time stands at the start
+    page.send(op="hold", stamp_ns=str(START_NS + 20 * S + S // 2))
+    page.wait_for(lambda: plot_of(page, "data")["shown"] == 10.0)
+    # A page that comes again reads nothing twice.
+    page.socket.close()
+    wait_until(lambda: not recorded._is_open, what="the page's end")
+    again = open_page(recorded)
+    again.wait_for(lambda: plot_of(again, "data"))
+    assert len(plot_of(again, "data")["values"]) == 101
+    again.send(op="plot", topic="/tf", field="transforms[0].transform.translation.x", on=True)
+    again.wait_for(lambda: len(again.state["plots"]) == 2 and len(again.state["plots"][1]["values"]) == 101)
