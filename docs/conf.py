@@ -24,13 +24,16 @@ author = "The tfloom developers"
 copyright = "the tfloom developers, Apache-2.0"  # noqa: A001 Sphinx's name
 version = release = __version__
 
-extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinx.ext.viewcode"]
+extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinx.ext.viewcode", "sphinx_copybutton"]
 html_theme = "furo"
 html_title = f"tfloom {__version__}"
 html_show_sphinx = False
 html_static_path = ["_static"]
 html_css_files = ["site.css"]
 templates_path: list[str] = []
+
+copybutton_prompt_text = "$ "  # of a console, only its commands are copied
+copybutton_exclude = ".linenos"
 
 myst_enable_extensions = ["colon_fence"]
 myst_heading_anchors = 4

@@ -2,9 +2,10 @@
 
 | block | meaning |
 |---|---|
-| `python` that begins with `# NAME.py` | a file that the page's commands use |
+| `python` that begins with `# NAME.py`, `xml` with `<!-- NAME.urdf -->` | a file that the page's commands use |
 | `python` | part of the page's program; a `text` block after it is its output |
 | `console` | commands after `$ ` that end, and their output; a line `…` matches any lines |
+| `console` with `$ source FILE` | holds for the commands that follow |
 | `console keep` | one command that runs until the page ends, and its first output |
 | `bash` | not run: the comment before it, `<!-- not run: REASON -->`, says why |
 | `python example`, `diff`, `yaml`, `dockerfile`, `{…}` | quoted text, or a directive of the site |
@@ -19,8 +20,19 @@ from typing import NamedTuple
 
 DOCS = Path(__file__).parents[2] / "docs"
 MASKED = re.compile(r"\[\d{10}\.\d{9}\]|(?<=At time )\d+\.\d+|(?<=pid )\[\d+\]")
-QUOTED = {"python example", "diff", "yaml", "dockerfile", "console", "console keep", "python", "text", "bash"}
-FILE = re.compile(r"# (\S+\.py)\n")
+QUOTED = {
+    "python example",
+    "diff",
+    "yaml",
+    "dockerfile",
+    "console",
+    "console keep",
+    "python",
+    "text",
+    "bash",
+    "xml",
+}
+FILE = re.compile(r"(?:# |<!-- )(\S+\.(?:py|urdf))(?: -->)?\n")
 
 
 class Block(NamedTuple):
@@ -55,15 +67,23 @@ def blocks(path: Path) -> list[Block]:
 
 
 def files(page: list[Block]) -> dict[str, str]:
-    """Return the programs that a page shows, by the names of their files."""
+    """Return the programs and descriptions that a page shows, by the names of their files."""
     return {
-        name[1]: block.text for block in page if block.kind == "python" and (name := FILE.match(block.text))
+        name[1]: block.text
+        for block in page
+        if block.kind in {"python", "xml"} and (name := FILE.match(block.text))
     }
 
 
 def commands(page: list[Block]) -> Iterator[Command]:
     """Yield the commands of a page's consoles."""
+    return (step for step in steps(page) if isinstance(step, Command))
+
+
+def steps(page: list[Block]) -> Iterator[Command | tuple[str, str]]:
+    """Yield the commands of a page's consoles, and the files that are saved between them, name and text."""
     for block in page:
+        yield from files([block]).items()
         if block.kind not in {"console", "console keep"}:
             continue
         parts = re.split(r"^\$ ", block.text, flags=re.MULTILINE)

@@ -11,7 +11,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from tests.conftest import Program
+from tests.conftest import COLCON_PYTHON, Program
 from tests.docs import page
 from tests.docs.page import DOCS
 from tests.each import for_each
@@ -40,10 +40,11 @@ def name_of(path: Path) -> str:
 
 @pytest.fixture
 def folder(tmp_path: Path, path: Path) -> Path:
-    """Return a folder with the programs of the tutorial, and of the page itself."""
-    for document in [*TUTORIAL, path]:
+    """Return a folder with the programs of the tutorial, but for those in a workspace."""
+    for document in TUTORIAL:
         for name, text in page.files(page.blocks(document)).items():
-            (tmp_path / name).write_text(text, "utf-8")
+            if "/" not in name:
+                (tmp_path / name).write_text(text, "utf-8")
     return tmp_path
 
 
@@ -56,12 +57,21 @@ def test_commands_print_what_the_page_says(
     start_program: Callable[..., Program],
     wait_until: Callable[..., None],
 ) -> None:
-    environment = os.environ | {"PATH": f"{BIN}{os.pathsep}{os.environ['PATH']}", "COLUMNS": "80"}
-    for command in page.commands(page.blocks(path)):
-        if not shutil.which((word := command.words.split()[0]), path=environment["PATH"]):
+    environment = os.environ | COLCON_PYTHON
+    environment |= {"PATH": f"{BIN}{os.pathsep}{os.environ['PATH']}", "COLUMNS": "80"}
+    sourced = ""
+    for command in page.steps(page.blocks(path)):
+        if not isinstance(command, page.Command):
+            name, text = command
+            (folder / name).write_text(text, "utf-8")
+            continue
+        if (word := command.words.split()[0]) == "source":
+            sourced += f"{command.words} && "
+            continue
+        if not shutil.which(word, path=environment["PATH"]):
             pytest.skip(f"{path.name} runs {word!r}, which is not installed")
         expected = page.pattern(command.output)
-        running = start_program("bash", "-c", f"exec {command.words}", cwd=folder, env=environment)
+        running = start_program("bash", "-c", f"{sourced}exec {command.words}", cwd=folder, env=environment)
         where = f"{path.name}:{command.line}: {command.words}"
 
         def is_printed(running: Program = running, expected: page.re.Pattern[str] = expected) -> bool:
@@ -118,7 +128,9 @@ def test_a_difference_is_found() -> None:
 
 
 def test_pages_are_found() -> None:
-    assert {"broadcaster", "follower", "install", "launch", "turtle"} == {path.stem for path in TUTORIAL}
+    assert {"broadcaster", "follower", "install", "launch", "package", "turtle"} == {
+        path.stem for path in TUTORIAL
+    }
     assert len(HOW_TOS) >= 7
     assert len(WITH_COMMANDS) >= 6
     assert len(WITH_PROGRAMS) >= 4
