@@ -27,7 +27,7 @@ from tfloom.interfaces.sensor_msgs import msg as sensor_msgs
 from tfloom.interfaces.sensor_msgs.msg import CameraInfo, Image, JointState, NavSatStatus, PointField
 from tfloom.interfaces.shape_msgs.msg import SolidPrimitive
 from tfloom.interfaces.std_msgs import msg as std_msgs
-from tfloom.interfaces.std_msgs.msg import ColorRGBA, String
+from tfloom.interfaces.std_msgs.msg import ColorRGBA, Empty, Header, String
 from tfloom.rosidl.message import Message
 from tfloom.rosidl.registry import get_message_class
 
@@ -317,6 +317,17 @@ def test_constants_and_defaults_can_not_be_assigned() -> None:
             match=r"^property 'STATUS_UNKNOWN' of 'Metaclass_GoalStatus' object has no setter$",
         ):
             cls.STATUS_UNKNOWN = 5
+        with pytest.raises(
+            AttributeError,
+            match=r"^property 'STATUS_UNKNOWN' of 'Metaclass_GoalStatus' object has no deleter$",
+        ):
+            del cls.STATUS_UNKNOWN
+    with pytest.raises(
+        AttributeError, match="'STATUS__DEFAULT' of 'Metaclass_NavSatStatus' object has no deleter"
+    ):
+        del NavSatStatus.STATUS__DEFAULT
+    with pytest.raises(AttributeError, match="type object 'GoalStatus' has no attribute 'NO_SUCH'"):
+        del GoalStatus.NO_SUCH
     with pytest.raises(AttributeError, match="'STATUS_UNKNOWN' is read-only"):
         GoalStatus().STATUS_UNKNOWN = 5
     with pytest.raises(AttributeError, match="'STATUS__DEFAULT' of 'Metaclass_NavSatStatus'"):
@@ -324,3 +335,11 @@ def test_constants_and_defaults_can_not_be_assigned() -> None:
     assert (GoalStatus.STATUS_UNKNOWN, NavSatStatus.STATUS__DEFAULT) == (0, -2)
     Derived.OF_THE_PROGRAM = 1  # a name that the definition doesn't have
     Derived.OF_THE_PROGRAM = 2
+    del Derived.OF_THE_PROGRAM
+
+
+def test_fields_and_types_by_the_name_that_programs_read() -> None:
+    assert Header._fields_and_field_types == {"stamp": "builtin_interfaces/Time", "frame_id": "string"}
+    assert Header()._fields_and_field_types == Header.get_fields_and_field_types()
+    assert (Empty._fields_and_field_types, Empty.SLOT_TYPES, Empty.__slots__) == ({}, (), ["_check_fields"])
+    assert (Empty()._check_fields, Empty(check_fields=True)._check_fields) == (False, True)

@@ -256,6 +256,10 @@ def test_a_deskewed_cloud_equals_deskewed_points() -> None:
         (lambda: read_points(create_cloud_xyz32(HEADER, []), ["w"]), "Requests field is not in the fields"),
         (lambda: create_cloud(HEADER, FIELDS, np.zeros((2, 4))), "All fields need to have the same datatype"),
         (lambda: create_cloud(HEADER, FIELDS[:3], structured((2,))), "dtype do not match"),
+        (
+            lambda: create_cloud(HEADER, FIELDS, structured((2,))[["x", "y"]].astype("f4,f4")),
+            "dtype do not match",
+        ),
         (lambda: create_cloud(HEADER, FIELDS[:3], np.zeros((2, 2, 2, 3))), "Too many dimensions"),
         (lambda: dtype_from_fields([FIELDS[0], FIELDS[0]]), "Duplicate field names"),
         (lambda: read_points_numpy(create_cloud(HEADER, FIELDS, structured((2,)), 32)), "same datatype"),

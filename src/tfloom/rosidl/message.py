@@ -34,6 +34,13 @@ class _SlotTypes:
         return tuple(to_type(parse_type(text)) for text in owner._FIELDS.values())
 
 
+class _FieldTypes:
+    """`_fields_and_field_types`: what `get_fields_and_field_types` returns, by the name that programs read, too."""
+
+    def __get__(self, instance: object, owner: type[Message]) -> dict[str, str]:
+        return owner.get_fields_and_field_types()
+
+
 class _Default:
     """`X__DEFAULT`: what field `x`, whose definition has a default, holds in a new message."""
 
@@ -50,13 +57,21 @@ class _MessageType(type):
     def __setattr__(cls, name: str, value: object) -> None:
         # Definitions spell constants, and nothing else, in capitals. A class that derives from a message's may have
         # names of its own.
-        if name.isupper() and not name.startswith("_"):
-            for base in cls.__mro__:
-                if name in vars(base) and "_FIELDS" in vars(base):
-                    raise AttributeError(
-                        f"property '{name}' of 'Metaclass_{base.__name__}' object has no setter"
-                    )
+        if name.isupper() and (home := _home_of_constant(cls, name)) is not None:
+            raise AttributeError(f"property '{name}' of 'Metaclass_{home.__name__}' object has no setter")
         super().__setattr__(name, value)
+
+    def __delattr__(cls, name: str) -> None:
+        if name.isupper() and (home := _home_of_constant(cls, name)) is not None:
+            raise AttributeError(f"property '{name}' of 'Metaclass_{home.__name__}' object has no deleter")
+        super().__delattr__(name)
+
+
+def _home_of_constant(cls: type, name: str) -> type | None:
+    """Return the class among a message class and its bases whose definition has a constant; None if none has it."""
+    if name.startswith("_"):
+        return None
+    return next((base for base in cls.__mro__ if name in vars(base) and "_FIELDS" in vars(base)), None)
 
 
 class Message(MessageBase, metaclass=_MessageType):
@@ -79,6 +94,7 @@ class Message(MessageBase, metaclass=_MessageType):
     _PLAN: ClassVar[Plan | None] = None
     _check_fields: bool
     SLOT_TYPES = _SlotTypes()
+    _fields_and_field_types = _FieldTypes()
 
     def __init_subclass__(cls, **kwargs: Any) -> None:
         super().__init_subclass__(**kwargs)

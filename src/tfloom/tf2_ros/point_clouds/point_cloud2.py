@@ -193,7 +193,8 @@ def create_cloud(
     """
     listed = list(fields)
     if point_step is None and isinstance(points, np.ndarray) and points.dtype.names is not None:
-        point_step = points.dtype.itemsize
+        # Points that are too small for the fields don't match them, which the check below says.
+        point_step = max(points.dtype.itemsize, dtype_from_fields(listed).itemsize)
     dtype = dtype_from_fields(listed, point_step)
     if not isinstance(points, np.ndarray):
         table = np.array([tuple(point) for point in points], dtype)
