@@ -45,6 +45,7 @@ class Page:
     def __init__(self, socket: ClientConnection) -> None:
         self.socket = socket
         self.name = ""
+        self.camera: Any = None
         self.state: dict[str, Any] = {}
         self.log: list[dict[str, Any]] = []
         self.answers: list[dict[str, Any]] = []
@@ -63,6 +64,7 @@ class Page:
 
     def take(self, message: dict[str, Any]) -> None:
         self.name = message.get("page", self.name)
+        self.camera = message.get("camera", self.camera)
         self.state = message.get("state", self.state)
         self.log += message.get("log", [])
         if not message.keys() & {"page", "state", "log"}:

@@ -19,6 +19,7 @@ import pytest
 from tests import conftest
 from tests.conftest import Program
 from tests.viewer.a_robot import EVIL
+from tests.viewer.test_layout import RVIZ
 
 import tfloom
 from tfloom.interfaces.geometry_msgs.msg import PoseStamped
@@ -29,6 +30,7 @@ from tfloom.node.node import Node
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.transform_listener import TransformListener
 from tfloom.tf2_tools.text.transform import transform_text
+from tfloom.viewer.layout.layout_file import read_layout
 
 pytestmark = pytest.mark.slow
 BROWSER = shutil.which("chromium")
@@ -443,6 +445,43 @@ def test_click_on_a_frame_in_the_scene_selects_it(browser: Any, address: str, ta
     wait_until(is_selected, what="the click on map")
     close.click("#unselect")
     close.page.close()
+
+
+def test_layout_of_rviz_is_shown_and_saved_as_ours(
+    browser: Any, address: str, tmp_path: Path, start_module_program: Callable[..., Program], tab: Tab
+) -> None:
+    assert address  # the robot publishes
+    tab.page.goto("about:blank")  # one scene at a time is drawn
+    config = tmp_path / "robot.rviz"
+    config.write_text(RVIZ.replace("/points", "/no_points").replace("Distance: 10", "Distance: 7"))
+    view = start_module_program("tfloom", "view", "--config", config, "--no-open", "--port", "0")
+    view.wait_for("Open http://127.0.0.1:")
+    assert any("shown without what is not known here: the display Handles" in line for line in view.lines)
+    opened = next(line for line in view.lines if line.startswith("Open ")).removeprefix("Open ")
+    saved = Tab(browser, opened)
+    wait_until(lambda: "base_link" in saved.text("#rows"), what="the tree")
+    wait_until(
+        lambda: saved.page.evaluate(
+            "['/robot_description', '/scan'].every(topic => state.displays.some(one => one.topic === topic && one.on))"
+        ),
+        what="the displays",
+    )
+    assert saved.page.evaluate("state.fixed_frame") == "odom"
+    wait_until(lambda: coloured(saved.pixels()) > 300, what="the robot")
+    saved.keep("layout")
+    with saved.page.expect_download(timeout=LOADED_MS) as download:
+        saved.click("#save-layout")
+    kept = tmp_path / "kept.yaml"
+    download.value.save_as(kept)
+    layout, unknown = read_layout(kept)
+    assert unknown == []
+    assert layout.fixed_frame == "odom"
+    assert {one.topic for one in layout.displays} >= {"/robot_description", "/scan", "/no_points"}
+    assert layout.camera is not None
+    assert layout.camera.look_at == pytest.approx((1.0, 2.0, 3.0), abs=0.01)
+    assert np.linalg.norm(np.subtract(*layout.camera)) == pytest.approx(7.0, abs=0.05)
+    assert saved.faults == []
+    saved.page.close()
 
 
 @contextmanager

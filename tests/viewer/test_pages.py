@@ -6,6 +6,7 @@ import math
 import urllib.error
 import urllib.request
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import msgspec
@@ -24,6 +25,8 @@ from tfloom.tf2_ros.static_transform_broadcaster import StaticTransformBroadcast
 from tfloom.tf2_ros.transform_broadcaster import TransformBroadcaster
 from tfloom.tf2_tools.text.transform import transform_text
 from tfloom.viewer import page_server
+from tfloom.viewer.layout.layout import DisplayLayout, Layout, PlotLayout, ViewPoint
+from tfloom.viewer.layout.layout_file import read_layout
 from tfloom.viewer.page_server import _is_allowed
 from tfloom.viewer.program import Viewer
 from tfloom.viewer.tools import Tools
@@ -463,3 +466,38 @@ def test_tools_publish_what_was_dragged(spun: Node, viewer: Viewer) -> None:
     assert (goals[0].header.frame_id, goals[0].header.stamp.sec) == ("map", 5)
     assert (goals[0].pose.position.x, goals[0].pose.position.y) == (1.0, 2.0)
     assert goals[0].pose.orientation.z == pytest.approx(math.sin(math.pi / 4))
+
+
+def test_layout_is_applied_and_saved(node: Node, viewer: Viewer, open_page: OpenPage, tmp_path: Path) -> None:
+    layout = Layout(
+        fixed_frame="base",
+        axes_m=0.7,
+        displays=(DisplayLayout("/points", "b"), DisplayLayout("/later")),
+        plots=(PlotLayout("/points", "width"),),
+        camera=ViewPoint((1.0, 2.0, 3.0), (0.0, 0.0, 0.0)),
+    )
+    viewer.apply(layout)
+    publisher = node.create_publisher(PointCloud2, "/points", 10)
+    page = open_page(viewer)
+    assert page.camera == {"position": [1.0, 2.0, 3.0], "look_at": [0.0, 0.0, 0.0]}
+    feed(node, viewer)
+    wait_until(lambda: publisher.get_subscription_count() == 2, what="the display's and the plot's readers")
+    points = np.zeros(2, [("x", "<f4"), ("y", "<f4"), ("z", "<f4"), ("a", "<f4"), ("b", "<f4")])
+    publisher.publish(cloud(points, "base"))
+    page.wait_for(
+        lambda: (page.display("/points") or {}).get("choice") == "b" and page.display("/points")["choices"]
+    )
+    assert (page.state["fixed_frame"], page.state["axes_m"]) == ("base", 0.7)
+    page.wait_for(lambda: page.state["plots"][0]["shown"] == 2.0)
+    page.send(op="layout")
+    saved = tmp_path / "saved.yaml"
+    saved.write_text(page.answer("layout"))
+    # The scene has told no camera, because this page has no scene.
+    assert read_layout(saved) == (layout._replace(camera=None), [])
+    viewer.layout_path = tmp_path / "written.yaml"
+    page.send(op="layout")
+    assert "written.yaml" in page.answer("done")
+    assert (tmp_path / "written.yaml").read_text() == saved.read_text()
+    viewer.layout_path = tmp_path / "no" / "such"
+    page.send(op="layout")
+    assert "can't write" in page.answer("error")

@@ -19,6 +19,7 @@ from tfloom.tf2_tools.watch.model import STATIC_TOPIC, TF_TOPIC
 from tfloom.viewer.extra import MISSING, is_installed
 
 if TYPE_CHECKING:
+    from tfloom.viewer.layout.layout import Layout
     from tfloom.viewer.program import Viewer
 
 PORT = 8765
@@ -31,6 +32,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments of `view`."""
     parser.add_argument(
         "-b", "--bag", metavar="PATH", type=Path, help="a recording, in place of the live graph"
+    )
+    parser.add_argument(
+        "-c",
+        "--config",
+        metavar="FILE",
+        type=Path,
+        help="a saved layout, or a file of RViz that ends in .rviz",
+    )
+    parser.add_argument(
+        "--save-config", metavar="FILE", type=Path, help="where `Save layout` on the page writes it"
     )
     parser.add_argument("--fixed-frame", metavar="FRAME", default="", help="the frame that stands still")
     parser.add_argument(
@@ -74,10 +85,15 @@ def main(args: argparse.Namespace) -> int:
         raise CommandError(f"argument --history: must be above 0, not {args.history:g}")
     if not is_installed():
         raise CommandError(MISSING.format(name="`tfloom view`"))
+    layout = None if args.config is None else read_config(args.config)
     over = threading.Event()
     for name in ("SIGINT", "SIGTERM"):
         signal.signal(getattr(signal, name), lambda *_: over.set())
     with _open_viewer(args) as viewer:
+        viewer.layout_path = args.save_config
+        if layout is not None:
+            # What the command line says counts before the file.
+            viewer.apply(layout._replace(fixed_frame=args.fixed_frame or layout.fixed_frame))
         start_pages(viewer, args.host, args.port)
         for topic in args.display:
             viewer.view.want(full_topic_name(topic))
@@ -90,6 +106,24 @@ def main(args: argparse.Namespace) -> int:
             webbrowser.open(viewer.pages.address)
         viewer.run(over.is_set)
     return 0
+
+
+def read_config(path: Path) -> Layout:
+    """Return the layout of a file; a sentence on stderr names what of it is not known here.
+
+    Raises:
+        CommandError: it is none.
+    """
+    from tfloom.viewer.layout.layout import LayoutError
+    from tfloom.viewer.layout.layout_file import read_layout
+
+    try:
+        layout, unknown = read_layout(path)
+    except LayoutError as error:
+        raise CommandError(str(error)) from None
+    if unknown:
+        print(f"{path}: shown without what is not known here: {'; '.join(unknown)}", file=sys.stderr)
+    return layout
 
 
 @contextmanager

@@ -8,6 +8,7 @@
 - page_server, access, page_command: the server of our page
 - forms/: what pages publish, call and send as goals, by forms made from any type
 - plots/: numeric fields of topics over time
+- layout/: what is shown from the start, of our files or RViz's
 - tools, log_lines, parameters, node_graph, pictures: what is beside the scene
 - inline, inline_page, extra: the page in a notebook; whether the extra is installed
 - foxglove_bridge/: the graph for Foxglove

@@ -27,6 +27,7 @@ from tfloom.viewer.page_command import PageError
 from tfloom.viewer.scene_server import KEY_HEADER, PAGE_HEADER
 
 if TYPE_CHECKING:
+    from tfloom.viewer.layout.layout import ViewPoint
     from tfloom.viewer.scene_server import SceneServer
 
 __all__ = ["PageServer", "ServerError"]
@@ -92,6 +93,8 @@ class PageServer:
         self._host = ""
         self._port = 0
         self._pages: dict[str, _Page] = {}
+        self.view_point: ViewPoint | None = None
+        """From where new pages look; None: from where the page itself says."""
         self._state = ""
         self._state_number = 0
         self._lines: list[str] = []
@@ -304,7 +307,8 @@ class PageServer:
             self.answer(name, {"error": str(PageError("a command has to be an object of JSON"))})
 
     async def _send(self, connection: ServerConnection, name: str, page: _Page) -> None:
-        await connection.send(json.dumps({"page": name}))
+        view_point = None if self.view_point is None else self.view_point._asdict()
+        await connection.send(json.dumps({"page": name, "camera": view_point}))
         while True:
             page.news.clear()
             answers, page.answers = page.answers, []

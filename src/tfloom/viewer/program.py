@@ -13,6 +13,7 @@ from tfloom.rosidl.message import DecodeError
 from tfloom.viewer.camera import floor_point
 from tfloom.viewer.displays.display import shown_text
 from tfloom.viewer.forms.sending import FORM_COMMANDS
+from tfloom.viewer.layout.layout_file import layout_text
 from tfloom.viewer.log_lines import MAX_LINES
 from tfloom.viewer.node_graph import node_graph
 from tfloom.viewer.page_command import PageError, number, text
@@ -22,11 +23,15 @@ from tfloom.viewer.scene import Scene
 from tfloom.viewer.scene_server import SceneServer
 from tfloom.viewer.shapes import DisplayError
 from tfloom.viewer.view import View
+from tfloom.whole_files import write_file
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from typing_extensions import Self
 
     from tfloom.tf2_tools.watch.sources import Source
+    from tfloom.viewer.layout.layout import Layout
     from tfloom.viewer.live_parts import LiveParts
     from tfloom.viewer.topics import Topics
 
@@ -79,6 +84,8 @@ class Viewer:
         self._entries: dict[str, Any] = {}
         """What each topic of images shows now, exchanged by the loop."""
         self._is_open = False
+        self.layout_path: Path | None = None
+        """Where pages save the layout; None: each browser saves it as it saves files."""
 
     def __enter__(self) -> Self:
         return self
@@ -167,6 +174,8 @@ class Viewer:
         if operation == "closed":
             if self._live is not None:
                 self._live.forms.forget(page)
+        elif operation == "layout":
+            self._save_layout(page)
         elif operation == "plot_topics":
             self.pages.answer(page, {"plot_topics": self.view.plots.topics()})
         elif operation == "plot_fields":
@@ -180,6 +189,23 @@ class Viewer:
             raise PageError("this is a recording: there is nobody to ask")
         else:
             self._run_live_command(self._live, page, operation, command)
+
+    def apply(self, layout: Layout) -> None:
+        """Show what a layout says, and let new pages look from where it says."""
+        self.view.apply(layout)
+        self.pages.view_point = layout.camera
+
+    def _save_layout(self, page: str) -> None:
+        """Give a page its layout as a file, or write it where the program was told to."""
+        content = layout_text(self.view.layout(self._server.view_point(page)))
+        if self.layout_path is None:
+            self.pages.answer(page, {"layout": content})
+            return
+        try:
+            write_file(self.layout_path, content)
+        except OSError as error:
+            raise PageError(f"can't write {self.layout_path}: {error.strerror or error}") from None
+        self.pages.answer(page, {"done": shown_text(f"the layout is saved in {self.layout_path}")})
 
     def _run_live_command(
         self, live: LiveParts, page: str, operation: str, command: Mapping[str, Any]

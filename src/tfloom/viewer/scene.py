@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from tfloom.viewer.drawing import Drawn, Pose, shown_name
+from tfloom.viewer.layout.layout import DEFAULT_AXES_M
 from tfloom.viewer.shapes import Shape
 
 if TYPE_CHECKING:
@@ -20,8 +21,6 @@ __all__ = ["Scene"]
 
 MAX_NAMES = 300
 """Number of frames up to which their names are drawn."""
-AXES_M = 0.3
-"""Length of a frame's axes [m]."""
 MOVED_M = 1e-6
 """A name that has moved less stays where it is [m]."""
 YELLOW = (255, 205, 60)
@@ -41,7 +40,7 @@ class Scene:
     def __init__(self, scene: SceneApi, on_frame: Callable[[str], None]) -> None:
         self._scene = scene
         self._on_frame = on_frame
-        self._axes_m = AXES_M
+        self._axes_m = DEFAULT_AXES_M
         self._axes: Any = None
         self._axes_names: list[str] = []
         self._grey: Any = None
@@ -68,7 +67,7 @@ class Scene:
         )
 
     def draw_frames(
-        self, poses: FramePoses, behind: Collection[str], *, with_names: bool, axes_m: float = AXES_M
+        self, poses: FramePoses, behind: Collection[str], *, with_names: bool, axes_m: float = DEFAULT_AXES_M
     ) -> None:
         """Draw frames; those of which the pose is out of date are grey.
 

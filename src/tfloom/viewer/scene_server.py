@@ -12,6 +12,7 @@ import viser
 from viser import _messages
 
 from tfloom.viewer.camera import Camera
+from tfloom.viewer.layout.layout import ViewPoint
 
 if TYPE_CHECKING:
     from viser import SceneApi
@@ -83,6 +84,15 @@ class SceneServer:
         w, x, y, z = (float(part) for part in state.wxyz)
         px, py, pz = (float(part) for part in state.position)
         return Camera((px, py, pz), (x, y, z, w), float(state.fov), float(state.aspect))
+
+    def view_point(self, page: str) -> ViewPoint | None:
+        """Return from where a page looks, and to where; None until it has told it."""
+        client = self._server.get_clients().get(self._clients.get(page, -1))
+        if client is None:
+            return None
+        px, py, pz = (float(part) for part in client.camera.position)
+        x, y, z = (float(part) for part in client.camera.look_at)
+        return ViewPoint((px, py, pz), (x, y, z))
 
     def forget(self, page: str) -> None:
         """Forget a page that was closed."""

@@ -30,6 +30,7 @@ from tfloom.viewer.frames import (
     span_of,
     trail_of,
 )
+from tfloom.viewer.layout.layout import DEFAULT_AXES_M, DisplayLayout, Layout, PlotLayout, ViewPoint
 from tfloom.viewer.page_command import PageError, flag, number, stamp, text
 from tfloom.viewer.playback import Playback
 from tfloom.viewer.plots.plots import Plots
@@ -95,11 +96,11 @@ class View:
         self._selected: list[str] = []
         self._trails: list[str] = []
         self._feeds: dict[str, Feed] = {}
-        self._wanted: list[str] = []
-        """Topics to show as soon as they are there."""
+        self._wanted: dict[str, str] = {}
+        """Topics to show as soon as they are there, each with what is chosen for it, or an empty text."""
         self.plots = Plots(topics, history_ns if is_live else None)
         self._with_names = True
-        self._axes_m = 0.3
+        self._axes_m = DEFAULT_AXES_M
         self._started_ns = time.time_ns()
         self._rates = Rates()
         self._rows: list[Row] = []
@@ -213,8 +214,7 @@ class View:
             PageError: there is no such topic, or nothing shows messages of its type.
         """
         if not on:
-            if topic in self._wanted:
-                self._wanted.remove(topic)
+            self._wanted.pop(topic, None)
             self._feeds.pop(topic, None)
             self.topics.close(topic)
             self._scene.draw_display(topic, [])
@@ -233,9 +233,10 @@ class View:
             messages, decode = self.topics.open(topic)
         except DisplayError as error:
             raise PageError(str(error)) from None
-        self._feeds[topic] = Feed(topic, kind, messages, decode)
-        if topic in self._wanted:
-            self._wanted.remove(topic)
+        feed = self._feeds[topic] = Feed(topic, kind, messages, decode)
+        choice = self._wanted.pop(topic, "")
+        if choice and feed.display is not None:
+            feed.display.choice = choice  # what there is to choose from is known by the first message
 
     def feed(self, topic: str) -> Feed | None:
         """Return what a display shows; None if the topic isn't shown."""
@@ -250,10 +251,38 @@ class View:
                 entries[topic] = entry, feed.decode
         return entries
 
-    def want(self, topic: str) -> None:
-        """Show a topic as soon as it is there."""
-        if topic not in self._wanted:
-            self._wanted.append(topic)
+    def want(self, topic: str, choice: str = "") -> None:
+        """Show a topic as soon as it is there, with what is chosen for it."""
+        self._wanted.setdefault(topic, choice)
+
+    def apply(self, layout: Layout) -> None:
+        """Show what a layout says, each topic as soon as it is there."""
+        self._chosen_frame = layout.fixed_frame
+        self._with_names = layout.with_names
+        self._axes_m = layout.axes_m
+        self._trails = list(layout.trails[:MAX_TRAILS])
+        for display in layout.displays:
+            self.want(display.topic, display.choice)
+        for plot in layout.plots:
+            with contextlib.suppress(PageError):  # there are too many
+                self.plots.add(plot.topic, plot.field, is_there=False)
+
+    def layout(self, camera: ViewPoint | None) -> Layout:
+        """Return what is shown now, with a page's camera."""
+        displays = [
+            DisplayLayout(topic, "" if feed.display is None else feed.display.choice)
+            for topic, feed in self._feeds.items()
+        ]
+        displays += [DisplayLayout(topic, choice) for topic, choice in self._wanted.items()]
+        return Layout(
+            fixed_frame=self.fixed_frame,
+            with_names=self._with_names,
+            axes_m=self._axes_m,
+            trails=tuple(self._trails),
+            displays=tuple(displays),
+            plots=tuple(PlotLayout(*name) for name in self.plots.names()),
+            camera=camera,
+        )
 
     def suspend(self) -> None:
         """End reading topics, because nobody looks."""
@@ -267,15 +296,16 @@ class View:
             try:
                 feed.read(*self.topics.open(topic))
             except DisplayError:  # noqa: PERF203  # the others are read
+                choice = "" if feed.display is None else feed.display.choice
                 self.set_display(topic, on=False)
-                self.want(topic)
+                self.want(topic, choice)
 
     def _show_wanted(self) -> None:
         types = self.topics.types()
         for topic in [topic for topic in self._wanted if topic in types]:
-            self._wanted.remove(topic)
             with contextlib.suppress(PageError):
                 self.set_display(topic, on=True)
+            self._wanted.pop(topic, None)
 
     # What follows of it.
 

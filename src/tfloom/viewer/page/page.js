@@ -50,7 +50,7 @@ function connect() {
 }
 
 function take(message) {
-  if (message.page !== undefined) openScene(message.page);
+  if (message.page !== undefined) openScene(message.page, message.camera);
   if (message.state !== undefined) { state = message.state; show(); }
   if (message.log !== undefined) addLines(message.log);
   if (message.error !== undefined) say(message.error);
@@ -60,13 +60,22 @@ function take(message) {
   for (const [key, taker] of Object.entries(takers)) if (message[key] !== undefined) taker(message[key]);
 }
 
-function openScene(id) {
+// The layout as a file of the browser, where the server was not told where to write it.
+takers.layout = (text) => {
+  const link = element("a", { href: URL.createObjectURL(new Blob([text], { type: "application/yaml" })), download: "view.yaml" });
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+  say("the layout is saved as view.yaml");
+};
+
+function openScene(id, saved) {
   page = id;
   const scheme = location.protocol === "https:" ? "wss" : "ws";
   const server = `${scheme}://${location.host}/scene/ws?page=${encodeURIComponent(id)}`;
-  const camera = query.get("camera") || "-3,-4,4";
+  const camera = query.get("camera") || (saved ? saved.position.join() : "-3,-4,4");
+  const lookAt = query.get("look_at") || (saved ? saved.look_at.join() : "0,0,0");
   $("scene").src = `/scene/?darkMode&hideViserLogo&initialCameraPosition=${encodeURIComponent(camera)}` +
-    `&initialCameraLookAt=${encodeURIComponent(query.get("look_at") || "0,0,0")}` +
+    `&initialCameraLookAt=${encodeURIComponent(lookAt)}` +
     (query.get("dpr") ? `&fixedDpr=${encodeURIComponent(query.get("dpr"))}` : "") +
     `&websocket=${encodeURIComponent(server)}`;
 }
@@ -492,6 +501,7 @@ for (const button of document.querySelectorAll("#tools [data-tool]")) button.add
 $("fixed").addEventListener("change", () => { send({ op: "fixed_frame", frame: $("fixed").value }); $("fixed").blur(); });
 $("names").addEventListener("change", () => send({ op: "names", on: $("names").checked }));
 $("axes").addEventListener("change", () => send({ op: "axes", length: Number($("axes").value) }));
+$("save-layout").addEventListener("click", () => send({ op: "layout" }));
 $("unselect").addEventListener("click", () => send({ op: "unselect" }));
 $("slider").addEventListener("pointerdown", () => { isDragging = true; });
 addEventListener("pointerup", () => { isDragging = false; });

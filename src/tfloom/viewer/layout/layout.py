@@ -1,0 +1,53 @@
+"""The values of a layout."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+__all__ = ["DEFAULT_AXES_M", "DisplayLayout", "Layout", "LayoutError", "PlotLayout", "ViewPoint"]
+
+DEFAULT_AXES_M = 0.3
+"""Length of a frame's axes [m]."""
+
+Point = tuple[float, float, float]
+
+
+class LayoutError(Exception):
+    """A file is no layout; the text has the file, the line where it is known, and the reason."""
+
+
+class ViewPoint(NamedTuple):
+    """From where a page looks, and to where [m], in the fixed frame."""
+
+    position: Point
+    look_at: Point
+
+
+class DisplayLayout(NamedTuple):
+    """A topic that is shown."""
+
+    topic: str
+    choice: str = ""
+    """What is chosen for it, as the field that colours a cloud; empty: what fits best."""
+
+
+class PlotLayout(NamedTuple):
+    """A field that is plotted."""
+
+    topic: str
+    field: str
+
+
+class Layout(NamedTuple):
+    """What a page shows from the start."""
+
+    fixed_frame: str = ""
+    """Empty: a usual one, or the root of the largest tree."""
+    with_names: bool = True
+    axes_m: float = DEFAULT_AXES_M
+    trails: tuple[str, ...] = ()
+    """Frames whose way is drawn."""
+    displays: tuple[DisplayLayout, ...] = ()
+    plots: tuple[PlotLayout, ...] = ()
+    camera: ViewPoint | None = None
+    """None: that of a new page."""

@@ -1,0 +1,101 @@
+"""Our own files of layouts, in YAML."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from tfloom.viewer.layout.layout import (
+    DEFAULT_AXES_M,
+    DisplayLayout,
+    Layout,
+    PlotLayout,
+    ViewPoint,
+)
+from tfloom.viewer.layout.placed_yaml import PlacedYaml
+from tfloom.viewer.layout.rviz_file import RVIZ_SECTION, rviz_layout
+
+__all__ = ["layout_text", "read_layout"]
+
+KEYS = ("fixed_frame", "names", "axes", "trails", "displays", "plots", "camera")
+
+
+def read_layout(path: Path) -> tuple[Layout, list[str]]:
+    """Return the layout of a file, ours or RViz's, and what of it is not known here.
+
+    Raises:
+        LayoutError: it can't be read, or is neither.
+    """
+    file = PlacedYaml(path)
+    if path.suffix == ".rviz" or RVIZ_SECTION in file.root:
+        return rviz_layout(file)
+    return _own_layout(file)
+
+
+def _own_layout(file: PlacedYaml) -> tuple[Layout, list[str]]:
+    root = file.root
+    unknown = [str(key) for key in root if key not in KEYS]
+    axes_m = file.number(root, "axes", DEFAULT_AXES_M)
+    if not 0.001 <= axes_m <= 1000.0:
+        raise file.error(root, "axes are from 0.001 m to 1000 m long")
+    displays = []
+    for number, row in enumerate(file.items(root, "displays")):
+        entry = _entry(file, root, row, "displays")
+        unknown += [f"displays[{number}].{key}" for key in entry if key not in {"topic", "choice"}]
+        displays.append(DisplayLayout(_named(file, entry, "topic"), file.text(entry, "choice")))
+    plots = []
+    for number, row in enumerate(file.items(root, "plots")):
+        entry = _entry(file, root, row, "plots")
+        unknown += [f"plots[{number}].{key}" for key in entry if key not in {"topic", "field"}]
+        plots.append(PlotLayout(_named(file, entry, "topic"), _named(file, entry, "field")))
+    trails = file.items(root, "trails")
+    if not all(isinstance(frame, str) for frame in trails):
+        raise file.error(trails, "trails has to be a list of frames")
+    camera = file.mapping(root, "camera")
+    unknown += [f"camera.{key}" for key in camera if key not in {"position", "look_at"}]
+    layout = Layout(
+        fixed_frame=file.text(root, "fixed_frame"),
+        with_names=file.flag(root, "names", default=True),
+        axes_m=axes_m,
+        trails=tuple(trails),
+        displays=tuple(displays),
+        plots=tuple(plots),
+        camera=ViewPoint(file.point(camera, "position"), file.point(camera, "look_at")) if camera else None,
+    )
+    return layout, unknown
+
+
+def _entry(file: PlacedYaml, root: dict[Any, Any], row: Any, key: str) -> dict[Any, Any]:
+    if isinstance(row, str) and key == "displays":
+        return {"topic": row}
+    if not isinstance(row, dict):
+        raise file.error(root[key], f"{key} has to be a list of mappings, as 'topic: /scan'")
+    return row
+
+
+def _named(file: PlacedYaml, entry: dict[Any, Any], key: str) -> str:
+    value = file.text(entry, key)
+    if not value:
+        raise file.error(entry, f"{key} is missing")
+    return value
+
+
+def layout_text(layout: Layout) -> str:
+    """Return a layout as the text of a file."""
+    import yaml
+
+    values: dict[str, Any] = {"fixed_frame": layout.fixed_frame} if layout.fixed_frame else {}
+    values |= {"names": layout.with_names, "axes": layout.axes_m}
+    if layout.trails:
+        values["trails"] = list(layout.trails)
+    values["displays"] = [
+        {"topic": display.topic, **({"choice": display.choice} if display.choice else {})}
+        for display in layout.displays
+    ]
+    if layout.plots:
+        values["plots"] = [plot._asdict() for plot in layout.plots]
+    if layout.camera is not None:
+        values["camera"] = {
+            name: [round(part, 4) for part in point] for name, point in layout.camera._asdict().items()
+        }
+    return str(yaml.safe_dump(values, sort_keys=False, allow_unicode=True))

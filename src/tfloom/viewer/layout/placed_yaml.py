@@ -1,0 +1,125 @@
+"""Values of YAML, taken by the type that they have to be of; a mistake has its file, its line and the reason."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from tfloom.rosidl import user_yaml
+from tfloom.viewer.layout.layout import LayoutError
+
+__all__ = ["PlacedYaml"]
+
+MAX_BYTES = 4 * 1024 * 1024
+
+
+class PlacedYaml:
+    """The value of a file of YAML.
+
+    Args:
+        path: The file.
+
+    Raises:
+        LayoutError: it can't be read, is too large, is no YAML, or no mapping.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self._path = path
+        try:
+            with path.open("rb") as file:
+                data = file.read(MAX_BYTES + 1)
+            if len(data) > MAX_BYTES:
+                raise LayoutError(f"{path}: it has more than {MAX_BYTES} bytes")
+            root, self._lines = user_yaml.load_placed(data.decode())
+        except OSError as error:
+            raise LayoutError(f"{path}: {error.strerror or error}") from None
+        except UnicodeDecodeError as error:
+            line = error.object[: error.start].count(b"\n") + 1
+            raise LayoutError(f"{path}:{line}: it is not encoded in UTF-8") from None
+        except user_yaml.YamlError as error:
+            line_text = "" if error.line is None else f"{error.line}: "
+            raise LayoutError(f"{path}:{line_text or ' '}{error.problem}") from None
+        if not isinstance(root, dict):
+            raise LayoutError(f"{path}:1: it has to be a mapping, as 'fixed_frame: map'")
+        self.root: dict[Any, Any] = root
+
+    def error(self, holder: Any, reason: str) -> LayoutError:
+        """Return the error of a mapping or a list of this file."""
+        line = self._lines.get(id(holder))
+        return LayoutError(f"{self._path}:{'' if line is None else line}{':' if line else ''} {reason}")
+
+    def mapping(self, holder: Mapping[Any, Any], key: str) -> dict[Any, Any]:
+        """Return a mapping in a mapping; an empty one where there is none.
+
+        Raises:
+            LayoutError: it is none.
+        """
+        value = holder.get(key)
+        if value is None:
+            return {}
+        if not isinstance(value, dict):
+            raise self.error(holder, f"{key} has to be a mapping")
+        return value
+
+    def items(self, holder: Mapping[Any, Any], key: str) -> list[Any]:
+        """Return a list in a mapping; an empty one where there is none.
+
+        Raises:
+            LayoutError: it is none.
+        """
+        value = holder.get(key)
+        if value is None:
+            return []
+        if not isinstance(value, list):
+            raise self.error(holder, f"{key} has to be a list")
+        return value
+
+    def text(self, holder: Mapping[Any, Any], key: str, default: str = "") -> str:
+        """Return a text of a mapping.
+
+        Raises:
+            LayoutError: it is none.
+        """
+        value = holder.get(key, default)
+        if not isinstance(value, str):
+            raise self.error(holder, f"{key} has to be a text, not {value!r}")
+        return value
+
+    def flag(self, holder: Mapping[Any, Any], key: str, *, default: bool) -> bool:
+        """Return a truth value of a mapping.
+
+        Raises:
+            LayoutError: it is none.
+        """
+        value = holder.get(key, default)
+        if not isinstance(value, bool):
+            raise self.error(holder, f"{key} has to be true or false, not {value!r}")
+        return value
+
+    def number(self, holder: Mapping[Any, Any], key: str, default: float) -> float:
+        """Return a finite number of a mapping.
+
+        Raises:
+            LayoutError: it is none.
+        """
+        value = holder.get(key, default)
+        if isinstance(value, bool) or not isinstance(value, (int, float)) or not abs(value) < 1e12:
+            raise self.error(holder, f"{key} has to be a finite number, not {value!r}")
+        return float(value)
+
+    def point(self, holder: Mapping[Any, Any], key: str) -> tuple[float, float, float]:
+        """Return three finite numbers of a mapping.
+
+        Raises:
+            LayoutError: they are none.
+        """
+        value = holder.get(key)
+        if isinstance(value, list) and len(value) == 3:
+            numbers = [
+                part for part in value if isinstance(part, (int, float)) and not isinstance(part, bool)
+            ]
+            if len(numbers) == 3 and all(math.isfinite(part) and abs(part) < 1e12 for part in numbers):
+                return float(numbers[0]), float(numbers[1]), float(numbers[2])
+        raise self.error(holder, f"{key} has to be three numbers, as [1.0, 2.0, 3.0], not {value!r}")

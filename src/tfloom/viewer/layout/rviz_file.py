@@ -1,0 +1,194 @@
+"""Layouts of RViz's files: the common displays, the fixed frame and the camera."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from tfloom.viewer.layout.layout import (
+    DEFAULT_AXES_M,
+    DisplayLayout,
+    Layout,
+    LayoutError,
+    ViewPoint,
+)
+from tfloom.viewer.layout.placed_yaml import PlacedYaml
+from tfloom.viewer.tools import GOAL_TOPIC, INITIAL_TOPIC, POINT_TOPIC
+
+__all__ = ["RVIZ_SECTION", "rviz_layout"]
+
+RVIZ_SECTION = "Visualization Manager"
+"""The section of a file that tells RViz's from ours."""
+MAX_DEPTH = 20
+"""How deep displays may be in groups."""
+TOPIC_DISPLAYS = frozenset(
+    (
+        *("Image", "LaserScan", "Map", "Marker", "MarkerArray", "Odometry", "Path", "PointCloud"),
+        *("PointCloud2", "PointStamped", "Polygon", "Pose", "PoseArray", "PoseWithCovariance", "Range"),
+    )
+)
+"""Displays of one topic, which are the same here."""
+TOPIC_KEYS = ("Topic", "Image Topic", "Marker Topic")
+"""Where a display's topic is; the last two in files of ROS 1."""
+TOOL_TOPICS = {"SetGoal": GOAL_TOPIC, "SetInitialPose": INITIAL_TOPIC, "PublishPoint": POINT_TOPIC}
+ORBITS = frozenset(("Orbit", "XYOrbit", "ThirdPersonFollower"))
+"""Cameras that look at a focal point."""
+FOV_RAD = math.radians(75.0)
+WINDOW_PX = 600.0
+"""Height of the window for which the scale of a view from above is taken."""
+NO_TARGET = "<Fixed Frame>"
+
+
+def rviz_layout(file: PlacedYaml) -> tuple[Layout, list[str]]:
+    """Return the layout of a file of RViz, and what of it is not known here.
+
+    Raises:
+        LayoutError: it is no file of RViz.
+    """
+    manager = file.root.get(RVIZ_SECTION)
+    if not isinstance(manager, dict):
+        raise file.error(file.root, f"it has no section '{RVIZ_SECTION}', as files of RViz have")
+    reader = _Reader(file)
+    reader.take_displays(manager, 0)
+    reader.take_tools(manager)
+    fixed_frame = file.text(file.mapping(manager, "Global Options"), "Fixed Frame")
+    camera = reader.camera(file.mapping(file.mapping(manager, "Views"), "Current"), fixed_frame)
+    layout = Layout(
+        fixed_frame=fixed_frame,
+        with_names=reader.with_names,
+        axes_m=reader.axes_m,
+        displays=tuple(dict.fromkeys(reader.displays)),
+        camera=camera,
+    )
+    return layout, reader.unknown
+
+
+class _Reader:
+    """Collects what is known of a file, and names what is not."""
+
+    def __init__(self, file: PlacedYaml) -> None:
+        self._file = file
+        self.displays: list[DisplayLayout] = []
+        self.unknown: list[str] = []
+        self.with_names = False  # without a display of frames, RViz draws none
+        self.axes_m = DEFAULT_AXES_M
+
+    def take_displays(self, holder: dict[Any, Any], depth: int) -> None:
+        """Take the displays of the manager, or of a group in it."""
+        for display in self._file.items(holder, "Displays"):
+            if not isinstance(display, dict):
+                raise self._file.error(holder, "Displays has to be a list of mappings")
+            if not self._file.flag(display, "Enabled", default=True):
+                continue
+            kind = str(display.get("Class", "")).rpartition("/")[2]
+            name = str(display.get("Name", kind))
+            try:
+                is_known = self._take(kind, display, depth)
+            except LayoutError as error:
+                self.unknown.append(f"the display {name} ({error})")
+                continue
+            if not is_known:
+                self.unknown.append(f"the display {name} of the class {display.get('Class', 'none')}")
+
+    def _take(self, kind: str, display: dict[Any, Any], depth: int) -> bool:
+        """Take a display; return whether it is known.
+
+        Raises:
+            LayoutError: a part of it is not as it should be.
+        """
+        file = self._file
+        if kind == "Group" and depth < MAX_DEPTH:
+            self.take_displays(display, depth + 1)
+        elif kind == "TF":
+            self.with_names = file.flag(display, "Show Names", default=True)
+            if not file.flag(display, "Show Axes", default=True):
+                self.unknown.append("frames without axes")
+            scale = file.number(display, "Marker Scale", 1.0)
+            self.axes_m = min(max(DEFAULT_AXES_M * scale, 0.001), 1000.0)
+        elif kind == "RobotModel":
+            if file.text(display, "Description Source", "Topic") != "Topic":
+                self.unknown.append("a robot model of a file: publish it by robot_state_publisher")
+            else:
+                self._add(self._topic(display, ("Description Topic",)) or "/robot_description")
+        elif kind == "Camera":
+            topic = self._topic(display, TOPIC_KEYS)
+            if topic:
+                self._add(topic)
+                self._add(f"{topic.rpartition('/')[0]}/camera_info")
+        elif kind in TOPIC_DISPLAYS:
+            self._add(self._topic(display, TOPIC_KEYS), self._color_field(display))
+        else:
+            return kind == "Grid"  # the floor has one
+        return True
+
+    def _add(self, topic: str, choice: str = "") -> None:
+        if topic:
+            self.displays.append(DisplayLayout(topic if topic.startswith("/") else f"/{topic}", choice))
+
+    def _topic(self, display: dict[Any, Any], keys: tuple[str, ...]) -> str:
+        for key in keys:
+            value = display.get(key)
+            if isinstance(value, dict):
+                return self._file.text(value, "Value")
+            if value is not None:
+                return self._file.text(display, key)
+        return ""
+
+    def _color_field(self, display: dict[Any, Any]) -> str:
+        """Return the field that colours a cloud."""
+        transformer = self._file.text(display, "Color Transformer")
+        if transformer == "Intensity":
+            return self._file.text(display, "Channel Name", "intensity")
+        if transformer == "AxisColor":
+            return self._file.text(display, "Axis", "Z").lower()
+        return "rgb" if transformer in {"RGB8", "RGBF32"} else ""
+
+    def take_tools(self, manager: dict[Any, Any]) -> None:
+        """Name the tools that publish elsewhere than here."""
+        for tool in self._file.items(manager, "Tools"):
+            if not isinstance(tool, dict):
+                continue
+            kind = str(tool.get("Class", "")).rpartition("/")[2]
+            topic = self._topic(tool, ("Topic",)) if kind in TOOL_TOPICS else ""
+            full = topic if topic.startswith("/") or not topic else f"/{topic}"
+            if full and full != TOOL_TOPICS[kind]:
+                self.unknown.append(f"{kind} on {full}, which publishes on {TOOL_TOPICS[kind]} here")
+
+    def camera(self, view: dict[Any, Any], fixed_frame: str) -> ViewPoint | None:
+        """Return the camera; None where there is none that is known."""
+        if not view:
+            return None
+        file = self._file
+        kind = str(view.get("Class", "")).rpartition("/")[2]
+        target = file.text(view, "Target Frame", NO_TARGET)
+        if target not in {NO_TARGET, fixed_frame, ""}:
+            self.unknown.append(f"a camera that follows the frame {target}")
+        if kind in ORBITS:
+            focus = file.mapping(view, "Focal Point")
+            x, y, z = (file.number(focus, axis, 0.0) for axis in "XYZ")
+            distance = max(file.number(view, "Distance", 10.0), 0.01)
+            pitch, yaw = file.number(view, "Pitch", 0.785), file.number(view, "Yaw", 0.785)
+            pitch = min(max(pitch, -1.56), 1.56)  # straight from above has no direction upwards
+            flat = distance * math.cos(pitch)
+            position = (
+                x + flat * math.cos(yaw),
+                y + flat * math.sin(yaw),
+                z + distance * math.sin(pitch),
+            )
+            return ViewPoint(position, (x, y, z))
+        if kind == "TopDownOrtho":
+            x, y = file.number(view, "X", 0.0), file.number(view, "Y", 0.0)
+            angle = file.number(view, "Angle", 0.0)
+            height = WINDOW_PX / max(file.number(view, "Scale", 10.0), 1e-3) / 2.0 / math.tan(FOV_RAD / 2.0)
+            # A little aside, because straight from above has no direction upwards.
+            aside = 0.001 * height
+            return ViewPoint(
+                (
+                    x - aside * math.cos(angle + math.pi / 2),
+                    y - aside * math.sin(angle + math.pi / 2),
+                    height,
+                ),
+                (x, y, 0.0),
+            )
+        self.unknown.append(f"a camera of the class {view.get('Class', 'none')}")
+        return None

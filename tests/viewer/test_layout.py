@@ -1,0 +1,206 @@
+"""Saved layouts: files of ours and of RViz, what of them is not known, and mistakes in them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from tfloom.viewer.layout.layout import DisplayLayout, Layout, LayoutError, PlotLayout, ViewPoint
+from tfloom.viewer.layout.layout_file import layout_text, read_layout
+
+Write = Callable[..., Path]
+
+FULL = Layout(
+    fixed_frame="odom",
+    with_names=False,
+    axes_m=0.5,
+    trails=("base_link", "<b>"),
+    displays=(DisplayLayout("/points", "intensity"), DisplayLayout("/scan")),
+    plots=(PlotLayout("/odom", "twist.twist.linear.x"),),
+    camera=ViewPoint((1.0, 2.0, 3.5), (0.0, 0.5, 0.0)),
+)
+
+RVIZ = """\
+Panels:
+  - Class: rviz_common/Displays
+    Name: Displays
+Visualization Manager:
+  Class: ""
+  Displays:
+    - Class: rviz_default_plugins/Grid
+      Enabled: true
+      Name: Grid
+    - Class: rviz_default_plugins/TF
+      Enabled: true
+      Name: TF
+      Marker Scale: 2
+      Show Names: true
+    - Class: rviz_default_plugins/RobotModel
+      Description Source: Topic
+      Description Topic:
+        Depth: 5
+        Value: /robot_description
+      Enabled: true
+    - Class: rviz_default_plugins/PointCloud2
+      Color Transformer: Intensity
+      Channel Name: ring
+      Enabled: true
+      Topic:
+        Value: /points
+    - Class: rviz_common/Group
+      Enabled: true
+      Name: Sensors
+      Displays:
+        - Class: rviz_default_plugins/LaserScan
+          Enabled: true
+          Topic:
+            Value: scan
+        - Class: rviz_default_plugins/Image
+          Enabled: false
+          Topic:
+            Value: /hidden
+        - Class: rviz_default_plugins/Camera
+          Enabled: true
+          Topic:
+            Value: /camera/image_raw
+    - Class: rviz_default_plugins/InteractiveMarkers
+      Enabled: true
+      Name: Handles
+    - Class: rviz_default_plugins/Map
+      Enabled: true
+      Name: Broken
+      Topic:
+        Value: [1]
+    - Class: rviz_default_plugins/DepthCloud
+      Enabled: false
+      Name: Off
+  Global Options:
+    Background Color: 48; 48; 48
+    Fixed Frame: odom
+  Tools:
+    - Class: rviz_default_plugins/SetGoal
+      Topic:
+        Value: goal_pose
+    - Class: rviz_default_plugins/PublishPoint
+      Topic:
+        Value: /my_point
+  Views:
+    Current:
+      Class: rviz_default_plugins/Orbit
+      Distance: 10
+      Focal Point:
+        X: 1
+        Y: 2
+        Z: 3
+      Pitch: 0.5
+      Target Frame: <Fixed Frame>
+      Yaw: 1.5
+"""
+
+
+@pytest.fixture
+def write(tmp_path: Path) -> Write:
+    def write_one(content: str | bytes, name: str = "view.yaml") -> Path:
+        path = tmp_path / name
+        path.write_bytes(content.encode() if isinstance(content, str) else content)
+        return path
+
+    return write_one
+
+
+def test_saved_layout_is_read_as_it_was(write: Write) -> None:
+    assert read_layout(write(layout_text(FULL))) == (FULL, [])
+    assert read_layout(write(layout_text(Layout()))) == (Layout(), [])
+
+
+def test_what_is_not_known_is_named_and_the_rest_is_read(write: Write) -> None:
+    layout, unknown = read_layout(
+        write("fixed_frame: map\ncolour: red\ndisplays:\n- /scan\n- {topic: /points, size: 3}\ncamera: {position: "
+              "[1, 2, 3], look_at: [0, 0, 0], zoom: 2}\n")
+    )  # fmt: skip
+    assert unknown == ["colour", "displays[1].size", "camera.zoom"]
+    assert layout.displays == (DisplayLayout("/scan"), DisplayLayout("/points"))
+    assert layout.camera == ViewPoint((1.0, 2.0, 3.0), (0.0, 0.0, 0.0))
+
+
+BROKEN: list[tuple[str | bytes, str]] = [
+    ("displays: [\n", r"view\.yaml:2: "),
+    ("a: 1\na: 2\n", r"view\.yaml:2: the key 'a' is there twice"),
+    ("- 1\n", r"view\.yaml:1: it has to be a mapping"),
+    ("", r"view\.yaml:1: it has to be a mapping"),
+    ("x: 1\naxes: big\n", r"view\.yaml:1: axes has to be a finite number, not 'big'"),
+    ("axes: .nan\n", "axes has to be a finite number"),
+    ("axes: 2000.0\n", "axes are from"),
+    ("names: 1\n", "names has to be true or false"),
+    ("fixed_frame: 3\n", "fixed_frame has to be a text, not 3"),
+    ("displays: {}\n", "displays has to be a list"),
+    ("displays:\n- topic: /a\n-\n  choice: x\n", r"view\.yaml:4: topic is missing"),
+    ("displays:\n- 3\n", r"view\.yaml:2: displays has to be a list of mappings"),
+    ("plots:\n- topic: /a\n", r"view\.yaml:2: field is missing"),
+    ("trails: [1]\n", "list of frames"),
+    ("camera:\n  position: [1, 2]\n", r"view\.yaml:2: position has to be three numbers"),
+    ("camera: {position: [1, 2, .inf], look_at: [0, 0, 0]}\n", "three numbers"),
+    ("camera: {position: [1, 2, true], look_at: [0, 0, 0]}\n", "three numbers"),
+    (b"a: \xff\n", r"view\.yaml:1: it is not encoded in UTF-8"),
+    ("Visualization Manager: 3\n", "no section 'Visualization Manager'"),
+    ("a: &a [" + "*a, " * 3 + "]\n", "contains itself"),
+    ("a: " + "[" * 200, "nested"),
+]
+
+
+def test_mistake_has_its_file_its_line_and_the_reason(write: Write) -> None:
+    for content, sentence in BROKEN:
+        with pytest.raises(LayoutError, match=sentence):
+            read_layout(write(content))
+    with pytest.raises(LayoutError, match=r"none\.yaml: No such file"):
+        read_layout(Path("none.yaml"))
+    with pytest.raises(LayoutError, match="no section 'Visualization Manager'"):
+        read_layout(write("fixed_frame: map\n", "our.rviz"))
+
+
+def test_common_displays_of_an_rviz_file_are_read_and_the_others_named(write: Write) -> None:
+    layout, unknown = read_layout(write(RVIZ, "robot.rviz"))
+    assert layout.fixed_frame == "odom"
+    assert layout.displays == (
+        DisplayLayout("/robot_description"),
+        DisplayLayout("/points", "ring"),
+        DisplayLayout("/scan"),
+        DisplayLayout("/camera/image_raw"),
+        DisplayLayout("/camera/camera_info"),
+    )
+    assert layout.with_names
+    assert layout.axes_m == pytest.approx(0.6)
+    assert layout.camera is not None
+    assert layout.camera.look_at == (1.0, 2.0, 3.0)
+    assert math.dist(*layout.camera) == pytest.approx(10.0)
+    assert layout.camera.position[2] == pytest.approx(3.0 + 10.0 * math.sin(0.5))
+    assert layout.camera.position[1] - 2.0 == pytest.approx(10.0 * math.cos(0.5) * math.sin(1.5))
+    assert len(unknown) == 3
+    assert unknown[0] == "the display Handles of the class rviz_default_plugins/InteractiveMarkers"
+    assert "robot.rviz" in unknown[1]
+    assert "Value has to be a text, not [1]" in unknown[1]
+    assert unknown[2] == "PublishPoint on /my_point, which publishes on /clicked_point here"
+
+
+def test_view_from_above_has_the_points_below_it_and_a_following_camera_is_named(write: Write) -> None:
+    above = RVIZ.replace("Orbit", "TopDownOrtho").replace(
+        "Distance: 10", "Scale: 100\n      X: 4\n      Y: 5"
+    )
+    layout, _ = read_layout(write(above, "above.rviz"))
+    assert layout.camera is not None
+    assert layout.camera.look_at == (4.0, 5.0, 0.0)
+    assert layout.camera.position == pytest.approx((4.0, 5.0, 3.9), abs=0.1)
+    _, unknown = read_layout(write(RVIZ.replace("<Fixed Frame>", "base_link"), "follow.rviz"))
+    assert "a camera that follows the frame base_link" in unknown
+    layout, unknown = read_layout(write(RVIZ.replace("Orbit", "FPS"), "fps.rviz"))
+    assert layout.camera is None
+    assert "a camera of the class rviz_default_plugins/FPS" in unknown
+
+
+def test_manager_without_anything_is_an_empty_layout(write: Write) -> None:
+    layout, unknown = read_layout(write("Visualization Manager: {}\n", "empty.rviz"))
+    assert layout == Layout(with_names=False)
+    assert unknown == []
