@@ -9,8 +9,10 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from ssl import SSLContext
 from typing import Any
 
+from tests.conftest import Program
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
 
@@ -26,9 +28,11 @@ SUBPROTOCOL = "foxglove.sdk.v1"
 class Client:
     """What Foxglove does: it notes all that a server sends."""
 
-    def __init__(self, port: int) -> None:
+    def __init__(self, port: int, ssl: SSLContext | None = None) -> None:
         self.socket = connect(
-            f"ws://127.0.0.1:{port}",
+            f"{'ws' if ssl is None else 'wss'}://127.0.0.1:{port}",
+            ssl=ssl,
+            close_timeout=1.0,
             subprotocols=[SUBPROTOCOL],
             max_size=None,
             proxy=None,
@@ -140,11 +144,14 @@ class Client:
 class RawClient:
     """A client of bytes: it sends what a WebSocket's library would not, and reads only when it is told to."""
 
-    def __init__(self, port: int) -> None:
+    def __init__(self, port: int, *, is_silent: bool = False) -> None:
         self.socket = socket.socket()
         self.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
         self.socket.settimeout(TIMEOUT_S)
         self.socket.connect(("127.0.0.1", port))
+        self.received = b""
+        if is_silent:
+            return
         lines = (
             "GET / HTTP/1.1",
             "Host: 127.0.0.1",
@@ -155,14 +162,14 @@ class RawClient:
             f"Sec-WebSocket-Protocol: {SUBPROTOCOL}",
         )
         self.socket.sendall("\r\n".join((*lines, "", "")).encode())
-        self.received = b""
 
     def read_until(self, text: bytes) -> None:
         end_s = time.monotonic() + TIMEOUT_S
         while text not in self.received:
             assert time.monotonic() < end_s, self.received[-1000:]
             data = self.socket.recv(65536)
-            assert data, "the bridge closed the connection"
+            if not data:
+                raise ConnectionError("the bridge closed the connection")
             self.received += data
 
     def send_frame(self, opcode: int, data: bytes, length: int | None = None) -> None:
@@ -230,3 +237,10 @@ def running_node(domain_id: int, name: str) -> Iterator[Node]:
     finally:
         node.destroy_node()
         context.try_shutdown()
+
+
+def port_of(program: Program) -> int:
+    """Wait until a bridge serves, and return its port."""
+    program.wait_for("Server listening at ws")
+    (line,) = (line for line in program.lines if "Server listening" in line)
+    return int(line.rpartition(":")[2])

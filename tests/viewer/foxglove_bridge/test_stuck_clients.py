@@ -11,7 +11,7 @@ from contextlib import closing, contextmanager
 import psutil
 import pytest
 from tests.conftest import Program, wait_until
-from tests.viewer.foxglove_bridge.clients import TIMEOUT_S, Client, RawClient, bridging
+from tests.viewer.foxglove_bridge.clients import TIMEOUT_S, Client, RawClient, bridging, port_of
 
 from tfloom.interfaces.std_msgs.msg import UInt8MultiArray
 from tfloom.node.endpoints.publisher import Publisher
@@ -51,12 +51,6 @@ def is_refused(port: int) -> bool:
     except OSError:
         return True
     return False
-
-
-def port_of(program: Program) -> int:
-    program.wait_for("Server listening at ws://127.0.0.1:")
-    (line,) = (line for line in program.lines if "Server listening" in line)
-    return int(line.rpartition(":")[2])
 
 
 def test_client_that_takes_nothing_delays_nobody(

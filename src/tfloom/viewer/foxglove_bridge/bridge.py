@@ -8,7 +8,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 import foxglove
-from foxglove import ConnectionGraph, Context, StatusLevel
+from foxglove import ConnectionGraph, Context
 from foxglove.websocket import Capability, ServerListener
 
 from tfloom.interfaces.rcl_interfaces.msg import ParameterEvent
@@ -21,9 +21,10 @@ from tfloom.viewer.foxglove_bridge.calls import Calls
 from tfloom.viewer.foxglove_bridge.channels import Channels
 from tfloom.viewer.foxglove_bridge.client_topics import ClientTopic, ClientTopicError, ClientTopics
 from tfloom.viewer.foxglove_bridge.commands import Commands
+from tfloom.viewer.foxglove_bridge.complaints import Complaints
 from tfloom.viewer.foxglove_bridge.parameters import Parameters, from_message
 from tfloom.viewer.foxglove_bridge.services import Services
-from tfloom.viewer.foxglove_bridge.settings import Settings
+from tfloom.viewer.foxglove_bridge.settings import TIME, Settings
 
 if TYPE_CHECKING:
     from foxglove import Parameter
@@ -65,6 +66,7 @@ class FoxgloveBridge(Node):
     def __init__(self, context: RosContext | None = None) -> None:
         super().__init__("foxglove_bridge", context=context)
         self.server: WebSocketServer | None = None
+        self._complaints = Complaints(self.get_logger())
         try:
             self._start()
         except BaseException:
@@ -83,7 +85,7 @@ class FoxgloveBridge(Node):
         self._seen_changes = self._published_changes = -1
         capabilities = [CAPABILITIES[name] for name in sorted(settings.capabilities & CAPABILITIES.keys())]
         self._is_simulated = bool(self.get_parameter("use_sim_time").value)
-        if self._is_simulated:
+        if self._is_simulated or TIME in settings.capabilities:
             capabilities.append(Capability.Time)
         try:
             self.server = foxglove.start_server(
@@ -136,10 +138,8 @@ class FoxgloveBridge(Node):
             self.get_logger().warning("A client takes nothing: its connection is left open until it ends")
 
     def warn(self, text: str) -> None:
-        """Log a warning, which all clients get, too."""
-        self.get_logger().warning(text)
-        if self.server is not None:
-            self.server.publish_status(text, StatusLevel.Warning)
+        """Log a warning, which all clients get, too; on any thread. Of many at once, some are left out."""
+        self._complaints.say(text, self.server)
 
     # On the node's thread.
 
@@ -150,7 +150,15 @@ class FoxgloveBridge(Node):
         if changes == self._seen_changes:
             return
         self._seen_changes = changes
-        self.channels.update({(end.topic.name, end.topic.type_name) for end in graph.endpoints()})
+        own_name = self.get_fully_qualified_name()
+        self.channels.update(
+            {
+                (end.topic.name, end.topic.type_name)
+                for end in graph.endpoints()
+                # A topic that only this bridge still reads, for its clients, is gone.
+                if end.is_writer or end.node is None or end.node.full != own_name
+            }
+        )
         served = {end.name: end.type_name for end in graph.service_ends() if end.is_server}
         if "services" in self.settings.capabilities:
             self._services.update(served)

@@ -7,6 +7,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tfloom.interfaces.rcl_interfaces.msg import ParameterDescriptor
+from tfloom.node.log.logging_severity import LoggingSeverity
+from tfloom.node.parameters.parameter import Parameter
 
 if TYPE_CHECKING:
     from tfloom.node.node import Node
@@ -14,7 +16,9 @@ if TYPE_CHECKING:
 __all__ = ["CAPABILITIES", "Settings", "SettingsError"]
 
 CAPABILITIES = ("clientPublish", "parameters", "parametersSubscribe", "services", "connectionGraph", "assets")
-"""What clients may do; `capabilities` is a part of these."""
+"""What clients may do, by default."""
+TIME = "time"
+"""A further capability; `use_sim_time` implies it."""
 ASSETS = r"^package://(?:[-\w%]+/)*[-\w%.]+\.(?:dae|fbx|glb|gltf|jpeg|jpg|mtl|obj|png|stl|tif|tiff|urdf|webp|xacro)$"
 PARAMETERS: dict[str, tuple[Any, str]] = {
     "port": (8765, "The port; 0: a free one"),
@@ -40,12 +44,25 @@ PARAMETERS: dict[str, tuple[Any, str]] = {
         128,
         "Number of messages that wait for a client; of more, the oldest are dropped",
     ),
-    "send_buffer_limit": (10_000_000, "Accepted and not used"),
-    "use_compression": (False, "Accepted and not used"),
-    "num_threads": (0, "Accepted and not used"),
-    "disable_load_message": (True, "Accepted and not used"),
+    "debug": (False, "Whether messages of the level DEBUG are logged"),
 }
 """Default and description of each parameter."""
+WITHOUT_EFFECT: dict[str, Any] = {
+    "send_buffer_limit": 10_000_000,
+    "use_compression": False,
+    "num_threads": 0,
+    "disable_load_message": True,
+    "publish_client_count": False,
+    "sysinfo": False,
+    "sysinfo_topic": "/foxglove_bridge/sysinfo",
+    "sysinfo_refresh_interval": 500,
+    "remote_access": False,
+}
+"""Parameters that are accepted and not used, with their defaults."""
+LATER_NAMES = {
+    name: name.replace("whitelist", "allowlist") for name in PARAMETERS if name.endswith("_whitelist")
+}
+"""Names that later versions of the bridge have for these parameters; given, they take precedence."""
 
 
 class SettingsError(Exception):
@@ -67,6 +84,17 @@ class Settings:
             ).value
             for name, (default, text) in PARAMETERS.items()
         }
+        for name, later in LATER_NAMES.items():
+            descriptor = ParameterDescriptor(description=f"Another name of {name}", read_only=True)
+            given = node.declare_parameter(later, Parameter.Type.STRING_ARRAY, descriptor).value
+            if given is not None:
+                values[name] = given
+        for name, default in WITHOUT_EFFECT.items():
+            descriptor = ParameterDescriptor(description="Accepted and not used", read_only=True)
+            if node.declare_parameter(name, default, descriptor).value != default:
+                node.get_logger().warning(f"The parameter {name} has no effect here")
+        if values["debug"]:
+            node.get_logger().set_level(LoggingSeverity.DEBUG)
         self.address: str = values["address"]
         self.port = _in_range("port", values["port"], 0, 65535)
         self.topics = Names("topic_whitelist", values["topic_whitelist"])
@@ -78,8 +106,8 @@ class Settings:
         )
         self.assets = Names("asset_uri_allowlist", values["asset_uri_allowlist"])
         self.capabilities = frozenset(values["capabilities"])
-        if unknown := sorted(self.capabilities - set(CAPABILITIES)):
-            known = ", ".join(CAPABILITIES)
+        if unknown := sorted(self.capabilities - {*CAPABILITIES, TIME}):
+            known = ", ".join((*CAPABILITIES, TIME))
             raise SettingsError(f"parameter capabilities: there is no '{unknown[0]}', only {known}")
         self.min_depth = _in_range("min_qos_depth", values["min_qos_depth"], 1, 10_000)
         self.max_depth = _in_range("max_qos_depth", values["max_qos_depth"], self.min_depth, 10_000)
@@ -98,7 +126,7 @@ class Settings:
 
 
 class Names:
-    """The names that one of some regular expressions matches as a whole."""
+    """The names that one of some regular expressions matches as a whole, in capitals or not."""
 
     def __init__(self, parameter: str, expressions: list[str]) -> None:
         self._expressions = [_compiled(parameter, expression) for expression in expressions]
@@ -109,7 +137,7 @@ class Names:
 
 def _compiled(parameter: str, expression: str) -> re.Pattern[str]:
     try:
-        return re.compile(expression)
+        return re.compile(expression, re.IGNORECASE)
     except re.error as error:
         raise SettingsError(
             f"parameter {parameter}: '{expression}' is no regular expression: {error}"

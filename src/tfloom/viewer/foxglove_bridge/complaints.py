@@ -1,0 +1,64 @@
+"""What is said of clients' requests that can't be done."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from foxglove import StatusLevel
+
+if TYPE_CHECKING:
+    from foxglove.websocket import WebSocketServer
+
+    from tfloom.node.log.rcutils_logger import RcutilsLogger
+
+__all__ = ["Complaints"]
+
+PERIOD_S = 1.0
+MAX_IN_PERIOD = 20
+"""Number of sentences that are said in a period; of more, the number is said in the next one."""
+
+
+class Complaints:
+    """Logs sentences, and sends them to all clients, on any thread.
+
+    No more than a few are said at a time, because the server closes the connections of clients for which too many
+    sentences wait: one client's invalid messages would end the connections of others.
+
+    Args:
+        logger: Logs them.
+        clock: Returns a time that only advances [s].
+    """
+
+    def __init__(self, logger: RcutilsLogger, clock: Callable[[], float] = time.monotonic) -> None:
+        self._logger = logger
+        self._clock = clock
+        self._lock = threading.Lock()
+        """Guards the members below."""
+        self._begin_s = clock()
+        self._said = 0
+        self._left_out = 0
+
+    def say(self, text: str, server: WebSocketServer | None) -> None:
+        """Log a sentence, and send it to the server's clients."""
+        with self._lock:
+            texts = self._texts(text)
+        for sentence in texts:
+            self._logger.warning(sentence)
+            if server is not None:
+                server.publish_status(sentence, StatusLevel.Warning)
+
+    def _texts(self, text: str) -> list[str]:
+        now_s = self._clock()
+        texts: list[str] = []
+        if now_s - self._begin_s >= PERIOD_S:
+            if self._left_out:
+                texts.append(f"{self._left_out} more requests of clients could not be done")
+            self._begin_s, self._said, self._left_out = now_s, 0, 0
+        if self._said < MAX_IN_PERIOD:
+            self._said += 1
+            return [*texts, text]
+        self._left_out += 1
+        return texts

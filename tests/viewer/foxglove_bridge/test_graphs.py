@@ -1,0 +1,286 @@
+"""foxglove_bridge on graphs that are large, change, or have what it doesn't know."""
+
+from __future__ import annotations
+
+import shutil
+import signal
+import ssl
+import subprocess
+from collections.abc import Callable
+from contextlib import closing
+from pathlib import Path
+
+import pytest
+from tests.conftest import Program, wait_until
+from tests.viewer.foxglove_bridge.clients import Client, bridging, port_of, running_node
+from websockets.exceptions import InvalidMessage
+
+from tfloom.interfaces.builtin_interfaces.msg import Time
+from tfloom.interfaces.rosgraph_msgs.msg import Clock
+from tfloom.interfaces.std_msgs.msg import String
+from tfloom.interfaces.std_srvs.srv import SetBool
+from tfloom.node.node import Node
+from tfloom.rmw.backends import open_participant
+from tfloom.rmw.base import NodeName, Topic
+from tfloom.rmw.qos import QoS
+from tfloom.rosidl import cdr
+from tfloom.viewer.foxglove_bridge.bridge import BridgeError, FoxgloveBridge
+from tfloom.viewer.foxglove_bridge.complaints import MAX_IN_PERIOD, PERIOD_S, Complaints
+from tfloom.viewer.foxglove_bridge.settings import SettingsError
+
+pytestmark = pytest.mark.wire
+ClientOf = Callable[[FoxgloveBridge], Client]
+TOPICS = 200
+
+
+def test_two_hundred_topics(node: Node, start_program: Callable[..., Program]) -> None:
+    """They are found while a client is connected, each is read, and closed when it is gone."""
+    program = start_program(
+        *("tfloom", "run", "foxglove_bridge", "foxglove_bridge", "--ros-args", "-p", "port:=0")
+    )
+    client = Client(port_of(program))
+    with closing(client.socket):
+        client.wait_for(lambda: client.info)
+        names = [f"/many/topic_{number}" for number in range(TOPICS)]
+        publishers = {name: node.create_publisher(String, name, 1) for name in names}
+        for number, name in enumerate(names):
+            client.subscribe(name, number)
+        wait_until(lambda: all(one.get_subscription_count() == 1 for one in publishers.values()))
+        heard: dict[int, str] = {}
+
+        def are_all_heard() -> bool:
+            heard.update((number, cdr.decode(String, data).data) for number, data in client.messages)
+            client.messages.clear()
+            for number, name in enumerate(names):
+                if (
+                    number not in heard
+                ):  # the bridge may know of a publisher later than the publisher of the bridge
+                    publishers[name].publish(String(data=name))
+            return len(heard) == TOPICS
+
+        client.wait_for(are_all_heard, "the messages of all topics")
+        assert heard == dict(enumerate(names))
+        for name in names[1:]:
+            node.destroy_publisher(publishers[name])
+        client.wait_for(lambda: len(client.channels.keys() & set(names)) == 1, "the end of the topics")
+        assert names[0] in client.channels
+    program.signal(signal.SIGINT)
+    assert program.wait() == 0
+
+
+def test_topic_of_an_unknown_type_is_said_once(
+    domain_id: int, node: Node, client_of: ClientOf, capfd: pytest.CaptureFixture[str]
+) -> None:
+    wire = open_participant(domain_id)
+    for number in range(3):
+        topic = Topic(f"/unknown_{number}", "secret_msgs/msg/Plan", "")
+        wire.create_writer(NodeName("/", "planner"), topic, QoS())
+    known = node.create_publisher(String, "/known", 1)
+    with bridging(domain_id) as bridge:
+        client = client_of(bridge)
+        client.subscribe("/known", 1)
+        wait_until(lambda: known.get_subscription_count() == 1)
+        known.publish(String(data="x"))
+        client.wait_for(lambda: client.messages, "the message of the known type")
+        later = node.create_publisher(String, "/later", 1)
+        client.wait_for(lambda: "/later" in client.channels)
+        node.destroy_publisher(later)
+        assert not any(name.startswith("/unknown") for name in client.channels)
+    said = capfd.readouterr().err
+    assert said.count("the type secret_msgs/msg/Plan has no definition here") == 1
+    wire.close()
+
+
+VANISHING = """
+import time
+from rclpy.node import Node
+import rclpy
+from std_srvs.srv import SetBool
+
+def hold(_, response):
+    print("called", flush=True)
+    time.sleep(600)
+    return response
+
+rclpy.init()
+node = Node("vanishing")
+node.create_service(SetBool, "/vanishing", hold)
+rclpy.spin(node)
+"""
+
+
+@pytest.mark.usefixtures("short_lease")
+def test_service_whose_process_is_killed_during_a_call(
+    domain_id: int,
+    node: Node,
+    client_of: ClientOf,
+    start_program: Callable[..., Program],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The call fails with a reason, other calls go on, and the service is there again when it comes back."""
+    monkeypatch.setattr("tfloom.viewer.foxglove_bridge.services.TIMEOUT_S", 1.0)
+    node.create_service(SetBool, "/lasting", lambda _, response: response)
+    with bridging(domain_id) as bridge:
+        client = client_of(bridge)
+        program = start_program("python", "-c", VANISHING)
+        client.call("/vanishing", 1, cdr.encode(SetBool.Request()))
+        program.wait_for("called")
+        program.end()
+        client.call("/lasting", 2, cdr.encode(SetBool.Request()))
+        client.wait_for(lambda: 2 in client.responses, "the other service's response")
+        assert "no response from /vanishing" in client.text("serviceCallFailure", callId=1)["message"]
+        client.wait_for(lambda: "/vanishing" not in client.services, "the end of the service")
+        with running_node(domain_id, "vanishing") as vanishing:
+            vanishing.create_service(SetBool, "/vanishing", lambda _, response: response)
+            client.call("/vanishing", 3, cdr.encode(SetBool.Request()))
+            client.wait_for(lambda: 3 in client.responses, "the response of the service that came back")
+
+
+def test_clients_get_the_time_of_the_clock(domain_id: int, node: Node, client_of: ClientOf) -> None:
+    publisher = node.create_publisher(Clock, "/clock", 1)
+    with bridging(domain_id, "use_sim_time:=true") as bridge:
+        client = client_of(bridge)
+        assert "time" in client.info["capabilities"]
+
+        def has_come() -> bool:
+            publisher.publish(Clock(clock=Time(sec=1234, nanosec=5)))
+            publisher.publish(Clock(clock=Time(sec=-1)))
+            return 1_234_000_000_005 in client.times
+
+        client.wait_for(has_come, "the time")
+        assert set(client.times) <= {0, 1_234_000_000_005}
+    with bridging(domain_id, "capabilities:=[time]") as bridge:
+        assert client_of(bridge).info["capabilities"] == ["time"]
+    with bridging(domain_id) as bridge:
+        assert "time" not in client_of(bridge).info["capabilities"]
+
+
+@pytest.fixture
+def certificate(tmp_path: Path) -> tuple[Path, Path]:
+    """Return the files of a certificate of 127.0.0.1, and of its key."""
+    openssl = shutil.which("openssl")
+    if openssl is None:
+        pytest.skip("makes a certificate with openssl")
+    certificate, key = tmp_path / "cert.pem", tmp_path / "key.pem"
+    subprocess.run(
+        [
+            *(
+                openssl,
+                "req",
+                "-x509",
+                "-newkey",
+                "rsa:2048",
+                "-nodes",
+                "-days",
+                "2",
+                "-subj",
+                "/CN=127.0.0.1",
+            ),
+            *("-addext", "subjectAltName=IP:127.0.0.1", "-keyout", key, "-out", certificate),
+        ],
+        check=True,
+        capture_output=True,
+        timeout=60,
+    )
+    return certificate, key
+
+
+def test_encrypted_connections(
+    certificate: tuple[Path, Path], node: Node, start_program: Callable[..., Program]
+) -> None:
+    node.create_publisher(String, "/chatter", 1)
+    program = start_program(
+        *("tfloom", "run", "foxglove_bridge", "foxglove_bridge", "--ros-args", "-p", "port:=0"),
+        *("-p", "tls:=true", "-p", f"certfile:={certificate[0]}", "-p", f"keyfile:={certificate[1]}"),
+    )
+    port = port_of(program)
+    assert "Server listening at wss://127.0.0.1:" in program.output
+    client = Client(port, ssl.create_default_context(cafile=str(certificate[0])))
+    with closing(client.socket):
+        client.wait_for(lambda: "/chatter" in client.channels)
+    with pytest.raises(InvalidMessage):  # plain text
+        Client(port)
+    program.signal(signal.SIGINT)
+    assert program.wait() == 0
+
+
+def test_certificates_that_are_none_are_one_sentence(
+    certificate: tuple[Path, Path], domain_id: int, tmp_path: Path
+) -> None:
+    wrong = tmp_path / "wrong.pem"
+    wrong.write_text("no certificate")
+    for first, second in ((wrong, certificate[1]), (certificate[0], wrong), (certificate[1], certificate[0])):
+        parameters = ("tls:=true", f"certfile:={first}", f"keyfile:={second}")
+        with (
+            pytest.raises(BridgeError, match=r"can't listen at 127\.0\.0\.1:0: "),
+            bridging(domain_id, *parameters),
+        ):
+            pass
+    with (
+        pytest.raises(SettingsError, match=f"parameter certfile: {tmp_path / 'none'}: No such file"),
+        bridging(domain_id, "tls:=true", f"certfile:={tmp_path / 'none'}"),
+    ):
+        pass
+
+
+def test_names_match_as_those_of_foxglove_bridge(domain_id: int, node: Node, client_of: ClientOf) -> None:
+    """Capitals don't matter, the whole name has to match, and the names of later versions are understood."""
+    for name in ("/Camera", "/camera2", "/lidar"):
+        node.create_publisher(String, name, 1)
+    for parameter in ("topic_whitelist", "topic_allowlist"):
+        with bridging(domain_id, f"{parameter}:=['/cAMERA']") as bridge:
+            client = client_of(bridge)
+            client.wait_for(lambda client=client: client.channels)
+            assert list(client.channels) == ["/Camera"]
+    with (
+        pytest.raises(SettingsError, match=r"parameter topic_whitelist: '\(' is no"),
+        bridging(domain_id, "topic_allowlist:=['(']"),
+    ):
+        pass
+
+
+def test_parameters_without_effect_are_said(domain_id: int, capfd: pytest.CaptureFixture[str]) -> None:
+    with bridging(domain_id, "num_threads:=0", "use_compression:=true", "sysinfo:=true"):
+        pass
+    said = capfd.readouterr().err
+    assert said.count("has no effect here") == 2
+    assert "The parameter use_compression has no effect here" in said
+
+
+def test_launch_file(node: Node, start_program: Callable[..., Program]) -> None:
+    node.create_publisher(String, "/shown", 1)
+    node.create_publisher(String, "/other_topic", 1)
+    program = start_program(
+        *("ros2", "launch", "foxglove_bridge", "foxglove_bridge_launch.xml", "port:=0"),
+        *("topic_whitelist:=['/shown']", "use_sim_time:=true"),
+    )
+    port = port_of(program)
+    client = Client(port)
+    with closing(client.socket):
+        client.wait_for(lambda: client.channels)
+        assert list(client.channels) == ["/shown"]
+        assert "time" in client.info["capabilities"]
+        client.send(op="getParameters", parameterNames=["/foxglove_bridge.asset_uri_allowlist"], id="one")
+        (allowed,) = client.text("parameterValues", id="one")["parameters"]
+        assert allowed["value"][0].startswith(r"^package://(?:[-\w%]+/)*[-\w%.]+\.(?:dae|")
+    program.signal(signal.SIGINT)
+    assert program.wait() == 0
+
+
+def test_many_complaints_are_a_number() -> None:
+    logged: list[str] = []
+    now_s = [10.0]
+
+    class Logger:
+        def warning(self, text: str) -> None:
+            logged.append(text)
+
+    complaints = Complaints(Logger(), lambda: now_s[0])  # type: ignore[arg-type]
+    for number in range(MAX_IN_PERIOD + 5):
+        complaints.say(str(number), None)
+    assert logged == [str(number) for number in range(MAX_IN_PERIOD)]
+    now_s[0] += PERIOD_S
+    complaints.say("next", None)
+    now_s[0] += PERIOD_S
+    complaints.say("last", None)
+    assert logged[MAX_IN_PERIOD:] == ["5 more requests of clients could not be done", "next", "last"]

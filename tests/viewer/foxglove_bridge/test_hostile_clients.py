@@ -1,0 +1,220 @@
+"""foxglove_bridge, to clients that send what no client should."""
+
+from __future__ import annotations
+
+import json
+import random
+import struct
+from collections.abc import Callable, Iterator
+from contextlib import closing, suppress
+from typing import Any, NamedTuple
+
+import psutil
+import pytest
+from tests.conftest import Program, wait_until
+from tests.viewer.foxglove_bridge.clients import Client, RawClient, port_of
+
+from tfloom.interfaces.std_msgs.msg import String
+from tfloom.interfaces.std_srvs.srv import SetBool
+from tfloom.node.node import Node
+from tfloom.rosidl import cdr
+
+pytestmark = pytest.mark.wire
+MAX_GROWTH = 150_000_000
+"""What a bridge may take more than before [bytes]."""
+BINARY, TEXT = 2, 1
+
+
+class Served(NamedTuple):
+    """A bridge in a process, with a node that it serves."""
+
+    program: Program
+    port: int
+    node: Node
+    heard: list[bytes]
+
+
+@pytest.fixture
+def served(node: Node, start_program: Callable[..., Program]) -> Iterator[Served]:
+    """Serve a graph; afterwards, a good client has to find all in order, and the memory bounded."""
+    node.declare_parameter("count", 3)
+    node.declare_parameter("names", ["a"])
+
+    def switch(request: Any, response: Any) -> Any:
+        response.success = request.data
+        return response
+
+    service = node.create_service(SetBool, "/switch", switch)
+    publisher = node.create_publisher(String, "/chatter", 10)
+    heard: list[bytes] = []
+    subscription = node.create_subscription(String, "/said", heard.append, 10, raw=True)
+    program = start_program(
+        *("tfloom", "run", "foxglove_bridge", "foxglove_bridge", "--ros-args", "-p", "port:=0")
+    )
+    port = port_of(program)
+    process = psutil.Process(program.process.pid)
+    served = Served(program, port, node, heard)
+    check_a_good_client(served, publisher, 0)
+    wait_until(lambda: subscription.get_publisher_count() == 0)
+    before = process.memory_info().rss
+    heard.clear()
+    yield served
+    assert program.process.poll() is None, program.output
+    wait_until(lambda: subscription.get_publisher_count() == 0, what="the end of what clients advertised")
+    check_a_good_client(served, publisher, 1)
+    assert process.memory_info().rss - before < MAX_GROWTH
+    assert "Traceback" not in program.output
+    assert "panicked" not in program.output
+    assert service.handle is not None
+    assert len(program.lines) < 1000, "a client can fill the log"
+
+
+def check_a_good_client(served: Served, publisher: Any, number: int) -> None:
+    client = Client(served.port)
+    with closing(client.socket):
+        client.subscribe("/chatter", 1)
+        wait_until(lambda: publisher.get_subscription_count() == 1)
+        data = cdr.encode(String(data=f"number {number:04}"))
+        assert len(data) % 4 == 0  # the wire adds nothing
+        client.wait_for(lambda: publisher.publish(data) or (1, data) in client.messages, "the message")
+        client.call("/switch", 2, cdr.encode(SetBool.Request(data=True)))
+        client.wait_for(lambda: client.responses, "the response")
+        client.advertise(3, "/said", "std_msgs/msg/String")
+        said = cdr.encode(String(data=f"said {number:06}"))
+        wait_until(lambda: served.node.count_publishers("/said") == 1)
+        wait_until(lambda: client.publish(3, said) or said in [bytes(one) for one in served.heard])
+        client.send(op="getParameters", parameterNames=["/other.count"], id="good")
+        assert client.text("parameterValues", id="good")["parameters"] == [
+            {"name": "/other.count", "value": 3}
+        ]
+
+
+def send_all(served: Served, frames: list[tuple[int, bytes]]) -> None:
+    """Send frames, each on a connection of its own, because the bridge may close it."""
+    for opcode, data in frames:
+        client = RawClient(served.port)
+        with closing(client.socket), suppress(ConnectionError):
+            client.send_frame(opcode, data)
+            client.read_until(b"serverInfo")
+
+
+def test_frames_that_are_none(served: Served) -> None:
+    source = random.Random(32)
+    for size in (1, 2, 7, 100, 5000):
+        for _ in range(4):
+            client = RawClient(served.port)
+            with closing(client.socket), suppress(ConnectionError):
+                client.read_until(b"serverInfo")
+                client.socket.sendall(source.randbytes(size))
+    for length in (2**31, 2**40, 2**62, 2**63):
+        client = RawClient(served.port)
+        with closing(client.socket), suppress(ConnectionError):
+            client.send_frame(BINARY, b"\x01" + bytes(100), length)
+    # A message as long as it says, of a client that advertised nothing.
+    client = RawClient(served.port)
+    with closing(client.socket), suppress(ConnectionError):
+        client.send_frame(BINARY, b"\x01" + bytes(200_000_000))
+
+
+def test_messages_of_no_known_kind(served: Served) -> None:
+    binaries = [b"", b"\xff", b"\x00" * 20, b"\x01", b"\x01\x00", b"\x02\x00\x00", b"\x02" + b"\xff" * 12]
+    texts: list[Any] = [
+        *(None, 1, "text", [], {}, {"op": None}, {"op": "fly"}, {"op": ["subscribe"]}),
+        {"op": "subscribe"},
+        {"op": "subscribe", "subscriptions": None},
+        {"op": "subscribe", "subscriptions": [{"id": "a", "channelId": -1}]},
+        {"op": "unsubscribe", "subscriptionIds": [1, 2**40]},
+        {"op": "advertise", "channels": [{"id": 1}]},
+        {"op": "unadvertise", "channelIds": [7]},
+        {"op": "getParameters", "parameterNames": "all"},
+        {"op": "setParameters", "parameters": [{"value": 1}]},
+        {"op": "fetchAsset", "uri": None, "requestId": 1},
+        {"op": "subscribeParameterUpdates", "parameterNames": [None]},
+    ]
+    send_all(served, [(BINARY, data) for data in binaries])
+    send_all(served, [(TEXT, json.dumps(text).encode()) for text in texts])
+    send_all(served, [(TEXT, data) for data in (b"", b"{", b"\xff\xfe", b"[" * 100_000, b'{"op":' * 10_000)])
+    send_all(served, [(opcode, b"x") for opcode in range(3, 16)])
+
+
+def test_messages_that_are_none(served: Served) -> None:
+    """Malformed messages, also many of them, don't reach other nodes, and don't fill the log."""
+    source = random.Random(33)
+    client = Client(served.port)
+    with closing(client.socket):
+        client.advertise(3, "/said", "std_msgs/msg/String")
+        wait_until(lambda: served.node.count_publishers("/said") == 1)
+        good = cdr.encode(String(data="a good text"))
+        for number in range(3000):
+            data = source.choice((b"", good[:-3], good[:4] + b"\xff\xff\xff\x7f", source.randbytes(9)))
+            client.publish(99 if number % 1000 == 0 else 3, data)
+        client.wait_for(lambda: "a message to /said can't be decoded" in client.statuses())
+        wait_until(lambda: client.publish(3, good) or served.heard)
+        assert {bytes(data) for data in served.heard} == {good}
+
+
+def test_parameters_of_wrong_types(served: Served) -> None:
+    values: list[Any] = [
+        *("text", True, [], {}, {"a": [1]}, [[1]], [{"b": 1}], 1.5, [1.5]),
+        *(2**31, 2**63 - 1, 2**63, -(2**70), 1e308, "\x00", "x" * 1_000_000),
+    ]
+    names = [
+        *("/other.count", "/other.names", "/other.none", "/other.", ".", "", "count"),
+        *("/nobody.count", "/oth\x00.a"),
+    ]
+    client = Client(served.port)
+    with closing(client.socket):
+        ids = []
+        for name in names:
+            for value in values if name == "/other.count" else values[:4]:
+                ids.append(str(len(ids)))
+                client.send(op="setParameters", parameters=[{"name": name, "value": value}], id=ids[-1])
+            for value in (None, [1, "a"], [None], "\ud800"):  # no values of parameters, so there is no answer
+                client.send(op="setParameters", parameters=[{"name": name, "value": value}])
+        for kind in ("byte_array", "float64", "float64_array", "fly"):
+            for value in ("%%%", "AAAA", 1, [1]):
+                client.send(
+                    op="setParameters", parameters=[{"name": "/other.count", "value": value, "type": kind}]
+                )
+        client.send(op="getParameters", parameterNames=[*names, *("/other.x" * 5000,)], id="odd")
+        client.wait_for(lambda: "/other did not set count" in client.statuses())
+        client.text("parameterValues", id="odd")
+        for request in ids:
+            client.text("parameterValues", id=request)
+    served.node.set_parameters([type(served.node.get_parameter("count"))("count", value=3)])
+
+
+def test_many_subscriptions_topics_and_calls(served: Served) -> None:
+    client = Client(served.port)
+    with closing(client.socket):
+        client.wait_for(lambda: "/chatter" in client.channels and "/switch" in client.services)
+        chatter = client.channels["/chatter"]["id"]
+        subscriptions = [{"id": number, "channelId": chatter} for number in range(1000)]
+        wrong = [{"id": 2000 + number, "channelId": chatter + 1000 + number} for number in range(20)]
+        for some in (subscriptions[:1], wrong, subscriptions[1:20]):
+            client.send(op="subscribe", subscriptions=some)
+        client.send(op="unsubscribe", subscriptionIds=[0, 5, 2**31])
+        for number in range(300):
+            client.advertise(number, f"/many/topic_{number}", "std_msgs/msg/String")
+        client.wait_for(lambda: "can't be advertised: clients have 256 topics" in client.statuses())
+        # Each is answered, and a client that takes no answers is disconnected: so not all at once.
+        service = client.services["/switch"]["id"]
+        for call in range(300):
+            head = struct.pack("<III", service if call % 2 else 2**31, call, 3)
+            client.socket.send(b"\x02" + head + b"cdr" + bytes(call % 5))
+            client.text("serviceCallFailure", callId=call)
+        uris = ("package://[::1", "file:///\x00", "x" * 10_000, "http://127.0.0.1/a.stl", "package://")
+        for number in range(300):
+            client.send(op="fetchAsset", uri=uris[number % 5], requestId=number)
+            client.wait_for(lambda number=number: number in client.assets, "the refused file")
+        assert {status for status, _, _ in client.assets.values()} == {1}
+
+
+def test_connections_that_say_nothing(served: Served) -> None:
+    """Clients that connect and never ask leave room for others."""
+    silent = [RawClient(served.port, is_silent=True) for _ in range(200)]
+    client = Client(served.port)
+    with closing(client.socket):
+        client.wait_for(lambda: client.info)
+    for one in silent:
+        one.socket.close()
