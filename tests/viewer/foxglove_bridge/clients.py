@@ -32,6 +32,7 @@ class Client:
         self.socket = connect(
             f"{'ws' if ssl is None else 'wss'}://127.0.0.1:{port}",
             ssl=ssl,
+            open_timeout=5.0,
             close_timeout=1.0,
             subprotocols=[SUBPROTOCOL],
             max_size=None,
