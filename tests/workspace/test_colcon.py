@@ -200,6 +200,76 @@ def test_scripts_set_the_variables_of_a_sourced_ros(
     )
 
 
+HOOKED = """\
+project(ball_worlds)
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/made.dsv "x")
+configure_file(hooks/plugins.dsv.in plugins.dsv)
+ament_environment_hooks("${CMAKE_CURRENT_SOURCE_DIR}/hooks/${PROJECT_NAME}.dsv.in" hooks/${PROJECT_NAME}.sh.in)
+ament_environment_hooks(hooks/only.sh.in ${CMAKE_CURRENT_BINARY_DIR}/plugins.dsv)
+ament_environment_hooks(hooks/none.sh hooks/odd.fish)
+ament_package()
+"""
+
+
+@pytest.fixture(scope="module")
+def hooked(tmp_path_factory: pytest.TempPathFactory) -> Built:
+    """Build a package with hooks: as lines and as a script, as a script alone, made by configure_file, and bad ones."""
+    folder = tmp_path_factory.mktemp("hooked")
+    script = (
+        'ament_prepend_unique_value WORLDS "$AMENT_CURRENT_PREFIX/share/@PROJECT_NAME@/worlds"\n'
+        "ament_append_unique_value WORLDS /last\n"
+    )
+    write_cmake_package(folder / "src" / "ball_worlds", HOOKED)
+    write_files(
+        folder / "src" / "ball_worlds",
+        {
+            "hooks/ball_worlds.dsv.in": "prepend-non-duplicate;MODELS;share/@PROJECT_NAME@/models\n",
+            "hooks/ball_worlds.sh.in": script.replace("WORLDS", "MODELS").replace('worlds"', 'models"'),
+            "hooks/only.sh.in": script,
+            "hooks/plugins.dsv.in": "set;BALL_PLUGINS;lib/${PROJECT_NAME}\n",
+            "hooks/odd.fish": "",
+        },
+    )
+    return colcon(folder, "build")
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "sh"])
+@pytest.mark.parametrize("script", ["install/setup.{}", "install/ball_worlds/share/ball_worlds/package.{}"])
+def test_hooks_of_packages_set_variables(shell: str, script: str, hooked: Built) -> None:
+    if shutil.which(shell) is None:
+        pytest.skip(f"{shell} is not installed")
+    assert hooked.code == 0
+    prefix = hooked.folder / "install" / "ball_worlds"
+    sourced = f"cd '{hooked.folder}' && unset MODELS WORLDS BALL_PLUGINS && . ./{script.format(shell)}"
+    show = 'set -u; echo "$MODELS"; echo "$WORLDS"; echo "${AMENT_CURRENT_PREFIX-none}"; echo "${BALL_PLUGINS-none}"'
+    models, worlds, left, plugins = in_shell(hooked.folder, f"{sourced} && {show}", shell).split()
+    assert models.split(":")[0] == f"{prefix}/share/ball_worlds/models"
+    assert worlds == f"{prefix}/share/ball_worlds/worlds:/last"
+    assert left == "none"
+    assert plugins == ("lib/ball_worlds" if "setup" in script else "none")
+    twice = in_shell(hooked.folder, f"{sourced} && . ./{script.format(shell)} && echo $WORLDS", shell)
+    assert twice == worlds
+    added = sourced.replace("BALL_PLUGINS &&", "BALL_PLUGINS && export WORLDS=/mine &&")
+    assert in_shell(hooked.folder, f"{added} && echo $WORLDS", shell) == worlds.replace(":", ":/mine:")
+
+
+def test_hooks_that_can_not_be_used_are_named(hooked: Built) -> None:
+    assert (
+        "CMakeLists.txt:6: ament_environment_hooks(): hooks/none.sh is left out, because it can't be read"
+        in (hooked.output)
+    )
+    assert (
+        "hooks/odd.fish is left out: its name ends in none of dsv, sh, bash, zsh, ps1, bat" in hooked.output
+    )
+    environment = hooked.folder / "install" / "ball_worlds" / "share" / "ball_worlds" / "environment"
+    assert sorted(path.name for path in environment.iterdir()) == [
+        "ball_worlds.dsv",
+        "ball_worlds.sh",
+        "only.sh",
+        "plugins.dsv",
+    ]
+
+
 def test_scripts_of_powershell_set_the_same_paths(built: Built) -> None:
     share = built.folder / "install" / "ball_msgs" / "share" / "ball_msgs"
     assert (built.folder / "install" / "setup.ps1").is_file()

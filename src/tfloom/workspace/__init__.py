@@ -8,7 +8,7 @@
 - interface_package, listed_files, package_definitions, package_xml: interface packages, built without CMake
 - cmake_lists: CMakeLists.txt, read and never run
 - cmake_syntax, cmake_values, cmake_regex: its language
-- cmake_plan, installing: what it would install, installed
+- cmake_plan, installing: what it would install, installed; environment_hooks: scripts that a workspace runs
 - leftovers: of earlier builds
 - package_faults, missing_dependencies: what is wrong with package.xml and setup.py
 - lint, copyright, licenses, pytest_markers: the checks of `colcon test`

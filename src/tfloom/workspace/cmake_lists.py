@@ -32,6 +32,7 @@ from tfloom.workspace.cmake_values import (
     is_true,
     split_list,
 )
+from tfloom.workspace.environment_hooks import KINDS, EnvironmentHook
 from tfloom.workspace.missing_dependencies import is_package_there
 
 _ENDS = {
@@ -437,6 +438,29 @@ class _Reader:
         except OSError as error:
             self._remark(command, f"configure_file(): {words[0]} can't be read: {error.strerror}")
 
+    def add_environment_hooks(self, command: Command) -> None:
+        """Run `ament_environment_hooks(file …)`; the variables of a file that ends in `.in` are replaced."""
+        for word in expand_all(command.arguments, self._variables):
+            name = Path(word).name.removesuffix(".in")
+            if name.rpartition(".")[2] not in KINDS:
+                self._remark(
+                    command,
+                    f"ament_environment_hooks(): {word} is left out: its name ends in none of {', '.join(KINDS)}",
+                )
+                continue
+            content = self.plan.generated.get(name_in_build(word) or "")
+            if content is None:
+                options = () if word.endswith(".in") else ("COPYONLY",)
+                try:
+                    content = configured(self._folder / word, self._variables, options)
+                except OSError as error:
+                    self._remark(
+                        command,
+                        f"ament_environment_hooks(): {word} is left out, because it can't be read: {error.strerror}",
+                    )
+                    continue
+            self.plan.hooks.append(EnvironmentHook(name, content, command.line))
+
     def show_message(self, command: Command) -> None:
         words = [" ".join(expand(argument, self._variables)) for argument in command.arguments]
         if words[:1] == ["FATAL_ERROR"]:
@@ -473,6 +497,7 @@ _PARTS: dict[str, Callable[[PurePosixPath], str]] = {
 
 _OWN: dict[str, Callable[[_Reader, Command], None]] = {
     "configure_file": _Reader.configure_file,
+    "ament_environment_hooks": _Reader.add_environment_hooks,
     "set": _Reader.set_variable,
     "unset": _Reader.unset_variable,
     "option": _Reader.set_option,

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
 
+from tfloom.workspace.environment_hooks import EnvironmentHook
 from tfloom.workspace.interface_package import python_folder
 
 _PREFIX = Path("prefix")
@@ -102,6 +103,7 @@ class Plan:
     installs: list[Install] = field(default_factory=list)
     python_packages: list[PythonPackage] = field(default_factory=list)
     resources: list[Resource] = field(default_factory=list)
+    hooks: list[EnvironmentHook] = field(default_factory=list)
     tests: list[PytestTest] = field(default_factory=list)
     """Those in `if(BUILD_TESTING)`, if that is on."""
     found: list[str] = field(default_factory=list)
@@ -128,7 +130,8 @@ class Plan:
     @property
     def is_left_out(self) -> bool:
         """Whether nothing but headers would be installed of a package of compiled code."""
-        return self.is_cpp and not self.resources and all(map(is_of_headers, self.installs))
+        has_more = self.resources or self.hooks
+        return self.is_cpp and not has_more and all(map(is_of_headers, self.installs))
 
 
 def is_of_headers(install: Install) -> bool:

@@ -23,6 +23,7 @@ from tfloom.workspace.cmake_plan import (
 from tfloom.workspace.cmake_regex import Expression, RegexError
 from tfloom.workspace.cmake_values import MAX_STEPS, TooMuchError
 from tfloom.workspace.console_scripts import read_console_scripts
+from tfloom.workspace.environment_hooks import WRAPPED_KINDS, EnvironmentHook, wrapper
 
 _EXECUTE = stat.S_IXUSR | stat.S_IXGRP | stat.S_IXOTH
 _LEFT_OUT = {"__pycache__", ".git", ".svn"}
@@ -51,6 +52,8 @@ class Installer:
         """Sentences on what is installed, but does not work as it seems meant."""
         self.files: list[Path] = []
         """What is installed."""
+        self.hooks: list[Path] = []
+        """The scripts among it that are run when the workspace is sourced."""
 
     def install(self, plan: Plan) -> None:
         """Install the files, Python packages and resources of a plan, and the package's own marker.
@@ -67,6 +70,8 @@ class Installer:
                 self._install(command, plan)
         for resource in plan.resources:
             self._write_resource(resource.kind, resource.content)
+        for hook in plan.hooks:
+            self._write_hook(hook)
         if plan.compiled:
             remark = plan.compiled[0]
             reason = f"{self._where(remark.line)} has {remark.text}"
@@ -77,6 +82,17 @@ class Installer:
         """Install package.xml and the package's marker in the ament index."""
         self._write_resource("packages", "")
         self._place(self._source / "package.xml", self._prefix / "share" / self._name / "package.xml")
+
+    def _write_hook(self, hook: EnvironmentHook) -> None:
+        """Install a script of `ament_environment_hooks`, and beside colcon's own what runs it."""
+        share = Path("share", self._name)
+        path = share / "environment" / hook.name
+        self._write(self._prefix / path, hook.content)
+        # In one folder: colcon takes the lines of a .dsv in place of a script of the same name.
+        called = self._prefix / share / "hook" / hook.name
+        content = wrapper(path.as_posix()).encode() if hook.kind in WRAPPED_KINDS else hook.content
+        self._write(called, content)
+        self.hooks.append(called)
 
     def _write_resource(self, kind: str, content: str) -> None:
         path = self._prefix / index.RESOURCE_INDEX / kind / self._name

@@ -64,9 +64,10 @@ class BuildTask(Task):
 
     async def build(self, *, additional_hooks: list[Any] | None = None) -> int:
         """Install the package; return 1, after a sentence, if that is impossible."""
+        hooks = list(additional_hooks or ())
         try:
             with _prefixes_on_path(self.context.dependencies.values()):
-                self._install()
+                hooks += self._install()
         except (CMakeSyntaxError, InstallError, ParseError, LookupError, ValueError) as error:
             self._say(str(error))
             return 1
@@ -74,10 +75,11 @@ class BuildTask(Task):
             self._say(f"{error.filename}: {error.strerror}")
             return 1
         finally:
-            self._write_scripts(additional_hooks)
+            self._write_scripts(hooks)
         return 0
 
-    def _install(self) -> None:
+    def _install(self) -> list[Path]:
+        """Install the package, and return the scripts that it adds to its environment."""
         args, package = self.context.args, self.context.pkg
         source, prefix = Path(args.path), Path(args.install_base)
         if not (source / "CMakeLists.txt").is_file():
@@ -99,6 +101,7 @@ class BuildTask(Task):
         for warning in installer.warnings:
             self._say(warning)
         remove_former_files(Path(args.build_base), prefix, files + installer.files)
+        return installer.hooks
 
     def _remark(self, plan: Plan, source: Path) -> None:
         """Print what of the CMakeLists.txt is left out."""
