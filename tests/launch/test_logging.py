@@ -219,3 +219,14 @@ def test_standard_handlers_format_by_logger() -> None:
 def test_each_standard_handler_is_one_of_that_name(name: str) -> None:
     base = getattr(logging, name, None) or getattr(logging.handlers, name)
     assert issubclass(getattr(standard_handlers, name), base)
+
+
+def test_private_names_that_programs_use(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    import launch.logging
+
+    monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path / "there"))
+    assert launch.logging._get_logging_directory() == str(tmp_path / "there")
+    made = Path(launch.logging._make_unique_log_dir(base_path=str(tmp_path / "here")))
+    assert made.is_dir()
+    assert made.parent == tmp_path / "here"
+    assert launch.logging._make_unique_log_dir(base_path=str(tmp_path / "here")) != str(made)

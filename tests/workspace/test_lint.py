@@ -11,6 +11,7 @@ import pytest
 from ament_copyright.main import main as copyright_main
 from ament_flake8.main import main as flake8_main
 from ament_flake8.main import main_with_errors
+from ament_mypy.main import main as mypy_main
 from ament_pep257.main import main as pep257_main
 from ament_xmllint.main import main as xmllint_main
 from tests.conftest import PYTEST
@@ -77,6 +78,36 @@ def test_pep257_applies_the_rules_of_ros(here: Path, capsys: pytest.CaptureFixtu
     assert pep257_main(argv=[".", "--select", "D300"]) == 0
 
 
+@pytest.mark.skipif(util.find_spec("mypy") is None, reason="needs mypy")
+def test_mypy_finds_wrong_types_and_takes_the_settings_of_a_file(
+    here: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    good = "import no_such_module\n\n\ndef double(number: int) -> int:\n    return 2 * number\n"
+    write_files(here, {"good.py": good, "mypy.ini": "[mypy]\ndisallow_untyped_defs = True\n"})
+    assert mypy_main(argv=[]) == 0
+    assert capsys.readouterr().out == "\n1 files checked\nNo problems found\n"
+    write_files(
+        here, {"bad.py": "from good import double\n\ndouble('a')\n", "loose.py": "def f(x): return x\n"}
+    )
+    assert mypy_main(argv=["."]) == 1
+    printed = capsys.readouterr().out
+    assert 'bad.py:3: error: Argument 1 to "double" has incompatible type "str"' in printed
+    assert printed.endswith("3 files checked\n1 errors\n")
+    assert mypy_main(argv=["--exclude", "bad.py"]) == 0
+    strict = ["--config", str(here / "mypy.ini"), "--exclude", "bad.py"]
+    assert mypy_main(argv=strict) == 1
+    assert "loose.py:1: error: Function is missing a type annotation" in capsys.readouterr().out
+    assert not (here / ".mypy_cache").exists()
+    assert mypy_main(argv=["--config", "none.ini"]) == 1
+    assert capsys.readouterr().err == "Could not find config file 'none.ini'\n"
+    write_files(here, {"broken.py": "def (\n"})
+    assert mypy_main(argv=["broken.py"]) == 1
+    assert mypy_main(argv=["empty"]) == 1
+    (here / "empty").mkdir()
+    assert mypy_main(argv=["empty"]) == 1
+    assert capsys.readouterr().err.endswith("No files found\n")
+
+
 def test_copyright_wants_a_notice_and_a_known_license(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
     write_files(
         here,
@@ -122,7 +153,10 @@ def test_xmllint_finds_what_is_not_well_formed(here: Path, capsys: pytest.Captur
     assert xmllint_main(argv=["nothere.xml"]) == 1
 
 
-@pytest.mark.parametrize(("module", "library"), [("ament_flake8", "flake8"), ("ament_pep257", "pydocstyle")])
+@pytest.mark.parametrize(
+    ("module", "library"),
+    [("ament_flake8", "flake8"), ("ament_pep257", "pydocstyle"), ("ament_mypy", "mypy")],
+)
 def test_missing_library_skips_the_test_with_the_reason(module: str, library: str, here: Path) -> None:
     text = f"""
 import importlib.util, sys

@@ -140,7 +140,7 @@ class LaunchConfig:
             ValueError: (on setting) it is no folder, or another one is set already.
         """
         if self._log_dir is None:
-            self._log_dir = _create_log_dir()
+            self._log_dir = _make_unique_log_dir(base_path=_get_logging_directory())
         return self._log_dir
 
     @log_dir.setter
@@ -361,11 +361,11 @@ def _get_logging_directory() -> str:
     return str(Path(environment.get("ROS_HOME") or "~/.ros").expanduser() / "log")
 
 
-def _create_log_dir() -> str:
-    """Create `<root>/<time>-<host>-<pid>`."""
+def _make_unique_log_dir(*, base_path: str) -> str:
+    """Create `<base_path>/<time>-<host>-<pid>`, and return its path."""
     import socket  # which printing the arguments of a file does not need
 
-    root = Path(_get_logging_directory())
+    root = Path(base_path)
     try:
         root.mkdir(parents=True, exist_ok=True)
     except OSError as error:

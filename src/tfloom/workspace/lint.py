@@ -1,4 +1,4 @@
-"""The checks of code style that `colcon test` runs: flake8 and pydocstyle, with ROS's settings."""
+"""The checks of code that `colcon test` runs: flake8 and pydocstyle, with ROS's settings, and mypy."""
 
 from __future__ import annotations
 
@@ -25,6 +25,8 @@ IMPORT_ORDER = "--import-order-style=google"
 """The option of the plugin flake8-import-order."""
 PEP257_IGNORED = ("D100", "D101", "D102", "D103", "D104", "D105", "D106", "D107", "D203", "D212", "D404")
 """The rules of pydocstyle that ROS leaves out."""
+MYPY_SETTINGS = ("--config-file=", "--ignore-missing-imports")
+"""The options of mypy without a configuration of the package's own: those of its folder don't count."""
 _FLAKE8_LINE = re.compile(r"^(.+?):(\d+):(\d+): ([A-Z]+\d+) (.*)$")
 _PEP257_LINE = re.compile(r"^(.+?):(\d+) (.*):$")
 
@@ -104,6 +106,46 @@ def pep257_main(argv: Sequence[str] | None = None) -> int:
         print(error, file=sys.stderr)
     _print_summary(files, errors)
     return int(bool(errors))
+
+
+def mypy_main(argv: Sequence[str] | None = None) -> int:
+    """Check types with mypy and print what it finds; return 1 if that is something, else 0.
+
+    Args:
+        argv: The arguments of the command `ament_mypy`; None for those of this process.
+
+    Raises:
+        unittest.SkipTest: mypy is not installed, and a test has called.
+    """
+    parser = argparse.ArgumentParser(description="Check the types of Python files with mypy.")
+    parser.add_argument("--config", metavar="path", dest="config_file", help="settings of mypy's")
+    parser.add_argument(
+        "--cache-dir", metavar="cache", help="where mypy keeps what it has found (default: nowhere)"
+    )
+    add_paths(parser, ".py and .pyi files")
+    args = parser.parse_args(argv)
+    if not _is_installed("mypy"):
+        return 1
+    options = list(MYPY_SETTINGS)
+    if args.config_file:
+        if not Path(args.config_file).is_file():
+            print(f"Could not find config file '{args.config_file}'", file=sys.stderr)
+            return 1
+        options = [f"--config-file={args.config_file}"]
+    options.append(f"--cache-dir={args.cache_dir or os.devnull}")
+    files = files_of(args.paths, args.excludes, (".py", ".pyi"))
+    if not files:
+        print("No files found", file=sys.stderr)
+        return 1
+    command = [sys.executable, "-m", "mypy", *options, "--no-error-summary", "--", *files]
+    result = subprocess.run(command, capture_output=True, text=True, check=False)
+    print(result.stdout, end="")
+    print(result.stderr, end="", file=sys.stderr)
+    errors = [line for line in result.stdout.splitlines() if ": error:" in line]
+    if result.returncode and not errors:  # what stops mypy itself, as settings that it can't read
+        return 1
+    _print_summary(files, errors)
+    return int(bool(result.returncode))
 
 
 def _pep257_options(args: argparse.Namespace) -> list[str]:

@@ -33,6 +33,8 @@ _COMPILED = {"image_transport_py"}
 """ROS packages whose Python modules are compiled from C++."""
 _ROS_ON_PYPI = {"urdf_parser_py": "urdf-parser-py"}
 """ROS packages that PyPI has, too."""
+_OTHERS_ON_PYPI = {"yasmin"}
+"""ROS packages that PyPI does not have, but another one of the same name."""
 
 
 class Requirements(NamedTuple):
@@ -103,7 +105,8 @@ def how_to_provide(name: str) -> str:
     pypi = _ROS_ON_PYPI.get(name) if key is None else pypi_name(key)
     if pypi is not None:
         return f"pip install {pypi}"
-    return "put the source of a ROS package into src/, or source a workspace that has it"
+    trap = f"; PyPI's {name} is another package" if name in _OTHERS_ON_PYPI else ""
+    return f"put the source of a ROS package into src/, or source a workspace that has it{trap}"
 
 
 def find_source() -> Path | None:

@@ -12,6 +12,7 @@ MARKERS = {
     "copyright": "checks notices of copyright",
     "flake8": "checks style with flake8",
     "pep257": "checks docstrings with pydocstyle",
+    "mypy": "checks types",
     "xmllint": "checks XML",
 }
 
