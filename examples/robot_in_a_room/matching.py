@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from occupancy import RESOLUTION_M, OccupancyMap
+from occupancy import RESOLUTION_M, OccupancyMap, placed
 from planar import Pose2D, turned
 
 REACH_CELLS = 3
@@ -69,7 +69,7 @@ def match(grid: OccupancyMap, points: np.ndarray, expected: Pose2D, search: Sear
     while step > RESOLUTION_M / 16.0:
         pose = best_neighbour(field, origin, chosen, pose, step, angle)
         step, angle = step / 2.0, angle / 2.0
-    values = interpolated(field, origin, pose.apply(chosen))
+    values = interpolated(field, origin, placed(pose, chosen))
     fit = float((values > 0.3).mean())
     if fit < MIN_FIT:
         return Match(expected, fit, f"the scan does not fit the map: {100 * fit:.0f} % of its points", False)
@@ -77,7 +77,7 @@ def match(grid: OccupancyMap, points: np.ndarray, expected: Pose2D, search: Sear
     if free is None:
         return Match(pose, fit, "", True)
     # In a corridor each place along it fits as well: keep the expected one.
-    free = Pose2D(0.0, 0.0, pose.yaw).apply(free[np.newaxis])[0]
+    free = placed(Pose2D(0.0, 0.0, pose.yaw), free[np.newaxis])[0]
     moved = np.array([pose.x - expected.x, pose.y - expected.y])
     moved -= free * (free @ moved)
     pose = Pose2D(expected.x + moved[0], expected.y + moved[1], pose.yaw)
@@ -109,7 +109,7 @@ def coarse(
     best = (-np.inf, expected)
     for turn in np.arange(-count, count + 1) * search.angle_step:
         turned_pose = Pose2D(expected.x, expected.y, turned(expected.yaw + float(turn)))
-        column, row = np.floor((turned_pose.apply(points) - origin) / RESOLUTION_M).astype(np.int64).T
+        column, row = np.floor((placed(turned_pose, points) - origin) / RESOLUTION_M).astype(np.int64).T
         # A point outside is moved into the margin, where the field is 0 for each shift.
         is_inside = (
             (column >= search.reach)
@@ -138,7 +138,7 @@ def best_neighbour(
         for j in (0, -1, 1)
         for k in (0, -1, 1)
     ]
-    cloud = np.stack([neighbour.apply(points) for neighbour in neighbours])
+    cloud = np.stack([placed(neighbour, points) for neighbour in neighbours])
     return neighbours[int(interpolated(field, origin, cloud).sum(axis=1).argmax())]
 
 

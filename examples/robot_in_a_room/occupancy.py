@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from planar import Pose2D
 
@@ -17,6 +19,12 @@ LIMITS = (-2.5, 3.5)
 
 class GridError(Exception):
     """What can't be added to the map; the text has the reason."""
+
+
+def placed(pose: Pose2D, points: np.ndarray) -> np.ndarray:
+    """Return points (N, 2) of the pose's own frame in the frame of the pose."""
+    cos, sin = math.cos(pose.yaw), math.sin(pose.yaw)
+    return points @ np.array([[cos, sin], [-sin, cos]]) + (pose.x, pose.y)
 
 
 class OccupancyMap:
@@ -39,7 +47,7 @@ class OccupancyMap:
         Raises:
             GridError: the map would become larger than `MAX_SIDE_CELLS`.
         """
-        ends = laser.apply(np.concatenate((hits, passes)))
+        ends = placed(laser, np.concatenate((hits, passes)))
         start = np.array([laser.x, laser.y])
         self._grow(np.vstack((ends, start)))
         # A point in each cell's width on each ray. Cells that many rays pass count once.

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-import numpy as np
 from builtin_interfaces.msg import Time
 from geometry_msgs.msg import Pose, Quaternion, Transform, TransformStamped
 
@@ -26,11 +25,6 @@ class Pose2D(NamedTuple):
     def inverse(self) -> Pose2D:
         cos, sin = math.cos(self.yaw), math.sin(self.yaw)
         return Pose2D(-cos * self.x - sin * self.y, sin * self.x - cos * self.y, -self.yaw)
-
-    def apply(self, points: np.ndarray) -> np.ndarray:
-        """Return points (N, 2) of the pose's own frame in the frame of the pose."""
-        cos, sin = math.cos(self.yaw), math.sin(self.yaw)
-        return points @ np.array([[cos, sin], [-sin, cos]]) + (self.x, self.y)
 
 
 def turned(angle: float) -> float:
