@@ -4,45 +4,17 @@ from __future__ import annotations
 
 import os
 import signal
-import sys
 import urllib.error
 import urllib.request
-import uuid
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.demos.marked import alive
 
 pytestmark = pytest.mark.wire
 DRAWN = "The tree of frames is drawn in "
-
-
-@pytest.fixture
-def mark(monkeypatch: pytest.MonkeyPatch) -> str:
-    """An environment variable that marks all processes of the demonstration."""
-    if sys.platform != "linux":
-        pytest.skip("processes are found in /proc, which Linux has")
-    value = str(uuid.uuid4())
-    monkeypatch.setenv("TFLOOM_TEST_MARK", value)
-    return f"TFLOOM_TEST_MARK={value}"
-
-
-def read(path: Path) -> bytes:
-    """Return the content of a file under /proc; empty if its process has ended."""
-    try:
-        return path.read_bytes()
-    except OSError:
-        return b""
-
-
-def alive(mark: str) -> dict[int, str]:
-    """Return the commands of the marked processes, by process id."""
-    return {
-        int(folder.name): read(folder / "cmdline").replace(b"\0", b" ").decode()
-        for folder in Path("/proc").glob("[0-9]*")
-        if mark.encode() in read(folder / "environ")
-    }
 
 
 def test_demonstration_prints_draws_and_ends(

@@ -1,4 +1,7 @@
-"""Demonstrate turtlesim and tf2, in several processes on this machine, or in this process if there is no DDS."""
+"""Demonstrate turtlesim and tf2, or a robot that maps its room.
+
+The programs are processes on this machine; those with turtles are threads of this process if there is no DDS.
+"""
 
 from __future__ import annotations
 
@@ -12,6 +15,10 @@ INTRODUCTION = """\
 One turtle draws a figure, with a laser mounted on it; another follows it by their transforms on tf.
 Below is the output of `tf2_echo world laser`: the pose of the laser in the world.
 {end}"""
+ROBOT = """\
+A simulated robot drives round its room. Its odometry drifts, and a node corrects it by the scans of a laser, which it
+draws into a map. Its frames are map, odom, base_link and laser, and those of an arm. All of it is recorded.
+{end}"""
 AT_CTRL_C = "Ctrl-C ends the demonstration."
 AFTER = "It ends after {seconds:g} s."
 NOBODY_WATCHES = "It has no terminal, so it ends after {seconds:g} s, or after --seconds N."
@@ -24,6 +31,13 @@ ONE_PROCESS = "{reason}, so all programs run within this process, and other term
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments of `demo`."""
+    parser.add_argument(
+        "which",
+        nargs="?",
+        choices=["turtles", "robot"],
+        default="turtles",
+        help="turtles that follow each other, or a robot that maps its room (default: turtles)",
+    )
     parser.add_argument(
         "--seconds",
         type=seconds,
@@ -40,7 +54,7 @@ def main(args: argparse.Namespace) -> int:
     import signal
 
     from tfloom.cli.errors import CommandError
-    from tfloom.demos.show import ShowError
+    from tfloom.demos.program_group import ShowError
     from tfloom.viewer.extra import MISSING, is_installed
 
     if args.view and not is_installed():
@@ -51,8 +65,13 @@ def main(args: argparse.Namespace) -> int:
     try:
         description, is_over_dds = describe_wire()
         duration_s, end = describe_end(args.seconds, opens_page=args.view)
-        print(f"{INTRODUCTION.format(end=end)}\n{description}")
-        if is_over_dds:
+        is_robot = args.which == "robot"
+        if is_robot and not is_over_dds:
+            raise CommandError("`tfloom demo robot` needs a DDS library, because its programs are processes")
+        print(f"{(ROBOT if is_robot else INTRODUCTION).format(end=end)}\n{description}")
+        if is_robot:
+            _show_robot(duration_s, opens_page=args.view)
+        elif is_over_dds:
             _show_over_dds(duration_s, opens_page=args.view)
         elif args.view:
             raise CommandError("--view needs a DDS library, because the page is another process")
@@ -106,6 +125,25 @@ def _show_over_dds(seconds: float | None, *, opens_page: bool) -> None:
         print(JOIN_IN.format(domain_id=domain_id))
         with Show(process_starter(domain_id), programs, opens_page=opens_page) as show:
             show.run(seconds)
+
+
+def _show_robot(seconds: float | None, *, opens_page: bool) -> None:
+    import contextlib
+    from pathlib import Path
+
+    from tfloom.demos.processes import own_domain, process_starter
+    from tfloom.demos.robot_show import RobotShow, example_folder, new_recording
+    from tfloom.viewer.extra import is_installed
+
+    folder, recording = example_folder(), new_recording(Path.cwd())
+    with own_domain() as domain_id:
+        print(JOIN_IN.format(domain_id=domain_id))
+        show = RobotShow(
+            process_starter(domain_id), folder, recording, has_page=is_installed(), opens_page=opens_page
+        )
+        with contextlib.suppress(KeyboardInterrupt), show:
+            show.run(seconds)
+        show.compare()
 
 
 def _show_in_one_process(seconds: float | None) -> None:

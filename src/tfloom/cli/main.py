@@ -57,7 +57,7 @@ COMMANDS: dict[str, str | Group] = {
             "stop": "Explain that there is no daemon to stop",
         },
     ),
-    "demo": "Demonstrate turtlesim, its frames and tf2",
+    "demo": "Demonstrate turtlesim and tf2, or a robot that maps its room",
     "doctor": "Check the requirements of programs to run and to discover one another",
     "interface": Group(
         "Look up definitions of messages, services and actions",

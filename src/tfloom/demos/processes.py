@@ -13,7 +13,7 @@ import threading
 from collections import deque
 from collections.abc import Callable, Iterator, Mapping
 
-from tfloom.demos.show import END_GRACE_S, LOG_LINES, ShowError, StartProgram
+from tfloom.demos.program_group import END_GRACE_S, LOG_LINES, ShowError, StartProgram
 
 DOMAINS = range(1, 101)
 """Domains whose ports, by DDS's formula, are outside the system's range of ephemeral ports."""
@@ -47,10 +47,10 @@ def process_starter(domain_id: int) -> StartProgram:
 
 
 class ProcessProgram:
-    """A program as a process; see `show.Program`.
+    """A program as a process; see `program_group.Program`.
 
     Args:
-        command: `module:function` and arguments.
+        command: `module:function` or a file, and arguments.
         environment: Its environment variables.
         on_line: Called with each printed line, on a separate thread; `log` keeps the last lines, too.
     """

@@ -18,7 +18,8 @@ from contextvars import ContextVar
 from importlib import import_module
 from typing import TextIO
 
-from tfloom.demos.show import LOG_LINES, PROGRAMS, StartProgram
+from tfloom.demos.program_group import LOG_LINES, StartProgram
+from tfloom.demos.show import PROGRAMS
 from tfloom.node.context.context import Context
 from tfloom.node.context.defaults import own_defaults
 
@@ -58,7 +59,7 @@ def _environment(**variables: str) -> Iterator[None]:
 
 
 class ThreadProgram:
-    """A program on a daemon thread; see `show.Program`.
+    """A program on a daemon thread; see `program_group.Program`.
 
     Args:
         command: `module:function` and arguments.

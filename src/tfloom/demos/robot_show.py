@@ -1,0 +1,126 @@
+"""The demonstration `tfloom demo robot`: the example `robot_in_a_room`, recorded, and compared with the truth.
+
+The programs are those of the example, which a wheel holds beside this file. They use ROS's names alone.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from pathlib import Path
+
+from tfloom.demos.program_group import ProgramGroup, ShowError, StartProgram, unexpected_end
+
+EXAMPLE = "robot_in_a_room"
+TOPICS = (
+    *("/tf", "/tf_static", "/ground_truth", "/odom", "/scan", "/map"),
+    *("/cmd_vel", "/joint_states", "/robot_description"),
+)
+"""What is recorded."""
+SHOWN_TOPICS = ("/map", "/scan", "/robot_description")
+"""What the page shows from the start."""
+PERIOD_S = 5.0
+"""Time between the lines on the robot's errors."""
+IS_CORRECTED = "the corrected pose off by"
+"""What is in such a line once the mapper works."""
+PATIENCE_S = 40.0
+"""The longest time until the mapper works, and that of the comparison at the end [s]."""
+
+
+def example_folder() -> Path:
+    """Return the folder of the example: in a wheel beside this file, otherwise in the sources.
+
+    Raises:
+        ShowError: there is none, as where files of the package were left out.
+    """
+    here = Path(__file__)
+    for folder in (here.parent / EXAMPLE, here.parents[3] / "examples" / EXAMPLE):
+        if (folder / "robot.py").is_file():
+            return folder
+    raise ShowError(f"the example's programs are not in {here.parent / EXAMPLE}: install tfloom again")
+
+
+def new_recording(folder: Path) -> Path:
+    """Return the path of a recording that doesn't exist yet."""
+    stem = f"{EXAMPLE}_{time.strftime('%Y_%m_%d-%H_%M_%S')}"
+    names = (stem if number == 1 else f"{stem}_{number}" for number in range(1, 1000))
+    return next(path for name in names if not (path := folder / name).exists())
+
+
+def robot_programs(folder: Path, recording: Path, *, has_page: bool) -> dict[str, list[str]]:
+    """Return the programs of the demonstration by their names, with their arguments.
+
+    Args:
+        folder: The folder of the example.
+        recording: The path of the recording.
+        has_page: Whether to serve the page of `tfloom view`.
+    """
+    description = (folder / "robot.urdf").read_text("utf-8")
+    programs = {
+        "recorder": ["tfloom.cli.main:main", "bag", "record", "-o", str(recording), *TOPICS],
+        "robot": [str(folder / "robot.py")],
+        "robot_state_publisher": [
+            "tfloom.robot.robot_state_publisher:main",
+            *("--ros-args", "-p", f"robot_description:={description}"),
+        ],
+        "mapper": [str(folder / "mapper.py")],
+        "tour": [str(folder / "tour.py")],
+        "pose_errors": [str(folder / "pose_errors.py"), "--ros-args", "-p", f"period:={PERIOD_S}"],
+    }
+    if has_page:
+        displays = [word for topic in SHOWN_TOPICS for word in ("--display", topic)]
+        programs["view"] = ["tfloom.cli.main:main", "view", "--no-open", "--fixed-frame", "map", *displays]
+    return programs
+
+
+class RobotShow(ProgramGroup):
+    """Runs the robot, prints its errors as it drives, and at the end those of the recording.
+
+    Args:
+        start: Starts a program.
+        folder: The folder of the example.
+        recording: The path of the recording.
+        has_page: Whether to serve the page of `tfloom view`.
+        opens_page: Whether to open it in a browser.
+    """
+
+    def __init__(
+        self, start: StartProgram, folder: Path, recording: Path, *, has_page: bool, opens_page: bool = False
+    ) -> None:
+        programs = robot_programs(folder, recording, has_page=has_page)
+        super().__init__(start, programs, ["pose_errors"], opens_page=opens_page)
+        self._recording = recording
+        self._comparison = [str(folder / "compare.py"), str(recording)]
+        self._works = False
+
+    def run(self, seconds: float | None) -> None:
+        """Print how far the robot is from where it is taken to be.
+
+        Args:
+            seconds: Duration, extended until the mapper works; None: until interrupted.
+
+        Raises:
+            ShowError: a program ended unexpectedly, or the mapper did not work in time.
+        """
+        started = time.monotonic()
+        end = math.inf if seconds is None else started + seconds
+        while not self._works or time.monotonic() < end:
+            for name, program in self._programs.items():
+                if program.exit_code() is not None:
+                    raise unexpected_end(name, program)
+            self._works |= IS_CORRECTED in self._print_line()
+            if not self._works and time.monotonic() > started + PATIENCE_S:
+                raise ShowError(f"the robot's pose was not corrected in {PATIENCE_S:.0f} s")
+
+    def compare(self) -> None:
+        """Print the errors of the recording, and where it is. The programs have to be at their end.
+
+        Raises:
+            ShowError: the recording can't be compared; the text has the reason.
+        """
+        if not self._works:
+            print("It ended before the mapper worked, so there is nothing to compare.")
+            return
+        print(f"The recording is in {self._recording}", flush=True)
+        with ProgramGroup(self._start_program, {"compare": self._comparison}) as group:
+            print(group.output_of("compare", PATIENCE_S))

@@ -1,0 +1,22 @@
+"""Processes that a test has marked by an environment variable, as Linux lists them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+
+def read(path: Path) -> bytes:
+    """Return the content of a file under /proc; empty if its process has ended."""
+    try:
+        return path.read_bytes()
+    except OSError:
+        return b""
+
+
+def alive(mark: str) -> dict[int, str]:
+    """Return the commands of the marked processes, by process id."""
+    return {
+        int(folder.name): read(folder / "cmdline").replace(b"\0", b" ").decode()
+        for folder in Path("/proc").glob("[0-9]*")
+        if mark.encode() in read(folder / "environ")
+    }

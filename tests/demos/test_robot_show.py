@@ -1,0 +1,150 @@
+"""`tfloom demo robot`: what it prints and records, and that no process is left at any end."""
+
+from __future__ import annotations
+
+import os
+import re
+import signal
+import urllib.request
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from tests.demos.marked import alive
+
+from tfloom.bag.opening import open_bag
+from tfloom.demos import robot_show
+from tfloom.demos.program_group import ShowError
+from tfloom.demos.robot_show import RobotShow, example_folder, new_recording
+
+Start = Callable[..., Any]
+
+
+@pytest.mark.wire
+def test_demonstration_compares_and_ends(start_program: Start, tmp_path: Path, mark: str) -> None:
+    demo = start_program("tfloom", "demo", "robot", "--seconds", "1", cwd=tmp_path)
+    assert demo.wait(90.0) == 0, demo.output
+    assert re.search(
+        r"odometry is off by \d\.\d\d m, the corrected pose off by 0\.\d\d m$", demo.output, re.MULTILINE
+    )
+    (recording,) = tmp_path.iterdir()
+    assert f"The recording is in {recording}" in demo.lines
+    assert re.search(r"^odometry alone +\d+\.\d m +0\.\d{3} m", demo.output, re.MULTILINE)
+    assert re.match(r"corrected +\d+\.\d m +0\.0\d\d m", demo.lines[-1]), demo.output
+    with open_bag(recording) as bag:
+        assert {"/tf", "/tf_static", "/scan", "/ground_truth", "/map", "/cmd_vel"} <= set(bag.topics)
+        assert bag.topics["/ground_truth"].message_count > 10
+    assert alive(mark) == {}
+
+
+@pytest.mark.wire
+def test_ctrl_c_ends_it_and_compares(
+    start_program: Start, tmp_path: Path, mark: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pytest.importorskip("viser", reason="the page needs the extra: pip install 'tfloom[view]'")
+    monkeypatch.setenv("BROWSER", "true")
+    demo = start_program("tfloom", "demo", "robot", "--view", cwd=tmp_path)
+    demo.wait_for("See it in a browser: http://127.0.0.1:")
+    line = next(line for line in demo.lines if line.startswith("See it in a browser: "))
+    with urllib.request.urlopen(line.removeprefix("See it in a browser: ")) as response:
+        assert b"<title>tfloom view</title>" in response.read()
+    demo.wait_for("the corrected pose off by")
+    demo.signal(signal.SIGINT)
+    assert demo.wait() == 0, demo.output
+    assert demo.lines[-1].startswith("corrected "), demo.output
+    assert "Traceback" not in demo.output
+    assert alive(mark) == {}
+
+
+@pytest.mark.wire
+@pytest.mark.parametrize("number", [signal.SIGINT, pytest.param(signal.SIGKILL, marks=pytest.mark.slow)])
+def test_no_process_is_left_by_an_early_end(
+    start_program: Start, wait_until: Callable[..., None], tmp_path: Path, mark: str, number: signal.Signals
+) -> None:
+    demo = start_program("tfloom", "demo", "robot", "--seconds", "60", cwd=tmp_path)
+    wait_until(lambda: any("pose_errors.py" in command for command in alive(mark).values()))
+    demo.signal(number)
+    assert demo.wait() == (-signal.SIGKILL if number == signal.SIGKILL else 0), demo.output
+    wait_until(lambda: alive(mark) == {}, what="the end of all processes")
+    if number == signal.SIGINT:
+        assert demo.lines[-1] == "It ended before the mapper worked, so there is nothing to compare."
+    assert "Traceback" not in demo.output
+
+
+@pytest.mark.wire
+def test_program_that_ends_unexpectedly_is_reported(start_program: Start, tmp_path: Path, mark: str) -> None:
+    demo = start_program("tfloom", "demo", "robot", "--seconds", "60", cwd=tmp_path)
+    demo.wait_for("the corrected pose off by")
+    (mapper,) = (process for process, command in alive(mark).items() if "mapper.py" in command)
+    os.kill(mapper, signal.SIGKILL)
+    assert demo.wait() == 1
+    assert "mapper ended unexpectedly with exit code -9" in demo.output
+    assert alive(mark) == {}
+
+
+def test_it_needs_processes(start_program: Start, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
+    demo = start_program("tfloom", "demo", "robot", cwd=tmp_path)
+    assert demo.wait() == 1
+    assert demo.output == "`tfloom demo robot` needs a DDS library, because its programs are processes"
+    unknown = start_program("tfloom", "demo", "dog")
+    assert unknown.wait() == 2
+    assert "invalid choice: 'dog'" in unknown.output
+
+
+class Stopped:
+    """A program that prints nothing and does not end."""
+
+    log = ("the last line",)
+
+    def __init__(self, code: int | None = None) -> None:
+        self.code = code
+
+    def exit_code(self) -> int | None:
+        return self.code
+
+    def request_end(self) -> None:
+        self.code = 0
+
+    def end(self, grace_s: float) -> None:
+        assert self.code is not None
+
+
+def test_mapper_that_does_not_work_is_reported(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setattr(robot_show, "PATIENCE_S", 0.1)
+    show = RobotShow(lambda *_: Stopped(), example_folder(), tmp_path / "x", has_page=False)
+    with show, pytest.raises(ShowError, match="the robot's pose was not corrected in 0 s"):
+        show.run(1.0)
+
+
+def test_comparison_that_fails_or_hangs_is_reported(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    for code, text in (
+        (1, "compare ended unexpectedly with exit code 1\nthe last line"),
+        (None, "has not ended"),
+    ):
+        monkeypatch.setattr(robot_show, "PATIENCE_S", 0.1)
+        show = RobotShow(
+            lambda *_, code=code: Stopped(code), example_folder(), tmp_path / "x", has_page=False
+        )
+        show._works = True
+        with pytest.raises(ShowError, match=text):
+            show.compare()
+
+
+def test_recording_gets_a_new_name(tmp_path: Path) -> None:
+    paths = set()
+    for _ in range(4):
+        path = new_recording(tmp_path)
+        path.mkdir()
+        paths.add(path)
+    assert len(paths) == 4
+
+
+def test_example_that_was_left_out_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert (example_folder() / "compare.py").is_file()
+    monkeypatch.setattr(robot_show, "EXAMPLE", "robot_on_the_moon")
+    with pytest.raises(
+        ShowError, match=r"the example's programs are not in .*robot_on_the_moon: install tfloom again"
+    ):
+        example_folder()
