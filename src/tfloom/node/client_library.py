@@ -202,6 +202,9 @@ class _TemporarilyAdded:
                 self._former_executor.add_node(self._node)
 
 
+_NO_NODE = "{name}() needs a node, got None: does the function that creates it return it?"
+
+
 def spin(node: Node, executor: Executor | None = None) -> None:
     """Run a node's callbacks until its context is shut down.
 
@@ -209,7 +212,10 @@ def spin(node: Node, executor: Executor | None = None) -> None:
         ExternalShutdownException: the context was shut down by a signal, or by another thread.
         KeyboardInterrupt: Ctrl-C, on the main thread.
         Exception: raised by a callback.
+        TypeError: there is no node.
     """
+    if node is None:
+        raise TypeError(_NO_NODE.format(name="spin"))
     executor = executor or get_global_executor()
     with _TemporarilyAdded(node, executor):
         executor.spin()
@@ -217,6 +223,8 @@ def spin(node: Node, executor: Executor | None = None) -> None:
 
 def spin_once(node: Node, *, executor: Executor | None = None, timeout_sec: float | None = None) -> None:
     """Wait for one callback and run it; after `timeout_sec` [s] (None: no limit), return without one."""
+    if node is None:
+        raise TypeError(_NO_NODE.format(name="spin_once"))
     executor = executor or get_global_executor()
     with _TemporarilyAdded(node, executor):
         executor.spin_once(timeout_sec=timeout_sec)
@@ -226,6 +234,10 @@ def spin_until_future_complete(
     node: Node, future: Future[Any], executor: Executor | None = None, timeout_sec: float | None = None
 ) -> None:
     """Run a node's callbacks until a future is done, or for `timeout_sec` [s] (None: no limit)."""
+    if node is None:
+        raise TypeError(_NO_NODE.format(name="spin_until_future_complete"))
+    if future is None:
+        raise TypeError("spin_until_future_complete() needs a future, as `call_async` returns it, got None")
     executor = executor or get_global_executor()
     with _TemporarilyAdded(node, executor):
         executor.spin_until_future_complete(future, timeout_sec)

@@ -17,6 +17,7 @@ __all__ = ["BufferCore", "duration_ns", "time_ns"]
 
 S_TO_NS = 1_000_000_000
 Triple = tuple[float, float, float]
+_NO_TRANSFORM = "{name}() needs a geometry_msgs.msg.TransformStamped, got {given!r}"
 
 
 class BufferCore(tf2_buffer.Buffer):
@@ -42,10 +43,14 @@ class BufferCore(tf2_buffer.Buffer):
         Raises:
             TypeError: the message or one of its parts lacks a field.
         """
+        if not hasattr(transform, "child_frame_id"):
+            raise TypeError(_NO_TRANSFORM.format(name="set_transform", given=transform))
         self.set_message(transform, authority)
 
     def set_transform_static(self, transform: Any, authority: str) -> None:
         """Store a TransformStamped that holds at all times; see `set_transform`."""
+        if not hasattr(transform, "child_frame_id"):
+            raise TypeError(_NO_TRANSFORM.format(name="set_transform_static", given=transform))
         self.set_message(transform, authority, static=True)
 
     def can_transform_core(self, target_frame: str, source_frame: str, time: Any) -> tuple[bool, str]:

@@ -68,6 +68,11 @@ class TransformListener(ListenerBase):
         tf_static_topic: str = DEFAULT_STATIC_TF_TOPIC,
         static_only: bool = False,
     ) -> None:
+        if not hasattr(buffer, "set_transform"):
+            raise TypeError(
+                f"TransformListener(buffer, node) needs a tf2_ros.Buffer first, got {buffer!r} "
+                f"of class {type(buffer).__name__}"
+            )
         super().__init__()
         self._owns_node = node is None
         self.node: Node = _hidden_node() if node is None else node

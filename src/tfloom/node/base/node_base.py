@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NoReturn, TypeVar, overload
 
@@ -15,7 +16,7 @@ from tfloom.node.endpoints.client import Client
 from tfloom.node.endpoints.publisher import Publisher
 from tfloom.node.endpoints.service import Service
 from tfloom.node.endpoints.service_introspection import Introspection
-from tfloom.node.endpoints.subscription import Subscription
+from tfloom.node.endpoints.subscription import Subscription, callback_error
 from tfloom.node.endpoints.type_variables import MsgType, SrvTypeRequest, SrvTypeResponse
 from tfloom.node.executing.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup
 from tfloom.node.executing.event_handler import (
@@ -31,10 +32,12 @@ from tfloom.node.parameters.node_parameters import NodeParameters
 from tfloom.node.parameters.parameter import Parameter, ParameterType
 from tfloom.node.qos.qos import QoSProfile, qos_profile_parameter_events, qos_profile_services_default
 from tfloom.node.qos.qos_overriding_options import QoSOverridingOptions, apply_overrides
+from tfloom.node.values.callbacks import not_callable
 from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.exceptions import InvalidHandle
 from tfloom.node.values.handle import Handle
+from tfloom.node.values.names import name_error
 from tfloom.node.values.time import check_fits_stamp
 from tfloom.node.values.type_support import (
     check_is_valid_msg_type,
@@ -641,6 +644,8 @@ class NodeBase:
             UnsupportedEventTypeError: the wire doesn't support an event that there is a callback for.
         """
         check_is_valid_msg_type(msg_type)
+        if (error := name_error(topic) or _profile_error(qos_profile)) is not None:
+            raise error
         name = self.resolve_topic_name(topic)
         profile = self.__profile("publisher", name, qos_profile, qos_overriding_options)
         wire_topic = topic_of(msg_type, name, is_native=profile.avoid_ros_namespace_conventions)
@@ -722,6 +727,9 @@ class NodeBase:
             UnsupportedEventTypeError: the wire doesn't support an event that there is a callback for.
         """
         check_is_valid_msg_type(msg_type)
+        error = name_error(topic) or _profile_error(qos_profile) or callback_error(callback)
+        if error is not None:
+            raise error
         name = self.resolve_topic_name(topic)
         profile = self.__profile("subscription", name, qos_profile, qos_overriding_options)
         wire_topic = topic_of(msg_type, name, is_native=profile.avoid_ros_namespace_conventions)
@@ -778,8 +786,13 @@ class NodeBase:
             AttributeError: `srv_type` is not a ROS type.
             RuntimeError: `srv_type` is a message or an action.
             InvalidServiceNameException: the name isn't valid.
+            TypeError: `callback` can't be called.
         """
         check_is_valid_srv_type(srv_type)
+        if (error := name_error(srv_name, is_service=True)) is not None:
+            raise error
+        if not callable(callback):
+            raise TypeError(f"create_service() needs a callback, {not_callable(callback)}")
         name = self.resolve_service_name(srv_name)
         responder = self.__entities.participant().create_responder(
             self.__entities.node_name, service_of(srv_type, name), qos_profile.to_wire()
@@ -819,6 +832,8 @@ class NodeBase:
             InvalidServiceNameException: the name isn't valid.
         """
         check_is_valid_srv_type(srv_type)
+        if (error := name_error(srv_name, is_service=True)) is not None:
+            raise error
         name = self.resolve_service_name(srv_name)
         requester = self.__entities.participant().create_requester(
             self.__entities.node_name, service_of(srv_type, name), qos_profile.to_wire()
@@ -861,14 +876,30 @@ class NodeBase:
 
         Args:
             timer_period_sec: The period [s].
-            callback: Called without arguments, on a thread of the executor.
+            callback: Called without arguments, on a thread of the executor; None, with a warning, only wakes it.
             callback_group: Its group; None: the node's own.
             clock: Clock of the period; None: the node's.
             autostart: Whether it is started at once; otherwise by its first `reset`.
 
         Raises:
             ValueError: the period is negative.
+            TypeError: `callback` can't be called.
         """
+        if callback is None:
+            warnings.warn(f"create_timer() has no callback, {not_callable(None)}", stacklevel=2)
+        elif not callable(callback):
+            raise TypeError(f"create_timer() needs a callback, {not_callable(callback)}")
+        return self.__create_timer(timer_period_sec, callback, callback_group, clock, autostart=autostart)
+
+    def __create_timer(
+        self,
+        timer_period_sec: float,
+        callback: Callable[[], Any] | None,
+        callback_group: CallbackGroup | None,
+        clock: Clock | None,
+        *,
+        autostart: bool = True,
+    ) -> Timer:
         period_ns = int(float(timer_period_sec) * S_TO_NS)
         group = callback_group or self.default_callback_group
         timer = Timer(
@@ -895,7 +926,7 @@ class NodeBase:
         """
         if frequency <= 0:
             raise ValueError("frequency must be > 0")
-        timer = self.create_timer(1.0 / frequency, None, MutuallyExclusiveCallbackGroup(), clock)
+        timer = self.__create_timer(1.0 / frequency, None, MutuallyExclusiveCallbackGroup(), clock)
         rate = Rate(timer, context=self.context)
         self.__entities.add_rate(rate)
         return rate
@@ -1033,13 +1064,19 @@ class NodeBase:
 
 
 def _profile(qos_profile: QoSProfile | int) -> QoSProfile:
+    return qos_profile if isinstance(qos_profile, QoSProfile) else QoSProfile(depth=qos_profile)
+
+
+def _profile_error(qos_profile: Any) -> Exception | None:
+    """Return the error of what is neither a profile nor a depth."""
     if isinstance(qos_profile, QoSProfile):
-        return qos_profile
+        return None
     if isinstance(qos_profile, bool) or not isinstance(qos_profile, int):
-        raise TypeError(f"Expected QoSProfile or int, but received {type(qos_profile)!r}")
+        given = f"{type(qos_profile)!r}"
+        return TypeError(f"Expected QoSProfile or int, but received {given}: a depth is a number, as 10")
     if qos_profile < 0:
-        raise ValueError("history depth must be greater than or equal to zero")
-    return QoSProfile(depth=qos_profile)
+        return ValueError("history depth must be greater than or equal to zero")
+    return None
 
 
 def open_endpoint(

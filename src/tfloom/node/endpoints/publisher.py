@@ -9,6 +9,7 @@ from tfloom.node.endpoints.type_variables import MsgType
 from tfloom.node.qos.qos import QoSProfile
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.exceptions import InvalidHandle, RCLError
+from tfloom.node.values.type_support import wrong_message
 from tfloom.rosidl import cdr
 
 if TYPE_CHECKING:
@@ -59,7 +60,7 @@ class Publisher(Endpoint["Writer"], Generic[MsgType]):
         elif isinstance(msg, bytes):
             data = msg
         else:
-            raise TypeError(f"Expected {self.msg_type}, got {type(msg)}")
+            raise TypeError(wrong_message(self.msg_type, msg))
         if self._destroyed:
             raise InvalidHandle(f"cannot publish on {self.topic}: the publisher was destroyed")
         if not self._context.ok():

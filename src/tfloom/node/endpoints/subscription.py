@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Generic
 from tfloom.node.endpoints.endpoint import UNREADABLE, Receiver
 from tfloom.node.endpoints.type_variables import MsgType
 from tfloom.node.qos.qos import QoSProfile
+from tfloom.node.values.callbacks import not_callable
 from tfloom.node.values.handle import Handle
 from tfloom.rosidl import cdr
 
@@ -76,15 +77,11 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
 
     @callback.setter
     def callback(self, callback: Callable[..., Any]) -> None:
-        if _takes(callback, 1):
-            self._callback_type = Subscription.CallbackType.MessageOnly
-        elif _takes(callback, 2):
-            self._callback_type = Subscription.CallbackType.WithMessageInfo
-        else:
-            raise RuntimeError(
-                "Subscription.__init__(): callback should be either be callable with one argument"
-                "(to get only the message) or two (to get message and message info)"
-            )
+        if (error := callback_error(callback)) is not None:
+            raise error
+        takes_message = _takes(callback, 1)
+        kinds = Subscription.CallbackType
+        self._callback_type = kinds.MessageOnly if takes_message else kinds.WithMessageInfo
         self._callback = callback
         self._with_info = self._callback_type is Subscription.CallbackType.WithMessageInfo
 
@@ -174,6 +171,20 @@ def _message_info(sample: Sample) -> dict[str, Any]:
         "publication_sequence_number": None,
         "reception_sequence_number": None,
     }
+
+
+def callback_error(callback: Any) -> RuntimeError | None:
+    """Return the error of a subscription's callback that takes neither one argument nor two."""
+    if callable(callback):
+        if _takes(callback, 1) or _takes(callback, 2):
+            return None
+        given = f"got {callback!r}"
+    else:
+        given = not_callable(callback)
+    return RuntimeError(
+        "Subscription.__init__(): callback should be either be callable with one argument"
+        f"(to get only the message) or two (to get message and message info); {given}"
+    )
 
 
 def _takes(callback: Callable[..., Any], count: int) -> bool:

@@ -20,6 +20,7 @@ __all__ = [
     "NameValidationException",
     "expand_topic_name",
     "full_node_name",
+    "name_error",
     "topic_or_service_is_hidden",
     "validate_full_topic_name",
     "validate_namespace",
@@ -97,7 +98,11 @@ class InvalidServiceNameException(NameValidationException):
 
 def _check_is_text(what: str, name: object) -> None:
     if not isinstance(name, str):
-        raise TypeError(f"a {what} must be a str, not {name!r} of class {type(name).__name__}")
+        raise _text_error(what, name)
+
+
+def _text_error(what: str, name: object) -> TypeError:
+    return TypeError(f"a {what} must be a str, not {name!r} of class {type(name).__name__}")
 
 
 def _first_match_index(pattern: str, text: str) -> int | None:
@@ -240,6 +245,16 @@ def validate_full_topic_name(name: str, *, is_service: bool = False) -> bool:
         TypeError: the name is not a str.
     """
     return _validate(_check_full_topic_name, name, is_service)
+
+
+def name_error(name: object, *, is_service: bool = False) -> Exception | None:
+    """Return what `validate_topic_name` raises, or None, for callers whose tracebacks shall be short."""
+    if not isinstance(name, str):
+        return _text_error("service name" if is_service else "topic name", name)
+    finding = _check_topic_name(name)
+    if finding is None:
+        return None
+    return (InvalidServiceNameException if is_service else InvalidTopicNameException)(name, *finding)
 
 
 def _validate(check: Callable[[str], _Finding | None], name: str, is_service: bool) -> bool:

@@ -14,6 +14,7 @@ __all__ = [
     "check_is_valid_action_type",
     "check_is_valid_msg_type",
     "check_is_valid_srv_type",
+    "wrong_message",
 ]
 
 _TYPES = (Message, ServiceType, Action)
@@ -25,7 +26,9 @@ def check_for_type_support(msg_or_srv_type: Any) -> None:
     Raises:
         AttributeError: it is none of them.
     """
-    _check_is_ros_type(msg_or_srv_type, "message or service class, such as std_msgs.msg.String")
+    error = _type_error(msg_or_srv_type, _TYPES, "message or service class, such as std_msgs.msg.String")
+    if error is not None:
+        raise error
 
 
 def check_is_valid_msg_type(msg_type: Any) -> None:
@@ -35,7 +38,9 @@ def check_is_valid_msg_type(msg_type: Any) -> None:
         AttributeError: it is not a ROS type.
         RuntimeError: it is a service or an action.
     """
-    check_type(msg_type, Message, "message class, such as std_msgs.msg.String")
+    error = _type_error(msg_type, (Message,), "message class, such as std_msgs.msg.String")
+    if error is not None:
+        raise error
 
 
 def check_is_valid_srv_type(srv_type: Any) -> None:
@@ -45,7 +50,9 @@ def check_is_valid_srv_type(srv_type: Any) -> None:
         AttributeError: it is not a ROS type.
         RuntimeError: it is a message or an action.
     """
-    check_type(srv_type, ServiceType, "service class, such as std_srvs.srv.SetBool")
+    error = _type_error(srv_type, (ServiceType,), "service class, such as std_srvs.srv.SetBool")
+    if error is not None:
+        raise error
 
 
 def check_is_valid_action_type(action_type: Any) -> None:
@@ -55,27 +62,42 @@ def check_is_valid_action_type(action_type: Any) -> None:
         AttributeError: it is not a ROS type.
         RuntimeError: it is a message or a service.
     """
-    check_type(action_type, Action, "action class, such as example_interfaces.action.Fibonacci")
+    error = _type_error(action_type, (Action,), "action class, such as example_interfaces.action.Fibonacci")
+    if error is not None:
+        raise error
 
 
-def check_type(candidate: Any, base: type, wanted: str) -> None:
-    """Check that a class derives from `base`, one of Message, Service and Action; `wanted` begins with its kind.
+def wrong_message(msg_type: type[Message], given: Any) -> str:
+    """Return the text of an error about something that was published in place of a message of `msg_type`.
 
-    Raises:
-        AttributeError: it is not a ROS type.
-        RuntimeError: it is a ROS type of another kind.
+    It begins as the reference's does, and ends with what was probably meant.
     """
-    _check_is_ros_type(candidate, wanted)
-    if not _is_subclass(candidate, (base,)):
-        kind = wanted.partition(" ")[0]
-        others = " or ".join(other for other in ("message", "service", "action") if other != kind)
-        raise RuntimeError(f"The {kind} type provided is not valid ({candidate}), this might be a {others}")
+    text = f"Expected {msg_type}, got {type(given)}"
+    name = msg_type.__name__
+    if isinstance(given, type):
+        return f"{text}: publish a message, {given.__name__}(…), not its class"
+    fields = msg_type.get_fields_and_field_types()
+    if isinstance(given, Message) or not fields:
+        return f"{text}: this topic has {msg_type.__module__.partition('.')[0]}.msg.{name}"
+    field = next(iter(fields)) if len(fields) == 1 else ""
+    if field and given is not None:
+        return f"{text}: publish a message, {name}({field}={reprlib.repr(given)})"
+    return f"{text}: publish a message, {name}({', '.join(f'{field}=…' for field in fields)})"
 
 
-def _check_is_ros_type(candidate: Any, wanted: str) -> None:
+def _type_error(candidate: Any, bases: tuple[type, ...], wanted: str) -> Exception | None:
+    """Return the error of a class that derives from none of `bases`; `wanted` begins with their kind.
+
+    It is returned rather than raised, so that a program's traceback ends near the program's line.
+    """
+    if _is_subclass(candidate, bases):
+        return None
     if not _is_subclass(candidate, _TYPES):
         article = "an" if wanted.startswith("a") else "a"
-        raise AttributeError(f"expected {article} {wanted}, got {_describe(candidate)}")
+        return AttributeError(f"expected {article} {wanted}, got {_describe(candidate)}")
+    kind = wanted.partition(" ")[0]
+    others = " or ".join(other for other in ("message", "service", "action") if other != kind)
+    return RuntimeError(f"The {kind} type provided is not valid ({candidate}), this might be a {others}")
 
 
 def _is_subclass(candidate: Any, bases: tuple[type, ...]) -> bool:
