@@ -73,7 +73,11 @@ def check_a_good_client(served: Served, publisher: Any, number: int) -> None:
     client = Client(served.port)
     with closing(client.socket):
         client.subscribe("/chatter", 1)
-        wait_until(lambda: publisher.get_subscription_count() == 1)
+
+        def is_read() -> bool:
+            return bool(publisher.get_subscription_count() == 1)
+
+        client.wait_for(is_read, "the bridge's subscription")
         data = cdr.encode(String(data=f"number {number:04}"))
         assert len(data) % 4 == 0  # the wire adds nothing
         client.wait_for(lambda: publisher.publish(data) or (1, data) in client.messages, "the message")

@@ -149,9 +149,8 @@ class FoxgloveBridge(Node):
         changes = graph.changes()
         if changes == self._seen_changes:
             return
-        self._seen_changes = changes
         own_name = self.get_fully_qualified_name()
-        self.channels.update(
+        is_done = self.channels.update(
             {
                 (end.topic.name, end.topic.type_name)
                 for end in graph.endpoints()
@@ -159,6 +158,8 @@ class FoxgloveBridge(Node):
                 if end.is_writer or end.node is None or end.node.full != own_name
             }
         )
+        if is_done:
+            self._seen_changes = changes
         served = {end.name: end.type_name for end in graph.service_ends() if end.is_server}
         if "services" in self.settings.capabilities:
             self._services.update(served)

@@ -20,6 +20,10 @@ if TYPE_CHECKING:
 
 __all__ = ["Channels"]
 
+MAX_CHANGES = 100
+"""Number of channels that are opened or closed at once. Clients get a message for each, and the server closes the
+connections of clients for which too many messages wait."""
+
 
 class Channels:
     """Keeps a channel for each topic and type. Used on the node's thread alone.
@@ -39,22 +43,29 @@ class Channels:
         self._unknown: set[str] = set()
         """Types without a definition, each of which was logged."""
 
-    def update(self, topics: Iterable[tuple[str, str]]) -> None:
+    def update(self, topics: Iterable[tuple[str, str]], max_changes: int = MAX_CHANGES) -> bool:
         """Open channels of new topics, close those of gone ones, and follow changed qualities of service.
 
         Args:
             topics: Name and type of each topic of the graph.
+            max_changes: Number of channels that may be opened or closed.
+
+        Returns:
+            Whether that is done; else, the rest is left to the next call.
         """
         topics = {topic for topic in topics if self._settings.shows(topic[0], self._settings.topics)}
-        for key in [key for key in self._channels if key not in topics]:
+        gone = [key for key in self._channels if key not in topics]
+        new = sorted(key for key in topics - self._channels.keys() if key[1] not in self._unknown)
+        for key in gone[:max_changes]:
             channel = self._channels.pop(key)
             del self._by_id[channel.id]
             channel.close()
-        for key in sorted(topics - self._channels.keys()):
+        for key in new[: max(0, max_changes - len(gone))]:
             if (opened := self._open(*key)) is not None:
                 self._channels[key] = self._by_id[opened.id] = opened
         for channel in self._channels.values():
             channel.follow()
+        return len(gone) + len(new) <= max_changes
 
     def _open(self, name: str, type_name: str) -> _TopicChannel | None:
         definition = find_definition(type_name)
