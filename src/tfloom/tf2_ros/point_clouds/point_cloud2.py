@@ -28,6 +28,11 @@ __all__ = [
 DUMMY_FIELD_PREFIX = "unnamed_field"
 """Prefix of the names that `dtype_from_fields` gives to fields without a name."""
 
+MAX_NUMBERS = 100_000
+"""Number of numbers that a point may have. Each is a column of an array, and a field may claim billions of them."""
+MAX_POINT_STEP = 2**31 - 1
+"""The largest size of a point that numpy's types have [bytes]."""
+
 _DATATYPES = {
     PointField.INT8: "i1",
     PointField.UINT8: "u1",
@@ -55,8 +60,13 @@ def dtype_from_fields(
 
     Raises:
         AssertionError: two fields have one name, or one has no elements.
-        ValueError: a field's datatype isn't one of PointField's, or the fields need more than `point_step`.
+        ValueError: a field's datatype isn't one of PointField's, a field needs more than `point_step`, or a point has
+            more than `MAX_NUMBERS` numbers.
     """
+    end = MAX_POINT_STEP if point_step is None else point_step
+    if end > MAX_POINT_STEP:
+        raise ValueError(f"the point_step of {point_step} is more than {MAX_POINT_STEP}")
+    known: set[str] = set()
     names: list[str] = []
     formats: list[str] = []
     offsets: list[int] = []
@@ -67,20 +77,27 @@ def dtype_from_fields(
             raise AssertionError("Can't handle fields with count = 0.")
         base = field.name or f"{DUMMY_FIELD_PREFIX}_{index}"
         kind = np.dtype((">" if is_bigendian else "<") + _DATATYPES[field.datatype])
+        needed = field.offset + field.count * kind.itemsize
+        if needed > end:
+            limit = "a point can have" if point_step is None else "the point_step"
+            raise ValueError(
+                f"field {field.name!r} with the offset {field.offset} and the count {field.count} takes {needed} bytes "
+                f"of a point, more than {limit}: {end}"
+            )
+        if len(names) + field.count > MAX_NUMBERS:
+            raise ValueError(
+                f"field {field.name!r} with the count {field.count} gives each point more than {MAX_NUMBERS} numbers"
+            )
         for element in range(field.count):
             name = base if field.count == 1 else f"{base}_{element}"
-            if name in names:
+            if name in known:
                 raise AssertionError("Duplicate field names are not allowed!")
+            known.add(name)
             names.append(name)
             formats.append(kind.str)
             offsets.append(field.offset + element * kind.itemsize)
     layout: Any = {"names": names, "formats": formats, "offsets": offsets}
     if point_step is not None:
-        needed = np.dtype(layout).itemsize
-        if needed > point_step:
-            raise ValueError(
-                f"the fields take {needed} bytes, more than the {point_step} from point to point"
-            )
         layout["itemsize"] = point_step
     dtype: np.dtype[Any] = np.dtype(layout)
     return dtype
@@ -90,10 +107,13 @@ def points_view(cloud: PointCloud2, data: Any = None) -> NDArray[Any]:
     """Return the points (height, width) as a structured view of the cloud's bytes, or of `data` of the same layout.
 
     Raises:
-        ValueError: there are fewer bytes than the cloud's sizes require.
+        AssertionError: two fields have one name, or one has no elements.
+        ValueError: there are fewer bytes than the cloud's sizes require, or they are none, as `dtype_from_fields` says.
     """
     dtype = dtype_from_fields(cloud.fields, cloud.point_step, is_bigendian=bool(cloud.is_bigendian))
     cloud_bytes = memoryview(cloud.data if data is None else data).cast("B")
+    if cloud.height and cloud.width and not cloud.point_step:
+        raise ValueError(f"the cloud has {cloud.width} x {cloud.height} points, and a point_step of 0")
     row_step = max(cloud.row_step, cloud.width * cloud.point_step) if cloud.height > 1 else 0
     needed = max(0, cloud.height - 1) * row_step + cloud.width * cloud.point_step
     if cloud.height and cloud.width and len(cloud_bytes) < needed:
