@@ -28,6 +28,7 @@ _OF_PROGRAMS = {
     "foxglove_bridge": "A server of the graph for Foxglove and Lichtblick.",
     "rmw_zenoh_cpp": "The router of the Zenoh wire.",
     "robot_state_publisher": "The frames of a robot, by its description and the states of its joints.",
+    "rviz2": "The page that stands in for RViz.",
     "turtle_tf2_py": "Demonstration of tf2 with turtlesim.",
     "turtlesim": "A simulator of turtles, with its messages, services and actions.",
     "xacro": "Macros in XML, for descriptions of robots.",

@@ -81,6 +81,19 @@ def _port(text: str) -> int:
 
 def main(args: argparse.Namespace) -> int:
     """Serve pages until Ctrl-C."""
+    return serve(args, needs_terminal=True)
+
+
+def serve(args: argparse.Namespace, *, needs_terminal: bool) -> int:
+    """Serve pages until Ctrl-C.
+
+    Args:
+        args: The arguments of `view`.
+        needs_terminal: Whether the page is opened in a browser only from a terminal.
+
+    Raises:
+        CommandError: it can't be served.
+    """
     if not args.history > 0.0:
         raise CommandError(f"argument --history: must be above 0, not {args.history:g}")
     if not is_installed():
@@ -100,7 +113,7 @@ def main(args: argparse.Namespace) -> int:
         print(f"Open {viewer.pages.address}", flush=True)
         if "?token=" in viewer.pages.address:
             print(OPEN_TO_ALL, flush=True)
-        if not args.no_open and _has_browser():
+        if not args.no_open and _has_browser(needs_terminal=needs_terminal):
             import webbrowser
 
             webbrowser.open(viewer.pages.address)
@@ -175,9 +188,9 @@ def start_pages(viewer: Viewer, host: str, port: int | None) -> None:
             raise CommandError(str(error)) from None
 
 
-def _has_browser() -> bool:
+def _has_browser(*, needs_terminal: bool) -> bool:
     """Return whether a person is there who would see a browser."""
     has_screen = sys.platform in {"win32", "darwin"} or any(
         name in os.environ for name in ("DISPLAY", "WAYLAND_DISPLAY")
     )
-    return has_screen and sys.stdout is not None and sys.stdout.isatty()
+    return has_screen and (not needs_terminal or (sys.stdout is not None and sys.stdout.isatty()))

@@ -54,6 +54,9 @@ PROGRAMS: dict[str, dict[str, str]] = {
     "robot_state_publisher": {
         "robot_state_publisher": "tfloom.robot.robot_state_publisher:main",
     },
+    "rviz2": {
+        "rviz2": "tfloom.cli.rviz2:run",
+    },
     "tf2_ros": {
         "buffer_server": "tfloom.tf2_tools.buffer_server:main",
         "static_transform_publisher": "tfloom.tf2_tools.static_publisher:main",
@@ -83,6 +86,28 @@ PROGRAMS: dict[str, dict[str, str]] = {
     },
 }
 """tfloom's own programs: `module:function` for each, by package and name. The function takes the arguments."""
+
+
+_SIMULATOR = (
+    "Gazebo is not here: `tfloom demo robot` simulates a robot with a laser in a room, and turtlesim turtles"
+)
+STAND_INS = {
+    "gazebo": _SIMULATOR,
+    "gazebo_ros": _SIMULATOR,
+    "ros_gz_bridge": _SIMULATOR,
+    "ros_gz_sim": _SIMULATOR,
+    "rqt": "rqt is not here: `tfloom view` has its graph, log, parameters, plots, images and forms on one page",
+    "rqt_console": "the panel Log of `tfloom view` stands in for it here",
+    "rqt_graph": "the panel Graph of `tfloom view` stands in for it here",
+    "rqt_gui": "rqt is not here: `tfloom view` has its graph, log, parameters, plots, images and forms on one page",
+    "rqt_image_view": "an image in the panel Displays of `tfloom view` stands in for it here",
+    "rqt_plot": "the panel Plots of `tfloom view` stands in for it here",
+    "rqt_publisher": "a form for a topic in the panel Send of `tfloom view` stands in for it here",
+    "rqt_reconfigure": "the panel Parameters of `tfloom view` stands in for it here",
+    "rqt_service_caller": "a form for a service in the panel Send of `tfloom view` stands in for it here",
+    "rqt_tf_tree": "the panel Frames of `tfloom view`, and `ros2 run tf2_tools view_frames`, stand in for it here",
+}
+"""What stands in for common programs with windows of packages that don't exist here, by package, as a sentence."""
 
 
 NAMED_OTHERWISE = {"python_orocos_kdl_vendor": "PyKDL", "tf2_ros_py": "tf2_ros"}

@@ -1,4 +1,4 @@
-"""Packages that a workspace holds, and that no program finds: not sourced, or not built."""
+"""Packages that no program finds: a workspace holds them, not sourced or not built, or something stands in for them."""
 
 from __future__ import annotations
 
@@ -11,8 +11,9 @@ from tfloom.workspace import index
 
 
 def how_to_find(package: str) -> str:
-    """Return a sentence on how to make a package known that a workspace here or above holds; empty if none does.
+    """Return a sentence on how to make a package known that a workspace here or above holds.
 
+    Where none does, the sentence is what stands in for the package here; empty if nothing does.
     A workspace is a folder whose `install/` or `src/` has the package; the one nearest to the working directory counts.
     """
     if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9_-]*", package):
@@ -23,7 +24,7 @@ def how_to_find(package: str) -> str:
         if _has_source(folder / "src", package):
             build = "colcon build" if folder == Path.cwd() else f"cd {folder} && colcon build"
             return f"its source is in {folder / 'src'}, but it isn't built: {build} && {_command(folder / 'install')}"
-    return ""
+    return index.STAND_INS.get(package, "")
 
 
 def _here_and_above() -> Iterator[Path]:

@@ -68,12 +68,16 @@ class FindPackage(Substitution):
 
 
 def _nearest_package(package: str) -> str:
-    """Return the package of the nearest name as a text; empty if none is near, or a workspace here has the package."""
+    """Return what stands in for a package, or the package of the nearest name, as a text.
+
+    It is empty if a workspace here has the package, or no name is near.
+    """
     from tfloom.workspace import index
     from tfloom.workspace.unsourced import how_to_find
 
-    if how_to_find(package):
-        return ""  # the error says how already
+    if hint := how_to_find(package):
+        # The error has how a workspace makes the package known already.
+        return f"; {hint}" if hint == index.STAND_INS.get(package) else ""
     return did_you_mean(package, {*index.workspace_packages(), *index.own_packages()})
 
 

@@ -1,0 +1,67 @@
+"""The program rviz2 of the package rviz2, for which the page of `tfloom view` stands in."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from tfloom.cli import view
+from tfloom.cli.errors import CommandError
+from tfloom.node.context.arguments import parse_arguments
+from tfloom.tf2_tools.watch.model import STATIC_TOPIC, TF_TOPIC
+from tfloom.viewer.extra import MISSING, is_installed
+
+__all__ = ["run"]
+
+NAME = "rviz2"
+
+
+def run(args: list[str] | None = None) -> int:
+    """Run `ros2 run rviz2 rviz2`: serve the page of `tfloom view` until Ctrl-C; return the exit code.
+
+    The time and remapped topics of transforms are taken from ROS arguments.
+    """
+    parsed = parse_arguments(sys.argv[1:] if args is None else args)
+    parser = argparse.ArgumentParser(
+        prog=NAME, description="Show the page of `tfloom view` in place of RViz."
+    )
+    parser.add_argument(
+        "-d", "--display-config", metavar="FILE", type=Path, help="a file of RViz, or of ours"
+    )
+    parser.add_argument(
+        "-f", "--fixed-frame", metavar="FRAME", default="", help="the frame that stands still"
+    )
+    for flags, text in (
+        (("-t", "--display-title-format"), "a title"),
+        (("-s", "--splash-screen"), "a picture"),
+    ):
+        parser.add_argument(*flags, help=f"{text}, which the page has none of: it has no effect")
+    parser.add_argument(
+        "--fullscreen", action="store_true", help="it has no effect: a browser does it by F11"
+    )
+    parser.add_argument("-l", "--ogre-log", action="store_true", help="it has no effect")
+    words = parser.parse_args(parsed.rest)
+    if not is_installed():
+        print(f"{NAME}: {MISSING.format(name='the page that stands in for RViz')}", file=sys.stderr)
+        return 1
+    name = parsed.node_name(NAME)
+    namespace = parsed.namespace(name, "/")
+    full = f"{namespace.rstrip('/')}/{name}"
+    asked = ["--fixed-frame", words.fixed_frame]
+    for option, topic in (("--tf-topic", TF_TOPIC), ("--tf-static-topic", STATIC_TOPIC)):
+        asked += [option, parsed.remap(topic, name, namespace) or topic]
+    if words.display_config is not None:
+        asked += ["--config", str(words.display_config)]
+    if parsed.parameter_overrides(full).get("use_sim_time") is True:
+        asked.append("--use-sim-time")
+    options = argparse.ArgumentParser(prog=NAME)
+    view.add_arguments(options)
+    what = "a new view" if words.display_config is None else str(words.display_config)
+    print(f"{NAME}: the page of `tfloom view` stands in for RViz, and shows {what}", flush=True)
+    try:
+        # Who starts RViz by a launch file wants to see it, so the page is opened without a terminal, too.
+        return view.serve(options.parse_args(asked), needs_terminal=False)
+    except CommandError as error:
+        print(f"{NAME}: {error}", file=sys.stderr)
+        return 1
