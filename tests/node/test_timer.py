@@ -249,7 +249,7 @@ def test_many_timers_run_in_the_order_of_deadlines_and_never_early(
         calls.append((due_ns, time.monotonic_ns()))
 
     for _ in range(50):
-        timer = node.create_timer(period_ns / 1e9, None)
+        timer = node.create_timer(period_ns / 1e9, lambda: None)
         timer.callback = lambda timer=timer: called(timer)
     executor.add_node(node)
     spin_until(lambda: len(calls) == 50)
