@@ -72,9 +72,9 @@ bench:
 	-@$(PYTHON) -m tools.ros_peer
 	"$(BIN)/python" -m benchmarks $(ARGS)
 
-# Build the documentation as HTML pages, in build/docs; a warning is an error. It needs no network.
+# Build the documentation as HTML pages, in build/docs; a warning is an error. It needs no network and no compiler.
 docs:
-	$(set_up) check
+	$(set_up) docs
 	"$(BIN)/python" -m sphinx -q -W --keep-going -b html docs build/docs
 	@echo "The pages begin at build/docs/index.html"
 

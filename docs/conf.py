@@ -9,9 +9,13 @@ from typing import TYPE_CHECKING
 
 sys.path.insert(0, str(Path(__file__).parents[1]))  # for docs and tools, wherever the build is started
 
-from docs import rclpy_api
+from docs import native_stub
 
-from tfloom import __version__
+native_stub.use_if_not_compiled()
+
+from docs import rclpy_api  # noqa: E402
+
+from tfloom import __version__  # noqa: E402
 
 if TYPE_CHECKING:
     from docutils.nodes import Element
@@ -24,7 +28,13 @@ author = "The tfloom developers"
 copyright = "the tfloom developers, Apache-2.0"  # noqa: A001 Sphinx's name
 version = release = __version__
 
-extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinx.ext.viewcode", "sphinx_copybutton"]
+extensions = [
+    "myst_parser",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.napoleon",
+    "sphinx.ext.viewcode",
+    "sphinx_copybutton",
+]
 html_theme = "furo"
 html_title = f"tfloom {__version__}"
 html_show_sphinx = False

@@ -2,8 +2,9 @@
 
 Each stage includes the ones before it: `demo` has the packages for the demonstration, `test` adds those for the tests
 and all extras, `check` the linters, type checkers and the documentation's generator, `bench` the libraries that are
-measured beside tfloom. A second run checks whether anything has changed, and ends at once if not. `wheels` collects all
-downloads of the stage `check` in a folder, for a machine without a network.
+measured beside tfloom. `docs` stands alone: it has what builds the documentation. A second run checks whether anything
+has changed, and ends at once if not. `wheels` collects all downloads of the stage `check` in a folder, for a machine
+without a network.
 
 Only the standard library is imported, because this script runs before anything is installed.
 """
@@ -21,6 +22,7 @@ import subprocess
 import sys
 import sysconfig
 import tempfile
+import threading
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
@@ -34,8 +36,11 @@ STAGES: dict[str, tuple[list[str], list[str]]] = {
     "test": (["test"], ["turtlesim", "transformations", "workspace", "launch", "bag", "robot", "view"]),
     "check": (["check", "docs"], []),
     "bench": (["bench"], []),
+    "docs": (["docs"], []),
 }
 """The additions of each stage to the one before it: dependency groups, and extras of tfloom."""
+ALONE = {"docs"}
+"""Stages that need none before them: the documentation is built from the sources, without compiling them."""
 PACKAGE = ROOT / "src" / "tfloom"
 PACKAGES = ("tfloom-ros2", "tfloom-interfaces", "tfloom-sensing")
 """Distributions in packages/, installed in the stage `test`, because tests use what they have."""
@@ -54,6 +59,8 @@ NO_NETWORK = (
     "ProxyError",
 )
 """Texts that pip prints if it reaches no package index."""
+TELL_S = 10.0
+"""Time between two lines while it compiles [s]."""
 OFFLINE = """\
 pip reaches no package index. Without a network, collect what is needed on a machine of the same kind that has one:
     make wheels
@@ -322,7 +329,7 @@ class Environment:
         ]
         # Without build isolation, so that a second run compiles only the changed files: environments of one Python
         # share the folder of the build.
-        with only_one(ROOT):
+        with only_one(ROOT), telling_the_time("Still compiling"):
             self.pip("install", *options, "--editable", str(ROOT))
 
     def _install(self, folder: Path) -> None:
@@ -344,6 +351,25 @@ class Environment:
 def say(text: str) -> None:
     """Print what is done next, or was done, on a line that begins with `--`."""
     print(f"-- {text}", flush=True)
+
+
+@contextmanager
+def telling_the_time(text: str) -> Iterator[None]:
+    """Print `text` with the time since the start of the block, every TELL_S, until the block ends."""
+    ended = threading.Event()
+    started = time.monotonic()
+
+    def tell() -> None:
+        while not ended.wait(TELL_S):
+            say(f"{text}, for {time.monotonic() - started:.0f} s")
+
+    thread = threading.Thread(target=tell, daemon=True)
+    thread.start()
+    try:
+        yield
+    finally:
+        ended.set()
+        thread.join()
 
 
 @contextmanager
@@ -395,7 +421,9 @@ def absolute_find_links() -> dict[str, str]:
 
 
 def up_to(stage: str) -> list[str]:
-    """Return a stage and those before it, the first one first."""
+    """Return a stage and those before it that it needs, the first one first."""
+    if stage in ALONE:
+        return [stage]
     names = list(STAGES)
     return names[: names.index(stage) + 1]
 
@@ -418,7 +446,9 @@ def read_project(python: Path) -> dict[str, Any]:
 def requirements_of(project: Mapping[str, Any], stage: str) -> list[str]:
     """Return the additions of a stage to the one before it, as requirements for pip."""
     groups, extras = STAGES[stage]
-    own: list[str] = project["project"]["dependencies"] if stage == "demo" else []
+    own: list[str] = project["project"]["dependencies"] if stage in {"demo", *ALONE} else []
+    if stage in ALONE:
+        own = [requirement for requirement in own if distribution(requirement) != DDS]
     grouped = [requirement for group in groups for requirement in project["dependency-groups"][group]]
     extra = [
         requirement for name in extras for requirement in project["project"]["optional-dependencies"][name]

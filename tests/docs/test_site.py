@@ -7,6 +7,7 @@ import inspect
 import re
 import subprocess
 import sys
+import sysconfig
 from collections import Counter
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -93,6 +94,26 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     )
     assert (done.returncode, done.stderr) == (0, "")
     return folder
+
+
+def test_pages_are_read_from_the_sources_where_nothing_is_compiled() -> None:
+    """The folder src comes first, which has no extension."""
+    code = (
+        "import sys; sys.path[:0] = sys.argv[1:]\n"
+        "from docs import native_stub\n"
+        "assert native_stub.use_if_not_compiled()\n"
+        "import tfloom._native as native, tfloom.tf2.buffer, tfloom.tf2_ros.buffer, tfloom.robot.model, tfloom.bag\n"
+        "print(native.__file__, native.Sink.push.__doc__.strip())\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-I", "-S", "-c", code, str(ROOT), str(ROOT / "src"), sysconfig.get_path("purelib")],
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
+    )
+    assert done.stderr == ""
+    assert done.stdout.startswith(f"{ROOT / 'src' / 'tfloom' / '_native.pyi'} Push one sample")
 
 
 def api_page(site: Path, name: str) -> str:

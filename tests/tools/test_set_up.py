@@ -5,10 +5,13 @@ from __future__ import annotations
 import json
 import os
 import platform
+import re
 import shutil
 import subprocess
 import sys
 import tempfile
+import threading
+import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -245,6 +248,32 @@ def test_a_compiler_that_is_too_old_is_named(tmp_path: Path, monkeypatch: pytest
         set_up.SetUpError, match=r"g\+\+-9 compiles no C\+\+20: g\+\+ 12, clang 15 or newer does"
     ):
         set_up.check_compiler()
+
+
+def test_compiling_tells_the_time(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(set_up, "TELL_S", 0.01)
+    with set_up.telling_the_time("Still compiling"):
+        end = time.monotonic() + 10.0
+        output = ""
+        while output.count("\n") < 2 and time.monotonic() < end:
+            output += capsys.readouterr().out
+    assert re.match(r"(-- Still compiling, for \d+ s\n){2}", output)
+    threads = [thread.name for thread in threading.enumerate() if "tell" in thread.name]
+    assert not threads
+
+
+def test_documentation_needs_no_compiler() -> None:
+    """Neither the core nor the DDS library nor the checkers are installed for it."""
+    project = set_up.read_project(Path(sys.executable))
+    assert set_up.up_to("docs") == ["docs"]
+    names = {set_up.distribution(requirement) for requirement in set_up.requirements_of(project, "docs")}
+    assert {"sphinx", "furo", "sphinx-copybutton", "numpy"} <= names
+    assert not {"cyclonedds", "nanobind", "ruff", "mypy"} & names
+    assert set_up.up_to("bench") == ["demo", "test", "check", "bench"]
+    steps = set_up.Environment(Path("nowhere"))._steps("docs", project)
+    assert [name for name, _, _ in steps] == ["docs"]
 
 
 def test_a_missing_header_of_python_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
