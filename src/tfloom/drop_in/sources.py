@@ -55,6 +55,9 @@ class Source(Protocol):
     def feed(self, sink: TfSink) -> None:
         """Push every message from now on into `sink`."""
 
+    def get_publisher_count(self) -> int:
+        """Return how many publishers are matched now."""
+
 
 def requested_raw(raw: bool | None) -> bool | None:
     """Return whether a raw subscription is requested: by the argument `raw`, or else by TFLOOM_DROP_IN; None: neither.
@@ -225,6 +228,11 @@ class RawSubscription:
     def feed(self, sink: TfSink) -> None:
         """Push every message from now on into `sink`, on the executor's thread."""
         self._sink = sink
+
+    def get_publisher_count(self) -> int:
+        """Return how many publishers are matched now; 0 by an rclpy that can't tell."""
+        count = getattr(self.subscription, "get_publisher_count", None)
+        return 0 if count is None else int(count())
 
 
 def wire_qos(qos: Any) -> QoS:

@@ -42,6 +42,33 @@ Fast DDS may take 3 s to send its list of publishers, after the second in which 
 """
 
 
+class _Leaving:
+    """Own readers beside the subscriptions that replace them.
+
+    Args:
+        readers: What closes them.
+        sources: They themselves.
+    """
+
+    def __init__(self, readers: OwnReaders, sources: list[OwnReader]) -> None:
+        self.readers = readers
+        self._sources = sources
+        self._checks = 0
+        self._checks_with_all = 0
+
+    def is_over(self, subscriptions: list[Source]) -> bool:
+        """Return whether each subscription had as many publishers as its reader at two checks, or was given its time.
+
+        At the second, because the publishers may learn of the subscription later than it of them.
+        """
+        self._checks += 1
+        counts = [(source.get_publisher_count(), source.topic_name) for source in self._sources]
+        matched = {source.topic_name: source.get_publisher_count() for source in subscriptions}
+        has_all = all(matched.get(topic_name, 0) >= count for count, topic_name in counts)
+        self._checks_with_all = self._checks_with_all + 1 if has_all else 0
+        return self._checks_with_all > 1 or self._checks >= CHECKS_BEFORE_RAW
+
+
 class TransformListener(ListenerBase):
     """Subscribes to /tf and /tf_static for a node of a real rclpy, and inserts all transforms into a buffer.
 
@@ -104,6 +131,8 @@ class TransformListener(ListenerBase):
         `_on_shutdown` under its own lock."""
         self._has_ended = False
         self._readers: OwnReaders | None = None
+        self._leaving: _Leaving | None = None
+        """The readers that a raw subscription replaces, until it hears what they hear."""
         self._sources: dict[bool, Source] = {}
         """The sources that feed the native buffer, by whether they are static."""
         self._topics = [] if static_only else [(False, tf_topic, _profile() if qos is None else qos)]
@@ -267,6 +296,7 @@ class TransformListener(ListenerBase):
             return False
         if self._readers is not None and not self._has_warned:
             self._check_discovery()
+        self._close_left_readers()
         return True
 
     def _check_discovery(self) -> None:
@@ -304,15 +334,40 @@ class TransformListener(ListenerBase):
         self._change_to_raw(f"the own reader has not discovered {names}")
 
     def _change_to_raw(self, reason: str) -> None:
-        # Close the readers before the subscription exists, so that no transform comes by both.
+        # The readers stay open until the subscription hears all that they hear: between their end and its beginning,
+        # and before its publishers know of it, a transform would be lost. What comes by both is stored once.
         with self._lock:
             if self._has_ended or self._readers is None:
                 return
-            self._readers.close()
+            former, before = dict(self._sources), (self.tf_sub, self.tf_static_sub)
+            try:
+                self.why_raw = reason
+                self._subscribe_raw()
+            except BaseException:
+                created = [source for source in self._sources.values() if isinstance(source, RawSubscription)]
+                self._sources, self.why_raw = former, ""
+                self.tf_sub, self.tf_static_sub = before
+                for source in created:
+                    self.node.destroy_subscription(source.subscription)
+                raise
+            readers = [source for source in former.values() if isinstance(source, OwnReader)]
+            self._leaving = _Leaving(self._readers, readers)
             self._readers = None
-            self.why_raw = reason
-            self._subscribe_raw()
             self._feed()
+
+    def _close_left_readers(self) -> None:
+        """Close the readers that a subscription replaces, if it hears all that they hear, or has had long enough."""
+        leaving = self._leaving
+        if leaving is None:
+            return
+        subscriptions = [self._sources[is_static] for is_static, _, _ in self._topics]
+        if not leaving.is_over(subscriptions):
+            return
+        with self._lock:
+            if self._leaving is not leaving:  # the listener has just ended
+                return
+            self._leaving = None
+        leaving.readers.close()
 
     def _on_shutdown(self) -> None:
         self._end()
@@ -324,12 +379,15 @@ class TransformListener(ListenerBase):
         with self._lock:
             self._has_ended = True
             readers, self._readers = self._readers, None
+            leaving, self._leaving = self._leaving, None
             handle, self._jump_handle = self._jump_handle, None
         if handle is not None:
             with suppress(Exception):  # the clock may have ended with the context
                 handle.unregister()
         if readers is not None:
             readers.close()
+        if leaving is not None:
+            leaving.readers.close()
 
     def unregister(self) -> None:
         """End the sources. The buffer keeps its content."""

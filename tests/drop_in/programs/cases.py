@@ -338,6 +338,128 @@ def case_the_reasons_for_a_raw_subscription() -> None:
         node.destroy_node()
 
 
+STEP = 1_000_000
+"""Between the stamps of transforms that are sent in a row: so small that the buffer forgets none of them [ns]."""
+
+
+class _Sent:
+    """A publisher that a listener's own reader hears, and what it has sent."""
+
+    def __init__(self, listener: TransformListener, buffer: Buffer) -> None:
+        from tf2_msgs.msg import TFMessage
+
+        self._message = TFMessage
+        self._buffer = buffer
+        self.node = rclpy.create_node("other")
+        self._publisher = self.node.create_publisher(TFMessage, "/tf", 100)
+        self.numbers: list[int] = []
+        wait_until(lambda: listener.tf_sub.get_publisher_count() == 1)
+        wait_until(lambda: self._publisher.get_subscription_count() == 1)
+        # Each side knows of the other when the first message has arrived.
+        wait_until(lambda: [self.send(), self.has_newest()][1])
+        self.numbers = self.numbers[-1:]
+
+    def send(self) -> None:
+        """Send the next transform. Its x is no linear function of its stamp, so that a missing one is seen."""
+        number = self.numbers[-1] + 1 if self.numbers else 1
+        self.numbers.append(number)
+        transform = stamped("world", "turtle", SECOND + number * STEP, float(number**2))
+        self._publisher.publish(self._message(transforms=[transform]))
+
+    def has_newest(self) -> bool:
+        return self._buffer.can_transform("world", "turtle", self._time(self.numbers[-1]))
+
+    def lost(self) -> list[int]:
+        """Return the numbers of the transforms that the buffer lacks."""
+        found = [
+            self._buffer.lookup_transform("world", "turtle", self._time(number)) for number in self.numbers
+        ]
+        return [
+            number
+            for number, transform in zip(self.numbers, found, strict=True)
+            if abs(transform.transform.translation.x - number**2) > 0.5
+        ]
+
+    def _time(self, number: int) -> Time:
+        return Time(nanoseconds=SECOND + number * STEP)
+
+
+def case_no_transform_is_lost_while_a_listener_changes_to_a_subscription() -> None:
+    """They are sent before the subscription exists, while no publisher knows of it, and until the readers are closed."""
+    with initialized():
+        node = rclpy.create_node("under_test")
+        buffer = Buffer(node=node)
+        listener = TransformListener(buffer, node)
+        sent = _Sent(listener, buffer)
+        create = node.create_subscription
+
+        def create_between(*arguments: Any, **options: Any) -> Any:
+            sent.send()
+            subscription = create(*arguments, **options)
+            sent.send()
+            return subscription
+
+        node.create_subscription = create_between
+        executor = rclpy.executors.SingleThreadedExecutor()
+        executor.add_node(node)
+        listener._change_to_raw("of the test")
+        assert listener.why_raw == "of the test"
+
+        def has_left() -> bool:
+            sent.send()
+            executor.spin_once(timeout_sec=0.01)
+            return not sources._shared
+
+        wait_until(has_left)
+        sent.send()
+        wait_until(lambda: [executor.spin_once(timeout_sec=0.01), sent.has_newest()][1])
+        assert sent.lost() == []
+        executor.shutdown()
+        node.destroy_node()
+        sent.node.destroy_node()
+
+
+def case_a_listener_that_can_not_subscribe_keeps_its_readers() -> None:
+    with initialized():
+        node = rclpy.create_node("under_test")
+        buffer = Buffer(node=node)
+        listener = TransformListener(buffer, node)
+        sent = _Sent(listener, buffer)
+        create = node.create_subscription
+
+        def fail_for_static(message: Any, topic: str, *arguments: Any, **options: Any) -> Any:
+            if topic == "/tf_static":
+                raise RuntimeError("no more subscriptions")
+            return create(message, topic, *arguments, **options)
+
+        node.create_subscription = fail_for_static
+        expect(RuntimeError, lambda: listener._change_to_raw("of the test"))
+        assert not listener.why_raw
+        assert not list(node.subscriptions)
+        sent.send()
+        wait_until(sent.has_newest)
+        listener.unregister()
+        assert not sources._shared
+        node.destroy_node()
+        sent.node.destroy_node()
+
+
+def case_a_listener_ends_in_the_middle_of_its_change() -> None:
+    """The readers that wait for the subscription's publishers are closed with it."""
+    with initialized():
+        for end in (TransformListener.unregister, lambda listener: listener.node.destroy_node()):
+            node = rclpy.create_node("under_test")
+            buffer = Buffer(node=node)
+            listener = TransformListener(buffer, node)
+            sent = _Sent(listener, buffer)
+            listener._change_to_raw("of the test")
+            assert sources._shared
+            end(listener)
+            wait_until(lambda: not sources._shared)
+            sent.node.destroy_node()
+            node.destroy_node()
+
+
 def case_without_tf2_msgs_the_reader_works_and_a_subscription_is_refused() -> None:
     """As with the wheels of rclpy on PyPI, which have no tf2_msgs."""
     origin = ros_guard._origin
