@@ -16,7 +16,7 @@ from tests.viewer.messages import cloud, header, marker, pose
 from tfloom.interfaces.geometry_msgs.msg import Point, PoseStamped, Quaternion, TransformStamped, Vector3
 from tfloom.interfaces.nav_msgs.msg import MapMetaData, OccupancyGrid, Odometry
 from tfloom.interfaces.nav_msgs.msg import Path as NavPath
-from tfloom.interfaces.sensor_msgs.msg import Image, LaserScan, PointCloud2
+from tfloom.interfaces.sensor_msgs.msg import CameraInfo, Image, LaserScan, PointCloud2
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.interfaces.visualization_msgs.msg import Marker, MarkerArray
 from tfloom.node.client_library import spin
@@ -64,8 +64,11 @@ class Robot(Node):
         self.tf = TransformBroadcaster(self)
         self.static = StaticTransformBroadcaster(self)
         now = self.get_clock().now().to_msg()
+        optical = transform("camera", "camera_optical", 0.0, 0.0, 0.0, 0.0, now)
+        optical.transform.rotation = Quaternion(x=-0.5, y=0.5, z=-0.5, w=0.5)  # z ahead, x to the right
         self.static.sendTransform(
             [
+                optical,
                 transform("map", "odom", 0.5, 0.2, 0.0, 0.1, now),
                 transform("base_link", "laser", 0.2, 0.0, 0.34, 0.0, now),
                 transform("base_link", "camera", 0.35, 0.0, 0.25, 0.0, now),
@@ -81,6 +84,7 @@ class Robot(Node):
         self.plan = self.create_publisher(NavPath, "plan", 10)
         self.odom = self.create_publisher(Odometry, "odom", 10)
         self.image = self.create_publisher(Image, "camera/image", 10)
+        self.camera = self.create_publisher(CameraInfo, "camera/camera_info", 10)
         self.description.publish(String(data=URDF))
         self.map.publish(self.room())
         self.create_timer(0.02, self.move)
@@ -180,9 +184,22 @@ class Robot(Node):
         pixels[:, :, 2] = np.linspace(200, 60, 120)[:, np.newaxis]
         at = int((math.sin(yaw) + 1.0) * 70)
         pixels[40:80, at : at + 20] = 255
+        self.camera.publish(
+            CameraInfo(
+                header=head("camera_optical"),
+                width=160,
+                height=120,
+                k=[80.0, 0, 80.0, 0, 80.0, 60.0, 0, 0, 1],
+            )
+        )
         self.image.publish(
             Image(
-                header=head("camera"), width=160, height=120, step=480, encoding="rgb8", data=pixels.tobytes()
+                header=head("camera_optical"),
+                width=160,
+                height=120,
+                step=480,
+                encoding="rgb8",
+                data=pixels.tobytes(),
             )
         )
         self.get_logger().info(f"at {x:.2f}, {y:.2f}")

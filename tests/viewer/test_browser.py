@@ -22,7 +22,7 @@ from tests.viewer.a_robot import EVIL
 from tests.viewer.test_layout import RVIZ
 
 import tfloom
-from tfloom.interfaces.geometry_msgs.msg import PoseStamped
+from tfloom.interfaces.geometry_msgs.msg import PoseStamped, Twist
 from tfloom.interfaces.turtlesim.msg import Pose as TurtlePose
 from tfloom.node.context.context import Context
 from tfloom.node.executing.executors import SingleThreadedExecutor
@@ -303,6 +303,83 @@ def test_keys_drive_the_turtle(tab: Tab, node: Node, spin_until: Callable[..., N
     tab.keep("turtle")
     tab.click('[data-topic="/turtle1/pose"] input')
     node.destroy_subscription(subscription)
+
+
+def test_gamepad_drives_the_turtle(tab: Tab, node: Node, spin_until: Callable[..., None]) -> None:
+    commands: list[Twist] = []
+    subscription = node.create_subscription(Twist, "/turtle1/cmd_vel", commands.append, 10)
+    poses: list[TurtlePose] = []
+    turtle = node.create_subscription(TurtlePose, "/turtle1/pose", poses.append, 10)
+    spin_until(lambda: poses)
+    tab.page.evaluate(
+        "navigator.getGamepads = () => [null, window.axes ? { axes: window.axes, buttons: [] } : null]"
+    )
+    tab.click("[data-tool=drive]")
+    wait_until(lambda: "/turtle1/cmd_vel" in tab.text("#drive-topic"), what="the turtle's topic")
+    tab.page.select_option("#drive-topic", "/turtle1/cmd_vel")
+
+    def hold(across: float, down: float) -> None:
+        tab.page.evaluate("axes => { window.axes = axes; }", [across, down])
+
+    hold(0.05, -0.05)  # a stick that is let go is never quite at zero
+    tab.page.wait_for_timeout(500)
+    spin_until(lambda: len(poses) > 5)
+    assert commands == []
+    hold(0.5, -0.25)  # ahead, and to the right
+    spin_until(lambda: poses[-1].linear_velocity == pytest.approx(0.5) and len(commands) > 3)
+    assert (commands[-1].linear.x, commands[-1].angular.z) == pytest.approx((0.5, -1.0))
+    # Halfway it is unplugged: the robot is told to stop.
+    tab.page.evaluate("() => { window.axes = null; }")
+    spin_until(lambda: commands[-1].linear.x == 0.0 and commands[-1].angular.z == 0.0)
+    spin_until(lambda: poses[-1].linear_velocity == 0.0)
+    # A page that is gone with its stick held says nothing any more: the server stops the robot.
+    hold(0.0, -1.0)
+    spin_until(lambda: poses[-1].linear_velocity == pytest.approx(2.0))
+    tab.page.evaluate("() => { send = () => {}; }")
+    spin_until(lambda: poses[-1].linear_velocity == 0.0)
+    tab.page.reload()
+    tab.page.wait_for_selector("body[data-ready=yes]", timeout=LOADED_MS)
+    node.destroy_subscription(subscription)
+    node.destroy_subscription(turtle)
+
+
+def test_image_is_drawn_in_its_cameras_frustum(browser: Any, address: str, tab: Tab) -> None:
+    tab.page.goto("about:blank")  # one scene at a time is drawn
+    behind = Tab(
+        browser, address, "&camera=-0.6,0,0.5&look_at=1,0,0.2"
+    )  # behind the robot, which looks ahead
+    behind.page.evaluate("send({ op: 'names', on: false }); send({ op: 'fixed_frame', frame: 'base_link' })")
+    behind.click("[data-panel=displays]")
+    topics = ["/camera/camera_info", "/camera/image"]
+    wait_until(lambda: all(topic in behind.text("#display-rows") for topic in topics), what="the topics")
+
+    def purple() -> int:
+        """Return how many pixels are red and blue, as the image is, and neither axes nor arrows are."""
+        pixels = behind.pixels()
+        return int(((pixels[..., 1] < 60) & (pixels[..., 0] > 90) & (pixels[..., 2] > 60)).sum())
+
+    behind.click(f'[data-topic="{topics[0]}"] input')
+    behind.page.wait_for_timeout(1000)
+    before = purple()
+    behind.click(f'[data-topic="{topics[1]}"] input')
+    wait_until(lambda: purple() > before + 2000, what="the image in the scene")
+    behind.keep("frustum")
+    choices = f'[data-topic="{topics[0]}"] select'
+    assert behind.page.eval_on_selector(choices, "one => [...one.options].map(each => each.value)") == [
+        "",
+        "/camera/image",
+        "no image",
+    ]
+    behind.page.select_option(choices, "no image")
+    wait_until(lambda: purple() < before + 500, what="the pyramid alone")
+    for topic in topics:
+        behind.click(f'[data-topic="{topic}"] input')
+    behind.page.evaluate("send({ op: 'names', on: true }); send({ op: 'fixed_frame', frame: '' })")
+    behind.page.wait_for_timeout(500)
+    assert behind.faults == []
+    behind.page.close()
+    tab.page.goto(f"{address}?dpr=0.6")
+    tab.page.wait_for_selector("body[data-ready=yes]", timeout=LOADED_MS)
 
 
 def test_log_graph_and_parameters(tab: Tab) -> None:

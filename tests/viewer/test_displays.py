@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import math
 from typing import Any
 
@@ -25,13 +26,17 @@ from tfloom.interfaces.geometry_msgs.msg import (
     Vector3,
 )
 from tfloom.interfaces.nav_msgs.msg import MapMetaData, OccupancyGrid, Odometry, Path
-from tfloom.interfaces.sensor_msgs.msg import CameraInfo, LaserScan, Range
+from tfloom.interfaces.sensor_msgs.msg import CameraInfo, CompressedImage, Image, LaserScan, Range
 from tfloom.interfaces.std_msgs.msg import ColorRGBA, String
 from tfloom.interfaces.turtlesim.msg import Pose as TurtlePose
 from tfloom.interfaces.visualization_msgs.msg import Marker, MarkerArray
+from tfloom.tf2.transform import Transform
 from tfloom.viewer import shapes
+from tfloom.viewer.displays.camera_info import CameraDisplay, images_of
 from tfloom.viewer.displays.display import Display, rainbow, shown_text
 from tfloom.viewer.displays.kinds import KINDS, ROBOT, kind_of, make_display
+from tfloom.viewer.history import Entry
+from tfloom.viewer.pictures import picture_of, small_pixels
 
 S = 1_000_000_000
 
@@ -131,6 +136,64 @@ def test_range_is_a_cone_and_camera_a_pyramid() -> None:
         shown(Range(field_of_view=math.nan))
     with pytest.raises(shapes.DisplayError, match="not calibrated"):
         shown(CameraInfo())
+
+
+def test_image_is_at_the_far_end_of_its_cameras_pyramid() -> None:
+    display = CameraDisplay()
+    info = CameraInfo(header=header("camera", 7), width=4, height=2, k=[2.0, 0, 1.0, 0, 2.0, 1.0, 0, 0, 1])
+    display.take(info, 0)
+    pixels = np.arange(24, dtype=np.uint8)
+    image = Image(width=4, height=2, step=12, encoding="rgb8", data=pixels.tobytes())
+    display.set_image(Entry(1, b""), lambda _: image)
+    _, placed = display.shapes(0)
+    assert (placed.frame_id, placed.stamp_ns) == ("camera", 7 * S)
+    assert (placed.shape.pixels == pixels.reshape(2, 4, 3)).all()
+    assert placed.shape.size == pytest.approx((1.0, 0.5))
+
+    def corner(across: float, up: float) -> Any:
+        return Transform(placed.position, placed.rotation_xyzw).apply((across, up, 0.0))
+
+    # The middle of the left upper pixel, (0.5, 0.5), and the right lower corner, half a metre before the camera.
+    assert corner(0.125, 0.375) == pytest.approx(((0.5 - 1.0) / 4.0, (0.5 - 1.0) / 4.0, 0.5))
+    assert corner(1.0, 0.0) == pytest.approx(((4.0 - 1.0) / 4.0, (2.0 - 1.0) / 4.0, 0.5))
+    broken = Image(width=4, height=2, step=1, encoding="rgb8", data=b"1")
+    display._next_picture_s = 0.0
+    display.set_image(Entry(2, b""), lambda _: broken)
+    assert len(display.shapes(0)) == 1
+
+
+def test_images_of_a_camera_are_those_beside_it() -> None:
+    topics = ["/cam/image_raw", "/cam/image_raw/compressed", "/cam/depth/image", "/image", "/camera/image"]
+    assert images_of("/cam/camera_info", topics) == ["/cam/image_raw", "/cam/image_raw/compressed"]
+    assert images_of("/camera_info", topics) == ["/image"]
+    display = CameraDisplay()
+    assert (display.offer([]), list(display.choices)) == ("", [])
+    assert display.offer(["/a", "/b"]) == "/a"
+    display.choice = "/b"
+    assert display.offer(["/a", "/b"]) == "/b"
+    assert display.offer(["/a"]) == "/a"  # the chosen one is off
+    display.choice = "no image"
+    assert display.offer(["/a"]) == ""
+
+
+def test_small_pixels_are_those_of_any_kind_of_image() -> None:
+    grey = Image(width=400, height=2, step=400, encoding="mono8", data=bytes(range(200)) * 4)
+    assert small_pixels(grey, 100).shape == (1, 100, 3)
+    assert small_pixels(grey, 100)[0, 1].tolist() == [4, 4, 4]
+    pil = pytest.importorskip("PIL.Image", reason="needs Pillow, which comes with the extra view")
+    kind, data = picture_of(
+        Image(width=8, height=8, step=24, encoding="rgb8", data=bytes([200, 10, 10]) * 64)
+    )
+    packed = CompressedImage(format="jpeg", data=data)
+    assert kind == "image/jpeg"
+    assert small_pixels(packed, 100)[4, 4].tolist() == pytest.approx([200, 10, 10], abs=8)
+    for damaged in (data[:20], b"\x89PNG\r\n\x1a\n" + b"x" * 30, b"RIFF" + b"x" * 30):
+        with pytest.raises(shapes.DisplayError, match="its file is damaged"):
+            small_pixels(CompressedImage(data=damaged), 100)
+    file = io.BytesIO()
+    pil.new("1", (9000, 9000)).save(file, "PNG")
+    with pytest.raises(shapes.DisplayError, match="9000 by 9000 pixels, too many"):
+        small_pixels(CompressedImage(data=file.getvalue()), 100)
 
 
 # Paths, poses, odometry, grids, turtles.

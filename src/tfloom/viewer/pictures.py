@@ -12,11 +12,13 @@ from tfloom.viewer.shapes import DisplayError
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["picture_of"]
+__all__ = ["picture_of", "small_pixels"]
 
 MAX_BYTES = 64 * 1024 * 1024
 MAX_SIDE_PX = 1280
 """Longer sides are reduced, because the page shows a picture smaller."""
+MAX_PIXELS = 32_000_000
+"""Size of a compressed image that is opened: a short file may claim any."""
 JPEG_QUALITY = 80
 BROWSER_FORMATS = {b"\xff\xd8\xff": "image/jpeg", b"\x89PNG\r\n\x1a\n": "image/png", b"RIFF": "image/webp"}
 """Types of files that browsers show, by their first bytes."""
@@ -52,6 +54,37 @@ def picture_of(message: Any) -> tuple[str, bytes]:
     if hasattr(message, "format"):
         return _compressed(message)
     return "image/jpeg", _jpeg(_pixels(message))
+
+
+def small_pixels(message: Any, max_side_px: int) -> NDArray[np.uint8]:
+    """Return an image as red, green and blue (H, W, 3), with every second pixel, or every third, if it is larger.
+
+    Args:
+        message: A `sensor_msgs/msg/Image` or `CompressedImage`.
+        max_side_px: The longest side [pixels].
+
+    Raises:
+        DisplayError: its encoding is unknown, its sizes are wrong, or its file is damaged.
+    """
+    pixels = _opened(message, max_side_px) if hasattr(message, "format") else _pixels(message)
+    reduction = -(-max(pixels.shape[:2]) // max_side_px)
+    pixels = pixels[::reduction, ::reduction]
+    return np.ascontiguousarray(
+        np.repeat(pixels[:, :, np.newaxis], 3, axis=2) if pixels.ndim == 2 else pixels
+    )
+
+
+def _opened(message: Any, max_side_px: int) -> NDArray[np.uint8]:
+    from PIL import Image
+
+    try:
+        with Image.open(io.BytesIO(_compressed(message)[1]), formats=("JPEG", "PNG", "WEBP")) as image:
+            if image.width * image.height > MAX_PIXELS:
+                raise DisplayError(f"it has {image.width} by {image.height} pixels, too many to be opened")
+            image.draft("RGB", (max_side_px, max_side_px))  # a JPEG is decoded at a fraction of its size
+            return np.asarray(image.convert("RGB"))
+    except (OSError, ValueError, SyntaxError, Image.DecompressionBombError) as error:
+        raise DisplayError(f"its file is damaged: {error}") from None
 
 
 def _compressed(message: Any) -> tuple[str, bytes]:

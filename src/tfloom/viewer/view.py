@@ -18,6 +18,7 @@ from tfloom.tf2_tools.doctor.subject import Subject
 from tfloom.tf2_tools.text.transform import matrix_from_quaternion, rpy_from_matrix, transform_text
 from tfloom.tf2_tools.top.rows import Health, Rates, Row, rows_of
 from tfloom.tf2_tools.watch.model import stored_name
+from tfloom.viewer.displays.camera_info import CameraDisplay, images_of
 from tfloom.viewer.displays.display import shown_text
 from tfloom.viewer.displays.kinds import kind_of
 from tfloom.viewer.feed import Feed
@@ -345,6 +346,7 @@ class View:
             )
         places = [self._poses.index_of(frame) for frame in self._selected]
         self._scene.draw_selection([self._poses.positions[place] for place in places if place >= 0])
+        self._give_images(held_ns)
         now_ns = self._source.now_ns() if held_ns is None else held_ns
         for topic, feed in self._feeds.items():
             if feed.has_failed:
@@ -354,6 +356,18 @@ class View:
             except Exception as error:  # noqa: BLE001  # a message that nobody thought of must not end the other displays
                 traceback.print_exc()
                 feed.fail(f"it can't be shown: {type(error).__name__}: {error}")
+
+    def _give_images(self, held_ns: int | None) -> None:
+        """Let the pyramids of cameras have the images that are shown."""
+        images = [topic for topic, feed in self._feeds.items() if feed.display is None]
+        for topic, feed in self._feeds.items():
+            if isinstance(feed.display, CameraDisplay):
+                chosen = feed.display.offer(images_of(topic, images))
+                image = self._feeds.get(chosen)
+                if image is None:
+                    feed.display.set_image(None, None)
+                else:
+                    feed.display.set_image(image.messages.newest(held_ns), image.decode)
 
     def _look(self, now_s: float) -> None:
         seen = self._source.observation()

@@ -30,7 +30,7 @@ KINDS = {
     "sensor_msgs/msg/PointCloud": Kind("PointCloud", "point_cloud", "shapes_of_old_cloud"),
     "sensor_msgs/msg/LaserScan": Kind("LaserScan", "laser_scan", "shapes_of_scan"),
     "sensor_msgs/msg/Range": Kind("Range", "ranges", "shapes_of_range"),
-    "sensor_msgs/msg/CameraInfo": Kind("Camera", "ranges", "shapes_of_camera"),
+    "sensor_msgs/msg/CameraInfo": Kind("Camera", "camera_info", "CameraDisplay"),
     "sensor_msgs/msg/Image": Kind("Image", "", ""),
     "sensor_msgs/msg/CompressedImage": Kind("Image", "", ""),
     "visualization_msgs/msg/Marker": Kind("Marker", "markers", "MarkerDisplay"),

@@ -1,4 +1,4 @@
-"""What a range sensor and a camera see: a cone, and a pyramid."""
+"""What a range sensor sees: a cone."""
 
 from __future__ import annotations
 
@@ -8,14 +8,12 @@ from typing import Any
 import numpy as np
 
 from tfloom.viewer.displays.display import stamp_of
-from tfloom.viewer.shapes import DisplayError, Lines, Mesh, Placed
+from tfloom.viewer.shapes import DisplayError, Mesh, Placed
 
-__all__ = ["shapes_of_camera", "shapes_of_range"]
+__all__ = ["shapes_of_range"]
 
 SIDES = 24
 """Number of a cone's sides."""
-FRUSTUM_M = 0.5
-"""Length of a camera's pyramid [m]."""
 BLUE = (80, 160, 255)
 
 
@@ -38,26 +36,3 @@ def shapes_of_range(message: Any) -> list[Placed]:
     faces = np.stack([np.zeros(SIDES), first + 1, (first + 1) % SIDES + 1], axis=1).astype(np.uint32)
     cone = Mesh(vertices, faces, BLUE, opacity=0.4)
     return [Placed(cone, message.header.frame_id, stamp_of(message.header))]
-
-
-def shapes_of_camera(message: Any) -> list[Placed]:
-    """Return the pyramid of a `sensor_msgs/msg/CameraInfo`: what its picture shows, at half a metre.
-
-    Raises:
-        DisplayError: it is not calibrated.
-    """
-    width, height = float(message.width), float(message.height)
-    fx, _, cx, _, fy, cy = (float(number) for number in message.k[:6])
-    is_finite = all(map(math.isfinite, (fx, fy, cx, cy)))
-    if not (is_finite and fx > 0.0 and fy > 0.0 and width > 0.0 and height > 0.0):
-        raise DisplayError("it is not calibrated: its focal lengths and sizes have to be above zero")
-    corners = np.array(
-        [
-            ((u - cx) / fx * FRUSTUM_M, (v - cy) / fy * FRUSTUM_M, FRUSTUM_M)
-            for u, v in ((0.0, 0.0), (width, 0.0), (width, height), (0.0, height))
-        ]
-    )
-    edges = [(np.zeros(3), corner) for corner in corners]
-    edges += [(corners[number], corners[(number + 1) % 4]) for number in range(4)]
-    lines = Lines(np.clip(np.array(edges), -1e6, 1e6).astype(np.float32), np.array(BLUE, np.uint8))
-    return [Placed(lines, message.header.frame_id, stamp_of(message.header))]

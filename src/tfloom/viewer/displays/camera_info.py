@@ -1,0 +1,134 @@
+"""What a camera sees: a pyramid, with the camera's image at its far end."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable, Iterable, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from tfloom.rosidl.message import DecodeError
+from tfloom.viewer.displays.display import stamp_of
+from tfloom.viewer.pictures import small_pixels
+from tfloom.viewer.shapes import DisplayError, Lines, Picture, Placed
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from tfloom.viewer.history import Entry
+
+__all__ = ["CameraDisplay", "images_of"]
+
+FRUSTUM_M = 0.5
+"""Length of a camera's pyramid [m]."""
+BLUE = (80, 160, 255)
+PICTURE_S = 0.2
+"""Least time between two images that are drawn [s]: each is a new texture of all pages."""
+MAX_SIDE_PX = 320
+"""Longer sides of an image are reduced."""
+NO_IMAGE = "no image"
+
+
+def images_of(topic: str, image_topics: Iterable[str]) -> list[str]:
+    """Return which topics of images are of the camera that a `camera_info` topic is of: those beside it, in order."""
+    beside = topic.rpartition("/")[0]
+    return sorted(
+        image for image in image_topics if image.removesuffix("/compressed").rpartition("/")[0] == beside
+    )
+
+
+class CameraDisplay:
+    """Shows the last `sensor_msgs/msg/CameraInfo`, and an image of the camera that is shown, too."""
+
+    keeps_all = False
+
+    def __init__(self) -> None:
+        self.choices: Sequence[str] = ()
+        """The camera's images, if some are shown."""
+        self.choice = ""
+        self._message: Any = None
+        self._entry: Entry | None = None
+        """The image that was drawn last."""
+        self._pixels: NDArray[np.uint8] | None = None
+        self._next_picture_s = 0.0
+        self._shapes: list[Placed] | None = None
+
+    def take(self, message: Any, stamp_ns: int) -> None:  # noqa: ARG002  # the header's stamp counts
+        """Take the calibration.
+
+        Raises:
+            DisplayError: it is none.
+        """
+        self._message = None
+        _corners(message)
+        self._message, self._shapes = message, None
+
+    def clear(self) -> None:
+        """Forget the calibration."""
+        self._message = self._shapes = None
+
+    def offer(self, images: Sequence[str]) -> str:
+        """Take which images of the camera are shown; return the one to draw, empty for none."""
+        self.choices = (*images, NO_IMAGE) if images else ()
+        if self.choice in self.choices:
+            return "" if self.choice == NO_IMAGE else self.choice
+        return images[0] if images else ""
+
+    def set_image(self, entry: Entry | None, decode: Callable[[bytes], Any] | None) -> None:
+        """Draw an image from now on; one that can't be drawn is none: its own display says why."""
+        now_s = time.monotonic()
+        if entry is self._entry or (entry is not None and now_s < self._next_picture_s):
+            return
+        self._entry, self._shapes, self._pixels = entry, None, None
+        if entry is None or decode is None:
+            return
+        self._next_picture_s = now_s + PICTURE_S
+        try:
+            self._pixels = small_pixels(decode(entry.data), MAX_SIDE_PX)
+        except (DisplayError, DecodeError):
+            return
+
+    def shapes(self, now_ns: int) -> list[Placed]:  # noqa: ARG002  # they stay until the next message
+        """Return the pyramid, and the image."""
+        if self._message is None:
+            return []
+        if self._shapes is None:
+            self._shapes = _shapes_of(self._message, self._pixels)
+        return self._shapes
+
+
+def _corners(message: Any) -> NDArray[np.float64]:
+    """Return the corners of what the picture shows at half a metre (4, 3) [m]: its left upper one first, clockwise.
+
+    Raises:
+        DisplayError: it is not calibrated.
+    """
+    width, height = float(message.width), float(message.height)
+    fx, _, cx, _, fy, cy = (float(number) for number in message.k[:6])
+    is_finite = all(map(math.isfinite, (fx, fy, cx, cy)))
+    if not (is_finite and fx > 0.0 and fy > 0.0 and width > 0.0 and height > 0.0):
+        raise DisplayError("it is not calibrated: its focal lengths and sizes have to be above zero")
+    corners = [
+        ((u - cx) / fx * FRUSTUM_M, (v - cy) / fy * FRUSTUM_M, FRUSTUM_M)
+        for u, v in ((0.0, 0.0), (width, 0.0), (width, height), (0.0, height))
+    ]
+    table: NDArray[np.float64] = np.clip(np.array(corners), -1e6, 1e6)
+    return table
+
+
+def _shapes_of(message: Any, pixels: NDArray[np.uint8] | None) -> list[Placed]:
+    corners = _corners(message)
+    edges = [(np.zeros(3), corner) for corner in corners]
+    edges += [(corners[number], corners[(number + 1) % 4]) for number in range(4)]
+    lines = Lines(np.array(edges).astype(np.float32), np.array(BLUE, np.uint8))
+    frame, stamp_ns = message.header.frame_id, stamp_of(message.header)
+    placed = [Placed(lines, frame, stamp_ns)]
+    if pixels is not None:
+        across, low = corners[2] - corners[0], corners[3]
+        picture = Picture(pixels, (float(across[0]), float(across[1])))
+        # A picture's y axis is up, and a camera's is down: half a turn around x.
+        at = float(low[0]), float(low[1]), float(low[2])
+        placed.append(Placed(picture, frame, stamp_ns, at, (1.0, 0.0, 0.0, 0.0)))
+    return placed
