@@ -1,0 +1,66 @@
+"""`import rospy` and `import tf` name what ROS 2 has in their place, unless somebody has such a module."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tfloom import ros1_names, use_ros_names
+
+
+def python(code: str, folder: Path) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=False, cwd=folder
+    )
+
+
+@pytest.mark.parametrize(
+    ("line", "name"),
+    [("import rospy", "rospy"), ("from tf.transformations import quaternion_from_euler", "tf")],
+)
+def test_import_names_what_ros_2_has(line: str, name: str, tmp_path: Path) -> None:
+    run = python(line, tmp_path)
+    text = (
+        f"ModuleNotFoundError: No module named {name!r}: it is ROS 1's. In ROS 2, {ros1_names.INSTEAD[name]}"
+    )
+    assert run.stderr.splitlines()[-1] == text
+    assert run.stderr.count("  File ") == 2  # the program's, and ours
+
+
+def test_a_program_that_has_a_plan_without_it_goes_on(tmp_path: Path) -> None:
+    code = """
+try:
+    import rospy
+except ImportError as error:
+    print(error.name)
+import sys
+assert "rospy" not in sys.modules
+try:
+    import rosp
+except ImportError as error:
+    print(error)
+"""
+    assert python(code, tmp_path).stdout == "rospy\nNo module named 'rosp'\n"
+
+
+def test_a_module_of_the_name_takes_precedence(tmp_path: Path) -> None:
+    (tmp_path / "tf.py").write_text("here = True\n")
+    run = python("import tf, sys; print(tf.here, 'tfloom.ros1_names' in sys.modules)", tmp_path)
+    assert run.stdout == "True False\n"
+
+
+def test_nothing_is_loaded_before_it_is_needed(tmp_path: Path) -> None:
+    assert python("import sys; print('tfloom' in sys.modules)", tmp_path).stdout == "False\n"
+
+
+def test_use_ros_names_does_so_where_no_pth_file_was_read(monkeypatch: pytest.MonkeyPatch) -> None:
+    finders = [finder for finder in sys.meta_path if not getattr(finder, "finds_ros1", False)]
+    monkeypatch.setattr(sys, "meta_path", finders)
+    use_ros_names()
+    use_ros_names()
+    assert len([finder for finder in sys.meta_path if getattr(finder, "finds_ros1", False)]) == 1
+    with pytest.raises(ModuleNotFoundError, match="import rclpy"):
+        import rospy  # type: ignore[import-not-found]  # noqa: F401
