@@ -243,9 +243,11 @@ class PageServer:
             return _response(HTTPStatus.FORBIDDEN, f"{refusal}\n".encode(), "text/plain; charset=utf-8")
         url = urlsplit(request.path)
         if url.path in {"/api", "/scene/ws"}:
-            if headers.get("Upgrade", "").lower() == "websocket" and len(self._pages) < MAX_PAGES:
-                return None
-            return _response(HTTPStatus.SERVICE_UNAVAILABLE, b"too many pages are open\n", "text/plain")
+            if headers.get("Upgrade", "").lower() != "websocket":
+                return _response(HTTPStatus.UPGRADE_REQUIRED, b"this is for WebSockets\n", "text/plain")
+            if url.path == "/api" and len(self._pages) >= MAX_PAGES:
+                return _response(HTTPStatus.SERVICE_UNAVAILABLE, b"too many pages are open\n", "text/plain")
+            return None
         if url.path == "/image":
             return await self._respond_with_image(parse_qs(url.query).get("topic", [""])[0])
         return self._respond_with_file(url.path, f"ws://{headers.get('Host', '')}")
@@ -291,6 +293,7 @@ class PageServer:
                 self._take(name, text)
         finally:
             del self._pages[name]
+            page.drop_scene()
             self._scene.forget(name)
             self._on_command(name, {"op": "closed"})
             sender.cancel()
@@ -326,14 +329,16 @@ class PageServer:
             await page.news.wait()
 
     async def _relay(self, connection: ServerConnection, page: str) -> None:
-        """Pass messages between a page's scene and viser.
+        """Pass messages between a page's scene and viser; a page has one scene, the newest.
 
         What viser sends is passed as it is. `send` waits while a page takes nothing; then nothing more is read from
         viser, which keeps no queue either: it sends the newest state of each node when it can send again.
         """
-        if page not in self._pages:
+        if (opened := self._pages.get(page)) is None:
             await connection.close(1008, "no such page")
             return
+        opened.drop_scene()
+        opened.scene = connection
         async with connect(
             f"ws://127.0.0.1:{self._scene.port}",
             subprotocols=[connection.subprotocol] if connection.subprotocol else None,
@@ -372,6 +377,13 @@ class _Page:
         self.state_number = 0
         self.next_line = next_line
         self.answers: list[str] = []
+        self.scene: ServerConnection | None = None
+
+    def drop_scene(self) -> None:
+        """End the scene's connection at once, because a page that takes nothing takes no closing message, either."""
+        if self.scene is not None:
+            self.scene.transport.abort()
+            self.scene = None
 
 
 def _is_allowed(message: bytes) -> bool:
