@@ -26,6 +26,7 @@ collect_ignore = (
     []
     if HAS_VISER
     else [
+        "test_busy_pages.py",
         "test_field_plots.py",
         "test_forms.py",
         "test_pages.py",
