@@ -61,7 +61,7 @@ def match(grid: OccupancyMap, points: np.ndarray, expected: Pose2D, search: Sear
         return Match(expected, 0.0, f"the laser sees too little: {len(points)} points", False)
     chosen = points[:: -(-len(points) // search.max_points)]
     pad = search.reach + REACH_CELLS + 2
-    field = likelihood(np.pad(grid.log_odds > 0.0, pad))
+    field = likelihood(grid, pad)
     origin = grid.origin - pad * RESOLUTION_M
     pose = coarse(field, origin, chosen, expected, search)
     # The steps are halved, and the pose moves to the best of its 27 neighbours, itself included.
@@ -84,17 +84,19 @@ def match(grid: OccupancyMap, points: np.ndarray, expected: Pose2D, search: Sear
     return Match(pose, fit, "all walls run alike: along them the odometry counts alone", True)
 
 
-def likelihood(occupied: np.ndarray) -> np.ndarray:
-    """Return 1 at occupied cells, less around them, and 0 from `REACH_CELLS` on."""
-    field = np.zeros(occupied.shape, np.float32)
-    rows, columns = occupied.shape
-    reach = REACH_CELLS
-    for dy in range(-reach, reach + 1):
-        for dx in range(-reach, reach + 1):
-            value = np.exp(-(dx * dx + dy * dy) / (2.0 * SIGMA_CELLS**2))
-            target = field[max(0, dy) : rows + min(0, dy), max(0, dx) : columns + min(0, dx)]
-            source = occupied[max(0, -dy) : rows + min(0, -dy), max(0, -dx) : columns + min(0, -dx)]
-            np.maximum(target, value * source, out=target)
+def likelihood(grid: OccupancyMap, pad: int) -> np.ndarray:
+    """Return 1 where walls are, less around them, and 0 from `REACH_CELLS` on, with so many more cells at each side."""
+    rows, columns = grid.log_odds.shape
+    field = np.zeros((rows + 2 * pad, columns + 2 * pad))
+    cells, walls = grid.occupied()
+    reach = range(-REACH_CELLS, REACH_CELLS + 1)
+    for shift in ((dx, dy) for dx in reach for dy in reach):
+        # Each occupied cell has one neighbour at this shift, so that none is written twice.
+        middles = cells + shift + 0.5
+        distance = ((middles - walls) ** 2).sum(axis=1)
+        value = np.where(distance < REACH_CELLS**2, np.exp(-distance / (2.0 * SIGMA_CELLS**2)), 0.0)
+        column, row = (cells + shift + pad).T
+        field[row, column] = np.maximum(field[row, column], value)
     return field
 
 

@@ -28,12 +28,19 @@ def placed(pose: Pose2D, points: np.ndarray) -> np.ndarray:
 
 
 class OccupancyMap:
-    """The map; `log_odds` (rows along y, columns along x) is 0 where nothing is known."""
+    """The map; `log_odds` (rows along y, columns along x) is 0 where nothing is known.
+
+    Each cell also has the number of rays that ended there, and the sum of where in the cell they did: the mean lies on
+    a wall more exactly than the middle of the cell.
+    """
 
     def __init__(self) -> None:
         self.origin = np.zeros(2)
         """Lower left corner [m]."""
         self.log_odds = np.zeros((0, 0), np.float32)
+        self.counts = np.zeros((0, 0), np.int64)
+        self.sums = np.zeros((0, 0, 2))
+        """Of columns and rows, in cells from a cell's lower left corner."""
 
     def cells(self, points: np.ndarray) -> np.ndarray:
         """Return the column and row (N, 2) of each point; also of those outside the grid."""
@@ -67,6 +74,11 @@ class OccupancyMap:
         is_hit[at_end[:, 1], at_end[:, 0]] = True
         self.log_odds[is_hit] += HIT
         np.clip(self.log_odds, *LIMITS, out=self.log_odds)
+        in_cell = (ends[: len(hits)] - self.origin) / RESOLUTION_M - at_end
+        np.add.at(self.counts, (at_end[:, 1], at_end[:, 0]), 1)
+        np.add.at(self.sums, (at_end[:, 1], at_end[:, 0]), in_cell)
+        is_gone = self.log_odds <= 0.0
+        self.counts[is_gone], self.sums[is_gone] = 0, 0.0
 
     def _grow(self, points: np.ndarray) -> None:
         rows, columns = self.log_odds.shape
@@ -80,8 +92,17 @@ class OccupancyMap:
             return
         if max(before + after + (columns, rows)) > MAX_SIDE_CELLS:
             raise GridError(f"the map would be larger than {MAX_SIDE_CELLS * RESOLUTION_M:.0f} m")
-        self.log_odds = np.pad(self.log_odds, ((before[1], after[1]), (before[0], after[0])))
+        widths = ((before[1], after[1]), (before[0], after[0]))
+        self.log_odds = np.pad(self.log_odds, widths)
+        self.counts = np.pad(self.counts, widths)
+        self.sums = np.pad(self.sums, (*widths, (0, 0)))
         self.origin -= before * RESOLUTION_M
+
+    def occupied(self) -> tuple[np.ndarray, np.ndarray]:
+        """Return column and row of each occupied cell (N, 2), and where its rays ended on average, in cells too."""
+        row, column = np.nonzero(self.counts)
+        cells = np.stack((column, row), axis=1)
+        return cells, cells + self.sums[row, column] / self.counts[row, column, np.newaxis]
 
     def percentages(self) -> np.ndarray:
         """Return the cells as an OccupancyGrid has them: 0 free to 100 occupied, -1 where nothing is known."""
