@@ -87,6 +87,13 @@ CASES: dict[str, tuple[Callable[[Node], object], type[Exception], str]] = {
         "Invalid service name",
     ),
     "client": (lambda node: node.create_client(SetBool, "a b"), ValueError, "Invalid service name"),
+    "node name": (lambda node: Node("a b", context=node.context), ValueError, "Invalid node name"),
+    "no node name": (lambda node: Node(ANY, context=node.context), TypeError, "a node name must be a str"),
+    "parameter": (
+        lambda node: node.declare_parameter("p", {"a": 1}),
+        TypeError,
+        "DOUBLE_ARRAY, STRING_ARRAY'. It is {'a': 1} of class dict.",
+    ),
     "spin": (lambda _node: spin(ANY), TypeError, "spin() needs a node, got None: does the function"),
     "spin once": (lambda _node: spin_once(ANY), TypeError, "spin_once() needs a node"),
     "future": (

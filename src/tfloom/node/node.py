@@ -14,6 +14,7 @@ from tfloom.node.context.utilities import get_default_context
 from tfloom.node.endpoints.type_variables import MsgType, SrvType, SrvTypeRequest, SrvTypeResponse
 from tfloom.node.parameters.parameter import PARAMETER_SEPARATOR_STRING, Parameter
 from tfloom.node.values.constants import S_TO_NS
+from tfloom.node.values.names import node_name_error
 from tfloom.ros_guard import ros_repr
 
 if TYPE_CHECKING:
@@ -80,6 +81,8 @@ class Node(NodeBase):
         automatically_declare_parameters_from_overrides: bool = False,
         enable_logger_service: bool = False,
     ) -> None:
+        if (error := node_name_error(node_name)) is not None:
+            raise error
         context = context or get_default_context()
         arguments = parse_arguments(cli_args or []).over(
             context.arguments if use_global_arguments else Arguments()

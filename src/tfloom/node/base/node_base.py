@@ -29,7 +29,7 @@ from tfloom.node.executing.timer import Rate, Timer
 from tfloom.node.executing.waitable_entity import WaitableEntity
 from tfloom.node.log.rcutils_logger import RcutilsLogger
 from tfloom.node.parameters.node_parameters import NodeParameters
-from tfloom.node.parameters.parameter import Parameter, ParameterType
+from tfloom.node.parameters.parameter import Parameter, ParameterType, value_error
 from tfloom.node.qos.qos import QoSProfile, qos_profile_parameter_events, qos_profile_services_default
 from tfloom.node.qos.qos_overriding_options import QoSOverridingOptions, apply_overrides
 from tfloom.node.values.callbacks import not_callable
@@ -437,12 +437,15 @@ class NodeBase:
             ignore_override: Whether the initial value is the default even if the command line gives a value.
 
         Raises:
+            TypeError: no parameter can have such a value.
             ValueError: there is neither a value nor a type, and the descriptor doesn't allow dynamic typing.
             ParameterAlreadyDeclaredException: it was declared before.
             InvalidParameterException: the name is empty.
             InvalidParameterTypeException: the value given on the command line is of another type.
             InvalidParameterValueException: the initial value is out of range, or rejected by a callback.
         """
+        if not isinstance(value, ParameterType) and (error := value_error(value)) is not None:
+            raise error
         return self.__parameters.declare_parameter(name, value, descriptor, ignore_override)
 
     def declare_parameters(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import reprlib
 from collections.abc import Callable, Iterable, Sequence
 from enum import Enum
 from typing import TYPE_CHECKING, Any
@@ -52,12 +53,22 @@ class ParameterType(Enum):
         for kind, check in _CHECKS.items():
             if check(parameter_value):
                 return kind
-        names = ", ".join(kind.name for kind in cls)
-        raise TypeError(f"The given value is not one of the allowed types '{names}'.")
+        raise _no_type(parameter_value)
 
     def check(self, parameter_value: Any) -> bool:
         """Return whether a value is of this type."""
         return _CHECKS[self](parameter_value)
+
+
+def value_error(value: Any) -> TypeError | None:
+    """Return what `from_parameter_value` raises, or None, for callers whose tracebacks shall be short."""
+    return None if any(check(value) for check in _CHECKS.values()) else _no_type(value)
+
+
+def _no_type(value: Any) -> TypeError:
+    names = ", ".join(kind.name for kind in ParameterType)
+    given = f"{reprlib.repr(value)} of class {type(value).__name__}"
+    return TypeError(f"The given value is not one of the allowed types '{names}'. It is {given}.")
 
 
 # Printed, in error texts of set_parameters for example, as Parameter.Type.

@@ -21,6 +21,7 @@ __all__ = [
     "expand_topic_name",
     "full_node_name",
     "name_error",
+    "node_name_error",
     "topic_or_service_is_hidden",
     "validate_full_topic_name",
     "validate_namespace",
@@ -204,11 +205,17 @@ def validate_node_name(node_name: str) -> bool:
         InvalidNodeNameException: the name isn't valid; the exception has the rule and the index.
         TypeError: the name is not a str.
     """
-    _check_is_text("node name", node_name)
-    finding = _check_node_name(node_name)
-    if finding is not None:
-        raise InvalidNodeNameException(node_name, *finding)
+    if (error := node_name_error(node_name)) is not None:
+        raise error
     return True
+
+
+def node_name_error(node_name: object) -> Exception | None:
+    """Return what `validate_node_name` raises, or None, for callers whose tracebacks shall be short."""
+    if not isinstance(node_name, str):
+        return _text_error("node name", node_name)
+    finding = _check_node_name(node_name)
+    return None if finding is None else InvalidNodeNameException(node_name, *finding)
 
 
 def validate_namespace(namespace: str) -> bool:
