@@ -16,6 +16,7 @@ from tfloom.interfaces.action_msgs.srv import CancelGoal
 from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.interfaces.example_interfaces.action import Fibonacci
 from tfloom.node.action.client import MAX_ENDED, ActionClient
+from tfloom.node.action.goal_states import GoalEvent
 from tfloom.node.action.graph import (
     get_action_client_names_and_types_by_node,
     get_action_names_and_types,
@@ -100,6 +101,47 @@ def test_goal_is_accepted_executed_and_returns_its_result(
     assert list(response.result.sequence) == [0, 1, 1, 2, 3, 5]
     spin_until(lambda: len(feedback) == 4)
     assert feedback == [[0, 1, 1], [0, 1, 1, 2], [0, 1, 1, 2, 3], [0, 1, 1, 2, 3, 5]]
+
+
+def test_states_are_published_in_the_order_in_which_they_change(
+    server_node: Node, client: ActionClient, executor: SingleThreadedExecutor, finish: Finish
+) -> None:
+    """A thread has read the states, and publishes them when another thread has changed one."""
+    goals: list[ServerGoalHandle] = []
+    server = ActionServer(
+        server_node, Fibonacci, "fibonacci", fibonacci, handle_accepted_callback=goals.append
+    )
+    assert client.wait_for_server(timeout_sec=5)
+    for _ in range(2):
+        finish(client.send_goal_async(Fibonacci.Goal(order=3)))
+    published: list[list[int]] = []
+    is_reading, may_publish = threading.Event(), threading.Event()
+
+    def publish(message: Any) -> None:
+        if not is_reading.is_set():
+            is_reading.set()
+            assert may_publish.wait(30)
+        published.append([goal_status.status for goal_status in message.status_list])
+
+    server._status = SimpleNamespace(publish=publish)
+    slow = threading.Thread(target=goals[0].update, args=[GoalEvent.EXECUTE])
+    slow.start()
+    assert is_reading.wait(30)
+    goals[1].update(GoalEvent.EXECUTE)
+    may_publish.set()
+    slow.join(30)
+    assert published[-1] == [GoalStatus.STATUS_EXECUTING] * 2
+
+    def fail(_: Any) -> None:
+        raise RuntimeError("the wire has failed")
+
+    # An error of one publication doesn't stop the next.
+    server._status = SimpleNamespace(publish=fail)
+    with pytest.raises(RuntimeError, match="the wire has failed"):
+        goals[0].succeed()
+    server._status = SimpleNamespace(publish=publish)
+    goals[1].succeed()
+    assert published[-1] == [GoalStatus.STATUS_SUCCEEDED] * 2
 
 
 def test_goal_can_be_rejected(server_node: Node, client: ActionClient, finish: Finish) -> None:

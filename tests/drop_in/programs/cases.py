@@ -385,7 +385,7 @@ class _Sent:
 
 
 def case_no_transform_is_lost_while_a_listener_changes_to_a_subscription() -> None:
-    """They are sent before the subscription exists, while no publisher knows of it, and until the readers are closed."""
+    """Some are sent before the subscription exists, while no publisher knows of it, and until the readers close."""
     with initialized():
         node = rclpy.create_node("under_test")
         buffer = Buffer(node=node)

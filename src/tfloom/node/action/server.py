@@ -150,7 +150,11 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         self._result_timeout_ns = int(result_timeout * S_TO_NS)
         self._forgets_sent_results = forget_sent_results
         self._lock = threading.RLock()
-        """Guards `_goals` and `_ended_ns`."""
+        """Guards the four below."""
+        self._is_status_stale = False
+        """Whether a goal has changed since the states were read that were published last."""
+        self._is_publishing_status = False
+        """Whether a thread publishes the states."""
         self._goals: dict[bytes, ServerGoalHandle[GoalT, ResultT, FeedbackT]] = {}
         self._ended_ns: dict[bytes, int] = {}
         self.register_execute_callback(execute_callback)
@@ -345,16 +349,40 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         self._publish_status()
 
     def _publish_status(self) -> None:
+        # Goals change on several threads. If each published what it has read, an older list could be the last one,
+        # which clients would keep. So one thread publishes at a time, and again if another has asked meanwhile. It
+        # holds no lock while it does, because a program's code may run in it.
         with self._lock:
+            self._is_status_stale = True
+            if self._is_publishing_status:
+                return
+            self._is_publishing_status = True
+        try:
+            while self._publish_stale_status():
+                pass
+        except BaseException:
+            with self._lock:
+                self._is_publishing_status = False
+            raise
+
+    def _publish_stale_status(self) -> bool:
+        """Publish the states of the goals if they have changed, and return whether they had."""
+        with self._lock:
+            if not self._is_status_stale:
+                self._is_publishing_status = False
+                return False
+            self._is_status_stale = False
             goals = list(self._goals.values())
-        if not self._node.context.ok():
-            return
-        with suppress(InvalidHandle):  # the node was destroyed meanwhile
-            self._status.publish(
-                GoalStatusArray(
-                    status_list=[GoalStatus(goal_info=goal.goal_info, status=goal.status) for goal in goals]
+        if self._node.context.ok():
+            with suppress(InvalidHandle):  # the node was destroyed meanwhile
+                self._status.publish(
+                    GoalStatusArray(
+                        status_list=[
+                            GoalStatus(goal_info=goal.goal_info, status=goal.status) for goal in goals
+                        ]
+                    )
                 )
-            )
+        return True
 
     # Dropping goals
 
