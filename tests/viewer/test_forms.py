@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+import random
 import time
+from collections import Counter
 from collections.abc import Callable
 from typing import Any
 
@@ -344,3 +346,51 @@ def test_wrong_commands_get_a_sentence_and_forms_go_on(
     monkeypatch.setattr(sending, "MAX_OPEN", 5)
     send(page, "topic", "/x", {"data": "5"}, "std_msgs/msg/Int64")
     assert sent(page, "done")
+
+
+ODD = (
+    None,
+    True,
+    -1,
+    1e400,
+    "",
+    "now",
+    "auto",
+    "x",
+    "9" * 500,
+    [],
+    {},
+    [[]],
+    [{}],
+    ["1", None],
+    {"x": 1},
+    "\ud800",
+)
+
+
+def test_odd_values_of_any_type_are_a_sentence_or_a_message() -> None:
+    chance = random.Random(5)
+
+    def odd(type_name: str, depth: int) -> Any:
+        fields = find_class(type_name)._FIELDS
+        values: dict[Any, Any] = {}
+        for name, field in fields.items():
+            base = field.partition("[")[0].partition("<")[0]
+            if "/" in base and depth < 4 and chance.random() < 0.7:
+                inner = odd(base, depth + 1)
+                values[name] = [inner] * chance.randrange(3) if "[" in field else inner
+            elif chance.random() < 0.4:
+                values[name] = chance.choice(ODD)
+        return values
+
+    def outcome(message: Any, values: Any) -> str:
+        try:
+            fill(message, values, 7)
+        except PageError:
+            return "sentence"
+        return "message"
+
+    outcomes = Counter(
+        outcome(find_class(name)(), odd(name, 0)) for name in interface_names("msg") for _ in range(6)
+    )
+    assert min(outcomes["sentence"], outcomes["message"]) > 50

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import math
+import random
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
+import yaml
 
 from tfloom.viewer.layout.layout import DisplayLayout, Layout, LayoutError, PlotLayout, ViewPoint
 from tfloom.viewer.layout.layout_file import layout_text, read_layout
@@ -204,3 +207,56 @@ def test_manager_without_anything_is_an_empty_layout(write: Write) -> None:
     layout, unknown = read_layout(write("Visualization Manager: {}\n", "empty.rviz"))
     assert layout == Layout(with_names=False)
     assert unknown == []
+
+
+ODD = (
+    None,
+    3,
+    -1.5,
+    float("nan"),
+    float("inf"),
+    True,
+    "",
+    "text",
+    [],
+    {},
+    [1],
+    [{}],
+    {"Value": 3},
+    {3: 4},
+    10**400,
+)
+
+
+def damaged(value: Any, chance: random.Random) -> Any:
+    """Return values of YAML of which some are something else."""
+    if chance.random() < 0.06:
+        return chance.choice(ODD)
+    if isinstance(value, dict):
+        return {key: damaged(part, chance) for key, part in value.items()}
+    if isinstance(value, list):
+        return [damaged(part, chance) for part in value]
+    return value
+
+
+def test_odd_values_anywhere_are_a_sentence_or_are_passed_over(write: Write) -> None:
+    chance = random.Random(4)
+    outcomes = set()
+    for text in (RVIZ, layout_text(FULL)):
+        values = yaml.safe_load(text)
+        for _ in range(400):
+            path = write(yaml.safe_dump(damaged(values, chance)))
+            outcomes.add(outcome(path))
+    assert outcomes == {"error", "named", "read"}
+
+
+def outcome(path: Path) -> str:
+    """Read a layout, check what was read, and return what came of it."""
+    try:
+        layout, unknown = read_layout(path)
+    except LayoutError as error:
+        return "error" if str(error).startswith(f"{path}:") else str(error)
+    layout_text(layout)
+    if layout.camera is not None:
+        assert all(map(math.isfinite, (*layout.camera.position, *layout.camera.look_at)))
+    return "named" if unknown else "read"
