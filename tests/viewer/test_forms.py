@@ -215,6 +215,37 @@ def test_message_is_published_to_all_subscriptions_of_the_graph(
     wait_until(lambda: not any(end.topic.name == "/nobody" for end in graph.endpoints()), what="its end")
 
 
+class SlowWriter:
+    """A writer that is matched with one more subscription at each question."""
+
+    def __init__(self) -> None:
+        self.matched = -1
+        self.written: list[bytes] = []
+
+    def matched_count(self) -> int:
+        self.matched += 1
+        return self.matched
+
+    def write(self, data: bytes) -> None:
+        self.written.append(data)
+
+
+def test_message_waits_until_its_writer_is_matched_and_not_for_ever(monkeypatch: pytest.MonkeyPatch) -> None:
+    said: list[tuple[str, str]] = []
+    writer = SlowWriter()
+    publication = sending._Publication(writer, "/x", b"data", (2, 1), lambda *words: said.append(words))
+    assert [publication.step(), publication.step()] == [False, False]
+    assert writer.written == []
+    assert publication.step()
+    assert writer.written == [b"data"]
+    assert said == [("done", "published on /x: 1 subscription")]
+    monkeypatch.setattr(sending, "MATCH_S", -1.0)
+    late = SlowWriter()
+    assert sending._Publication(late, "/x", b"data", (2, 0), lambda *words: said.append(words)).step()
+    assert late.written == [b"data"]
+    assert said[-1][1].endswith("0 subscriptions; 2 more with another quality of service, which get nothing")
+
+
 def test_service_is_called_and_its_response_shown(spun: Node, viewer: Viewer, open_page: OpenPage) -> None:
     def spawn(request: Spawn.Request, response: Spawn.Response) -> Spawn.Response:
         response.name = f"{request.name} at {request.x:g}"
@@ -303,6 +334,9 @@ def test_goal_is_canceled_by_its_page_alone(spun: Node, viewer: Viewer, open_pag
     other.send(op="cancel", key="a")
     send(other, "topic", "/x", {}, "std_msgs/msg/Empty")
     sent(other, "done")  # after the cancel, which was not its own
+    goal = viewer._live.forms._tasks[0].task
+    assert not goal._is_cancel_wanted
+    assert not goal._is_cancelling
     assert not server.handles[0].is_cancel_requested
     page.send(op="cancel", key="a")
     assert sent(page, "done").startswith("CANCELED\n")
