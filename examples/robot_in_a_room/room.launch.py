@@ -16,25 +16,27 @@ from launch.actions import DeclareLaunchArgument, OpaqueFunction
 from launch.conditions import IfCondition
 from launch.substitutions import LaunchConfiguration
 from launch_ros.actions import Node
+from launch_ros.parameter_descriptions import ParameterValue
 
 FOLDER = Path(__file__).parent
 
 
 def nodes(context: LaunchContext) -> list[LaunchDescriptionEntity]:
     name = LaunchConfiguration("name").perform(context)
+    speed = ParameterValue(LaunchConfiguration("speed"), value_type=float)
     parameters = {
         "frame_prefix": f"{name}/" if name else "",
         "use_sim_time": LaunchConfiguration("use_sim_time").perform(context) == "true",
     }
 
-    def program(file: str, condition: Condition | None = None) -> Node:
+    def program(file: str, condition: Condition | None = None, **values: ParameterValue) -> Node:
         # A file, not the program of a package: Python runs it.
         return Node(
             executable=sys.executable,
             exec_name=file.partition(".")[0],
             arguments=["-u", str(FOLDER / file)],
             namespace=name,
-            parameters=[parameters],
+            parameters=[{**parameters, **values}],
             condition=condition,
             output="screen",
         )
@@ -43,7 +45,7 @@ def nodes(context: LaunchContext) -> list[LaunchDescriptionEntity]:
         program("robot.py"),
         program("mapper.py"),
         program("pose_errors.py"),
-        program("tour.py", IfCondition(LaunchConfiguration("tour"))),
+        program("tour.py", IfCondition(LaunchConfiguration("tour")), speed=speed),
         Node(
             package="robot_state_publisher",
             executable="robot_state_publisher",
@@ -60,6 +62,7 @@ def generate_launch_description() -> LaunchDescription:
                 "name", default_value="", description="of a second robot, as its namespace"
             ),
             DeclareLaunchArgument("tour", default_value="true", choices=["true", "false"]),
+            DeclareLaunchArgument("speed", default_value="0.5", description="of the tour [m/s]"),
             DeclareLaunchArgument("use_sim_time", default_value="false", choices=["true", "false"]),
             OpaqueFunction(function=nodes),
         ]

@@ -393,6 +393,22 @@ def test_single_wrong_ranges_are_left_out(feed: Feed) -> None:
         setattr(scan, field, math.nan)
         assert [len(part) for part in feed.module.rays(scan)] == [0, 0]
     assert [len(part) for part in feed.module.rays(LaserScan())] == [0, 0]
+    _, free = feed.module.rays(LaserScan(angle_increment=0.1, range_max=-1.0, ranges=[math.inf, 1.0]))
+    np.testing.assert_allclose(free, [[0.0, 0.0]])
+
+
+def test_very_many_rays_are_thinned_out(feed: Feed) -> None:
+    count = 100_001
+    hit, _ = feed.module.rays(
+        LaserScan(angle_increment=math.tau / count, range_max=8.0, ranges=np.full(count, 2.0))
+    )
+    assert 1000 < len(hit) <= feed.module.MAX_RAYS
+    angles = np.unwrap(np.arctan2(hit[:, 1], hit[:, 0]))
+    np.testing.assert_allclose(np.diff(angles), math.tau / len(hit), rtol=0.01)
+    assert angles[-1] == pytest.approx(math.tau, abs=0.01)
+    truth = feed.planar.Pose2D()
+    feed.node.grid.insert(truth, hit, np.empty((0, 2)))
+    assert feed.node.grid.log_odds.max() > 0.0
 
 
 def test_map_does_not_begin_with_nothing(feed: Feed, capsys: pytest.CaptureFixture[str]) -> None:

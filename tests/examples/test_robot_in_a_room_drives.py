@@ -121,7 +121,7 @@ def test_robot_maps_its_room_and_the_correction_is_better_than_the_odometry(
         "tfloom", "bag", "record", "-o", tmp_path / "drive", "/tf", "/tf_static", "/ground_truth"
     )
     recorder.wait_for("Recording...")
-    launch = start_program("tfloom", "launch", LAUNCH)
+    launch = start_program("tfloom", "launch", LAUNCH, "speed:=0.8")
     observer.spin_until(lambda: observer.position("map", "laser") is not None, "the chain of frames")
     for parent, child in (("map", "odom"), ("odom", "base_link"), ("base_link", "laser")):
         assert observer.position(parent, child) is not None
