@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import sys
 import urllib.request
 from collections.abc import Callable, Iterator
@@ -33,7 +34,8 @@ from launch_ros.actions import Node
 
 def generate_launch_description():
     return LaunchDescription([
-        Node(package="rviz2", executable="rviz2", name="rviz2", output="screen", arguments=["-d", {config!r}],
+        Node(package="rviz2", executable="rviz2", name="rviz2", output="screen",
+             arguments=["-d", {config!r}, "-f", "base"],
              remappings=[("/tf", "tf"), ("/tf_static", "tf_static")], namespace="robot1")
     ])
 """
@@ -63,13 +65,24 @@ def opened(program: Program) -> str:
     return address
 
 
+def fixed_frame(address: str) -> str:
+    """Return the fixed frame that a page shows."""
+    from websockets.sync.client import connect
+
+    with connect(f"{address.replace('http', 'ws')}api", proxy=None) as page:
+        while True:
+            message = json.loads(page.recv(timeout=30.0))
+            if "state" in message:
+                return str(message["state"]["fixed_frame"])
+
+
 @needs_view
 def test_rviz2_says_one_sentence_and_serves_the_page(
     config: Path, graph: Node, start_program: Callable[..., Program]
 ) -> None:
     words = ("-d", config, "--ros-args", "-r", "/tf:=/a/tf", "-p", "use_sim_time:=true")
     program = start_program("tfloom", "run", "rviz2", "rviz2", *words)
-    opened(program)
+    assert fixed_frame(opened(program)) == "odom"
     assert program.lines[0] == f"{SAID}{config}"
     assert any("the display My display of the class my_plugins/Fancy" in line for line in program.lines)
     wait_until(lambda: graph.count_subscribers("/a/tf") == 1, what="the remapped topic")
@@ -84,7 +97,7 @@ def test_launch_file_that_starts_rviz2_opens_the_page(
     launch_file = tmp_path / "robot.launch.py"
     launch_file.write_text(LAUNCH.format(config=str(config)))
     program = start_program("tfloom", "launch", launch_file)
-    opened(program)
+    assert fixed_frame(opened(program)) == "base"
     assert any(line.endswith(f"{SAID}{config}") for line in program.lines)
     wait_until(lambda: graph.count_subscribers("/robot1/tf") == 1, what="the topic in the namespace")
 
