@@ -1,8 +1,8 @@
 """What `tfloom view` costs: CPU of its process, and the time from publishing to a page.
 
-100 frames at 100 Hz, then also a cloud of 100,000 points at 10 Hz, with one page open, and with none. The page is a
-program that takes all that viser sends and draws nothing, because a browser without a graphics card would be what is
-measured. There is no peer: RViz has no wheels.
+100 frames at 100 Hz, then also a cloud of 100,000 points at 10 Hz, with one page open, with ten, and with none. The
+page is a program that takes all that viser sends and draws nothing, because a browser without a graphics card would be
+what is measured. There is no peer: RViz has no wheels.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ import contextlib
 import json
 import os
 import statistics
+import struct
 import subprocess
 import sys
 import threading
@@ -37,6 +38,7 @@ RATE_HZ = 100.0
 POINTS = 100_000
 CLOUD_HZ = 10.0
 SECONDS = 10.0
+PAGES = 10
 PORT = 8799
 
 
@@ -50,6 +52,8 @@ class Feeder:
         self.with_clouds = False
         self.sent: dict[float, float] = {}
         """When each position of the marked frame was published [s, monotonic], by the position."""
+        self.sent_clouds: dict[float, float] = {}
+        """When each cloud was published [s, monotonic], by the x of its first point."""
         self._is_over = threading.Event()
         self._thread = threading.Thread(target=self._run)
         self._thread.start()
@@ -60,12 +64,9 @@ class Feeder:
             PointField(name=name, offset=4 * place, datatype=PointField.FLOAT32, count=1)
             for place, name in enumerate(("x", "y", "z", "intensity"))
         ]
-        contents = [
-            points.tobytes(),
-            (points + np.float32(0.5)).tobytes(),
-        ]  # a cloud that stays is not sent again
+        points_bytes = points.tobytes()
         cloud = PointCloud2(
-            height=1, width=POINTS, fields=fields, point_step=16, row_step=16 * POINTS, data=contents[0]
+            height=1, width=POINTS, fields=fields, point_step=16, row_step=16 * POINTS, data=points_bytes
         )
         transforms = [TransformStamped(child_frame_id=f"frame_{number}") for number in range(FRAMES)]
         next_s = time.monotonic()
@@ -83,7 +84,9 @@ class Feeder:
             self.tf.sendTransform(transforms)
             if self.with_clouds and count % round(RATE_HZ / CLOUD_HZ) == 0:
                 cloud.header.stamp, cloud.header.frame_id = stamp, "world"
-                cloud.data = contents[count // round(RATE_HZ / CLOUD_HZ) % 2]
+                # A cloud that stays is not sent again: each one's first point has another place, by which it is known.
+                cloud.data = struct.pack("<f", -float(count)) + points_bytes[4:]
+                self.sent_clouds[-float(count)] = time.monotonic()
                 self.clouds.publish(cloud)
 
     def close(self) -> None:
@@ -93,11 +96,14 @@ class Feeder:
 
 
 class Page:
-    """Takes what viser sends to a page, and notes when each position of the marked frame has come."""
+    """Takes what viser sends to a page, and notes when each position of the marked frame, and each cloud, has come."""
 
-    def __init__(self, sent: dict[float, float]) -> None:
-        self._sent = sent
+    def __init__(self, feeder: Feeder) -> None:
+        self._sent = feeder.sent
+        self._sent_clouds = feeder.sent_clouds
         self.delays: list[float] = []
+        """From publishing a frame to its arrival [s]."""
+        self.cloud_delays: list[float] = []
         self.bytes = 0
         self._api = connect(f"ws://127.0.0.1:{PORT}/api", max_size=None, proxy=None)
         name = json.loads(self._api.recv())["page"]
@@ -144,12 +150,26 @@ class Page:
                         sent_s = self._sent.get(float(positions[:, 0].max()))
                         if sent_s is not None:
                             self.delays.append(now_s - sent_s)
+                    elif "points" in updates:
+                        begin, _ = starts[updates["points"]["__binary_index"]]
+                        (first,) = struct.unpack_from("<f", data, begin)
+                        if first in self._sent_clouds:
+                            self.cloud_delays.append(now_s - self._sent_clouds[first])
 
     def close(self) -> None:
         self._scene.close()
         self._api.close()
         for thread in self._threads:
             thread.join()
+
+
+def told(delays: list[float]) -> str:
+    """Return delays [s] as a text."""
+    delays_ms = sorted(1000.0 * delay for delay in delays)
+    return (
+        f"median {statistics.median(delays_ms):.0f} ms, "
+        f"9 of 10 within {delays_ms[len(delays_ms) * 9 // 10]:.0f} ms ({len(delays_ms)} pictures)"
+    )
 
 
 def cores(process: psutil.Process) -> float:
@@ -183,26 +203,30 @@ def main() -> None:
         with viewer() as process:
             time.sleep(2.0)
             print(f"no page: {cores(process):.3f} cores")
-            page = Page(feeder.sent)
+            page = Page(feeder)
             time.sleep(2.0)
             page.delays.clear()
             used = cores(process)
-            delays_ms = sorted(1000.0 * delay for delay in page.delays)
             print(f"one page, {FRAMES} frames at {RATE_HZ:g} Hz: {used:.3f} cores")
-            print(
-                f"from publishing to the page: median {statistics.median(delays_ms):.0f} ms, "
-                f"9 of 10 within {delays_ms[len(delays_ms) * 9 // 10]:.0f} ms ({len(delays_ms)} pictures)"
-            )
+            print(f"from publishing a frame to the page: {told(page.delays)}")
             feeder.with_clouds = True
             page.send(op="display", topic="/points", on=True)
             time.sleep(3.0)
             before = page.bytes
+            page.delays.clear()
+            page.cloud_delays.clear()
             used = cores(process)
             rate = (page.bytes - before) / SECONDS / 1e6
             print(f"… and {POINTS} points at {CLOUD_HZ:g} Hz: {used:.3f} cores, {rate:.1f} MB/s to the page")
-            page.close()
+            print(f"from publishing a frame to the page: {told(page.delays)}")
+            print(f"from publishing a cloud to the page: {told(page.cloud_delays)}")
+            pages = [page, *(Page(feeder) for _ in range(PAGES - 1))]
+            time.sleep(3.0)
+            print(f"{PAGES} pages with all that: {cores(process):.3f} cores")
+            for page in pages:
+                page.close()
             time.sleep(2.0)
-            print(f"the page closed: {cores(process):.3f} cores")
+            print(f"the pages closed: {cores(process):.3f} cores")
     finally:
         feeder.close()
         shutdown()

@@ -364,6 +364,17 @@ def test_text_from_the_wire_is_cut_and_can_be_encoded() -> None:
     assert len(shown_text("x" * 10_000)) == 200
 
 
+def test_rainbow_of_many_values() -> None:
+    """From red to violet by way of green and blue, in order, and the few extremes stretch nothing."""
+    values = np.concatenate([np.linspace(0.0, 1.0, 50_000), [1e6, -1e6, np.nan]])
+    colors = rainbow(values).astype(int)
+    assert colors[0].tolist() == [255, 0, 0]
+    assert colors[25_000].tolist() == pytest.approx([0, 255, 102], abs=6)
+    assert colors[49_999].tolist() == pytest.approx([204, 0, 255], abs=6)
+    assert np.abs(np.diff(colors[:50_000], axis=0)).max() <= 2
+    assert colors[-3:].tolist() == [colors[49_999].tolist(), [255, 0, 0], [128] * 3]
+
+
 def test_rainbow_of_anything() -> None:
     assert rainbow([]).shape == (0, 3)
     assert rainbow([math.nan, math.inf]).tolist() == [[128] * 3] * 2
