@@ -56,6 +56,7 @@ def test_remedies_differ() -> None:
     assert how_to_provide("python-opencv") == "pip install opencv-python"
     assert how_to_provide("python3-pyside2.qtgui") == "pip install pyside2"
     assert how_to_provide("urdf_parser_py") == "pip install urdf-parser-py"
+    assert how_to_provide("py_trees") == "pip install py-trees"
     assert how_to_provide("yasmin").endswith("a workspace that has it; PyPI's yasmin is another package")
     assert how_to_provide("nav_to_mars").endswith("a workspace that has it")
     assert how_to_provide("nav_to_mars").endswith(
@@ -131,5 +132,6 @@ def test_packages_of_other_names_than_their_modules_are_there(name: str) -> None
 def test_compiled_and_published_packages_are_named() -> None:
     assert "compiled from C++" in how_to_provide("image_transport_py")
     assert how_to_provide("urdf_parser_py") == "pip install urdf-parser-py"
+    assert how_to_provide("py_trees") == "pip install py-trees"
     assert how_to_provide("yasmin").endswith("a workspace that has it; PyPI's yasmin is another package")
     assert how_to_provide("nav_to_mars").endswith("a workspace that has it")

@@ -31,7 +31,7 @@ _MODULES = {"opencv": "cv2", "pil": "PIL", "pykdl": "PyKDL", "tk": "tkinter", "y
 """Modules by rosdep's keys, where the name differs and no distribution may tell."""
 _COMPILED = {"image_transport_py"}
 """ROS packages whose Python modules are compiled from C++."""
-_ROS_ON_PYPI = {"urdf_parser_py": "urdf-parser-py"}
+_ROS_ON_PYPI = {"py_trees": "py-trees", "urdf_parser_py": "urdf-parser-py"}
 """ROS packages that PyPI has, too."""
 _OTHERS_ON_PYPI = {"yasmin"}
 """ROS packages that PyPI does not have, but another one of the same name."""
