@@ -175,9 +175,11 @@ _BY_FILE: dict[str, dict[str, str]] = {
     },
     "node.executing.executor": {
         "Executor.wait_for_ready_callbacks(condition)": OF_THE_CALLER,
+        "Executor.run_waiting(then)": OWN,
     },
     "node.executing.executors": {
         "await_or_execute(callback)": "task_coroutine",
+        "MultiThreadedExecutor.run_waiting(then)": OWN,
     },
     "node.executing.guard_condition": {
         "GuardCondition.__init__(callback)": "guard_condition",
