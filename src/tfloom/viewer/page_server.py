@@ -34,6 +34,9 @@ __all__ = ["PageServer", "ServerError"]
 
 MAX_PAGES = 32
 """Number of pages that may be open at once."""
+MAX_WAITING_BYTES = 256 * 1024
+"""What the system may keep of a scene on each half of its way to a page, about [bytes]: a page that falls behind shows
+that first, however old it is."""
 MAX_COMMAND_BYTES = 64 * 1024
 """Size of what a page may send at once [bytes]."""
 MAX_EARLIER_LINES = 500
@@ -339,8 +342,20 @@ class PageServer:
             return
         opened.drop_scene()
         opened.scene = connection
+        connection.transport.get_extra_info("socket").setsockopt(
+            socket.SOL_SOCKET, socket.SO_SNDBUF, MAX_WAITING_BYTES
+        )
+        from_viser = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
+        try:
+            from_viser.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, MAX_WAITING_BYTES)
+            from_viser.setblocking(False)
+            await self._loop.sock_connect(from_viser, ("127.0.0.1", self._scene.port))
+        except BaseException:
+            from_viser.close()
+            raise
         async with connect(
             f"ws://127.0.0.1:{self._scene.port}",
+            sock=from_viser,
             subprotocols=[connection.subprotocol] if connection.subprotocol else None,
             additional_headers={KEY_HEADER: self._scene.key, PAGE_HEADER: page},
             max_size=None,

@@ -42,6 +42,8 @@ class Client:
         self.info: dict[str, Any] = {}
         self.channels: dict[str, dict[str, Any]] = {}
         self.services: dict[str, dict[str, Any]] = {}
+        self._subscriptions: dict[int, str] = {}
+        """Topic of each subscription."""
         self.texts: list[dict[str, Any]] = []
         self.messages: list[tuple[int, bytes]] = []
         """Subscription and bytes of each message."""
@@ -82,6 +84,9 @@ class Client:
             case "unadvertiseServices":
                 gone = set(said["serviceIds"])
                 self.services = {name: one for name, one in self.services.items() if one["id"] not in gone}
+            case "status" if said["message"].startswith("Unknown channel ID: "):
+                self._subscribe_again(int(said["message"].rpartition(" ")[2]))
+                self.texts.append(said)
             case _:
                 self.texts.append(said)
 
@@ -99,7 +104,14 @@ class Client:
                 request, status, length = struct.unpack_from("<IBI", data, 1)
                 self.assets[request] = status, data[10 : 10 + length].decode(), data[10 + length :]
 
+    def _subscribe_again(self, channel: int) -> None:
+        """Subscribe again to a channel that the SDK doesn't know yet: it advertises one just before, to new clients."""
+        for subscription, topic in self._subscriptions.items():
+            if topic in self.channels and self.channels[topic]["id"] == channel:
+                self.send(op="subscribe", subscriptions=[{"id": subscription, "channelId": channel}])
+
     def subscribe(self, topic: str, subscription: int) -> None:
+        self._subscriptions[subscription] = topic
         channel = self.wait_for(lambda: self.channels.get(topic), topic)
         self.send(op="subscribe", subscriptions=[{"id": subscription, "channelId": channel["id"]}])
 
