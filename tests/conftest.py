@@ -70,6 +70,10 @@ def pytest_collection() -> Generator[None, object, object]:
         gc.freeze()
 
 
+WIRE_VARIABLE = "TFLOOM_TEST_WIRE"
+"""The wire of all tests that take a domain and select none, in the place of DDS: a value of RMW_IMPLEMENTATION."""
+
+
 @pytest.hookimpl(tryfirst=True)  # before -m selects
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Mark the tests that take a domain as `wire`, and skip those marked so where there is no DDS library.
@@ -249,6 +253,13 @@ def hold_domain() -> Iterator[int]:
     with domains.hold_domain() as domain, pytest.MonkeyPatch.context() as patch:
         patch.setenv("ROS_DOMAIN_ID", str(domain))
         patch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
+        if wire := os.environ.get(WIRE_VARIABLE):
+            from tests.zenoh_ports import use_port_of
+
+            patch.setenv("RMW_IMPLEMENTATION", wire)
+            with use_port_of(domain):
+                yield domain
+            return
         yield domain
 
 

@@ -15,16 +15,20 @@ from tfloom.rosidl.class_factory import load
 from tfloom.rosidl.definition_files import KINDS, interface_names
 from tfloom.rosidl.described import (
     ANNOUNCED,
+    ANNOUNCED_WITH_SERVICES,
     MAX_DEPTH,
     MAX_FIELDS,
     MAX_TYPES,
     DescriptionError,
+    _parts,
     define_described,
 )
 from tfloom.rosidl.type_hash import description_hash, type_description
 
 FLOAT64, POINTS_OF_10 = 11, 1 + 48
 HASH = "RIHS01_" + 64 * "0"
+OF_ALL = ("unique_identifier_msgs/", "builtin_interfaces/", "service_msgs/")
+"""The packages of what services and actions contain by themselves."""
 
 
 @pytest.fixture(autouse=True)
@@ -43,8 +47,8 @@ def sent(description: dict[str, Any]) -> Any:
 
 
 def peers_name(name: str) -> str:
-    """Return a type's name with another package, which has no definition here; actions contain UUID and Time."""
-    return name if name.startswith(("unique_identifier_msgs/", "builtin_interfaces/")) else f"peer_{name}"
+    """Return a type's name with another package, which has no definition here, except for `OF_ALL`."""
+    return name if name.startswith(OF_ALL) else f"peer_{name}"
 
 
 def of_a_peer(description: dict[str, Any]) -> dict[str, Any]:
@@ -84,16 +88,26 @@ def described(own: dict[str, Any], *referenced: dict[str, Any]) -> tuple[Any, di
     return sent(whole), {own["type_name"]: description_hash(whole)}
 
 
-@pytest.mark.parametrize("kind", KINDS)
-def test_every_type_can_be_made_from_its_description_alone(kind: str) -> None:
+@pytest.mark.parametrize(
+    ("kind", "form"),
+    [
+        *((kind, ANNOUNCED) for kind in KINDS),
+        *((kind, ANNOUNCED_WITH_SERVICES) for kind in ("srv", "action")),
+    ],
+)
+def test_every_type_can_be_made_from_its_description_alone(
+    kind: str, form: dict[str, tuple[str, ...]]
+) -> None:
     for name in filter(lambda name: peers_name(name) != name, interface_names(kind)):
         here = registry.find_class(name)
-        description = of_a_peer(type_description(sources.find_interface(name), sources.find_message))
+        interface = sources.find_interface(name)
+        parts = {part.name: part for part in _parts(interface)}
+        description = of_a_peer(type_description(interface, sources.find_message))
         hashes = {
             f"peer_{name}{suffix}": description_hash(
-                of_a_peer(type_description(sources.find_message(name + suffix), sources.find_message))
+                of_a_peer(type_description(parts[name + suffix], sources.find_message))
             )
-            for suffix in ANNOUNCED[kind]
+            for suffix in form[kind]
         }
         define_described(f"peer_{name}", sent(description), hashes)
         made = registry.find_class(f"peer_{name}")

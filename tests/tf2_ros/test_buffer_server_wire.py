@@ -1,12 +1,15 @@
-"""The program `buffer_server` and its clients, each in a separate process, over DDS."""
+"""The program `buffer_server` and its clients, each in a separate process, over the wire."""
 
 from __future__ import annotations
 
+import re
 import signal
 from collections.abc import Callable
 
 import pytest
 from tests.conftest import Program
+
+from tfloom.rmw.backends import implementation_identifier
 
 SERVER = ("tfloom", "run", "tf2_ros", "buffer_server")
 STATIC = ("tfloom", "run", "tf2_ros", "static_transform_publisher")
@@ -121,11 +124,27 @@ def test_missing_and_killed_server(start: Callable[..., Program]) -> None:
     )
     asker.wait_for("TimeoutException Timed out after 0.5 s")  # a second query is waiting
     server.signal(signal.SIGKILL)
-    assert asker.wait() == 0
+    assert asker.wait() == 0, asker.output
+    # Zenoh tells of its end at once.
+    why = ": no response from /tf2_buffer_server/_action/send_goal: its server left the graph without one"
     assert asker.lines[-1] == (
-        "TimeoutException The LookupTransform goal sent to the BufferServer did not come back in the specified time. "
+        "TimeoutException The LookupTransform goal sent to the BufferServer did not come back"
+        f"{why if implementation_identifier() == 'rmw_zenoh_cpp' else ' in the specified time'}. "
         "Something is likely wrong with the server."
     )
+
+
+def test_server_that_leaves_during_a_query(start: Callable[..., Program]) -> None:
+    server = start(*SERVER)
+    asker = client(start, "ask('world', 'robot', Time(), 0.2)", "ask('world', 'robot', Time(), 20)")
+    asker.wait_for("TimeoutException Timed out after 0.2 s")  # a second query is waiting
+    server.signal(signal.SIGINT)
+    assert asker.wait() == 0, asker.output
+    assert re.fullmatch(
+        r"TimeoutException The LookupTransform goal sent to the BufferServer did not come back: no response from .*: "
+        r"its server left the graph without one\. Something is likely wrong with the server\.",
+        asker.lines[-1],
+    ), asker.output
 
 
 def test_many_clients_at_once(start: Callable[..., Program]) -> None:

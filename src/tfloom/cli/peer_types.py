@@ -12,7 +12,7 @@ from tfloom.cli.listen import cli_node, shown_node
 from tfloom.interfaces.type_description_interfaces.srv import GetTypeDescription, GetTypeDescription_Response
 from tfloom.rmw.base import Graph, NodeName, Participant
 from tfloom.rmw.topic_names import type_from_dds
-from tfloom.rosidl.described import ANNOUNCED, DescriptionError, define_described
+from tfloom.rosidl.described import ANNOUNCED, ANNOUNCED_WITH_SERVICES, DescriptionError, define_described
 
 DISCOVERY_S = 0.5
 """How long to wait at most for discovery [s]."""
@@ -85,13 +85,18 @@ def _learn_from(participant: Participant, node: NodeName, name: str, hashes: Map
 
 def _users(found: Graph, name: str, kind: str) -> dict[NodeName, dict[str, str]]:
     """Return the nodes that announce the hashes of a type, with the hashes of its parts by their names."""
-    parts = [name + suffix for suffix in ANNOUNCED[kind]]
+    forms = [{name + suffix for suffix in form[kind]} for form in (ANNOUNCED, ANNOUNCED_WITH_SERVICES)]
     announced: dict[NodeName, dict[str, str]] = {}
+
+    def note(node: NodeName | None, part: str, type_hash: str) -> None:
+        if node is not None and type_hash and any(part in form for form in forms):
+            announced.setdefault(node, {})[part] = type_hash
+
     for end in found.raw_endpoints():
-        part = type_from_dds(end.topic.type_name)
-        if end.node is not None and end.topic.type_hash and part in parts:
-            announced.setdefault(end.node, {})[part] = end.topic.type_hash
-    return {node: hashes for node, hashes in announced.items() if len(hashes) == len(parts)}
+        note(end.node, type_from_dds(end.topic.type_name), end.topic.type_hash)
+    for service_end in found.service_ends():
+        note(service_end.node, service_end.type_name, service_end.type_hash)
+    return {node: hashes for node, hashes in announced.items() if hashes.keys() in forms}
 
 
 def _describe(
@@ -103,7 +108,7 @@ def _describe(
         participant: Calls the service.
         node: The node.
         name: `package/kind/Name`.
-        type_hash: The announced hash; empty for a service or an action, whose parts alone have announced hashes.
+        type_hash: The announced hash; empty where its parts alone have announced hashes.
 
     Raises:
         CommandError: the node has no such service, or doesn't respond.

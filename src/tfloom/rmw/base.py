@@ -91,6 +91,8 @@ class ServiceEndInfo(NamedTuple):
     gid: bytes
     """16 bytes: of a server's reader of requests, of a client's writer of requests."""
     qos: QoS
+    type_hash: str = ""
+    """`RIHS01_` and 64 hex digits, of the service's own type; empty where its messages have theirs alone."""
 
 
 class RequestId(NamedTuple):

@@ -13,7 +13,7 @@ from tfloom.rosidl import spec
 from tfloom.rosidl.class_factory import LOCK, load
 from tfloom.rosidl.class_table import forget
 from tfloom.rosidl.parse import ParseError, parse_interface
-from tfloom.rosidl.sources import Source, definition_name, find_message, find_source, replace
+from tfloom.rosidl.sources import Source, definition_name, find_interface, find_message, find_source, replace
 from tfloom.rosidl.type_hash import (
     BOUNDED_STRINGS,
     NESTED,
@@ -24,7 +24,15 @@ from tfloom.rosidl.type_hash import (
     type_hash,
 )
 
-__all__ = ["ANNOUNCED", "DescriptionError", "check_size", "define_described", "definition_text", "hash_of"]
+__all__ = [
+    "ANNOUNCED",
+    "ANNOUNCED_WITH_SERVICES",
+    "DescriptionError",
+    "check_size",
+    "define_described",
+    "definition_text",
+    "hash_of",
+]
 
 MAX_TYPES = 500
 MAX_FIELDS = 10_000
@@ -45,7 +53,13 @@ ANNOUNCED = {
     "srv": ("_Request", "_Response"),
     "action": ("_SendGoal_Request", "_GetResult_Response", "_FeedbackMessage"),
 }
-"""The parts of each kind whose hashes discovery announces, and which together hold all of the definition."""
+"""The parts of each kind whose hashes discovery announces on DDS, which together hold all of the definition."""
+ANNOUNCED_WITH_SERVICES = {
+    **ANNOUNCED,
+    "srv": ("",),
+    "action": ("_SendGoal", "_GetResult", "_FeedbackMessage"),
+}
+"""The same where discovery announces a service by one hash, as on Zenoh."""
 
 _BASES = {number: base for base, number in TYPE_IDS.items() if base != "char"} | {
     number: base for base, number in BOUNDED_STRINGS.items()
@@ -119,14 +133,15 @@ def define_described(name: str, description: TypeDescription, hashes: Mapping[st
     Args:
         name: `package/kind/Name` of the message, service or action.
         description: What the peer has sent.
-        hashes: The announced hash of each part in `ANNOUNCED`, by the part's name.
+        hashes: The announced hash of each part in `ANNOUNCED`, or in `ANNOUNCED_WITH_SERVICES`, by the part's name.
 
     Raises:
         DescriptionError: the description is too large, incomplete or invalid, its hash is not the announced one, or it
             differs from a definition here.
     """
     kind = name.split("/")[1]
-    if hashes.keys() != {name + suffix for suffix in ANNOUNCED[kind]}:
+    forms = [{name + suffix for suffix in form[kind]} for form in (ANNOUNCED, ANNOUNCED_WITH_SERVICES)]
+    if hashes.keys() not in forms:
         raise ValueError(f"the hashes of {name} must be those of its parts, not of {', '.join(hashes)}")
     types = _table(description)
     for part, announced in hashes.items():
@@ -143,7 +158,7 @@ def define_described(name: str, description: TypeDescription, hashes: Mapping[st
         # description can. After a failure no definition of the peer stays.
         try:
             load(name)
-            _check_hashes(hashes)
+            _check_hashes(find_interface(name), hashes)
         except BaseException as error:
             for type_name in texts:
                 replace(type_name, None)
@@ -153,15 +168,22 @@ def define_described(name: str, description: TypeDescription, hashes: Mapping[st
             raise
 
 
-def _check_hashes(hashes: Mapping[str, str]) -> None:
-    """Check the hashes of definitions.
+def _check_hashes(interface: spec.Interface, hashes: Mapping[str, str]) -> None:
+    """Check the hashes of a definition's parts.
 
     Raises:
         DescriptionError: one isn't the announced one.
     """
+    parts = {part.name: part for part in _parts(interface)}
     for part, announced in hashes.items():
-        if type_hash(find_message(part), find_message) != announced:
+        if type_hash(parts[part], find_message) != announced:
             raise DescriptionError(f"{part} can't be written as a definition of the same hash")
+
+
+def _parts(interface: spec.Interface) -> tuple[spec.Interface, ...]:
+    """Return an interface, its services and its messages."""
+    services = (interface.send_goal, interface.get_result) if isinstance(interface, spec.Action) else ()
+    return (interface, *services, *spec.messages_of(interface))
 
 
 def _table(description: TypeDescription) -> dict[str, dict[str, spec.Type]]:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from tfloom.interfaces.builtin_interfaces.msg import Duration as DurationMessage
 from tfloom.interfaces.builtin_interfaces.msg import Time as TimeMessage
 from tfloom.interfaces.tf2_msgs.msg import TF2Error
+from tfloom.node.endpoints.client import NoResponseError
 from tfloom.node.executing.executor import executor_of
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.executing.task import Future
@@ -171,7 +172,7 @@ class BufferClient(BufferInterface):
         """Return the result of a future once the node's executor has completed it.
 
         Raises:
-            TimeoutException: it isn't complete at `end_s`, by the steady clock, or at shutdown.
+            TimeoutException: it isn't complete at `end_s`, by the steady clock, or at shutdown, or the server has left.
         """
         # A node in an executor is spun by another thread, and this one sleeps until the future or the shutdown wakes
         # it. It also looks again at short intervals, because the node may leave its executor during the wait: from then
@@ -190,7 +191,12 @@ class BufferClient(BufferInterface):
             raise TimeoutException(
                 f"The LookupTransform goal sent to the BufferServer did not come back in the specified time. {WRONG}"
             )
-        return future.result()
+        try:
+            return future.result()
+        except NoResponseError as error:
+            raise TimeoutException(
+                f"The LookupTransform goal sent to the BufferServer did not come back: {error}. {WRONG}"
+            ) from None
 
     def _spin_alone(self, future: Future[Any], timeout_s: float) -> bool:
         """Spin the node, which is in no executor, until a future is complete; False if another query spins it."""
