@@ -23,6 +23,17 @@ NAMES = (
 )
 
 
+NOT_ON_ZENOH = {
+    "test_transforms_are_received_while_the_gil_is_held": "each message calls Python there",
+    "test_a_publisher_that_listeners_do_not_hear_is_named": "they hear it, whatever its quality of service",
+    "test_incompatible_endpoints_are_reported_on_both_sides": "the text differs: tests/rmw/test_zenoh_wire.py has it",
+    "test_requests_to_a_buffer_server": "a bystander can't read requests there",
+    "test_listener_logs_the_messages_of_the_talker": "prints the padding of DDS",
+    "test_topic_of_an_unknown_type_is_said_once": "the hash of a type must be known there",
+}
+"""The tests that `TFLOOM_TEST_WIRE=rmw_zenoh_cpp` leaves out, and why."""
+
+
 def leave_out(items: list[pytest.Item], folder: Path, names: Mapping[str, str]) -> None:
     """Remove what Zenoh can't do from the tests of a folder that run on it too.
 

@@ -67,7 +67,7 @@ def expect_clean_end(program: Program, number: int = signal.SIGINT) -> None:
     """End a launch, and check that all of its processes end without an error."""
     program.signal(number)
     program.wait(60.0)
-    assert "Traceback" not in program.output
+    assert "Traceback" not in program.output, program.output
     assert "escalating" not in program.output
     started = [line for line in program.lines if "process started with pid" in line]
     ended = [line for line in program.lines if "process has finished cleanly" in line]
