@@ -19,6 +19,7 @@ from tfloom.rosidl import cdr
 
 if TYPE_CHECKING:
     from tfloom.node.context.context import Context
+    from tfloom.rmw.base import Writer
 
 __all__ = ["Rosout"]
 
@@ -36,12 +37,15 @@ class Rosout:
 
     def __init__(self, node: NodeBase) -> None:
         topic = topic_of(rcl_msg.Log, TOPIC)
+        # The node destroys it from `open_endpoint` on, even if Ctrl-C ends the rest.
+        self._writer: Writer | None = None
+        self._twins: list[Rosout] = []
+        self._logger_name = node.get_logger().name
         self._writer = open_endpoint(
             node,
             self,
             lambda wire, name: wire.create_writer(name, topic, qos_profile_rosout_default.to_wire()),
         )
-        self._logger_name = node.get_logger().name
         self._twins = _by_context.setdefault(node.context, {}).setdefault(self._logger_name, [])
         if self._twins:
             RcutilsLogger("rcl.logging_rosout").warning(
@@ -53,7 +57,7 @@ class Rosout:
         log_output.add_listener(self._logger_name, self._publish)
 
     def _publish(self, record: log_output.Record) -> None:
-        if self._twins[:1] != [self]:
+        if self._writer is None or self._twins[:1] != [self]:
             return
         check_fits_stamp(record.stamp_ns)
         sec, nanosec = divmod(record.stamp_ns, S_TO_NS)
@@ -76,7 +80,8 @@ class Rosout:
         if self in self._twins:
             self._twins.remove(self)
         log_output.remove_listener(self._logger_name, self._publish)
-        self._writer.close()
+        if self._writer is not None:
+            self._writer.close()
 
 
 def _encodable(text: str) -> str:
