@@ -895,3 +895,32 @@ def test_no_thread_of_python_is_left(domain_id: int) -> None:
     participant.create_responder(NODE, KILL, QoS())
     participant.close()
     assert set(threading.enumerate()) - before == set()
+
+
+CTRL_C_IN_A_CALLBACK = """
+import signal, sys
+import rclpy
+
+fired = []
+
+def trace(frame, event, argument):
+    if frame.f_code.co_name == "_on_token" and not fired:
+        fired.append(frame)
+        signal.raise_signal(signal.SIGINT)
+
+rclpy.init()
+sys.settrace(trace)
+try:
+    rclpy.spin(rclpy.create_node("interrupted"))
+except KeyboardInterrupt:
+    print("interrupted in a callback:", bool(fired))
+"""
+
+
+def test_ctrl_c_in_a_callback_of_zenoh_is_raised_in_the_program(
+    start_program: Callable[..., Program],
+) -> None:
+    """Zenoh calls back on the main thread too, within a declaration, and prints and drops what is raised there."""
+    program = start_program("python", "-c", CTRL_C_IN_A_CALLBACK)
+    assert program.wait() == 0, program.output
+    assert program.output == "interrupted in a callback: True"

@@ -6,6 +6,7 @@
 - cyclone*: the wire on libddsc
 - zenoh*: the wire on eclipse-zenoh, from `zenoh_wire`; its configuration and its routers
 - services, events, endpoint_events, qos, compatibility: what the wires share
+- callback_files: where Ctrl-C waits
 - forks: what a forked process has inherited
 - waiting, typed_names, action_names, endpoint_text, qos_mismatch: what nodes and commands share
 """

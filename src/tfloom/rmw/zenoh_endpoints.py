@@ -16,6 +16,7 @@ from typing import Any
 
 from tfloom._native import ReadyQueue, Sink
 from tfloom.rmw.base import EndpointInfo, Sample
+from tfloom.rmw.callback_files import callback_files
 from tfloom.rmw.compatibility import incompatible_policies
 from tfloom.rmw.endpoint_events import READER_EVENTS, WRITER_EVENTS, EndpointEvents
 from tfloom.rmw.errors import ClosedError, WireError
@@ -569,3 +570,6 @@ def _report_hashes(info: EndpointInfo, peer: Peer) -> None:
         f"{info.topic.type_hash} here, {peer.end.type_hash} there",
         file=sys.stderr,
     )
+
+
+callback_files.add(ZenohReader.take.__code__.co_filename)

@@ -12,6 +12,7 @@ from typing import Any, Protocol
 
 from tfloom._native import ReadyQueue
 from tfloom.rmw.base import EndpointInfo, NodeName, ParticipantInfo, ServiceEndInfo, Topic
+from tfloom.rmw.callback_files import callback_files
 from tfloom.rmw.topic_names import type_to_dds
 from tfloom.rmw.zenoh_library import open_library
 from tfloom.rmw.zenoh_session import refuse_fork
@@ -290,3 +291,6 @@ def _gid_of_session(zid: str) -> bytes:
         return bytes.fromhex(zid.zfill(32))[:16]
     except ValueError:  # a token with an id that is none
         return zid.encode()[:16].ljust(16, b"\0")
+
+
+callback_files.add(ZenohGraph.add_own.__code__.co_filename)

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 from tfloom._native import ReadyQueue
 from tfloom.rmw.action_names import GET_RESULT
 from tfloom.rmw.base import NodeName, Request, RequestId, Response, Service
+from tfloom.rmw.callback_files import callback_files
 from tfloom.rmw.errors import ForeignPeerError, WireError
 from tfloom.rmw.qos import QoS
 from tfloom.rmw.services import waiting_qos
@@ -372,3 +373,6 @@ class ZenohResponder(_ServiceEnd):
             self._requests.clear()
         for query in queries:
             query.drop()
+
+
+callback_files.add(ZenohRequester.take.__code__.co_filename)

@@ -23,6 +23,7 @@ from tfloom.node.context.postponed_interrupt import postponed
 from tfloom.node.executing.guard_condition import GuardCondition
 from tfloom.node.values.exceptions import ExternalShutdownException
 from tfloom.node.values.handle import unwrap_handle
+from tfloom.rmw.callback_files import callback_files
 
 __all__ = [
     "SignalHandlerGuardCondition",
@@ -175,7 +176,8 @@ _guards: tuple[SignalHandlerGuardCondition, ...] = ()
 def _may_interrupt(frame: FrameType | None) -> bool:
     """Return whether an exception may be raised in this frame.
 
-    Python prints and drops an exception in a destructor, and the code of `_uninterruptible_files` would keep a lock.
+    Python prints and drops an exception in a destructor, a wire's library in its callbacks, and the code of
+    `_uninterruptible_files` would keep a lock.
     """
     if frame is not None and _is_entering_with(frame):
         return False
@@ -184,6 +186,8 @@ def _may_interrupt(frame: FrameType | None) -> bool:
     while frame is not None:
         code = frame.f_code
         if code.co_name in _uninterruptible_functions or code.co_filename in _uninterruptible_files:
+            return False
+        if code.co_filename in callback_files:
             return False
         frame = frame.f_back
     return True
