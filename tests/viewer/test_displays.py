@@ -156,6 +156,14 @@ def test_image_is_at_the_far_end_of_its_cameras_pyramid() -> None:
     # The middle of the left upper pixel, (0.5, 0.5), and the right lower corner, half a metre before the camera.
     assert corner(0.125, 0.375) == pytest.approx(((0.5 - 1.0) / 4.0, (0.5 - 1.0) / 4.0, 0.5))
     assert corner(1.0, 0.0) == pytest.approx(((4.0 - 1.0) / 4.0, (2.0 - 1.0) / 4.0, 0.5))
+    pyramid, picture = (one.shape for one in display.shapes(0))
+    display.take(info, 0)  # the same calibration a moment later is drawn by what is there
+    assert display.shapes(0)[0].shape is pyramid
+    assert display.shapes(0)[1].shape is picture
+    wider = CameraInfo(header=header("camera"), width=4, height=2, k=[1.0, 0, 1.0, 0, 1.0, 1.0, 0, 0, 1])
+    display.take(wider, 0)
+    assert display.shapes(0)[0].shape is not pyramid
+    assert display.shapes(0)[1].shape.size == pytest.approx((2.0, 1.0))
     broken = Image(width=4, height=2, step=1, encoding="rgb8", data=b"1")
     display._next_picture_s = 0.0
     display.set_image(Entry(2, b""), lambda _: broken)

@@ -19,7 +19,7 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import ClientConnection, connect
 
 from tfloom.interfaces.geometry_msgs.msg import PoseStamped, TransformStamped, Twist
-from tfloom.interfaces.sensor_msgs.msg import Image, PointCloud2
+from tfloom.interfaces.sensor_msgs.msg import CameraInfo, Image, PointCloud2
 from tfloom.node.node import Node
 from tfloom.tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
 from tfloom.tf2_ros.transform_broadcaster import TransformBroadcaster
@@ -501,3 +501,37 @@ def test_layout_is_applied_and_saved(node: Node, viewer: Viewer, open_page: Open
     viewer.layout_path = tmp_path / "no" / "such"
     page.send(op="layout")
     assert "can't write" in page.answer("error")
+
+
+def test_images_of_a_camera_are_exchanged_in_its_pyramid_at_the_time_that_is_shown(
+    node: Node, viewer: Viewer, open_page: OpenPage
+) -> None:
+    infos = node.create_publisher(CameraInfo, "/camera/camera_info", 10)
+    images = node.create_publisher(Image, "/camera/image", 10)
+    page = open_page(viewer)
+    feed(node, viewer)
+    page.wait_for(lambda: page.display("/camera/camera_info") and page.display("/camera/image"))
+    for topic in ("/camera/camera_info", "/camera/image"):
+        page.send(op="display", topic=topic, on=True)
+    wait_until(lambda: infos.get_subscription_count() and images.get_subscription_count())
+    scene = viewer._server.scene
+
+    def shown() -> int | None:
+        handle = scene.get_handle_by_name("/displays/0/1")
+        return None if handle is None else int(handle.image[0, 0, 0])
+
+    k = [2.0, 0, 1.0, 0, 2.0, 1.0, 0, 0, 1]
+    nodes = set()
+    for sec, level in ((104, 40), (108, 200)):
+        infos.publish(CameraInfo(header=header("base", sec), width=4, height=2, k=k))
+        data = bytes([level]) * 24
+        images.publish(
+            Image(header=header("base", sec), width=4, height=2, step=12, encoding="rgb8", data=data)
+        )
+        wait_until(lambda level=level: shown() == level, what="the image")
+        nodes |= {id(scene.get_handle_by_name(f"/displays/0/{part}")) for part in (0, 1)}
+    assert len(nodes) == 2  # they are changed, not replaced
+    page.send(op="hold", stamp_ns=str(105 * 10**9))
+    wait_until(lambda: shown() == 40, what="the image before")
+    page.send(op="choose", topic="/camera/camera_info", choice="no image")
+    wait_until(lambda: shown() is None, what="the pyramid alone")

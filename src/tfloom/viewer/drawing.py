@@ -63,6 +63,15 @@ class Drawn:
             self._handle.points = shape.positions
             self._handle.colors = shape.colors
             return
+        if (
+            isinstance(shape, shapes.Picture)
+            and isinstance(before, shapes.Picture)
+            and shape.size == before.size
+            and shape.pixels.shape == before.pixels.shape
+        ):
+            # A video's frames are exchanged: a page takes longer to replace a node, and would fall behind.
+            self._handle.image = _flipped(shape)
+            return
         self._handle = self._add(shape)
         pose, is_visible = self._pose, self._is_visible
         self._pose, self._is_visible = None, True
@@ -215,11 +224,15 @@ def _add_text(scene: SceneApi, name: str, shape: shapes.Text) -> Any:
     )
 
 
+def _flipped(shape: shapes.Picture) -> NDArray[np.uint8]:
+    """Return a picture's pixels as viser hangs them: upside down, as those of cameras whose y axis is down."""
+    return np.ascontiguousarray(shape.pixels[::-1])
+
+
 def _add_picture(scene: SceneApi, name: str, shape: shapes.Picture) -> Any:
-    # Viser's pictures hang upside down, as those of cameras whose y axis is down.
     return scene.add_image(
         name,
-        np.ascontiguousarray(shape.pixels[::-1]),
+        _flipped(shape),
         shape.size[0],
         shape.size[1],
         cast_shadow=False,

@@ -53,6 +53,10 @@ class CameraDisplay:
         """The image that was drawn last."""
         self._pixels: NDArray[np.uint8] | None = None
         self._next_picture_s = 0.0
+        self._corners = np.zeros((4, 3))
+        self._lines: Lines | None = None
+        """Kept while the calibration stays the same, because a page takes long to replace lines."""
+        self._picture: Picture | None = None
         self._shapes: list[Placed] | None = None
 
     def take(self, message: Any, stamp_ns: int) -> None:  # noqa: ARG002  # the header's stamp counts
@@ -62,7 +66,9 @@ class CameraDisplay:
             DisplayError: it is none.
         """
         self._message = None
-        _corners(message)
+        corners = _corners(message)
+        if self._lines is None or not np.array_equal(corners, self._corners):
+            self._corners, self._lines, self._picture = corners, _pyramid(corners), None
         self._message, self._shapes = message, None
 
     def clear(self) -> None:
@@ -81,7 +87,7 @@ class CameraDisplay:
         now_s = time.monotonic()
         if entry is self._entry or (entry is not None and now_s < self._next_picture_s):
             return
-        self._entry, self._shapes, self._pixels = entry, None, None
+        self._entry, self._shapes, self._pixels, self._picture = entry, None, None, None
         if entry is None or decode is None:
             return
         self._next_picture_s = now_s + PICTURE_S
@@ -92,10 +98,18 @@ class CameraDisplay:
 
     def shapes(self, now_ns: int) -> list[Placed]:  # noqa: ARG002  # they stay until the next message
         """Return the pyramid, and the image."""
-        if self._message is None:
+        if self._message is None or self._lines is None:
             return []
         if self._shapes is None:
-            self._shapes = _shapes_of(self._message, self._pixels)
+            frame, stamp_ns = self._message.header.frame_id, stamp_of(self._message.header)
+            self._shapes = [Placed(self._lines, frame, stamp_ns)]
+            if self._pixels is not None:
+                right, low = self._corners[2] - self._corners[0], self._corners[3]
+                size = float(right[0]), float(right[1])
+                self._picture = self._picture or Picture(self._pixels, size)
+                at = float(low[0]), float(low[1]), float(low[2])
+                # A picture's y axis is up, and a camera's is down: half a turn around x.
+                self._shapes.append(Placed(self._picture, frame, stamp_ns, at, (1.0, 0.0, 0.0, 0.0)))
         return self._shapes
 
 
@@ -118,17 +132,7 @@ def _corners(message: Any) -> NDArray[np.float64]:
     return table
 
 
-def _shapes_of(message: Any, pixels: NDArray[np.uint8] | None) -> list[Placed]:
-    corners = _corners(message)
+def _pyramid(corners: NDArray[np.float64]) -> Lines:
     edges = [(np.zeros(3), corner) for corner in corners]
     edges += [(corners[number], corners[(number + 1) % 4]) for number in range(4)]
-    lines = Lines(np.array(edges).astype(np.float32), np.array(BLUE, np.uint8))
-    frame, stamp_ns = message.header.frame_id, stamp_of(message.header)
-    placed = [Placed(lines, frame, stamp_ns)]
-    if pixels is not None:
-        across, low = corners[2] - corners[0], corners[3]
-        picture = Picture(pixels, (float(across[0]), float(across[1])))
-        # A picture's y axis is up, and a camera's is down: half a turn around x.
-        at = float(low[0]), float(low[1]), float(low[2])
-        placed.append(Placed(picture, frame, stamp_ns, at, (1.0, 0.0, 0.0, 0.0)))
-    return placed
+    return Lines(np.array(edges).astype(np.float32), np.array(BLUE, np.uint8))
