@@ -604,12 +604,15 @@ def test_the_graph_is_whole_when_what_was_there_has_come(participant: Participan
 
     for number in range(300):
         participant.add_node(NodeName("/many", f"node_{number}"))
-    other = open_participant(domain_id)
+    before, other = open_participant(domain_id), None
     try:
+        wait_until(lambda: len(before.graph.nodes()) == 301)  # all have reached the router
+        other = open_participant(domain_id)
         wait_until(other.graph.is_whole)
         assert len(other.graph.nodes()) == 301
     finally:
-        other.close()
+        for opened in filter(None, (before, other)):
+            opened.close()
 
 
 def test_many_threads_write_and_close_at_once(participant: Participant) -> None:
