@@ -599,22 +599,6 @@ def test_samples_reach_a_sink_in_order_those_that_waited_first(participant: Part
     assert sink.pushed() == 10
 
 
-def test_the_graph_is_whole_when_what_was_there_has_come(participant: Participant, domain_id: int) -> None:
-    from tfloom.rmw.zenoh_wire import open_participant
-
-    for number in range(300):
-        participant.add_node(NodeName("/many", f"node_{number}"))
-    before, other = open_participant(domain_id), None
-    try:
-        wait_until(lambda: len(before.graph.nodes()) == 301)  # all have reached the router
-        other = open_participant(domain_id)
-        wait_until(other.graph.is_whole)
-        assert len(other.graph.nodes()) == 301
-    finally:
-        for opened in filter(None, (before, other)):
-            opened.close()
-
-
 def test_many_threads_write_and_close_at_once(participant: Participant) -> None:
     keep_all = QoS(history=HistoryPolicy.KEEP_ALL)
     reader = participant.create_reader(NODE, TOPIC, keep_all)

@@ -24,8 +24,6 @@ MAX_TOKENS = 200_000
 """How many tokens are kept; further ones are ignored."""
 MAX_KEY_LENGTH = 4096
 """The longest token that is read [characters]."""
-WHOLE_S = 2.0
-"""The longest wait for the tokens that are there already [s]."""
 
 _TOPIC_KINDS = {Kind.PUBLISHER, Kind.SUBSCRIPTION}
 _SERVICE_KINDS = {Kind.SERVER, Kind.CLIENT}
@@ -89,13 +87,6 @@ class ZenohGraph:
         self._subscriber = session.liveliness().declare_subscriber(
             token_pattern(domain_id), zenoh.handlers.Callback(self._on_token, indirect=False), history=True
         )
-        # The subscriber's own history doesn't tell when it has come. A query of the same tokens ends with the last one.
-        self._is_whole = False
-        session.liveliness().get(
-            token_pattern(domain_id),
-            zenoh.handlers.Callback(self._on_reply, self._on_last_reply, indirect=False),
-            timeout=WHOLE_S,
-        )
 
     def _on_token(self, sample: Any) -> None:
         key = str(sample.key_expr)
@@ -106,15 +97,6 @@ class ZenohGraph:
             self._add(key)
         else:
             self._remove(key)
-
-    def _on_reply(self, reply: Any) -> None:
-        if reply.ok is not None:
-            self._on_token(reply.ok)
-
-    def _on_last_reply(self) -> None:
-        self._is_whole = True
-        with self._lock:
-            self._post_change()
 
     def add_own(self, key: str) -> None:
         """Add an own token, which has been declared."""
@@ -257,8 +239,12 @@ class ZenohGraph:
         return self._changes
 
     def is_whole(self) -> bool:
-        """Return whether all tokens that were there when this session came have arrived."""
-        return self._is_whole
+        """Return True: nothing tells when the last token has come.
+
+        A query of all tokens ends early, with none or some of them, where the link to the router is as young as that
+        of a session that has just been opened.
+        """
+        return True
 
     def delivers_incompatible(self) -> bool:
         """Return True: keys connect endpoints, and they tell nothing of qualities."""
