@@ -25,7 +25,8 @@ if TYPE_CHECKING:
 PORT = 8765
 HISTORY_S = 60.0
 OPEN_TO_ALL = """\
-Whoever has this address can see what is published here, and can drive robots: it has a token, and is not encrypted."""
+Whoever has this address can see what is published here, publish, call services, and drive robots: it has a token, and \
+is not encrypted."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
