@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tfloom._native import ReadyQueue
 from tfloom.node.context.context import WAKE
+from tfloom.node.context.postponed_interrupt import postponed
 from tfloom.node.endpoints.endpoint import UNREADABLE
 from tfloom.node.endpoints.posting import Posting
 from tfloom.node.endpoints.service import ServiceEndpoint
@@ -148,6 +149,7 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
 
         Raises:
             NoResponseError: without a limit, no response can arrive any more, as for `call_async`.
+            KeyboardInterrupt: Ctrl-C has shut the context down.
             TypeError: `request` isn't of the service's request type.
             RuntimeError: called from a callback of a single-threaded executor, which would block its own thread.
         """
@@ -158,7 +160,11 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
                 "executor has to run first. Await call_async, or spin with a MultiThreadedExecutor"
             )
         future = self.call_async(request)
-        if not self._wait_for(future, timeout_sec):
+        is_complete = self._wait_for(future, timeout_sec)
+        # A Ctrl-C may have come where no exception could be raised, as in a callback of the wire's library.
+        if not self._context.ok() and postponed.take():
+            raise KeyboardInterrupt
+        if not is_complete:
             self.remove_pending_request(future)
             return None
         if not self._context.ok() and future.exception() is not None:
