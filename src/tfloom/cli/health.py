@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 import tfloom
 from tfloom.cli.finding import Finding, Verdict
 from tfloom.cli.peer_health import check_peers
+from tfloom.cli.zenoh_health import is_zenoh_selected
 from tfloom.rmw.errors import WireError
 from tfloom.workspace import index
 
@@ -138,6 +139,8 @@ def check_domain() -> Finding:
         f"export ROS_AUTOMATIC_DISCOVERY_RANGE={'SUBNET' if asked == 'LOCALHOST' else asked} "
         f"on both{' (its default is SUBNET)' if asked == 'LOCALHOST' else ''}"
     )
+    if is_zenoh_selected():  # where others need not have the same range
+        advice = ""
     return Finding(Verdict.OK, f"domain {domain}, discovery range {asked}", advice, details)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from tfloom.cli.finding import Finding, Verdict
+from tfloom.cli.zenoh_health import check_sessions, is_zenoh_selected
 from tfloom.rmw.errors import WireError
 
 PEERS_TIMEOUT_S = 5.0
@@ -21,18 +22,21 @@ VENDORS = {
 
 
 def check_peers() -> Finding:
-    """Check what passes between this process and each participant on the domain, by the vendor of its DDS."""
+    """Check what passes between this process and each participant on the domain: on DDS, by its vendor."""
     from tfloom._native import dds_read_versions
     from tfloom.cli.graph import joined_participant, wait_until_quiet
     from tfloom.rmw.cyclone_library import open_library
     from tfloom.rmw.cyclone_services import untranslated
 
-    dds_read_versions()
+    if not is_zenoh_selected():
+        dds_read_versions()
     try:
         with joined_participant() as participant:
             if participant.graph.participants()[0].gid.startswith(b"tfloom::"):
                 return Finding(Verdict.OK, "none: tfloom_local connects the nodes of one process")
             wait_until_quiet(participant.graph, PEERS_TIMEOUT_S)
+            if is_zenoh_selected():
+                return check_sessions(participant.graph)
             peers = [peer for peer in participant.graph.participants() if not peer.is_own]
         failure = untranslated(open_library().path)
     except WireError as error:

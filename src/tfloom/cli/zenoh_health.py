@@ -1,12 +1,15 @@
-"""The check of `doctor` that the wire on Zenoh has, in addition to those of all wires."""
+"""The checks of `doctor` on Zenoh: the router, and the other sessions with what does not pass between them."""
 
 from __future__ import annotations
 
 import os
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from tfloom.cli.finding import Finding, Verdict
 from tfloom.rmw.errors import WireError
+
+if TYPE_CHECKING:
+    from tfloom.rmw.base import Graph
 
 LINK_TIMEOUT_S = 3.0
 WIRE = "rmw_zenoh_cpp"
@@ -82,3 +85,39 @@ def _linked(config: Any, details: dict[str, Any]) -> Finding:
         else "start a router there, by `tfloom zenoh router`, or correct the endpoint or the certificates"
     )
     return Finding(Verdict.FAILED, f"no link to a router: {why_no_links(config)}{held}", advice, details)
+
+
+def check_sessions(graph: Graph) -> Finding:
+    """Check the other sessions on the domain: nothing passes where one type has two hashes.
+
+    Args:
+        graph: Discovery is complete.
+    """
+    sessions = [participant for participant in graph.participants() if not participant.is_own]
+    if not sessions:
+        return Finding(Verdict.OK, "no other session on the domain")
+    details: dict[str, Any] = {
+        f"session {session.gid.hex()}": ", ".join(node.full for node in session.nodes) or "no node"
+        for session in sessions
+    }
+    summary = f"other sessions: {len(sessions)}"
+    ends = [(end.topic.name, end.topic.type_name, end.topic.type_hash, end.node) for end in graph.endpoints()]
+    ends += [(end.name, end.type_name, end.type_hash, end.node) for end in graph.service_ends()]
+    users: dict[tuple[str, str], dict[str, set[str]]] = {}
+    for name, type_name, type_hash, node in ends:
+        if type_hash and node is not None:
+            users.setdefault((name, type_name), {}).setdefault(type_hash, set()).add(node.full)
+    differing = {key: by_hash for key, by_hash in users.items() if len(by_hash) > 1}
+    if not differing:
+        return Finding(Verdict.OK, f"{summary}; topics and services pass", details=details)
+    for (name, type_name), by_hash in sorted(differing.items()):
+        details[f"{name} {type_name}"] = "; ".join(
+            f"{type_hash} of {', '.join(sorted(nodes))}" for type_hash, nodes in sorted(by_hash.items())
+        )
+    named = ", ".join(f"{name} ({type_name})" for name, type_name in sorted(differing))
+    return Finding(
+        Verdict.WARNING,
+        f"{summary}; definitions differ, so that nothing passes between some nodes, on {named}",
+        "build these packages anew from the same definitions on both sides; --report lists the nodes of each",
+        details,
+    )
