@@ -16,6 +16,7 @@ from typing import Any
 import pytest
 from lifecycle_msgs.msg import Transition
 from rclpy.clock import ROSClock
+from rclpy.exceptions import InvalidServiceNameException
 from rclpy.time import Time
 from ros2cli.node.direct import DirectNode
 from ros2component.api import (
@@ -170,6 +171,10 @@ def test_lifecycle_nodes_are_asked_and_changed(nodes: int, monkeypatch: pytest.M
         assert list(mixed) == ["/nobody", "/a_node"]
         assert str(mixed["/nobody"]) == "service /nobody/get_state is not there"
         assert mixed["/a_node"].label == "inactive"
+        assert not list(node.clients)
+        # Clients that were created before the one of an invalid name are destroyed, too.
+        with pytest.raises(InvalidServiceNameException):
+            call_get_states(node=node, node_names=["/a_node", "/no name"])
         assert not list(node.clients)
 
 

@@ -39,10 +39,11 @@ def call_services(
         For each key the response, or a RuntimeError where the service isn't there or doesn't respond.
     """
     caller = node_of(node)
-    clients = {
-        key: caller.create_client(call.service_class, call.service_name) for key, call in calls.items()
-    }
+    clients: dict[_Key, Any] = {}
     try:
+        # Each one is noted as soon as it is there: the name of a later one may be invalid.
+        for key, call in calls.items():
+            clients[key] = caller.create_client(call.service_class, call.service_name)
         futures, answers = {}, {}
         end_s = time.monotonic() + (TIMEOUT_S if timeout_s is None else timeout_s)
         for key, client in clients.items():
