@@ -13,6 +13,7 @@ import pytest
 from tests.conftest import wait_until
 from tests.viewer.conftest import Page
 
+from tfloom._native import ReadyQueue
 from tfloom.interfaces.action_msgs.msg import GoalStatus
 from tfloom.interfaces.example_interfaces.action import Fibonacci
 from tfloom.interfaces.geometry_msgs.msg import PoseStamped
@@ -26,6 +27,8 @@ from tfloom.node.action.server import ActionServer, CancelResponse, GoalResponse
 from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
+from tfloom.rmw.base import NodeName
+from tfloom.rmw.errors import WireError
 from tfloom.rosidl.class_search import find_class
 from tfloom.rosidl.definition_files import interface_names
 from tfloom.viewer.forms import asking, filling, sending, type_form
@@ -352,6 +355,57 @@ def test_closed_page_cancels_its_goal(spun: Node, viewer: Viewer, open_page: Ope
     wait_until(lambda: server.handles[0].status == GoalStatus.STATUS_CANCELED, what="the goal's end")
     forms = viewer._live.forms
     wait_until(lambda: not forms._tasks and not forms._orphans, what="the client's end")
+
+
+def test_goal_of_a_page_that_was_closed_at_once_is_not_left(
+    viewer: Viewer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    forms = viewer._live.forms
+    monkeypatch.setattr(sending.Sending, "_run", lambda _: None)
+    idle = sending.Sending(forms._participant, forms._node, forms._now_ns)
+    said: list[dict[str, Any]] = []
+    command = {"op": "send", "key": "1", "what": "action", "name": "/x", "values": {}}
+    idle.ask("page", {**command, "type": "example_interfaces/action/Fibonacci"}, said.append)
+    idle.forget("page")
+    idle._take_commands()
+    assert [one["sent"]["state"] for one in said] == ["waiting"]
+    assert idle._tasks == []
+    assert idle._orphans == []  # it was never sent
+
+
+class SmallWire:
+    """A participant that opens no more than some ends, and counts those that are open."""
+
+    def __init__(self, size: int) -> None:
+        self.left = size
+        self.open_count = 0
+
+    def create_requester(self, *_: object) -> SmallWire:
+        if not self.left:
+            raise WireError("it opens no more")
+        self.left -= 1
+        self.open_count += 1
+        return self
+
+    create_reader = create_requester
+
+    def notify(self, *_: object) -> None:
+        pass
+
+    notify_ready = notify
+
+    def close(self) -> None:
+        self.open_count -= 1
+
+
+@pytest.mark.parametrize("size", range(4))
+def test_goal_that_cannot_be_opened_leaves_nothing_open(size: int) -> None:
+    small: Any = SmallWire(size)
+    wire = asking.Wire(small, NodeName("/", "me"), ReadyQueue())
+    with pytest.raises(WireError, match="no more"):
+        asking.Goal(wire, "/count", Fibonacci, Fibonacci.Goal(), lambda *_: None)
+    assert small.left == 0
+    assert small.open_count == 0
 
 
 def test_wrong_commands_get_a_sentence_and_forms_go_on(

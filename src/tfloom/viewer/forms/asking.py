@@ -179,9 +179,14 @@ class Goal:
             wire.node, topic_of(self._feedback_class, name + FEEDBACK), QoS()
         )
         self._feedback.notify(wire.arrived, 1)
-        self._accepting = Question(wire, name + SEND_GOAL, parts.SendGoalService)
-        self._resulting = Question(wire, name + GET_RESULT, parts.GetResultService)
-        self._cancelling = Question(wire, name + CANCEL_GOAL, parts.CancelGoalService)
+        self._questions: list[Question] = []
+        try:
+            self._accepting = self._question(wire, name + SEND_GOAL, parts.SendGoalService)
+            self._resulting = self._question(wire, name + GET_RESULT, parts.GetResultService)
+            self._cancelling = self._question(wire, name + CANCEL_GOAL, parts.CancelGoalService)
+        except BaseException:
+            self.close()
+            raise
         self._result_request = cdr.encode(parts.GetResultService.Request(goal_id=self._id))
         self._cancel_request = cdr.encode(
             parts.CancelGoalService.Request(goal_info=GoalInfo(goal_id=self._id))
@@ -193,6 +198,11 @@ class Goal:
         self._newest: Any = None
         """The newest feedback that the page has not been told."""
         self._next_feedback_s = 0.0
+
+    def _question(self, wire: Wire, name: str, service_class: type[Any]) -> Question:
+        question = Question(wire, name, service_class)
+        self._questions.append(question)
+        return question
 
     def step(self) -> bool:
         """Do what can be done now; return whether the goal has ended.
@@ -270,7 +280,7 @@ class Goal:
     def close(self) -> None:
         """Leave the action."""
         self._feedback.close()
-        for question in (self._accepting, self._resulting, self._cancelling):
+        for question in self._questions:
             question.close()
 
 

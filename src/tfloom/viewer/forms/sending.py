@@ -161,11 +161,11 @@ class Sending:
         if self._is_left:
             self._is_left = False
             self._close_writers()
+        # A page that is forgotten here has asked for everything before. So its commands, which may still wait, are done
+        # first, and what they have begun is cancelled with the rest: nobody could cancel it later.
+        forgotten = set()
         while not self._forgotten.empty():
-            page = self._forgotten.get()
-            for opened in [opened for opened in self._tasks if opened.page == page]:
-                self._tasks.remove(opened)
-                self._cancel_orphan(opened.task)
+            forgotten.add(self._forgotten.get())
         while not self._commands.empty():
             page, command, answer = self._commands.get()
             try:
@@ -174,6 +174,9 @@ class Sending:
                 self._refuse(command, answer, str(error))
             except Exception as error:  # noqa: BLE001  # of one form: those after it are still sent
                 self._refuse(command, answer, f"{type(error).__name__}: {error}")
+        for opened in [opened for opened in self._tasks if opened.page in forgotten]:
+            self._tasks.remove(opened)
+            self._cancel_orphan(opened.task)
 
     @staticmethod
     def _refuse(command: Mapping[str, Any], answer: Answer, reason: str) -> None:
