@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 import struct
 import sys
 import threading
@@ -424,6 +425,29 @@ def test_what_a_writer_wrote_before_it_knew_of_the_reader_is_asked_for(
     assert numbers == [1, 2, 3, 4, 5]
     assert any("_max=5" in selector for selector in asked)
     queryable.undeclare()
+
+
+def test_no_more_than_the_queue_takes_is_held_of_a_fast_writer(
+    participant: Participant, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    reader: Any = participant.create_reader(NODE, TOPIC, LATCHED)
+    monkeypatch.setattr(reader, "_catch_up", lambda _: None)  # the earlier samples take long
+
+    def arrive(number: int) -> None:
+        attachment = zenoh.ZBytes(zenoh_attachment.pack(number, GID))
+        payload = zenoh.ZBytes(HEADER + struct.pack("<I", number))
+        reader._on_sample(argparse.Namespace(attachment=attachment, payload=payload))
+
+    for number in range(7, 1007):
+        arrive(number)
+        assert len(reader._held[GID]) <= 2 * LATCHED.depth
+    reader._release(GID)
+    taken = [struct.unpack("<I", sample.data[4:])[0] for sample in iter(reader.take, None)]
+    assert taken == [1002, 1003, 1004, 1005, 1006]
+    arrive(500)  # Zenoh's own query brings an old one again
+    assert reader.take() is None
+    arrive(1007)
+    assert reader.take() is not None
 
 
 def test_all_is_received_of_a_writer_that_keeps_all(

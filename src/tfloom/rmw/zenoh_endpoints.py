@@ -65,6 +65,8 @@ class ZenohEndpoint(ZenohEnd):
         self.events = EndpointEvents(known, f"a {self.kind} has no such event")
         self._timers = timers
         self._timer_numbers: list[int] = []
+        self._active_s: float | None = None
+        """When it wrote or received last, on the monotonic clock [s]; None: never."""
         self._peers: dict[bytes, QoS] = {}
         """The quality of each compatible peer by its gid, guarded by the graph's lock."""
 
@@ -128,6 +130,21 @@ class ZenohEndpoint(ZenohEnd):
     def _call_at(self, first_s: float, check: Callable[[float], float]) -> None:
         self._timer_numbers.append(self._timers.add(first_s, check))
 
+    def _watch_deadline(self) -> None:
+        """Start to count missed deadlines, if the quality of service has a deadline."""
+        if self.info.qos.deadline_ns < INFINITE_NS:
+            period_s = self.info.qos.deadline_ns / _NS_PER_S
+            self._call_at(time.monotonic() + period_s, lambda now_s: self._check_deadline(now_s, period_s))
+
+    def _check_deadline(self, now_s: float, period_s: float) -> float:
+        """Count a deadline that has passed since the last sample; return when to look again [s]."""
+        if self._active_s is None:
+            return now_s + period_s
+        if now_s < self._active_s + period_s:
+            return self._active_s + period_s
+        self.events.count(Event.DEADLINE_MISSED)
+        return now_s + period_s
+
     def invalidate_after_fork(self) -> None:
         """Become the copy of the parent's endpoint in a forked child."""
         super().invalidate_after_fork()
@@ -151,8 +168,6 @@ class ZenohWriter(ZenohEndpoint):
     ) -> None:
         super().__init__(info, graph, timers, forget)
         self._sequence_number = 0
-        self._written_s: float | None = None
-        """When it wrote last, on the monotonic clock [s]; None: never."""
         self._asserted_s = time.monotonic()
         self._is_alive = True
         self._publisher: Any = None
@@ -190,21 +205,11 @@ class ZenohWriter(ZenohEndpoint):
 
     def start_timers(self) -> None:
         """Start to watch its deadline and its lease."""
+        self._watch_deadline()
         qos = self.info.qos
-        if qos.deadline_ns < INFINITE_NS:
-            period_s = qos.deadline_ns / _NS_PER_S
-            self._call_at(time.monotonic() + period_s, lambda now_s: self._check_deadline(now_s, period_s))
         if qos.liveliness == LivelinessPolicy.MANUAL_BY_TOPIC and qos.liveliness_lease_ns < INFINITE_NS:
             lease_s = qos.liveliness_lease_ns / _NS_PER_S
             self._call_at(time.monotonic() + lease_s, lambda now_s: self._check_lease(now_s, lease_s))
-
-    def _check_deadline(self, now_s: float, period_s: float) -> float:
-        if self._written_s is None:
-            return now_s + period_s
-        if now_s < self._written_s + period_s:
-            return self._written_s + period_s
-        self.events.count(Event.DEADLINE_MISSED)
-        return now_s + period_s
 
     def _check_lease(self, now_s: float, lease_s: float) -> float:
         if now_s < self._asserted_s + lease_s:
@@ -229,7 +234,7 @@ class ZenohWriter(ZenohEndpoint):
             self._sequence_number += 1
             number = self._sequence_number
         if self._is_timed:
-            self._written_s = self._asserted_s = time.monotonic()
+            self._active_s = self._asserted_s = time.monotonic()
             self._is_alive = True
         try:
             self._publisher.put(bytes(data), attachment=pack(number, self.gid))
@@ -283,7 +288,6 @@ class ZenohReader(ZenohEndpoint):
         """Of the writers that have one. Replaced, never changed."""
         self._leases: dict[bytes, _Lease] = {}
         """Of the writers that must assert their liveliness. Replaced, never changed."""
-        self._received_s: float | None = None
         self._is_timed = info.qos.deadline_ns < INFINITE_NS
 
     def declare(self, session: Any, key: str) -> Any:
@@ -312,17 +316,7 @@ class ZenohReader(ZenohEndpoint):
 
     def start_timers(self) -> None:
         """Start to watch its deadline."""
-        if self._is_timed:
-            period_s = self.info.qos.deadline_ns / _NS_PER_S
-            self._call_at(time.monotonic() + period_s, lambda now_s: self._check_deadline(now_s, period_s))
-
-    def _check_deadline(self, now_s: float, period_s: float) -> float:
-        if self._received_s is None:
-            return now_s + period_s
-        if now_s < self._received_s + period_s:
-            return self._received_s + period_s
-        self.events.count(Event.DEADLINE_MISSED)
-        return now_s + period_s
+        self._watch_deadline()
 
     def _on_sample(self, sample: Any) -> None:
         """Queue a sample, or push it into the sink; called on a thread of Zenoh, which all topics share."""
@@ -335,7 +329,7 @@ class ZenohReader(ZenohEndpoint):
         number, stamp_ns, gid = header
         now_ns = time.time_ns()
         if self._is_timed:
-            self._received_s = time.monotonic()
+            self._active_s = time.monotonic()
         if self._leases and (lease := self._leases.get(gid)):
             lease.renew()
         accepted = Sample(data, stamp_ns, now_ns, gid)
@@ -353,10 +347,19 @@ class ZenohReader(ZenohEndpoint):
 
     def _is_held(self, number: int, sample: Sample) -> bool:
         """Return whether a sample is held now, or has been and is here again; the caller holds the lock."""
-        if self._held and (held := self._held.get(sample.publisher_gid)) is not None:
+        gid = sample.publisher_gid
+        if self._held and (held := self._held.get(gid)) is not None:
             held[number] = sample
+            # No more than the depth is delivered of them, so a fast writer must not fill the memory meanwhile. Old ones
+            # are dropped many at a time, because sorting takes long.
+            depth = self._waiting.maxlen
+            if depth is not None and len(held) > 2 * depth:
+                stale = sorted(held)[:-depth]
+                self._released.setdefault(gid, set()).update(stale)
+                for old in stale:
+                    del held[old]
             return True
-        released = self._released.get(sample.publisher_gid) if self._released else None
+        released = self._released.get(gid) if self._released else None
         if released and number in released:  # Zenoh's own query has brought it too
             released.discard(number)
             return True

@@ -126,5 +126,5 @@ class Timers:
             self._changed.notify()
             thread, self._thread = self._thread, None
         if thread is not None and thread is not threading.current_thread():
-            with suppress(RuntimeError):
+            with suppress(RuntimeError):  # Python refuses to wait for a thread while the interpreter ends
                 thread.join()
