@@ -275,8 +275,7 @@ def test_parameters_without_effect_are_said(domain_id: int, capfd: pytest.Captur
 
 
 def test_launch_file(node: Node, start_program: Callable[..., Program]) -> None:
-    node.create_publisher(String, "/shown", 1)
-    node.create_publisher(String, "/other_topic", 1)
+    """With its parameters; topics that come later are shown although no /clock moves the simulated time."""
     program = start_program(
         *("ros2", "launch", "foxglove_bridge", "foxglove_bridge_launch.xml", "port:=0"),
         *("topic_whitelist:=['/shown']", "use_sim_time:=true"),
@@ -284,6 +283,8 @@ def test_launch_file(node: Node, start_program: Callable[..., Program]) -> None:
     port = port_of(program)
     client = Client(port)
     with closing(client.socket):
+        node.create_publisher(String, "/other_topic", 1)
+        node.create_publisher(String, "/shown", 1)
         client.wait_for(lambda: client.channels)
         assert list(client.channels) == ["/shown"]
         assert "time" in client.info["capabilities"]

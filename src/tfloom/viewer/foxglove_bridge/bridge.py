@@ -12,9 +12,11 @@ from foxglove import ConnectionGraph, Context
 from foxglove.websocket import Capability, ServerListener
 
 from tfloom.interfaces.rcl_interfaces.msg import ParameterEvent
-from tfloom.interfaces.rosgraph_msgs.msg import Clock
+from tfloom.interfaces.rosgraph_msgs.msg import Clock as ClockMessage
+from tfloom.node.clock.clock import Clock
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import QoSProfile
+from tfloom.node.values.clock_type import ClockType
 from tfloom.rmw.qos import ReliabilityPolicy
 from tfloom.viewer.foxglove_bridge.assets import AssetError, read_asset
 from tfloom.viewer.foxglove_bridge.calls import Calls
@@ -104,12 +106,14 @@ class FoxgloveBridge(Node):
         except (OSError, RuntimeError, ValueError, foxglove_error()) as error:
             raise BridgeError(f"can't listen at {settings.address}:{settings.port}: {error}") from None
         self._services = Services(self, self.server, self.calls, settings)
-        self.create_timer(UPDATE_S, self._update)
-        self.create_timer(CONNECTIONS_S, self.publish_connections)
+        # Clients see the graph of now, whatever /clock says.
+        steady = Clock(clock_type=ClockType.STEADY_TIME)
+        self.create_timer(UPDATE_S, self._update, clock=steady)
+        self.create_timer(CONNECTIONS_S, self.publish_connections, clock=steady)
         self._update()
         if self._is_simulated:
             best_effort = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
-            self.create_subscription(Clock, "/clock", self._broadcast_time, best_effort)
+            self.create_subscription(ClockMessage, "/clock", self._broadcast_time, best_effort)
         if "parametersSubscribe" in settings.capabilities and "parameters" in settings.capabilities:
             self.create_subscription(ParameterEvent, "/parameter_events", self._publish_parameters, 100)
 
@@ -190,7 +194,7 @@ class FoxgloveBridge(Node):
             connections.set_advertised_service(name, sorted(nodes))
         self.server.publish_connection_graph(connections)
 
-    def _broadcast_time(self, message: Clock) -> None:
+    def _broadcast_time(self, message: ClockMessage) -> None:
         if self.server is not None:
             self.server.broadcast_time(max(0, message.clock.sec * 1_000_000_000 + message.clock.nanosec))
 
