@@ -274,7 +274,11 @@ def test_a_launch_that_ends_by_itself_waits_for_a_slow_screen(
     )
     with launched(file, tmp_path / "log") as (process, screen):
         screen.pause_s = float("inf")
-        wait_until(lambda: len(process.children()) > 1, timeout_s=60)
+        logs = (tmp_path / "log").rglob
+        started = (
+            "process started with pid"  # looked for in the log, because the process may end between two looks
+        )
+        wait_until(lambda: any(started in log.read_text("utf-8") for log in logs("launch.log")), timeout_s=60)
         wait_until(lambda: len(process.children()) < 2, timeout_s=60, what="the process to end or wait")
         screen.pause_s = 0.0
         assert process.wait(60) == 0
