@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 import math
 import urllib.error
 import urllib.request
@@ -20,11 +21,13 @@ from websockets.sync.client import ClientConnection, connect
 
 from tfloom.interfaces.geometry_msgs.msg import PoseStamped, TransformStamped, Twist
 from tfloom.interfaces.sensor_msgs.msg import CameraInfo, Image, PointCloud2
+from tfloom.interfaces.std_msgs.msg import Int64
 from tfloom.node.node import Node
+from tfloom.rmw.errors import WireError
 from tfloom.tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
 from tfloom.tf2_ros.transform_broadcaster import TransformBroadcaster
 from tfloom.tf2_tools.text.transform import transform_text
-from tfloom.viewer import page_server
+from tfloom.viewer import page_server, program
 from tfloom.viewer.layout.layout import DisplayLayout, Layout, PlotLayout, ViewPoint
 from tfloom.viewer.layout.layout_file import read_layout
 from tfloom.viewer.page_server import _is_allowed
@@ -261,6 +264,54 @@ def test_wrong_commands_get_a_sentence_and_the_viewer_goes_on(
         assert page.answer("error")
     page.send(op="names", on=False)
     page.wait_for(lambda: page.state["with_names"] is False)
+
+
+def test_end_of_a_page_is_taken_among_too_many_commands(
+    viewer: Viewer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ended: list[str] = []
+    monkeypatch.setattr(viewer._live.forms, "forget", ended.append)
+    monkeypatch.setattr(program, "MAX_COMMANDS", 0)
+    viewer._put("a", {"op": "closed"})  # a page's own words
+    viewer._put("b", page_server.CLOSED)
+    wait_until(lambda: ended, what="the page's end")
+    assert ended == ["b"]
+
+
+def test_topic_that_the_wire_refuses_to_read_ends_nothing(
+    node: Node, viewer: Viewer, open_page: OpenPage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(*_: object) -> None:
+        raise WireError("there is no room for a reader")
+
+    node.create_publisher(PoseStamped, "/pose", 1)
+    page = open_page(viewer)
+    page.wait_for(lambda: any(row["topic"] == "/pose" for row in page.state["displays"]))
+    topics: Any = viewer._topics
+    full = argparse.Namespace(graph=topics._participant.graph, create_reader=refuse)
+    monkeypatch.setattr(topics, "_participant", full)
+    for command in (
+        {"op": "display", "topic": "/pose", "on": True},
+        {"op": "plot", "topic": "/pose", "field": "pose.position.x", "on": True},
+    ):
+        page.answers.clear()
+        page.send(**command)
+        assert page.answer("error") == "there is no room for a reader"
+    page.send(op="names", on=False)
+    page.wait_for(lambda: page.state["with_names"] is False)
+
+
+def test_what_was_asked_for_at_the_start_and_is_not_shown_is_printed(
+    node: Node, viewer: Viewer, open_page: OpenPage, capsys: pytest.CaptureFixture[str]
+) -> None:
+    node.create_publisher(Int64, "/count", 1)
+    plots = tuple(PlotLayout("/count", f"field_{number}") for number in range(13))
+    viewer.view.apply(Layout(displays=(DisplayLayout("/count"),), plots=plots))
+    page = open_page(viewer)
+    page.wait_for(lambda: page.state and not viewer.view._wanted)
+    printed = capsys.readouterr().err
+    assert "tfloom: field_12 of /count is not shown: there are 12 plots already\n" in printed
+    assert "tfloom: /count is not shown: no display shows std_msgs/msg/Int64\n" in printed
 
 
 def test_too_long_a_command_ends_its_page_alone(viewer: Viewer, open_page: OpenPage) -> None:

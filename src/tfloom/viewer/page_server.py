@@ -30,7 +30,10 @@ if TYPE_CHECKING:
     from tfloom.viewer.layout.layout import ViewPoint
     from tfloom.viewer.scene_server import SceneServer
 
-__all__ = ["PageServer", "ServerError"]
+__all__ = ["CLOSED", "PageServer", "ServerError"]
+
+CLOSED: dict[str, Any] = {"op": "closed"}
+"""The command that is given for a page that was closed."""
 
 MAX_PAGES = 32
 """Number of pages that may be open at once."""
@@ -298,7 +301,7 @@ class PageServer:
             del self._pages[name]
             page.drop_scene()
             self._scene.forget(name)
-            self._on_command(name, {"op": "closed"})
+            self._on_command(name, CLOSED)
             sender.cancel()
             await asyncio.gather(sender, return_exceptions=True)
 

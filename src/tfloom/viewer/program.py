@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import queue
 import threading
 import time
@@ -17,7 +16,7 @@ from tfloom.viewer.layout.layout_file import layout_text
 from tfloom.viewer.log_lines import MAX_LINES
 from tfloom.viewer.node_graph import node_graph
 from tfloom.viewer.page_command import PageError, number, text
-from tfloom.viewer.page_server import PageServer
+from tfloom.viewer.page_server import CLOSED, PageServer
 from tfloom.viewer.pictures import picture_of
 from tfloom.viewer.scene import Scene
 from tfloom.viewer.scene_server import SceneServer
@@ -71,7 +70,7 @@ class Viewer:
     ) -> None:
         self._live = live
         self._topics = topics
-        self._commands: queue.Queue[tuple[str, dict[str, Any]]] = queue.Queue(MAX_COMMANDS)
+        self._commands: queue.SimpleQueue[tuple[str, dict[str, Any]]] = queue.SimpleQueue()
         self._server = SceneServer()
         scene = Scene(self._server.scene, lambda frame: self._put("", {"op": "select", "frame": frame}))
         self.view = View(
@@ -96,8 +95,10 @@ class Viewer:
 
     def _put(self, page: str, command: dict[str, Any]) -> None:
         """Let the loop take a command; on any thread."""
-        with contextlib.suppress(queue.Full):
-            self._commands.put_nowait((page, command))
+        # The end of a page is taken in any case, because what the page has begun would go on for ever. It is compared
+        # as an object: a page that sends the same words gets no place by that.
+        if command is CLOSED or self._commands.qsize() < MAX_COMMANDS:
+            self._commands.put((page, command))
 
     def run(self, is_over: Callable[[], bool]) -> None:
         """Draw for the open pages until it is over."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Protocol
 
+from tfloom.rmw.errors import WireError
 from tfloom.rmw.qos import DurabilityPolicy, QoS, ReliabilityPolicy
 from tfloom.rosidl import cdr
 from tfloom.rosidl.class_search import find_class_of_kind
@@ -112,7 +113,7 @@ class LiveTopics:
         """Begin to read a topic; return its messages, and the function that decodes one.
 
         Raises:
-            DisplayError: nobody publishes it, or its type is unknown here.
+            DisplayError: nobody publishes it, its type is unknown here, or the wire refuses a reader.
         """
         self.close(topic)
         message_class = self.message_class(topic)
@@ -143,19 +144,26 @@ class LiveTopics:
         """Begin to read all messages of a topic, beside those of `open`.
 
         Raises:
-            DisplayError: nobody publishes it, or its type is unknown here.
+            DisplayError: nobody publishes it, its type is unknown here, or the wire refuses a reader.
         """
         message_class = self.message_class(topic)
         return _LiveFollower(self._reader(topic)[0], message_class, self._now_ns)
 
     def _reader(self, topic: str) -> tuple[Reader, bool]:
-        """Return a new reader of a topic, and whether its publishers keep messages for late subscriptions."""
+        """Return a new reader of a topic, and whether its publishers keep messages for late subscriptions.
+
+        Raises:
+            DisplayError: nobody publishes it, or the wire refuses a reader.
+        """
         writers = self._writers(topic)
         is_latched = any(end.qos.resolved().durability is DurabilityPolicy.TRANSIENT_LOCAL for end in writers)
         qos = QoS(ReliabilityPolicy.BEST_EFFORT, DurabilityPolicy.VOLATILE, depth=DEPTH)
         if is_latched:
             qos = QoS(ReliabilityPolicy.RELIABLE, DurabilityPolicy.TRANSIENT_LOCAL, depth=LATCHED_DEPTH)
-        return self._participant.create_reader(self._node, writers[0].topic, qos), is_latched
+        try:
+            return self._participant.create_reader(self._node, writers[0].topic, qos), is_latched
+        except WireError as error:
+            raise DisplayError(str(error)) from None
 
     def close(self, topic: str) -> None:
         """End reading a topic."""

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import contextlib
 import math
+import sys
 import time
 import traceback
 from collections.abc import Callable, Mapping
@@ -265,8 +265,10 @@ class View:
         for display in layout.displays:
             self.want(display.topic, display.choice)
         for plot in layout.plots:
-            with contextlib.suppress(PageError):  # there are too many
+            try:
                 self.plots.add(plot.topic, plot.field, is_there=False)
+            except PageError as error:  # noqa: PERF203  # the others are plotted
+                _report(f"{plot.field} of {plot.topic}", error)
 
     def layout(self, camera: ViewPoint | None) -> Layout:
         """Return what is shown now, with a page's camera."""
@@ -304,8 +306,10 @@ class View:
     def _show_wanted(self) -> None:
         types = self.topics.types()
         for topic in [topic for topic in self._wanted if topic in types]:
-            with contextlib.suppress(PageError):
+            try:
                 self.set_display(topic, on=True)
+            except PageError as error:
+                _report(topic, error)
             self._wanted.pop(topic, None)
 
     # What follows of it.
@@ -478,6 +482,11 @@ class View:
             **{axis: way.positions[chosen, column].round(5).tolist() for column, axis in enumerate("xyz")},
             "yaw_deg": np.degrees(np.unwrap(yaws)).round(3).tolist(),
         }
+
+
+def _report(what: str, error: PageError) -> None:
+    """Print why something that was asked for at the start is not shown: there may be no page to get it."""
+    print(f"tfloom: {shown_text(what)} is not shown: {shown_text(str(error), 500)}", file=sys.stderr)
 
 
 def _sendable(name: str) -> str:
