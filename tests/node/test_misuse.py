@@ -16,6 +16,7 @@ from tfloom.interfaces.std_srvs.srv import SetBool
 from tfloom.node.base.node_base import NodeBase
 from tfloom.node.client_library import spin, spin_once, spin_until_future_complete
 from tfloom.node.node import Node
+from tfloom.node.parameters.parameter import Parameter
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.transform_listener import TransformListener
 
@@ -64,6 +65,9 @@ CASES: dict[str, tuple[Callable[[Node], object], type[Exception], str]] = {
         TypeError,
         "create_timer() needs a callback, got 'f' of class str, which can't be called",
     ),
+    "before setting": (lambda node: node.add_pre_set_parameters_callback(ANY), TypeError, NONE),
+    "on setting": (lambda node: node.add_on_set_parameters_callback(ANY), TypeError, NONE),
+    "after setting": (lambda node: node.add_post_set_parameters_callback(ANY), TypeError, NONE),
     "type": (
         lambda node: node.create_publisher(cast("Any", "x"), "a", 1),
         AttributeError,
@@ -141,3 +145,14 @@ def test_timer_without_a_callback_warns(node: Node) -> None:
         node.create_timer(1.0, None)
     assert caught[0].filename == __file__
     node.create_rate(10.0)
+
+
+def test_callback_of_parameters_that_returns_nothing_is_named(node: Node) -> None:
+    def without_a_return(_parameters: list[Parameter]) -> None:
+        pass
+
+    node.declare_parameter("speed", 1.0)
+    node.add_on_set_parameters_callback(cast("Any", without_a_return))
+    with pytest.raises(AttributeError, match=r"without_a_return.* SetParametersResult\(successful=True\)"):
+        node.set_parameters([Parameter("speed", value=2.0)])
+    assert node.get_parameter("speed").value == 1.0

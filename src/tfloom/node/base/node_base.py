@@ -579,15 +579,33 @@ class NodeBase:
         return self.__parameters.set_descriptor(name, descriptor, alternative_value)
 
     def add_pre_set_parameters_callback(self, callback: _PreCallback) -> None:
-        """Set what `callback(parameters)` returns instead of `parameters`; the last added is called first."""
+        """Set what `callback(parameters)` returns instead of `parameters`; the last added is called first.
+
+        Raises:
+            TypeError: `callback` can't be called.
+        """
+        if not callable(callback):
+            raise TypeError(f"add_pre_set_parameters_callback() needs a callback, {not_callable(callback)}")
         self.__parameters.add_pre_set_parameters_callback(callback)
 
     def add_on_set_parameters_callback(self, callback: _SetCallback) -> None:
-        """Set and declare only what `callback(parameters)` accepts; the last added is called first."""
+        """Set and declare only what `callback(parameters)` accepts; the last added is called first.
+
+        Raises:
+            TypeError: `callback` can't be called.
+        """
+        if not callable(callback):
+            raise TypeError(f"add_on_set_parameters_callback() needs a callback, {not_callable(callback)}")
         self.__parameters.add_on_set_parameters_callback(callback)
 
     def add_post_set_parameters_callback(self, callback: _PostCallback) -> None:
-        """Call `callback(parameters)` after each setting; the last added is called first."""
+        """Call `callback(parameters)` after each setting; the last added is called first.
+
+        Raises:
+            TypeError: `callback` can't be called.
+        """
+        if not callable(callback):
+            raise TypeError(f"add_post_set_parameters_callback() needs a callback, {not_callable(callback)}")
         self.__parameters.add_post_set_parameters_callback(callback)
 
     def remove_pre_set_parameters_callback(self, callback: _PreCallback) -> None:

@@ -266,7 +266,7 @@ class NodeParameters:
                 return rcl_msg.SetParametersResult(successful=False, reason=reason)
         result = rcl_msg.SetParametersResult(successful=True)
         for callback in self.on_set_callbacks:
-            result = callback(parameters)
+            result = _answer(callback, parameters)
             if not result.successful:
                 return result
         event = rcl_msg.ParameterEvent()
@@ -348,6 +348,19 @@ class NodeParameters:
     def remove_post_set_parameters_callback(self, callback: _PostCallback) -> None:
         """Undo one `add_post_set_parameters_callback`."""
         self.post_set_callbacks.remove(callback)
+
+
+def _answer(callback: _SetCallback, parameters: list[Parameter]) -> rcl_msg.SetParametersResult:
+    result: Any = callback(parameters)
+    if not hasattr(result, "successful"):
+        # It begins as the reference's text does, which Python makes.
+        name = getattr(callback, "__qualname__", repr(callback))
+        raise AttributeError(
+            f"{type(result).__name__!r} object has no attribute 'successful': the callback {name}, which was given to "
+            f"add_on_set_parameters_callback(), has to return a SetParametersResult, as "
+            f"SetParametersResult(successful=True)"
+        )
+    return result  # type: ignore[no-any-return]
 
 
 def _is_below(name: str, prefix: str, depth: int) -> bool:
