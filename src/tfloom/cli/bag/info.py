@@ -28,7 +28,8 @@ def main(args: argparse.Namespace) -> int:
 
     path = Path(args.bag_path)
     if path.is_dir() and not (path / METADATA_FILE).exists():
-        raise CommandError(f"Could not find metadata in bag directory {args.bag_path}")
+        hint = f"`ros2 bag reindex {args.bag_path}` writes one from its files"
+        raise CommandError(f"Could not find metadata in bag directory {args.bag_path}\n{hint}")
     with common.explained(), open_bag(path) as bag:
         if args.topic_name:
             _print_names(list(bag.topics))
