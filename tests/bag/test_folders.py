@@ -319,3 +319,15 @@ def test_fifo_in_the_place_of_a_file_is_refused(name: str, tmp_path: Path) -> No
     with suppress(OSError):  # ends a wait for the writer
         os.close(os.open(fifo, os.O_WRONLY | os.O_NONBLOCK))
     assert [text.partition(",")[0] for text in errors] == [f"{fifo}: this is no file but a folder"]
+
+
+def test_bag_is_printed_with_its_topics(tmp_path: Path) -> None:
+    write_mcap(tmp_path / "a.mcap", DRIVE)
+    with open_bag(tmp_path / "a.mcap") as bag:
+        assert repr(bag).startswith(f"<Bag {tmp_path / 'a.mcap'}: {bag.message_count} messages in ")
+        assert all(
+            f"{name} ({topic.type}, {topic.message_count})" in repr(bag) for name, topic in bag.topics.items()
+        )
+    with open_bag(tmp_path / "a.mcap") as gone:
+        (tmp_path / "a.mcap").unlink()
+        assert repr(gone).startswith(f"<Bag {tmp_path / 'a.mcap'}")

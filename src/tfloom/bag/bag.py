@@ -39,6 +39,14 @@ class Bag:
         self.files = files
         self.metadata = metadata
 
+    def __repr__(self) -> str:
+        try:
+            topics = [f"{topic.name} ({topic.type}, {topic.message_count})" for topic in self.topics.values()]
+            span = f"{self.message_count} messages in {(self.end_ns - self.start_ns) / 1e9:.3f} s"
+        except BagError as error:
+            return f"<Bag {error}>"
+        return f"<Bag {self.path}: {span}; {', '.join(topics) or 'no topics'}>"
+
     def __enter__(self) -> Bag:  # noqa: PYI034  # not to be derived from
         return self
 
