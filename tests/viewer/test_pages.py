@@ -278,7 +278,7 @@ def test_end_of_a_page_is_taken_among_too_many_commands(
     assert ended == ["b"]
 
 
-def test_topic_that_the_wire_refuses_to_read_ends_nothing(
+def test_reader_and_writer_that_the_wire_refuses_end_nothing(
     node: Node, viewer: Viewer, open_page: OpenPage, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def refuse(*_: object) -> None:
@@ -297,6 +297,16 @@ def test_topic_that_the_wire_refuses_to_read_ends_nothing(
         page.answers.clear()
         page.send(**command)
         assert page.answer("error") == "there is no room for a reader"
+    node.create_subscription(Twist, "/cmd_vel", lambda _: None, 1)
+    page.wait_for(lambda: page.state["drive_topics"] == ["/cmd_vel"])
+    tools: Any = viewer._live.tools
+    full = argparse.Namespace(graph=tools._participant.graph, create_writer=refuse)
+    monkeypatch.setattr(tools, "_participant", full)
+    monkeypatch.setattr("tfloom.viewer.tools.SILENCE_S", 0.05)
+    page.answers.clear()
+    page.send(op="drive", topic="/cmd_vel", ahead=1, left=0)
+    assert page.answer("error") == "there is no room for a reader"
+    wait_until(lambda: not tools._driven, what="the end of the drive")
     page.send(op="names", on=False)
     page.wait_for(lambda: page.state["with_names"] is False)
 

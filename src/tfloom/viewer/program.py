@@ -8,6 +8,7 @@ import time
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
+from tfloom.rmw.errors import WireError
 from tfloom.rosidl.message import DecodeError
 from tfloom.viewer.camera import floor_point
 from tfloom.viewer.displays.display import shown_text
@@ -164,7 +165,7 @@ class Viewer:
     def _do(self, page: str, command: Mapping[str, Any]) -> None:
         try:
             self._run_command(page, command)
-        except PageError as error:
+        except (PageError, WireError) as error:  # as of a writer that the wire refuses
             if page:
                 self.pages.answer(page, {"error": shown_text(str(error), 500)})
 

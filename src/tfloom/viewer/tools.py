@@ -21,6 +21,7 @@ from tfloom.interfaces.geometry_msgs.msg import (
     Vector3,
 )
 from tfloom.interfaces.std_msgs.msg import Header
+from tfloom.rmw.errors import WireError
 from tfloom.rmw.qos import QoS
 from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl import cdr
@@ -150,8 +151,8 @@ class Tools:
                 del self._driven[topic]
                 try:
                     self.drive(topic, 0.0, 0.0)
-                except PageError:
-                    continue  # the robot is gone
+                except (PageError, WireError):
+                    continue  # the robot is gone, or the wire refuses the writer, which the page was told
 
     def close(self) -> None:
         """Stop what is driven, and close the writers."""

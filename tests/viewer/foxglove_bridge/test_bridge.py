@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 import base64
 import signal
 import subprocess
@@ -19,12 +20,16 @@ from tfloom.interfaces.std_msgs.msg import String
 from tfloom.interfaces.std_srvs.srv import SetBool
 from tfloom.interfaces.visualization_msgs.msg import MarkerArray
 from tfloom.node.context.context import Context
+from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import QoSProfile
+from tfloom.node.values.exceptions import InvalidHandle
+from tfloom.rmw.errors import ClosedError
 from tfloom.rmw.qos import DurabilityPolicy, ReliabilityPolicy
 from tfloom.rosidl import cdr
 from tfloom.viewer.foxglove_bridge.assets import AssetError, read_asset
 from tfloom.viewer.foxglove_bridge.bridge import BridgeError, FoxgloveBridge
+from tfloom.viewer.foxglove_bridge.calls import Call, Calls
 from tfloom.viewer.foxglove_bridge.commands import Commands
 from tfloom.viewer.foxglove_bridge.settings import SettingsError
 
@@ -368,6 +373,40 @@ def test_program_serves_until_it_is_stopped(domain_id: int, start_program: Calla
     client.socket.close()
     program.signal(signal.SIGINT)
     assert program.wait() == 0
+
+
+class LeavingClient:
+    """The client of a service whose server leaves after it was looked for."""
+
+    def __init__(self, error: Exception) -> None:
+        self._error = error
+
+    def service_is_ready(self) -> bool:
+        return True
+
+    def call_async(self, _: object) -> None:
+        raise self._error
+
+
+def test_server_that_leaves_during_a_call_ends_no_other_call(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Ready:
+        service_is_ready = staticmethod(lambda: True)
+
+        def call_async(self, request: str) -> Future[str]:
+            future: Future[str] = Future()
+            future.set_result(request)
+            return future
+
+    clients: dict[str, Any] = {
+        "/destroyed": LeavingClient(InvalidHandle("it was destroyed")),
+        "/closed": LeavingClient(ClosedError("it is closed")),
+        "/there": Ready(),
+    }
+    node: Any = argparse.Namespace(context=argparse.Namespace(ok=lambda: True))
+    calls = Calls(node)
+    monkeypatch.setattr(calls, "_client", lambda call: clients[call.name])
+    asked = [Call(SetBool, name, name) for name in clients]
+    assert calls.call_all(asked, 5.0) == [None, None, "/there"]
 
 
 def test_missing_extra_is_one_sentence() -> None:

@@ -7,6 +7,9 @@ import time
 from collections.abc import Container, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from tfloom.node.values.exceptions import InvalidHandle
+from tfloom.rmw.errors import WireError
+
 if TYPE_CHECKING:
     from tfloom.node.endpoints.client import Client
     from tfloom.node.node import Node
@@ -59,7 +62,10 @@ class Calls:
             for index, client in list(waiting.items()):
                 if client.service_is_ready():
                     del waiting[index]
-                    futures[index] = client.call_async(calls[index].request)
+                    try:
+                        futures[index] = client.call_async(calls[index].request)
+                    except (InvalidHandle, WireError):  # the server has just left: this one has no response
+                        continue
                     futures[index].add_done_callback(lambda _: done.set())
             if waiting:
                 time.sleep(SLEEP_S)
