@@ -26,9 +26,9 @@ class DifferentialDrive:
     the robot stands while its wheels turn on.
 
     Args:
-        room: What the robot can't pass.
-        wheel_error: By which part the right wheel is smaller than the left one.
-        track_error: By which part the track is wider than it is taken for.
+        room: The walls and pillars that stop the robot.
+        wheel_error: Part by which the right wheel is smaller than the left one.
+        track_error: Part by which the track is wider than the odometry assumes.
         slip: Standard deviation of each wheel's slip on a metre [m].
         seed: Of the random slip.
     """
@@ -51,7 +51,7 @@ class DifferentialDrive:
         self.wheels = np.zeros(2)
         """How far the left and the right wheel have turned [rad]."""
         self.speed = (0.0, 0.0)
-        """What the wheels do now: ahead [m/s], turning [rad/s]."""
+        """The present speed by the wheels: ahead [m/s], turning [rad/s]."""
         self.command = (0.0, 0.0)
         self.is_blocked = False
 

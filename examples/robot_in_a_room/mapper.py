@@ -21,22 +21,22 @@ from tf2_ros import Buffer, TransformBroadcaster, TransformException, TransformL
 RATE_HZ = 20.0
 MAP_PERIOD_S = 1.0
 SILENCE_S = 2.0
-"""A laser that says nothing for so long is reported."""
+"""A laser that sends no scan for this time is reported."""
 MIN_MOVE_M, MIN_TURN_RAD = 0.1, 0.08
-"""A scan is used where the laser has moved so far since the last one."""
+"""How far the laser has to move or turn after a scan until the next one is used."""
 LOST_SCANS = 5
-"""After so many scans that didn't fit, they are searched in a wider range."""
+"""Number of scans without a fit after which the search covers a wider range."""
 JUMP_BACK_S = 0.5
 MAX_RANGE_M = 12.0
 MAX_RAYS = 1500
-"""Of more, every second one is used, or every third …: neighbours say the same."""
+"""If a scan has more, only every second or third ray … is used, because neighbours measure almost the same."""
 
 
 class Mapper(Node):
-    """Owns the map. The first scan begins it, where the odometry is.
+    """Builds the map, which begins with the first scan, at the pose of the odometry.
 
-    What can't be matched changes nothing: `map` → `odom` stays as it was, and one line says so until scans fit again.
-    /initialpose, which RViz and `tfloom view` publish, says where the robot is.
+    A scan that can't be matched changes nothing: `map` → `odom` stays as it was, and one line reports it until scans
+    fit again. The pose on /initialpose, which RViz and `tfloom view` publish, replaces the robot's pose.
     """
 
     def __init__(self) -> None:
@@ -141,7 +141,7 @@ class Mapper(Node):
         return max((match(self.grid, hits, start, WIDE) for start in starts), key=lambda found: found.fit)
 
     def report(self, problem: str) -> None:
-        """Say what is wrong when it begins, and when it is over; numbers in it may change meanwhile."""
+        """Log a problem when it begins, and its end; numbers in its text may change meanwhile."""
         kind = problem.partition(":")[0]
         if kind == self.problem:
             return
@@ -152,7 +152,7 @@ class Mapper(Node):
             self.get_logger().info("Scans fit the map again")
 
     def on_initial_pose(self, message: PoseWithCovarianceStamped) -> None:
-        """Take a person's word for where the robot is; the next scan corrects it."""
+        """Set the robot's pose to the one that a person has chosen; the next scan corrects it."""
         frame = message.header.frame_id
         pose = of_pose(message.pose.pose)
         if frame != self.map_frame or not all(map(math.isfinite, pose)):
@@ -187,7 +187,7 @@ class Mapper(Node):
 def rays(scan: LaserScan) -> tuple[np.ndarray, np.ndarray]:
     """Return where rays met something, and how far others are known to be free (each (N, 2)), in the laser's frame [m].
 
-    REP 117: a range of inf met nothing; nan, -inf, 0 and others outside of the limits say nothing.
+    REP 117: a ray of range inf met nothing; nan, -inf, 0 and others outside of the limits are no measurements.
     """
     stride = -(-len(scan.ranges) // MAX_RAYS) or 1
     ranges = np.asarray(scan.ranges[::stride], float)

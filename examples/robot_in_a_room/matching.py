@@ -9,15 +9,15 @@ from occupancy import RESOLUTION_M, OccupancyMap, placed
 from planar import Pose2D, turned
 
 REACH_CELLS = 3
-"""So far from an occupied cell a point still counts for something."""
+"""Distance from an occupied cell at which a point no longer counts."""
 SIGMA_CELLS = 1.5
 MIN_POINTS = 30
 MIN_FIT = 0.55
 """Part of the points that must lie near occupied cells."""
 FLAT = 0.03
-"""Least part of the walls that has to face another way, or they fix the pose in one direction alone."""
+"""Smallest part of the walls that has to face another way; with less, they fix the pose in one direction only."""
 PRIOR = 0.03
-"""What a pose at the edge of the search loses against the expected one, of a fit of 1."""
+"""How much lower a pose at the edge of the search is rated than the expected one, where the best fit is 1."""
 
 
 class Search(NamedTuple):
@@ -35,7 +35,7 @@ WIDE = Search(reach=20, stride=2, angle=0.5, angle_step=0.025, max_points=90)
 
 
 class Match(NamedTuple):
-    """What came of a search; the pose is the expected one where the scan does not fit."""
+    """The result of a search; the pose is the expected one if the scan does not fit."""
 
     pose: Pose2D
     fit: float
@@ -160,7 +160,7 @@ def interpolated(field: np.ndarray, origin: np.ndarray, points: np.ndarray) -> n
 def free_direction(points: np.ndarray) -> np.ndarray | None:
     """Return the direction (2,) along which all walls run; None where they don't run alike.
 
-    Points that neighbouring rays found near one another lie on a wall; what they say of its direction is summed up.
+    Points that neighbouring rays found near one another lie on a wall; their estimates of its direction are summed.
     """
     along = np.roll(points, -3, axis=0) - np.roll(points, 3, axis=0)
     lengths = np.linalg.norm(along, axis=1)

@@ -9,12 +9,12 @@ from planar import Pose2D
 
 RESOLUTION_M = 0.05
 MARGIN_CELLS = 40
-"""The grid grows by so many cells more than it must."""
+"""Number of cells by which the grid grows beyond what it needs."""
 MAX_SIDE_CELLS = 2000
 HIT, PASSED = 0.9, -0.35
 """What a scan adds to the log odds of a cell in which a ray ends, and of one that it passes."""
 LIMITS = (-2.5, 3.5)
-"""Of the log odds, so that what has changed is learned again."""
+"""Limits of the log odds, so that a changed cell soon gets its new state."""
 
 
 class GridError(Exception):

@@ -1,4 +1,4 @@
-"""Print how far the robot is from where its odometry, and the corrected odometry, take it to be."""
+"""Print the distance of the robot's true pose from that by its odometry, and by the corrected odometry."""
 
 from __future__ import annotations
 

@@ -21,9 +21,9 @@ from tf2_ros import TransformBroadcaster
 RATE_HZ = 30.0
 STEPS_PER_SCAN = 5
 COMMAND_TIMEOUT_S = 0.6
-"""Without a command for so long, the robot stops."""
+"""Time without a command after which the robot stops."""
 MAX_GAP_S = 0.5
-"""The most that moves at once, after a time in which this process didn't run."""
+"""Longest time that is simulated in one step, as after a time in which this process didn't run."""
 BASE_FROM_LASER = Pose2D(0.12, 0.0, 0.0)
 """As in robot.urdf."""
 RAYS = 360
@@ -85,7 +85,7 @@ class Robot(Node):
             self.scans.publish(self.scan(now))
 
     def on_second(self) -> None:
-        """Say so if another robot uses the same names, because their transforms would contradict each other."""
+        """Log an error if another robot uses the same names, because their transforms would contradict each other."""
         is_alone = self.count_publishers("odom") <= 1
         if self.was_alone and not is_alone:
             self.get_logger().error(

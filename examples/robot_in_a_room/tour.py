@@ -1,4 +1,4 @@
-"""Drive the robot round its room by /cmd_vel, from place to place; who else drives it takes precedence."""
+"""Drive the robot round its room by /cmd_vel, from place to place; other publishers of /cmd_vel take precedence."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ RATE_HZ = 10.0
 NEAR_M = 0.25
 TURN_RAD_S = 1.2
 OTHERS_S = 3.0
-"""After another's last command, the tour waits so long."""
+"""How long the tour waits after the last command of another publisher."""
 OLD_S = 1.0
-"""With a pose that is older than this the robot stands."""
+"""Age of the robot's pose above which the robot stands."""
 STUCK_S, STUCK_M = 4.0, 0.15
-"""Who hasn't moved so far in this time is stuck."""
+"""A robot that has moved less than this way in this time is stuck."""
 BACK_S = 1.5
 
 
@@ -44,7 +44,7 @@ class Tour(Node):
         self.publisher = self.create_publisher(Twist, "cmd_vel", 10)
         self.create_subscription(Twist, "cmd_vel", self.on_command, 10)
         self.sent: deque[tuple[float, float]] = deque(maxlen=20)
-        """The last own commands, which come back by the subscription."""
+        """The last commands of this node, which its own subscription receives, too."""
         self.paused_until: Time | None = None
         self.place = 0
         self.lap = 0
@@ -90,7 +90,7 @@ class Tour(Node):
         return False
 
     def find_pose(self, now: Time) -> Pose2D | None:
-        """Return where the robot is; None where nobody has said so lately."""
+        """Return the robot's pose in the map; None if it is unknown, or too old."""
         try:
             found = self.buffer.lookup_transform(self.map_frame, self.base_frame, Time())
             age_s = (now - Time.from_msg(found.header.stamp, now.clock_type)).nanoseconds / 1e9
