@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 from collections.abc import Callable, Iterator
 from contextlib import closing
 from pathlib import Path
@@ -16,6 +17,7 @@ from tests.viewer.messages import pose
 from tfloom.bag.errors import BagError
 from tfloom.bag.values import Topic
 from tfloom.bag.writing.bag_writer import BagWriter
+from tfloom.cli.main import main
 from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.interfaces.geometry_msgs.msg import PoseStamped
 from tfloom.interfaces.std_msgs.msg import Header
@@ -113,3 +115,19 @@ def test_what_is_no_recording_is_a_sentence(tmp_path: Path) -> None:
         recorded_viewer(tmp_path / "nothing", topics=("/tf", "/tf_static")),
     ):
         pass
+
+
+@pytest.mark.parametrize(
+    ("words", "text"),
+    [
+        (("nothing",), "nothing: there is no such file or folder"),
+        (("one", "--bag", "two"), "two recordings, two and one: the page shows one"),
+        (("robot.rviz",), "robot.rviz is no recording; to show a layout: --config robot.rviz"),
+    ],
+)
+def test_recording_is_named_with_or_without_the_option(
+    words: tuple[str, ...], text: str, capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(signal, "signal", lambda *_: None)
+    assert main(["view", "--no-open", "--port", "0", *words]) == 1
+    assert capfd.readouterr().err.strip() == text

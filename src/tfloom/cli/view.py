@@ -34,6 +34,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "-b", "--bag", metavar="PATH", type=Path, help="a recording, in place of the live graph"
     )
+    parser.add_argument("bag_path", metavar="PATH", nargs="?", type=Path, help="the same as --bag PATH")
     parser.add_argument(
         "-c",
         "--config",
@@ -85,6 +86,22 @@ def main(args: argparse.Namespace) -> int:
     return serve(args, needs_terminal=True)
 
 
+def _recording(args: argparse.Namespace) -> Path | None:
+    """Return the recording that is named with or without `--bag`; None for the live graph.
+
+    Raises:
+        CommandError: two are named, or a file of RViz.
+    """
+    path: Path | None = args.bag_path
+    if path is None:
+        return args.bag  # type: ignore[no-any-return]
+    if args.bag is not None:
+        raise CommandError(f"two recordings, {args.bag} and {path}: the page shows one")
+    if path.suffix == ".rviz":
+        raise CommandError(f"{path} is no recording; to show a layout: --config {path}")
+    return path
+
+
 def serve(args: argparse.Namespace, *, needs_terminal: bool) -> int:
     """Serve pages until Ctrl-C.
 
@@ -95,6 +112,7 @@ def serve(args: argparse.Namespace, *, needs_terminal: bool) -> int:
     Raises:
         CommandError: it can't be served.
     """
+    args.bag = _recording(args)
     if not args.history > 0.0:
         raise CommandError(f"argument --history: must be above 0, not {args.history:g}")
     if not is_installed():
