@@ -462,10 +462,8 @@ class ZenohReader(ZenohEndpoint):
         lease = self._leases.get(peer.gid)
         is_alive = lease is None or lease.end()
         self.events.change_liveliness(-1 if is_alive else 0, 0 if is_alive else -1)
-        for name in ("_lifespans_ns", "_leases"):
-            table = getattr(self, name)
-            if peer.gid in table:
-                setattr(self, name, {gid: entry for gid, entry in table.items() if gid != peer.gid})
+        self._lifespans_ns = {gid: entry for gid, entry in self._lifespans_ns.items() if gid != peer.gid}
+        self._leases = {gid: entry for gid, entry in self._leases.items() if gid != peer.gid}
 
     def _left(self, peer: Peer) -> Callable[[], None] | None:
         # What it has sent stays known: a peer whose router ends leaves, and comes back with the same gid.

@@ -137,22 +137,26 @@ class ROSTopicBandwidth:
         Returns:
             None if fewer than two messages have arrived.
         """
-        with self.lock:
-            samples = list(self._samples)
-        if len(samples) < 2:
+        measured = self._measure()
+        if measured is None:
             return None
-        duration_s = (self._clock.now().nanoseconds - samples[0][0]) * 1e-9
-        sizes = [size for _, size in samples]
+        sizes, duration_s = measured
         per_second = sum(sizes) / duration_s if duration_s > 0 else math.inf
         return per_second, len(sizes), sum(sizes) / len(sizes), min(sizes), max(sizes)
 
     def print_bw(self) -> None:
         """Print the bandwidth, if two messages have arrived."""
+        if (measured := self._measure()) is not None:
+            sizes, duration_s = measured
+            print(bandwidth_text([float(size) for size in sizes], duration_s))
+
+    def _measure(self) -> tuple[list[int], float] | None:
+        """Return the sizes in the window [bytes], and the time since its first arrival [s]; None below two messages."""
         with self.lock:
             samples = list(self._samples)
-        if len(samples) >= 2:
-            duration_s = (self._clock.now().nanoseconds - samples[0][0]) * 1e-9
-            print(bandwidth_text([float(size) for _, size in samples], duration_s))
+        if len(samples) < 2:
+            return None
+        return [size for _, size in samples], (self._clock.now().nanoseconds - samples[0][0]) * 1e-9
 
 
 class ROSTopicDelay:

@@ -1,4 +1,4 @@
-"""What is said of clients' requests that can't be done."""
+"""Warnings about clients' requests that can't be done."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ __all__ = ["Complaints"]
 
 PERIOD_S = 1.0
 MAX_IN_PERIOD = 20
-"""Number of sentences that are said in a period; of more, the number is said in the next one."""
+"""Number of warnings in a period; further ones are only counted, and the next period begins with their number."""
 
 
 class Complaints:
-    """Logs sentences, and sends them to all clients, on any thread.
+    """Logs warnings, and sends them to all clients, on any thread.
 
-    No more than a few are said at a time, because the server closes the connections of clients for which too many
-    sentences wait: one client's invalid messages would end the connections of others.
+    Only a few are sent in each period, because the server closes the connections of clients for which too many
+    warnings wait: one client's invalid messages would end the connections of others.
 
     Args:
-        logger: Logs them.
+        logger: The node's.
         clock: Returns a time that only advances [s].
     """
 
@@ -42,7 +42,7 @@ class Complaints:
         self._left_out = 0
 
     def say(self, text: str, server: WebSocketServer | None) -> None:
-        """Log a sentence, and send it to the server's clients."""
+        """Log a warning, and send it to the server's clients; above `MAX_IN_PERIOD`, only count it."""
         with self._lock:
             texts = self._texts(text)
         for sentence in texts:

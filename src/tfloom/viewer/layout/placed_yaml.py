@@ -39,8 +39,8 @@ class PlacedYaml:
             line = error.object[: error.start].count(b"\n") + 1
             raise LayoutError(f"{path}:{line}: it is not encoded in UTF-8") from None
         except user_yaml.YamlError as error:
-            line_text = "" if error.line is None else f"{error.line}: "
-            raise LayoutError(f"{path}:{line_text or ' '}{error.problem}") from None
+            place = f"{path}:" if error.line is None else f"{path}:{error.line}:"
+            raise LayoutError(f"{place} {error.problem}") from None
         if not isinstance(root, dict):
             raise LayoutError(f"{path}:1: it has to be a mapping, as 'fixed_frame: map'")
         self.root: dict[Any, Any] = root
@@ -48,7 +48,8 @@ class PlacedYaml:
     def error(self, holder: Any, reason: str) -> LayoutError:
         """Return the error of a mapping or a list of this file."""
         line = self._lines.get(id(holder))
-        return LayoutError(f"{self._path}:{'' if line is None else line}{':' if line else ''} {reason}")
+        place = f"{self._path}:" if line is None else f"{self._path}:{line}:"
+        return LayoutError(f"{place} {reason}")
 
     def mapping(self, holder: Mapping[Any, Any], key: str) -> dict[Any, Any]:
         """Return a mapping in a mapping; an empty one where there is none.
