@@ -84,6 +84,7 @@ PLACES = {
     "rmw/cyclone_threads.py": ["participant"],
     "rmw/services.py": ["held_requests", "late_response"],
     "rmw/zenoh_events.py": ["refused: tests/rmw/test_zenoh_wire.py, where the endpoint is not opened then"],
+    "rmw/zenoh_feeder.py": ["refused: tests/rmw/test_zenoh_wire.py, where the reader isn't fed then"],
     "rmw/zenoh_meeting_point.py": ["refused: tests/rmw/test_zenoh_session.py, which closes the session then"],
     "tf2_ros/deadlines.py": ["deadline"],
     "tf2_ros/listener_base.py": ["listener"],

@@ -855,8 +855,10 @@ rclpy.shutdown()
 
 
 def test_a_callback_that_raises_ends_nothing_of_the_wire(
-    participant: Participant, caplog: pytest.LogCaptureFixture
+    participant: Participant, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    told: list[threading.ExceptHookArgs] = []
+    monkeypatch.setattr(threading, "excepthook", told.append)
     reader = participant.create_reader(NODE, TOPIC, QoS(depth=10))
     writer = participant.create_writer(NODE, TOPIC, QoS())
 
@@ -866,11 +868,48 @@ def test_a_callback_that_raises_ends_nothing_of_the_wire(
 
     reader.feed(Broken(3))
     writer.write(HEADER + b"x")
+    wait_until(lambda: told)
     sink = SampleQueue(10)
     reader.feed(sink)
     writer.write(HEADER + b"y")
     wait_until(lambda: sink.pushed() == 1)
-    assert "planted" in caplog.text
+    assert [str(said.exc_value) for said in told] == ["'planted'"]
+
+
+def test_a_sink_that_sleeps_starves_no_other(participant: Participant) -> None:
+    """A push may run the done callback of a wait for a transform."""
+    asleep, release = threading.Event(), threading.Event()
+
+    class Sleeps(SampleQueue):
+        def push(self, *arguments: object) -> None:
+            asleep.set()
+            release.wait(60)
+
+    other_topic = TOPIC._replace(name="/robot/other")
+    reader, other = (participant.create_reader(NODE, topic, QoS()) for topic in (TOPIC, other_topic))
+    reader.feed(Sleeps(3))
+    participant.create_writer(NODE, TOPIC, QoS()).write(HEADER + b"x")
+    assert asleep.wait(30)
+    participant.create_writer(NODE, other_topic, QoS()).write(HEADER + b"y")
+    try:
+        assert take_all(other, 1)[0].data == HEADER + b"y"
+    finally:
+        release.set()
+
+
+def test_without_a_thread_a_reader_is_not_fed(
+    participant: Participant, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(thread: threading.Thread) -> None:
+        raise RuntimeError("can't start new thread")
+
+    reader = participant.create_reader(NODE, TOPIC, QoS())
+    with monkeypatch.context() as patch:
+        patch.setattr(threading.Thread, "start", refuse)
+        with pytest.raises(WireError, match="cannot feed /robot/chatter, which takes a thread: can't start"):
+            reader.feed(SampleQueue(1))
+    participant.create_writer(NODE, TOPIC, QoS()).write(HEADER + b"x")
+    assert take_all(reader, 1)[0].data == HEADER + b"x"
 
 
 def test_without_a_thread_for_its_deadline_an_endpoint_is_not_opened(

@@ -33,6 +33,7 @@ from tfloom.rmw.zenoh_attachment import pack, unpack
 from tfloom.rmw.zenoh_config import reason_of
 from tfloom.rmw.zenoh_end import ZenohEnd
 from tfloom.rmw.zenoh_events import LostSamples, Timers
+from tfloom.rmw.zenoh_feeder import Feeder
 from tfloom.rmw.zenoh_graph import Peer, ZenohGraph
 from tfloom.rmw.zenoh_library import open_library
 from tfloom.rmw.zenoh_tokens import Kind
@@ -275,7 +276,10 @@ class ZenohReader(ZenohEndpoint):
         is_bounded = info.qos.history != HistoryPolicy.KEEP_ALL
         self._waiting: deque[Sample] = deque(maxlen=min(info.qos.depth, MAX_DEPTH) if is_bounded else None)
         self._listener: tuple[ReadyQueue, int] | None = None
-        self._sink: Sink | None = None
+        self._feeder: Feeder | None = None
+        """What pushes the samples into a sink."""
+        self._left_gids: list[bytes] = []
+        """Publishers that have left, for the sink."""
         self._lost = LostSamples()
         self._catches_up = info.qos.durability == DurabilityPolicy.TRANSIENT_LOCAL and info.qos.depth > 1
         self._held: dict[bytes, dict[int, Sample]] = {}
@@ -319,7 +323,7 @@ class ZenohReader(ZenohEndpoint):
         self._watch_deadline()
 
     def _on_sample(self, sample: Any) -> None:
-        """Queue a sample, or push it into the sink; called on a thread of Zenoh, which all topics share."""
+        """Queue a sample; called on a thread of Zenoh, which all topics share."""
         header = unpack(sample.attachment)
         if header is None:
             return
@@ -333,17 +337,14 @@ class ZenohReader(ZenohEndpoint):
         if self._leases and (lease := self._leases.get(gid)):
             lease.renew()
         accepted = Sample(data, stamp_ns, now_ns, gid)
-        sink = None
         with self._lock:
             if self._is_closed or self._is_held(number, accepted):
                 return
             is_late = number > 1 and self._catches_up and self._hold(number, accepted)
             if not is_late:
-                sink = self._accept(number, accepted)
+                self._accept(number, accepted)
         if is_late:
             self._catch_up(gid)
-        elif sink is not None:
-            sink.push(*accepted)
 
     def _is_held(self, number: int, sample: Sample) -> bool:
         """Return whether a sample is held now, or has been and is here again; the caller holds the lock."""
@@ -375,18 +376,18 @@ class ZenohReader(ZenohEndpoint):
             del self._released[next(iter(self._released))]
         return True
 
-    def _accept(self, number: int, sample: Sample) -> Sink | None:
-        """Queue a sample, with the lock held; return the sink, if there is one, to push it into without the lock."""
+    def _accept(self, number: int, sample: Sample) -> None:
+        """Queue a sample, unless its lifespan has ended; the caller holds the lock."""
         lost = self._lost.add(sample.publisher_gid, number)
         if lost:
             self.events.count(Event.MESSAGE_LOST, lost)
         if self._is_over(sample.publisher_gid, sample.source_stamp_ns, sample.received_stamp_ns):
-            return None
-        if self._sink is None:
-            self._waiting.append(sample)
-            if self._listener is not None:
-                self._listener[0].post(self._listener[1])
-        return self._sink
+            return
+        self._waiting.append(sample)
+        if self._feeder is not None:
+            self._feeder.wake()
+        elif self._listener is not None:
+            self._listener[0].post(self._listener[1])
 
     def _catch_up(self, gid: bytes) -> None:
         """Ask for what a writer, whose first sample here wasn't its first, has kept; hold its samples meanwhile.
@@ -438,10 +439,8 @@ class ZenohReader(ZenohEndpoint):
                 if self.info.qos.history != HistoryPolicy.KEEP_ALL:
                     numbers = numbers[-self.info.qos.depth :]
                 self._released.setdefault(gid, set()).update(batch)
-                sinks = [(self._accept(number, batch[number]), batch[number]) for number in numbers]
-            for sink, sample in sinks:
-                if sink is not None:
-                    sink.push(*sample)
+                for number in numbers:
+                    self._accept(number, batch[number])
 
     def _is_over(self, gid: bytes, stamp_ns: int, now_ns: int) -> bool:
         """Return whether the lifespan of a sample has ended."""
@@ -468,8 +467,10 @@ class ZenohReader(ZenohEndpoint):
     def _left(self, peer: Peer) -> Callable[[], None] | None:
         # What it has sent stays known: a peer whose router ends leaves, and comes back with the same gid.
         with self._lock:
-            sink = self._sink
-        return None if sink is None else lambda: sink.forget(peer.gid)
+            if self._feeder is not None:
+                self._left_gids.append(peer.gid)
+                self._feeder.wake()
+        return None
 
     def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
         """Post `token` to `queue` when there is something to take, at once if there already is; None ends it."""
@@ -493,32 +494,48 @@ class ZenohReader(ZenohEndpoint):
         return None
 
     def feed(self, sink: Sink) -> None:
-        """Push every sample into `sink` from now on, those already waiting first."""
+        """Push every sample into `sink` from now on, those already waiting first, on a thread of this reader's own.
+
+        Raises:
+            WireError: the system has no thread.
+        """
         self._check_process()
-        # What arrives while the waiting ones are pushed waits behind them, so that the order is kept.
-        while True:
-            with self._lock:
-                batch = list(self._waiting)
-                self._waiting.clear()
-                if not batch:
-                    before, self._sink = self._sink, None if self._is_closed else sink
-                    break
-            for sample in batch:
-                sink.push(*sample)
-        del before  # outside the lock, because its end may run users' code
+        before = self._feeder
+        if before is not None:
+            before.end()
+        try:
+            feeder = Feeder(sink, self._take_all)
+        except RuntimeError as error:
+            raise WireError(f"cannot feed {self.info.topic.name}, which takes a thread: {error}") from None
+        with self._lock:
+            is_late = self._is_closed
+            if not is_late:
+                self._feeder = feeder
+        if is_late:
+            feeder.end()
+        else:
+            feeder.wake()
+
+    def _take_all(self) -> tuple[list[Sample], list[bytes]]:
+        with self._lock:
+            taken = list(self._waiting), self._left_gids
+            self._waiting.clear()
+            self._left_gids = []
+            return taken
 
     def close(self) -> None:
         """Leave the topic; waiting samples are dropped, and none is pushed any more."""
         super().close()
         with self._lock:
-            sink, self._sink = self._sink, None
+            feeder, self._feeder = self._feeder, None
             self._waiting.clear()
             self._held.clear()
             self._released.clear()
             leases, self._leases = self._leases, {}
         for lease in leases.values():
             lease.end()
-        del sink  # outside the lock, for the same reason
+        if feeder is not None and not self._is_forked:
+            feeder.end()
 
 
 class _Lease:
