@@ -929,6 +929,32 @@ def test_without_a_thread_for_its_deadline_an_endpoint_is_not_opened(
     participant.create_writer(NODE, TOPIC, timed).write(HEADER)
 
 
+def test_without_a_thread_for_a_lease_samples_come_and_a_line_tells(
+    participant: Participant,
+    plain: Any,
+    domain_id: int,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    def refuse(thread: threading.Thread) -> None:
+        raise RuntimeError("can't start new thread")
+
+    manual = QoS(liveliness=LivelinessPolicy.MANUAL_BY_TOPIC, liveliness_lease_ns=10**9)
+    end = End(TOPIC.name, TOPIC.type_name, HASH, manual)
+    token = declare_token(plain, domain_id, Kind.PUBLISHER, end)
+    wait_until(participant.graph.endpoints)
+    with monkeypatch.context() as patch:
+        patch.setattr(threading.Thread, "start", refuse)
+        reader = participant.create_reader(NODE, TOPIC, QoS())
+    assert capsys.readouterr().err == (
+        "tfloom: the liveliness of the publisher of /robot/chatter in /plain is not watched, which takes a thread: "
+        "can't start new thread\n"
+    )
+    assert reader.matched_count() == 1
+    token.undeclare()
+    wait_until(lambda: reader.matched_count() == 0)
+
+
 def test_without_xxhash_the_error_says_what_to_install(
     participant: Participant, monkeypatch: pytest.MonkeyPatch
 ) -> None:

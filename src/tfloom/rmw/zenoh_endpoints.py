@@ -11,7 +11,6 @@ import threading
 import time
 from collections import deque
 from collections.abc import Callable
-from contextlib import suppress
 from typing import Any
 
 from tfloom._native import ReadyQueue, Sink
@@ -84,8 +83,7 @@ class ZenohEndpoint(ZenohEnd):
             return None
         self._peers[peer.gid] = theirs.qos
         self.events.add_match(1)
-        self._matched(peer)
-        return None
+        return self._matched(peer)
 
     def remove_peer(self, peer: Peer) -> Callable[[], None] | None:
         """Note a peer that has left."""
@@ -94,8 +92,9 @@ class ZenohEndpoint(ZenohEnd):
             self._unmatched(peer)
         return self._left(peer)
 
-    def _matched(self, peer: Peer) -> None:
-        """Note more of a compatible peer."""
+    def _matched(self, _peer: Peer) -> Callable[[], None] | None:
+        """Note more of a compatible peer; return what is to be done without a lock."""
+        return None
 
     def _unmatched(self, peer: Peer) -> None:
         """Forget it."""
@@ -447,15 +446,19 @@ class ZenohReader(ZenohEndpoint):
         lifespan_ns = self._lifespans_ns.get(gid) if self._lifespans_ns else None
         return lifespan_ns is not None and stamp_ns + lifespan_ns < now_ns
 
-    def _matched(self, peer: Peer) -> None:
+    def _matched(self, peer: Peer) -> Callable[[], None] | None:
         qos = peer.end.qos
         self.events.change_liveliness(1, 0)
         if qos.lifespan_ns < INFINITE_NS:
             self._lifespans_ns = {**self._lifespans_ns, peer.gid: qos.lifespan_ns}
         if qos.liveliness == LivelinessPolicy.MANUAL_BY_TOPIC and qos.liveliness_lease_ns < INFINITE_NS:
-            with suppress(RuntimeError):  # no thread: the lease is not watched
+            try:
                 lease = _Lease(self.events, qos.liveliness_lease_ns / _NS_PER_S, self._timers)
-                self._leases = {**self._leases, peer.gid: lease}
+            except RuntimeError as error:  # there is no thread for it; samples are received nevertheless
+                reason = str(error)
+                return lambda: _report_unwatched(self.info, peer, reason)
+            self._leases = {**self._leases, peer.gid: lease}
+        return None
 
     def _unmatched(self, peer: Peer) -> None:
         lease = self._leases.get(peer.gid)
@@ -577,6 +580,15 @@ class _Lease:
             is_alive = self._is_alive
         self._timers.remove(self._number)
         return is_alive
+
+
+def _report_unwatched(info: EndpointInfo, peer: Peer, reason: str) -> None:
+    """Print that the liveliness of a writer can't be observed."""
+    print(
+        f"tfloom: the liveliness of the publisher of {info.topic.name} in {peer.token.node.full} is not watched, which "
+        f"takes a thread: {reason}",
+        file=sys.stderr,
+    )
 
 
 def _report_hashes(info: EndpointInfo, peer: Peer) -> None:
