@@ -97,8 +97,12 @@ def _router(port: int) -> Iterator[None]:
     command = [sys.executable, "-m", "tfloom.cli", "zenoh", "router", "-l", f"tcp/127.0.0.1:{port}"]
     router = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     try:
-        if not any("listening on" in line for line in router.stdout or ()):
-            raise SystemExit(f"no router could be started at port {port}")
+        said = ""
+        while "listening on" not in said:
+            line = router.stdout.readline()  # type: ignore[union-attr]
+            if not line:
+                raise SystemExit(f"no router could be started at port {port}: {said}")
+            said += line
         yield
     finally:
         router.terminate()

@@ -21,6 +21,7 @@ from tfloom.rmw.base import NodeName, Participant, Reader, Sample, Service, Topi
 from tfloom.rmw.errors import ClosedError, ForeignPeerError, NoBackendError, WireError
 from tfloom.rmw.events import Event, LivelinessChanged, Matched
 from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoS, ReliabilityPolicy
+from tfloom.rmw.zenoh_graph import ZenohGraph
 from tfloom.rmw.zenoh_tokens import End, Kind, Token, data_key, gid_of, token_key
 
 zenoh = pytest.importorskip("zenoh", reason="eclipse-zenoh is not installed: pip install 'tfloom[zenoh]'")
@@ -623,6 +624,22 @@ def test_samples_reach_a_sink_in_order_those_that_waited_first(participant: Part
     reader.close()
     writer.write(HEADER)
     assert sink.pushed() == 10
+
+
+def test_a_graph_beside_others_is_whole_when_one_has_told_of_itself(
+    participant: Participant, plain: Any
+) -> None:
+    assert participant.graph.is_whole()
+    domain, zid = 231, str(plain.zid())
+    graph = ZenohGraph(plain, domain, zid, expects_others=True)
+    own = Token(domain, zid, 0, 0, Kind.NODE, "/", NODE, None)
+    graph.add_own(token_key(own))
+    assert not graph.is_whole()
+    session = participant._session.session
+    other = session.liveliness().declare_token(token_key(own._replace(zid=str(session.zid()))))
+    wait_until(graph.is_whole)
+    other.undeclare()
+    graph.close()
 
 
 def test_many_threads_write_and_close_at_once(participant: Participant) -> None:

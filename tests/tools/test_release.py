@@ -87,19 +87,25 @@ def test_each_wheel_holds_the_licence(files: list[Path]) -> None:
 def test_sdist_holds_what_a_build_needs_alone(files: list[Path]) -> None:
     (sdist,) = (path for path in files if path.name.startswith("tfloom-") and path.name.endswith(".tar.gz"))
     with tarfile.open(sdist) as archive:
-        tops = {name.split("/")[1] for name in archive.getnames() if "/" in name}
+        names = [name for name in archive.getnames() if "/" in name]
+    tops = {name.split("/")[1] for name in names}
     expected = {
         "CHANGELOG.md",
         "CMakeLists.txt",
         "LICENSE",
         "PKG-INFO",
         "README.md",
+        "examples",  # that which `tfloom demo robot` runs
         "licenses",
         "native",
         "pyproject.toml",
         "src",
     }
     assert tops == expected
+    examples = {
+        name.split("/")[2] for name in names if name.split("/")[1:2] == ["examples"] and name.count("/") > 2
+    }
+    assert examples == {"robot_in_a_room"}
 
 
 @pytest.mark.slow

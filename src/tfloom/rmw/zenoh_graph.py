@@ -71,10 +71,12 @@ class ZenohGraph:
         session: The `zenoh.Session`.
         domain_id: The domain.
         zid: The session's id.
+        expects_others: Whether it found a router that was there, so that there are other sessions, too, as a rule.
     """
 
-    def __init__(self, session: Any, domain_id: int, zid: str) -> None:
+    def __init__(self, session: Any, domain_id: int, zid: str, *, expects_others: bool = False) -> None:
         self._zid = zid
+        self._expects_others = expects_others
         self._own_prefix = f"{PREFIX}/{domain_id}/{zid}/"
         self._lock = threading.Lock()
         self._entities: dict[str, _Entity] = {}
@@ -239,12 +241,15 @@ class ZenohGraph:
         return self._changes
 
     def is_whole(self) -> bool:
-        """Return True: nothing tells when the last token has come.
+        """Return whether a token of another session has come, where there are others.
 
-        A query of all tokens ends early, with none or some of them, where the link to the router is as young as that
-        of a session that has just been opened.
+        Nothing tells of the last one: a query of all tokens ends early, with none or some of them, where the link to
+        the router is as young as that of a session that has just been opened.
         """
-        return True
+        if not self._expects_others:
+            return True
+        with self._lock:
+            return any(entity.token.zid != self._zid for entity in self._entities.values())
 
     def delivers_incompatible(self) -> bool:
         """Return True: keys connect endpoints, and they tell nothing of qualities."""

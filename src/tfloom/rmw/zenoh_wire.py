@@ -111,7 +111,9 @@ class ZenohParticipant:
         self._timers = Timers()
         self.is_closed = False
         self._is_forked = False
-        self.graph = ZenohGraph(session.session, domain_id, self._zid)
+        self.graph = ZenohGraph(
+            session.session, domain_id, self._zid, expects_others=not session.is_meeting_point
+        )
 
     def add_node(self, node: NodeName) -> None:
         """Add a node to the graph.
