@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from tests.conftest import Program, wait_until
+from tests.conftest import TIMEOUT_S, Program, wait_until
 from tests.namespaces import CABLE, Host, hosts_on_a_subnet
 from tests.zenoh_ports import hold_zenoh_port
 
@@ -136,7 +136,11 @@ def test_the_graph_is_whole_again_after_a_restart(end: str, sites: tuple[Site, S
     wait_until(lambda: graph(receiver) == ["receiver"] and graph(sender) == ["sender"])
     site.start_router()
     restarted = time.monotonic()
-    wait_until(lambda: graph(receiver) == graph(sender) == ["receiver", "sender"])
+    while not graph(receiver) == graph(sender) == ["receiver", "sender"]:
+        assert time.monotonic() - restarted < TIMEOUT_S, "\n\n".join(
+            program.output for program in (near.router, sender, far.router, receiver)
+        )
+        time.sleep(0.01)
     before = count(receiver, "sender")
     wait_until(lambda: ask(sender, "send", 1, 10) and count(receiver, "sender") > before)
     assert time.monotonic() - restarted < 5.0
