@@ -83,7 +83,7 @@ def test_the_extension_under_sanitizers(
         "-p",
         "no:cacheprovider",
         "-m",
-        "not slow and not timing",
+        "not slow and not timing and not ros",
         "--numprocesses=2",
         "--dist=loadfile",
     ]
