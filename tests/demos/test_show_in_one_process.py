@@ -227,6 +227,8 @@ def test_processes_are_used_if_the_library_is_installed(monkeypatch: pytest.Monk
     assert describe_wire() == ("They meet over DDS, by libddsc 0.10.5 of the system.", True)
     monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
     assert describe_wire() == (CHOSEN, False)
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "rmw_zenoh_cpp")
+    assert describe_wire() == ("They meet over Zenoh.", True)
 
 
 def test_environment_and_streams_are_restored(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -26,6 +26,7 @@ UNWATCHED_S = 15.0
 """Duration where neither a terminal nor a page shows the demonstration [s]."""
 JOIN_IN = "Join in from another terminal: export ROS_DOMAIN_ID={domain_id}"
 WIRE = "They meet over DDS, by libddsc {version} of {origin}."
+OVER_ZENOH = "They meet over Zenoh."
 ONE_PROCESS = "{reason}, so all programs run within this process, and other terminals can't join in{remedy}."
 
 
@@ -63,16 +64,16 @@ def main(args: argparse.Namespace) -> int:
         if hasattr(signal, name):
             signal.signal(getattr(signal, name), signal.default_int_handler)
     try:
-        description, is_over_dds = describe_wire()
+        description, has_processes = describe_wire()
         duration_s, end = describe_end(args.seconds, opens_page=args.view)
         is_robot = args.which == "robot"
-        if is_robot and not is_over_dds:
+        if is_robot and not has_processes:
             raise CommandError("`tfloom demo robot` needs a DDS library, because its programs are processes")
         print(f"{(ROBOT if is_robot else INTRODUCTION).format(end=end)}\n{description}")
         if is_robot:
             _show_robot(duration_s, opens_page=args.view)
-        elif is_over_dds:
-            _show_over_dds(duration_s, opens_page=args.view)
+        elif has_processes:
+            _show_in_processes(duration_s, opens_page=args.view)
         elif args.view:
             raise CommandError("--view needs a DDS library, because the page is another process")
         else:
@@ -100,13 +101,15 @@ def describe_end(requested_s: float | None, *, opens_page: bool) -> tuple[float 
 
 
 def describe_wire() -> tuple[str, bool]:
-    """Return a line on the wire of the demonstration, and whether it is DDS, so that processes can communicate."""
+    """Return a line on the wire of the demonstration, and whether processes can communicate over it."""
     from tfloom.rmw.cyclone_library import open_library
     from tfloom.rmw.errors import NoBackendError
 
     if os.environ.get("RMW_IMPLEMENTATION") == "tfloom_local":
         reason = "RMW_IMPLEMENTATION is tfloom_local, a wire within one process"
         return ONE_PROCESS.format(reason=reason, remedy=""), False
+    if os.environ.get("RMW_IMPLEMENTATION") == "rmw_zenoh_cpp":
+        return OVER_ZENOH, True
     try:
         library = open_library()
     except NoBackendError as error:
@@ -115,7 +118,7 @@ def describe_wire() -> tuple[str, bool]:
     return WIRE.format(version=library.version or "of unknown version", origin=library.origin), True
 
 
-def _show_over_dds(seconds: float | None, *, opens_page: bool) -> None:
+def _show_in_processes(seconds: float | None, *, opens_page: bool) -> None:
     from tfloom.demos.processes import own_domain, process_starter
     from tfloom.demos.show import PROGRAMS, VIEW, Show
     from tfloom.viewer.extra import is_installed
