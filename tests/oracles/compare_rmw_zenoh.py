@@ -48,7 +48,7 @@ def main(arguments: list[str] | None = None) -> int:
     command = [args.python, str(PROGRAM)]
     if args.setup:
         command = ["bash", "-c", f"source {shlex.quote(args.setup)} && exec {shlex.join(command)}"]
-    with _router(args.port):
+    with running_router(args.port):
         ours = recorded([sys.executable, str(PROGRAM)], args.domain, args.port)
         theirs = recorded(command, args.domain, args.port)
     difference = first_difference(ours, theirs)
@@ -72,7 +72,7 @@ def recorded(command: list[str], domain_id: int, port: int) -> list[str]:
         "TFLOOM_ZENOH_PORT": str(port),
         "ZENOH_CONFIG_OVERRIDE": f'connect/endpoints=["tcp/127.0.0.1:{port}"]',
     }
-    with _session(port) as session, _Recorder(session, domain_id) as recorder:
+    with client_session(port) as session, _Recorder(session, domain_id) as recorder:
         program = subprocess.Popen(
             command,
             env={**os.environ, **variables},
@@ -93,7 +93,7 @@ def recorded(command: list[str], domain_id: int, port: int) -> list[str]:
 
 
 @contextmanager
-def _router(port: int) -> Iterator[None]:
+def running_router(port: int) -> Iterator[None]:
     command = [sys.executable, "-m", "tfloom.cli", "zenoh", "router", "-l", f"tcp/127.0.0.1:{port}"]
     router = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     try:
@@ -110,7 +110,7 @@ def _router(port: int) -> Iterator[None]:
 
 
 @contextmanager
-def _session(port: int) -> Iterator[Any]:
+def client_session(port: int) -> Iterator[Any]:
     config = zenoh.Config()
     config.insert_json5("mode", '"client"')
     config.insert_json5("connect/endpoints", f'["tcp/127.0.0.1:{port}"]')

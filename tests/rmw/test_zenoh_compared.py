@@ -23,7 +23,7 @@ SHORT = re.compile(r"…/0/\d+/(?P<kind>\w\w)/…/(?P<name>/\S+) (?P<type>\S+) (
 
 
 def test_a_node_announces_what_rmw_zenoh_announces_for_the_same_program() -> None:
-    with hold_zenoh_port() as port, compare_rmw_zenoh._router(port):
+    with hold_zenoh_port() as port, compare_rmw_zenoh.running_router(port):
         command = [sys.executable, str(compare_rmw_zenoh.PROGRAM)]
         tokens = [
             line.removeprefix("token ")

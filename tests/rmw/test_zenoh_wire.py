@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 import struct
 import sys
 import threading
@@ -55,14 +56,10 @@ def participant(zenoh_environment: None, domain_id: int) -> Iterator[Participant
 @pytest.fixture
 def plain(participant: Participant) -> Iterator[Any]:
     """Yield a plain session of Zenoh that is linked to the participant's router, as a client."""
-    import os
 
-    config = zenoh.Config()
-    config.insert_json5("mode", '"client"')
-    config.insert_json5("connect/endpoints", f'["tcp/127.0.0.1:{os.environ["TFLOOM_ZENOH_PORT"]}"]')
-    config.insert_json5("scouting/multicast/enabled", "false")
-    config.insert_json5("timestamping/enabled", "true")
-    with zenoh.open(config) as session:
+    from tests.oracles.compare_rmw_zenoh import client_session
+
+    with client_session(int(os.environ["TFLOOM_ZENOH_PORT"])) as session:
         yield session
 
 
@@ -728,7 +725,6 @@ def test_samples_and_the_graph_come_back_after_a_routers_death(
     domain_id: int, start_program: Callable[..., Program], start_peer: Callable[..., Peer], monkeypatch
 ) -> None:
     """Clients of one router, which have no link of their own: all that passes between them passes through it."""
-    import os
 
     from tfloom.rmw.zenoh_wire import open_participant
 

@@ -6,7 +6,7 @@ import asyncio
 import time
 import urllib.error
 import urllib.request
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from contextlib import ExitStack, closing
 
 import numpy as np
@@ -23,7 +23,6 @@ from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
 from tfloom.interfaces.sensor_msgs.msg import PointCloud2
 from tfloom.interfaces.std_msgs.msg import String
-from tfloom.node.context.context import Context
 from tfloom.node.endpoints.publisher import Publisher
 from tfloom.node.node import Node
 from tfloom.rmw.backends import open_participant
@@ -36,16 +35,6 @@ from tfloom.viewer.program import Viewer
 OpenPage = Callable[[Viewer], Page]
 POINTS = 100_000
 AXES = ("/frames/axes", "batched_positions")
-
-
-@pytest.fixture
-def node(domain_id: int) -> Iterator[Node]:
-    context = Context()
-    context.init(args=[], domain_id=domain_id)
-    made = Node("feeder", context=context)
-    yield made
-    made.destroy_node()
-    context.try_shutdown()
 
 
 def port_of(viewer: Viewer) -> int:

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 import tfloom
 from tfloom.cli.finding import Finding, Verdict
 from tfloom.cli.peer_health import check_peers
-from tfloom.cli.zenoh_health import is_zenoh_selected
+from tfloom.cli.zenoh_health import WIRE, check_zenoh_reach, is_zenoh_selected
 from tfloom.rmw.errors import WireError
 from tfloom.workspace import index
 
@@ -59,7 +59,7 @@ def check_wire() -> Finding:
             details["library from"] = library.origin
             details.update({f"passed over {n}": text for n, text in enumerate(library.passed_over, 1)})
             library_text = f"; libddsc {library.version or 'of unknown version'} of {library.origin}"
-        elif name == "rmw_zenoh_cpp":
+        elif name == WIRE:
             from importlib.metadata import version
 
             from tfloom.rmw.zenoh_library import open_library as open_zenoh
@@ -251,8 +251,8 @@ def check_reach() -> Finding:
 
     details = {"ROS_SECURITY_ENABLE": os.environ.get("ROS_SECURITY_ENABLE", "not set")}
     try:
-        if (name := implementation_identifier()) == "rmw_zenoh_cpp":
-            return _zenoh_reach(details)
+        if (name := implementation_identifier()) == WIRE:
+            return check_zenoh_reach(details)
         if name != DEFAULT:
             return Finding(Verdict.OK, f"{name} stays inside one process", details=details)
         domain = domain_id_from_environment()
@@ -270,31 +270,6 @@ def check_reach() -> Finding:
         summary = f"{where}, but ROS_SECURITY_ENABLE has no effect: nothing is encrypted"
         return Finding(Verdict.WARNING, summary, advice, details)
     return Finding(Verdict.OK, f"within this machine: {where}", details=details)
-
-
-def _zenoh_reach(details: dict[str, Any]) -> Finding:
-    """Return from where a session of Zenoh, with the configuration of the environment, can be reached.
-
-    Raises:
-        WireError: the configuration is invalid.
-    """
-    from tfloom.rmw.zenoh_config import endpoints_of, session_configuration
-
-    endpoints = endpoints_of(session_configuration(), "listen/endpoints")
-    details["listens at"] = ", ".join(endpoints) or "nothing"
-    local = ("/127.", "/localhost:", "/[::1]:")
-    opened = [endpoint for endpoint in endpoints if not any(part in endpoint for part in local)]
-    if not opened:
-        return Finding(Verdict.OK, "within this machine: sessions listen on loopback alone", details=details)
-    if all(endpoint.startswith("tls/") for endpoint in opened):
-        return Finding(Verdict.OK, f"sessions listen at {', '.join(opened)}, with TLS", details=details)
-    return Finding(
-        Verdict.WARNING,
-        f"sessions listen at {', '.join(opened)}: any machine that reaches them can read and publish all topics and "
-        "call all services, without encryption",
-        "use TLS and access rules: see docs/how_to/across_networks.md",
-        details,
-    )
 
 
 def _opened_ports(domain: int) -> str:

@@ -28,14 +28,15 @@ def check_peers() -> Finding:
     from tfloom.rmw.cyclone_library import open_library
     from tfloom.rmw.cyclone_services import untranslated
 
-    if not is_zenoh_selected():
+    is_zenoh = is_zenoh_selected()
+    if not is_zenoh:
         dds_read_versions()
     try:
         with joined_participant() as participant:
             if participant.graph.participants()[0].gid.startswith(b"tfloom::"):
                 return Finding(Verdict.OK, "none: tfloom_local connects the nodes of one process")
             wait_until_quiet(participant.graph, PEERS_TIMEOUT_S)
-            if is_zenoh_selected():
+            if is_zenoh:
                 return check_sessions(participant.graph)
             peers = [peer for peer in participant.graph.participants() if not peer.is_own]
         failure = untranslated(open_library().path)

@@ -1,4 +1,4 @@
-"""The checks of `doctor` on Zenoh: the router, and the other sessions with what does not pass between them."""
+"""The checks of `doctor` on Zenoh: the router, who reaches a session, and what doesn't pass between sessions."""
 
 from __future__ import annotations
 
@@ -85,6 +85,31 @@ def _linked(config: Any, details: dict[str, Any]) -> Finding:
         else "start a router there, by `tfloom zenoh router`, or correct the endpoint or the certificates"
     )
     return Finding(Verdict.FAILED, f"no link to a router: {why_no_links(config)}{held}", advice, details)
+
+
+def check_zenoh_reach(details: dict[str, Any]) -> Finding:
+    """Check from where a session of Zenoh, with the configuration of the environment, can be reached.
+
+    Raises:
+        WireError: the configuration is invalid.
+    """
+    from tfloom.rmw.zenoh_config import endpoints_of, session_configuration
+
+    endpoints = endpoints_of(session_configuration(), "listen/endpoints")
+    details["listens at"] = ", ".join(endpoints) or "nothing"
+    local = ("/127.", "/localhost:", "/[::1]:")
+    opened = [endpoint for endpoint in endpoints if not any(part in endpoint for part in local)]
+    if not opened:
+        return Finding(Verdict.OK, "within this machine: sessions listen on loopback alone", details=details)
+    if all(endpoint.startswith("tls/") for endpoint in opened):
+        return Finding(Verdict.OK, f"sessions listen at {', '.join(opened)}, with TLS", details=details)
+    return Finding(
+        Verdict.WARNING,
+        f"sessions listen at {', '.join(opened)}: any machine that reaches them can read and publish all topics and "
+        "call all services, without encryption",
+        "use TLS and access rules: see docs/how_to/across_networks.md",
+        details,
+    )
 
 
 def check_sessions(graph: Graph) -> Finding:

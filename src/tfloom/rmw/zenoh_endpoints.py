@@ -85,12 +85,12 @@ class ZenohEndpoint(ZenohEnd):
         self.events.add_match(1)
         return self._matched(peer)
 
-    def remove_peer(self, peer: Peer) -> Callable[[], None] | None:
+    def remove_peer(self, peer: Peer) -> None:
         """Note a peer that has left."""
         if self._peers.pop(peer.gid, None) is not None:
             self.events.add_match(-1)
             self._unmatched(peer)
-        return self._left(peer)
+        self._left(peer)
 
     def _matched(self, _peer: Peer) -> Callable[[], None] | None:
         """Note more of a compatible peer; return what is to be done without a lock."""
@@ -99,9 +99,8 @@ class ZenohEndpoint(ZenohEnd):
     def _unmatched(self, peer: Peer) -> None:
         """Forget it."""
 
-    def _left(self, _peer: Peer) -> Callable[[], None] | None:
-        """Return what is to be done, without a lock, after a peer has left."""
-        return None
+    def _left(self, _peer: Peer) -> None:
+        """Note that a peer, compatible or not, has left."""
 
     def matched_count(self) -> int:
         """Return how many compatible peers are connected now."""
@@ -467,13 +466,12 @@ class ZenohReader(ZenohEndpoint):
         self._lifespans_ns = {gid: entry for gid, entry in self._lifespans_ns.items() if gid != peer.gid}
         self._leases = {gid: entry for gid, entry in self._leases.items() if gid != peer.gid}
 
-    def _left(self, peer: Peer) -> Callable[[], None] | None:
+    def _left(self, peer: Peer) -> None:
         # What it has sent stays known: a peer whose router ends leaves, and comes back with the same gid.
         with self._lock:
             if self._feeder is not None:
                 self._left_gids.append(peer.gid)
                 self._feeder.wake()
-        return None
 
     def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
         """Post `token` to `queue` when there is something to take, at once if there already is; None ends it."""
@@ -503,7 +501,8 @@ class ZenohReader(ZenohEndpoint):
             WireError: the system has no thread.
         """
         self._check_process()
-        before = self._feeder
+        with self._lock:
+            before, self._feeder = self._feeder, None
         if before is not None:
             before.end()
         try:

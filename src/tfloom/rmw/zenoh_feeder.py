@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
+from operator import methodcaller
 
 from tfloom._native import ReadyQueue, Sink
 from tfloom.rmw.base import Sample
@@ -50,9 +51,9 @@ class Feeder:
                 return
             samples, left = self._take()
             for sample in samples:
-                self._call(lambda sink, sample=sample: sink.push(*sample))  # type: ignore[misc]
+                self._call(methodcaller("push", *sample))
             for gid in left:
-                self._call(lambda sink, gid=gid: sink.forget(gid))  # type: ignore[misc]
+                self._call(methodcaller("forget", gid))
 
     def _call(self, function: Callable[[Sink], None]) -> None:
         """Call a function with the sink, and report what it raises, as for any other thread."""

@@ -185,9 +185,12 @@ def _may_interrupt(frame: FrameType | None) -> bool:
     # import runs the code of a module.
     while frame is not None:
         code = frame.f_code
-        if code.co_name in _uninterruptible_functions or code.co_filename in _uninterruptible_files:
-            return False
-        if code.co_filename in callback_files:
+        file = code.co_filename
+        if (
+            file in _uninterruptible_files
+            or file in callback_files
+            or code.co_name in _uninterruptible_functions
+        ):
             return False
         frame = frame.f_back
     return True
