@@ -52,7 +52,7 @@ DOORS = {
     "argcomplete": ("cli/tab_key.py",),
     "PIL": ("turtlesim/picture.py", "tf2_tools/drawing/png.py", "viewer/pictures.py"),
     "viser": ("viewer/",),
-    "websockets": ("viewer/page_server.py",),
+    "websockets": ("viewer/page_server.py", "viewer/foxglove_bridge/own_client.py"),
     "msgspec": ("viewer/page_server.py",),
     "trimesh": ("viewer/",),
     "foxglove": ("viewer/foxglove_bridge/",),

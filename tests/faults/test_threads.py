@@ -92,6 +92,9 @@ PLACES = {
     "viewer/foxglove_bridge/bridge.py": [
         "stopped by the caller: tests/viewer/foxglove_bridge/test_stuck_clients.py, which refuses the thread"
     ],
+    "viewer/foxglove_bridge/own_client.py": [
+        "a warning: tests/viewer/foxglove_bridge/test_own_client.py, which refuses the thread"
+    ],
     "viewer/forms/sending.py": [TOLD],
     "viewer/inline_page.py": ["inline_page"],
     "viewer/page_server.py": ["page_server"],

@@ -24,6 +24,7 @@ from tfloom.viewer.foxglove_bridge.channels import Channels
 from tfloom.viewer.foxglove_bridge.client_topics import ClientTopic, ClientTopicError, ClientTopics
 from tfloom.viewer.foxglove_bridge.commands import Commands
 from tfloom.viewer.foxglove_bridge.complaints import Complaints
+from tfloom.viewer.foxglove_bridge.own_client import OwnClient
 from tfloom.viewer.foxglove_bridge.parameters import Parameters, from_message
 from tfloom.viewer.foxglove_bridge.services import Services
 from tfloom.viewer.foxglove_bridge.settings import TIME, Settings
@@ -39,7 +40,7 @@ __all__ = ["BridgeError", "FoxgloveBridge"]
 UPDATE_S = 0.25
 """Period at which the graph is looked at [s]."""
 CONNECTIONS_S = 1.0
-"""Period at which the connection graph is published, while a client subscribes to it [s]."""
+"""Period at which the connection graph is published, where it has changed [s]."""
 STOP_S = 2.0
 """The longest wait for the server's end [s]."""
 CAPABILITIES = {
@@ -68,6 +69,7 @@ class FoxgloveBridge(Node):
     def __init__(self, context: RosContext | None = None) -> None:
         super().__init__("foxglove_bridge", context=context)
         self.server: WebSocketServer | None = None
+        self.own_client: OwnClient | None = None
         self._complaints = Complaints(self.get_logger())
         try:
             self._start()
@@ -83,7 +85,6 @@ class FoxgloveBridge(Node):
         self.client_topics = ClientTopics(self, settings)
         self.calls = Calls(self)
         self.parameters_of_nodes = Parameters(self, self.calls, settings)
-        self.wants_connections = False
         self._seen_changes = self._published_changes = -1
         capabilities = [CAPABILITIES[name] for name in sorted(settings.capabilities & CAPABILITIES.keys())]
         self._is_simulated = bool(self.get_parameter("use_sim_time").value)
@@ -105,6 +106,8 @@ class FoxgloveBridge(Node):
             )
         except (OSError, RuntimeError, ValueError, foxglove_error()) as error:
             raise BridgeError(f"can't listen at {settings.address}:{settings.port}: {error}") from None
+        if settings.capabilities & {"connectionGraph", "parametersSubscribe"}:
+            self._start_own_client(self.server)
         self._services = Services(self, self.server, self.calls, settings)
         # Clients see the graph of now, whatever /clock says.
         steady = Clock(clock_type=ClockType.STEADY_TIME)
@@ -117,11 +120,24 @@ class FoxgloveBridge(Node):
         if "parametersSubscribe" in settings.capabilities and "parameters" in settings.capabilities:
             self.create_subscription(ParameterEvent, "/parameter_events", self._publish_parameters, 100)
 
+    def _start_own_client(self, server: WebSocketServer) -> None:
+        settings = self.settings
+        is_encrypted = settings.certificate is not None
+        client = OwnClient(server, settings.address, is_encrypted, settings.capabilities, self.get_logger())
+        try:
+            client.start()
+        except RuntimeError as error:
+            self.get_logger().warning(f"Clients get no connection graph and no changed parameters: {error}")
+            return
+        self.own_client = client
+
     def close(self) -> None:
         """Close all connections and the port, and destroy the node.
 
         A connection whose client takes nothing is left to the system, because closing it has to wait for the client.
         """
+        if self.own_client is not None:
+            self.own_client.close()
         if self.server is not None:
             self._stop(self.server)
             self.channels.close()
@@ -170,12 +186,11 @@ class FoxgloveBridge(Node):
         self.calls.forget(served.keys())
 
     def publish_connections(self) -> None:
-        """Publish which node publishes, subscribes to and serves what, if that has changed and a client asks."""
+        """Publish which node publishes, subscribes to and serves what, if that has changed."""
         graph = self._wire_graph()
         changes = graph.changes()
-        if not self.wants_connections or self.server is None or changes == self._published_changes:
+        if self.own_client is None or changes == self._published_changes:
             return
-        self._published_changes = changes
         settings = self.settings
         published, subscribed, served = (defaultdict[str, set[str]](set) for _ in range(3))
         for end in graph.endpoints():
@@ -192,7 +207,8 @@ class FoxgloveBridge(Node):
             connections.set_subscribed_topic(topic, sorted(nodes))
         for name, nodes in served.items():
             connections.set_advertised_service(name, sorted(nodes))
-        self.server.publish_connection_graph(connections)
+        if self.own_client.publish_connections(connections):
+            self._published_changes = changes
 
     def _broadcast_time(self, message: ClockMessage) -> None:
         if self.server is not None:
@@ -204,8 +220,8 @@ class FoxgloveBridge(Node):
             for parameter in (*event.new_parameters, *event.changed_parameters)
             if (name := f"{event.node}.{parameter.name}") in self.settings.parameters
         ]
-        if parameters and self.server is not None:
-            self.server.publish_parameter_values(parameters)
+        if parameters and self.own_client is not None:
+            self.own_client.publish_parameters(parameters)
 
     # On threads of the SDK.
 
@@ -266,15 +282,11 @@ class _Listener(ServerListener):
         self,
         client: Client,  # noqa: ARG002
         parameters: list[Parameter],
-        request_id: str | None = None,  # noqa: ARG002
+        request_id: str | None = None,
     ) -> list[Parameter]:
+        own = self._bridge.own_client
+        if own is not None and (changed := own.changed_parameters(request_id)) is not None:
+            return changed
         for error in self._bridge.parameters_of_nodes.set(parameters):
             self._bridge.warn(error)
         return self._bridge.parameters_of_nodes.get([parameter.name for parameter in parameters])
-
-    def on_connection_graph_subscribe(self) -> None:
-        self._bridge.wants_connections = True
-        self._bridge.commands.put(self._bridge.publish_connections)
-
-    def on_connection_graph_unsubscribe(self) -> None:
-        self._bridge.wants_connections = False

@@ -11,16 +11,18 @@ from tfloom.viewer.access import is_loopback
 
 __all__ = ["main"]
 
-MISSING = "foxglove_bridge needs foxglove-sdk, which is not installed: pip install 'tfloom[foxglove]'"
+NEEDED = {"foxglove": "foxglove-sdk", "websockets": "websockets"}
 OPEN_TO_ALL = "Whoever reaches this address can see what is published here, and can drive robots."
 
 
 def main(args: list[str] | None = None) -> int:
     """Serve until stopped; return the exit code."""
     expect_no_arguments("foxglove_bridge", "Serve the graph to Foxglove, over a WebSocket.", args)
-    if find_spec("foxglove") is None:
-        print(f"foxglove_bridge: {MISSING}", file=sys.stderr)
-        return 1
+    for module, distribution in NEEDED.items():
+        if find_spec(module) is None:
+            hint = f"needs {distribution}, which is not installed: pip install 'tfloom[foxglove]'"
+            print(f"foxglove_bridge: foxglove_bridge {hint}", file=sys.stderr)
+            return 1
     return run_program(args, _serve)
 
 

@@ -1,0 +1,155 @@
+"""foxglove_bridge publishes changes of the graph and of parameters, whoever subscribes meanwhile."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from contextlib import closing
+from typing import Any
+
+import pytest
+from tests.conftest import Program, wait_until
+from tests.viewer.foxglove_bridge.clients import Client, bridging, port_of
+
+from tfloom.interfaces.std_msgs.msg import String
+from tfloom.node.node import Node
+from tfloom.viewer.foxglove_bridge import own_client
+from tfloom.viewer.foxglove_bridge.bridge import FoxgloveBridge
+
+ClientOf = Callable[[FoxgloveBridge], Client]
+ROUNDS = 20
+"""Number of times that a client subscribes and unsubscribes; where the SDK's lock was waited for with the GIL held, the
+bridge hung after some of them."""
+
+
+def publishes(client: Client, topic: str) -> bool:
+    """Return whether the connection graph that a client has got names a publisher of a topic."""
+    return any(
+        one["name"] == topic
+        for said in client.texts
+        if said["op"] == "connectionGraphUpdate"
+        for one in said["publishedTopics"]
+    )
+
+
+def test_bridge_lives_while_clients_subscribe_and_all_changes(
+    node: Node, start_program: Callable[..., Program]
+) -> None:
+    """A program of its own, because a bridge that hangs holds the GIL."""
+    node.declare_parameter("count", 0)
+    program = start_program(
+        *("tfloom", "run", "foxglove_bridge", "foxglove_bridge", "--ros-args", "-p", "port:=0")
+    )
+    port = port_of(program)
+    is_done = threading.Event()
+
+    def change() -> None:
+        number = 0
+        while not is_done.wait(0.001):
+            number += 1
+            node.set_parameters([type(node.get_parameter("count"))("count", value=number)])
+
+    changing = threading.Thread(target=change)
+    changing.start()
+    try:
+        for number in range(ROUNDS):
+            client = Client(port)
+            with closing(client.socket):
+                publisher = node.create_publisher(String, f"/round_{number}", 1)
+                client.send(op="subscribeConnectionGraph")
+                client.send(
+                    op="subscribeParameterUpdates", parameterNames=["/other.count", f"/other.n{number}"]
+                )
+                client.text("connectionGraphUpdate")
+                client.text("parameterValues")
+                client.send(op="unsubscribeParameterUpdates", parameterNames=["/other.count"])
+                client.send(op="unsubscribeConnectionGraph")
+                node.destroy_publisher(publisher)
+    finally:
+        is_done.set()
+        changing.join()
+
+
+def test_own_client_connects_again(
+    domain_id: int, node: Node, client_of: ClientOf, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(own_client, "RETRY_S", 0.05)
+    node.declare_parameter("count", 0)
+    with bridging(domain_id) as bridge:
+        client = client_of(bridge)
+        client.send(op="subscribeConnectionGraph")
+        client.send(op="subscribeParameterUpdates", parameterNames=["/other.count"])
+        own = bridge.own_client
+        assert own is not None
+        wait_until(lambda: own._is_subscribed)
+        connection = own._connection
+        assert connection is not None
+        connection.socket.close()
+        wait_until(lambda: own._connection not in {None, connection})
+        node.create_publisher(String, "/later", 1)
+        client.wait_for(lambda: publishes(client, "/later"), "the later graph")
+        node.set_parameters([type(node.get_parameter("count"))("count", value=1)])
+        client.wait_for(
+            lambda: any(
+                {"name": "/other.count", "value": 1} in said["parameters"]
+                for said in client.texts
+                if said["op"] == "parameterValues"
+            ),
+            "the later value",
+        )
+
+
+def test_no_connection_is_said_once(
+    domain_id: int, client_of: ClientOf, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    """Clients get all else, and `close` returns."""
+    tries = []
+
+    def refuse(*_: object, **__: object) -> None:
+        tries.append(1)
+        raise ConnectionRefusedError(111, "Connection refused")
+
+    monkeypatch.setattr(own_client, "RETRY_S", 0.01)
+    monkeypatch.setattr(own_client, "connect", refuse)
+    with bridging(domain_id) as bridge:
+        client = client_of(bridge)
+        wait_until(lambda: len(tries) > 3)
+        bridge.publish_connections()
+        client.wait_for(lambda: "/rosout" in client.channels)
+    assert (
+        capfd.readouterr().err.count("Clients get no connection graph and no changed parameters until") == 1
+    )
+
+
+def test_no_thread_is_a_warning(
+    domain_id: int, client_of: ClientOf, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    def refuse(_: own_client.OwnClient) -> None:
+        raise RuntimeError("can't start new thread")
+
+    monkeypatch.setattr(own_client.OwnClient, "start", refuse)
+    with bridging(domain_id) as bridge:
+        client = client_of(bridge)
+        bridge.publish_connections()
+        client.wait_for(lambda: "/rosout" in client.channels)
+    warning = "Clients get no connection graph and no changed parameters: can't start new thread"
+    assert warning in capfd.readouterr().err
+
+
+def test_requests_of_others_are_not_its_own(domain_id: int) -> None:
+    with bridging(domain_id) as bridge:
+        own = bridge.own_client
+        assert own is not None
+        assert own.changed_parameters(None) is None
+        assert own.changed_parameters("other") is None
+        assert own.changed_parameters(own._secret) == []
+
+
+@pytest.mark.parametrize(
+    ("address", "host"),
+    [("127.0.0.1", "127.0.0.1"), ("0.0.0.0", "127.0.0.1"), ("::", "[::1]"), ("::1", "[::1]")],
+)
+def test_own_client_finds_each_address(address: str, host: str) -> None:
+    server: Any = None
+    logger: Any = None
+    assert own_client.OwnClient(server, address, False, (), logger)._host == host
