@@ -2,15 +2,20 @@
 
 A tier runs in two parts: first the few tests that measure time (marked `timing`), in three processes, because they
 hardly compute; then the others, in several processes for each core, because they wait more than they compute.
+
+A test that hangs ends the run, after the places of all its threads were printed: the limit of time is an option of
+pytest. Processes that tests leave behind are named and ended, and fail the run.
 """
 
 from __future__ import annotations
 
 import argparse
+import ctypes
 import os
 import subprocess
 import sys
 import time
+from contextlib import suppress
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -24,6 +29,11 @@ TESTS = ROOT / "tests"
 FEW_FILES = 30
 """So few files that are not compiled cost less than another start of pytest."""
 ROS_TESTS = (TESTS / "ros_peer", TESTS / "drop_in")
+MAX_SLOW_TEST_S = 2400
+"""The longest time of a slow test [s]; pyproject.toml has that of the others."""
+PR_SET_CHILD_SUBREAPER = 36
+MAX_END_S = 10.0
+"""The longest time that processes may take to end after the tests that started them [s]."""
 NOTHING_SELECTED = 5
 """pytest's exit code when it ran no test."""
 
@@ -75,6 +85,30 @@ def environment() -> dict[str, str]:
     return {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
 
 
+def adopt_orphans() -> None:
+    """Become the parent of processes whose parents end, so that `end_orphans` finds them; on Linux."""
+    if sys.platform == "linux":
+        ctypes.CDLL(None).prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
+
+
+def end_orphans() -> list[str]:
+    """Wait for the processes that tests have left, end those that stay, and return their commands; on Linux."""
+    if sys.platform != "linux":
+        return []
+    import psutil  # after set-up
+
+    end_s = time.monotonic() + MAX_END_S
+    while (left := psutil.Process().children(recursive=True)) and time.monotonic() < end_s:
+        psutil.wait_procs(left, timeout=0.1)
+    commands = []
+    for process in left:
+        with suppress(psutil.Error):  # it has just ended
+            commands.append(" ".join(process.cmdline()) or process.name())
+            process.kill()
+    psutil.wait_procs(left, timeout=MAX_END_S)
+    return commands
+
+
 def run(marks: str, arguments: list[str]) -> tuple[int, float]:
     """Run pytest on the tests that a mark expression selects; return its exit code and the time it took [s]."""
     started = time.monotonic()
@@ -98,7 +132,11 @@ def main() -> int:
     if options.ros and not any(folder.name in argument for folder in ROS_TESTS for argument in rest):
         rest.extend(map(str, ROS_TESTS))  # named, so that the process that reports loads their conftest, too
     marks = f"{tier} and ({options.marks})" if options.marks else tier
-    by_file = ["--dist=loadfile", "--no-loadscope-reorder"]
+    # Another worker would repeat the test that hangs.
+    by_file = ["--dist=loadfile", "--no-loadscope-reorder", "--max-worker-restart=0"]
+    if options.slow:
+        by_file.append(f"--override-ini=faulthandler_timeout={MAX_SLOW_TEST_S}")
+    adopt_orphans()
     many = workers(slow=options.slow)
     few = [f"--numprocesses={min(TIMING_WORKERS, many)}", *by_file]
     named = [path for argument in rest if (path := Path(argument.partition("::")[0])).exists()]
@@ -114,6 +152,9 @@ def main() -> int:
     print(f"Tests that are {tier}: {times}")
     # A part in which a selection matches nothing is no failure, unless it is so in both.
     codes = [code for code, _ in parts.values() if code != NOTHING_SELECTED]
+    if left := end_orphans():
+        print("Tests left these processes, which were ended:", *left, sep="\n  ")
+        return max(1, *codes)
     return max(codes) if codes else NOTHING_SELECTED
 
 

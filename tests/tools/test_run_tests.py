@@ -1,0 +1,50 @@
+"""A tier of the tests ends, names the test that hangs, and leaves no process."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import psutil
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def run_tier(file: Path, text: str, *options: str) -> subprocess.CompletedProcess[str]:
+    file.write_text(text)
+    command = [sys.executable, "tools/run_tests.py", "-q", "-c", str(ROOT / "pyproject.toml"), *options]
+    return subprocess.run(
+        [*command, str(file)], cwd=ROOT, capture_output=True, text=True, timeout=120, check=False
+    )
+
+
+def test_a_test_that_hangs_is_named_and_ends_the_run(tmp_path: Path) -> None:
+    done = run_tier(
+        tmp_path / "test_hangs.py",
+        "import threading\n\ndef test_hangs():\n    threading.Event().wait()\n\ndef test_passes():\n    pass\n",
+        "--override-ini=faulthandler_timeout=1",
+    )
+    assert done.returncode == 1
+    assert "crashed while running '::test_hangs'" in done.stdout
+    assert 'test_hangs.py", line 4 in test_hangs' in done.stderr
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="processes change their parents so on Linux alone")
+def test_processes_that_tests_leave_are_ended_and_fail_the_run(tmp_path: Path) -> None:
+    note = tmp_path / "pid"
+    done = run_tier(
+        tmp_path / "test_leaves.py",
+        "import os, pathlib\n\ndef test_leaves():\n"
+        "    pid = os.spawnlp(os.P_NOWAIT, 'sleep', 'sleep', '321')\n"
+        f"    pathlib.Path({str(note)!r}).write_text(str(pid))\n",
+    )
+    assert done.returncode == 1
+    assert "1 passed" in done.stdout
+    assert "Tests left these processes, which were ended:\n  sleep 321\n" in done.stdout
+    assert not psutil.pid_exists(int(note.read_text()))
+
+
+def test_nothing_selected_is_no_success(tmp_path: Path) -> None:
+    assert run_tier(tmp_path / "test_none.py", "").returncode == 5
