@@ -46,6 +46,23 @@ except ImportError as error:
     assert python(code, tmp_path).stdout == "rospy\nNo module named 'rosp'\n"
 
 
+def test_a_search_finds_no_module(tmp_path: Path) -> None:
+    (tmp_path / "looks_for_it.py").write_text(
+        "from importlib.util import find_spec\nprint(find_spec('tf'), find_spec('rospy'))\n"
+    )
+    code = """
+import importlib, pkgutil
+import looks_for_it
+print(pkgutil.find_loader("tf") if hasattr(pkgutil, "find_loader") else None)
+for name in ("tf", "rospy"):
+    try:
+        importlib.import_module(name)
+    except ModuleNotFoundError as error:
+        print("ROS 1" in str(error))
+"""
+    assert python(code, tmp_path).stdout == "None None\nNone\nTrue\nTrue\n"
+
+
 def test_a_module_of_the_name_takes_precedence(tmp_path: Path) -> None:
     (tmp_path / "tf.py").write_text("here = True\n")
     run = python("import tf, sys; print(tf.here, 'tfloom.ros1_names' in sys.modules)", tmp_path)

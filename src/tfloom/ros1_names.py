@@ -2,6 +2,7 @@
 
 `tfloom.pth` adds a finder to the end of `sys.meta_path` that imports this module when a program imports one of the two
 and nobody has it; `tfloom.use_ros_names()` does the same. Names of ROS 1 in any folder of `sys.path` take precedence.
+A program that only asks whether there is such a module, by `importlib.util.find_spec`, is told that there is none.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
     from importlib.abc import Loader
-    from types import ModuleType
+    from types import FrameType, ModuleType
     from typing import NoReturn
 else:
     Loader = object  # importlib.abc takes longer to import than all the rest here
@@ -28,14 +29,36 @@ INSTEAD = {
 
 
 def spec_of(name: str) -> ModuleSpec | None:
-    """Return the spec of a name of ROS 1, whose import raises the error; None for any other name."""
-    return ModuleSpec(name, _Refusal()) if name in INSTEAD else None
+    """Return the spec of a name of ROS 1, whose import raises the error.
+
+    None for any other name, and where the name is only looked for: a spec would tell `importlib.util.find_spec` that
+    the module is there.
+    """
+    return ModuleSpec(name, _Refusal()) if name in INSTEAD and _is_import() else None
 
 
 def install() -> None:
     """Add the finder to the end of `sys.meta_path`, unless one is there, as `tfloom.pth` has done."""
     if not any(getattr(finder, "finds_ros1", False) for finder in sys.meta_path):
         sys.meta_path.append(_Finder())
+
+
+def _is_import() -> bool:
+    """Return whether an import statement or `importlib.import_module` asks the finders, rather than a search.
+
+    Both call the same function of `importlib` with the same arguments, so only its caller tells them apart. Where a
+    Python names these functions otherwise, the import fails with Python's own text.
+    """
+    frame: FrameType | None = sys._getframe()  # noqa: SLF001
+    while frame is not None and not _is_of_import_system(frame, "_find_spec"):
+        frame = frame.f_back
+    caller = frame and frame.f_back
+    return caller is not None and _is_of_import_system(caller, "_find_and_load_unlocked")
+
+
+def _is_of_import_system(frame: FrameType, function: str) -> bool:
+    code = frame.f_code
+    return code.co_name == function and code.co_filename == "<frozen importlib._bootstrap>"
 
 
 class _Finder:
