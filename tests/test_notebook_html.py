@@ -5,12 +5,18 @@ from __future__ import annotations
 import io
 import re
 import xml.etree.ElementTree as ET
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 from PIL import Image
+from tests.bag.recordings import drive, write_mcap
 
+from tfloom.bag import BagError, open_bag
+from tfloom.bag.bag import Bag
+from tfloom.bag.reading.bag_file import BagFile
+from tfloom.bag.values import Topic, Topics
 from tfloom.interfaces.geometry_msgs.msg import Point
 from tfloom.interfaces.sensor_msgs.msg import LaserScan
 from tfloom.interfaces.std_msgs.msg import Header, String
@@ -141,6 +147,41 @@ def test_trajectory_shows_a_table_and_its_way(buffer: Buffer) -> None:
     )
     assert_shown(empty._repr_html_())
     assert "0 poses" in repr(empty)
+
+
+def test_recording_shows_its_topics_and_times(tmp_path: Path) -> None:
+    write_mcap(tmp_path / "a.mcap", drive())
+    bag = open_bag(tmp_path / "a.mcap")
+    assert_shown(bag._repr_html_())
+    rows = re.findall(r"<tr.*?</tr>", bag.topics._repr_html_())
+    assert len(rows) == 1 + len(bag.topics)
+    assert any("/tf_static" in row and f">{bag.topics['/tf_static'].message_count}<" in row for row in rows)
+    assert f"{bag.message_count} messages in " in bag._repr_html_()
+    assert "2023-11-14 22:13:20 UTC" in bag._repr_html_()
+    late = open_bag(tmp_path / "a.mcap")
+    late.end_ns = 1 << 70  # as a damaged metadata.yaml may say
+    assert f" to {(1 << 70) / 1e9:.3f}<" in late._repr_html_()
+
+
+def test_recording_that_cannot_be_read_shows_its_error() -> None:
+    class Gone(BagFile):
+        @property
+        def topics(self) -> list[Topic]:
+            raise BagError(EVIL, "it is gone")
+
+    gone = Bag(Path(EVIL), [Gone(Path(EVIL))], None)
+    assert_shown(gone._repr_html_())
+    assert "it is gone" in gone._repr_html_()
+
+
+def test_many_topics_show_their_beginning() -> None:
+    topics = Topics({f"/{number}": Topic(f"/{number}", EVIL) for number in range(1000)})
+    assert_shown(topics._repr_html_())
+    assert "900 more topics" in topics._repr_html_()
+    assert_shown(Topics({EVIL: Topic(EVIL * 1000, EVIL * 1000)})._repr_html_())
+    assert len(Topics({EVIL: Topic("n" * LARGE, "t" * LARGE)})._repr_html_()) < LARGE
+    assert Topics()._repr_html_() == "no topics"
+    assert_shown(Bag(Path(EVIL), [], None)._repr_html_())
 
 
 def test_scan_shows_its_points() -> None:

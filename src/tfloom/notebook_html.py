@@ -14,11 +14,13 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-__all__ = ["code", "drawing", "faint", "folded", "table"]
+__all__ = ["code", "drawing", "faint", "folded", "shortened", "table"]
 
 SIZE = 240
 """Of a drawing [pixels]."""
 MARGIN = 10
+MAX_CHARACTERS = 500
+"""How many characters of a text are shown."""
 MAX_POINTS = 500
 """How many points of a drawing are shown."""
 LINE = "1px solid rgba(128,128,128,.4)"
@@ -44,6 +46,11 @@ def table(rows: Iterable[Sequence[str]], heads: Sequence[str] = ()) -> str:
 def folded(title: str, content: str, *, is_open: bool) -> str:
     """Return HTML that a click on the title, a text, shows or hides."""
     return f"<details{' open' if is_open else ''}><summary>{escape(title)}</summary>{content}</details>"
+
+
+def shortened(text: str) -> str:
+    """Return a text, of a long one its beginning."""
+    return text if len(text) <= MAX_CHARACTERS else f"{text[:MAX_CHARACTERS]}…"
 
 
 def code(text: str) -> str:

@@ -331,3 +331,13 @@ def test_bag_is_printed_with_its_topics(tmp_path: Path) -> None:
     with open_bag(tmp_path / "a.mcap") as gone:
         (tmp_path / "a.mcap").unlink()
         assert repr(gone).startswith(f"<Bag {tmp_path / 'a.mcap'}")
+
+
+def test_topics_are_printed_without_their_definitions(tmp_path: Path) -> None:
+    write_mcap(tmp_path / "a.mcap", DRIVE)
+    topics = open_bag(tmp_path / "a.mcap").topics
+    tf = topics["/tf"]
+    assert f"'/tf': <Topic /tf: tf2_msgs/msg/TFMessage, {tf.message_count} messages>" in repr(topics)
+    assert tf.definition is not None
+    assert repr(tf.definition) == f"<Definition ros2msg, {len(tf.definition.text)} characters>"
+    assert repr(tf._replace(name="/a\x1b[2J")).startswith("<Topic /a\\x1b[2J: ")

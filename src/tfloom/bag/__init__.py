@@ -13,6 +13,7 @@
 - reading/, writing/: one form in each file; the numbers of topics, the folder
 - recording/, playing/: the nodes
 - qos_profiles, topic_choice, key_presses, info_text, reindexing, converting: what the verbs of `bag` need
+- html: what notebooks show
 - rosbag2_names/: rosbag2_py
 """
 

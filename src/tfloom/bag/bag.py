@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from tfloom.bag.errors import BagError
 from tfloom.bag.metadata import Metadata
 from tfloom.bag.reading.bag_file import BagFile
-from tfloom.bag.values import RawMessage, Topic, bounded
+from tfloom.bag.values import RawMessage, Topic, Topics, bounded
 
 if TYPE_CHECKING:
     import numpy as np
@@ -40,12 +40,23 @@ class Bag:
         self.metadata = metadata
 
     def __repr__(self) -> str:
+        from tfloom.terminal_text import shown_name
+
         try:
-            topics = [f"{topic.name} ({topic.type}, {topic.message_count})" for topic in self.topics.values()]
+            topics = [
+                shown_name(f"{topic.name} ({topic.type}, {topic.message_count})")
+                for topic in self.topics.values()
+            ]
             span = f"{self.message_count} messages in {(self.end_ns - self.start_ns) / 1e9:.3f} s"
         except BagError as error:
             return f"<Bag {error}>"
         return f"<Bag {self.path}: {span}; {', '.join(topics) or 'no topics'}>"
+
+    def _repr_html_(self) -> str:
+        """Return what a notebook shows: its path and times, and a table of its topics."""
+        from tfloom.bag.html import bag_html
+
+        return bag_html(self)
 
     def __enter__(self) -> Bag:  # noqa: PYI034  # not to be derived from
         return self
@@ -59,7 +70,7 @@ class Bag:
             file.close()
 
     @cached_property
-    def topics(self) -> dict[str, Topic]:
+    def topics(self) -> Topics:
         """The topics by name.
 
         Raises:
@@ -70,7 +81,7 @@ class Bag:
         for file in self.files[:1] if self._knows_all else self.files:
             for topic in file.topics:
                 topics[topic.name] = _joined_topic(topics.get(topic.name), topic, self._knows_all)
-        return {**listed, **topics}
+        return Topics({**listed, **topics})
 
     @property
     def _knows_all(self) -> bool:

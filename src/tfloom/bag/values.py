@@ -8,7 +8,17 @@ from typing import TYPE_CHECKING, NamedTuple, Protocol
 if TYPE_CHECKING:
     from tfloom._native import TfRecords
 
-__all__ = ["EARLIEST", "LATEST", "Definition", "Progress", "RawMessage", "Storage", "Topic", "bounded"]
+__all__ = [
+    "EARLIEST",
+    "LATEST",
+    "Definition",
+    "Progress",
+    "RawMessage",
+    "Storage",
+    "Topic",
+    "Topics",
+    "bounded",
+]
 
 EARLIEST = 0
 """The least log time [ns since epoch]."""
@@ -38,6 +48,11 @@ class Definition(NamedTuple):
     text: str
     """The definition, and those of all types in it, separated by lines of `=`."""
 
+    def __repr__(self) -> str:
+        from tfloom.terminal_text import shown_name
+
+        return f"<Definition {shown_name(self.encoding) or 'of no encoding'}, {len(self.text)} characters>"
+
 
 class Topic(NamedTuple):
     """A topic of a recording, with what the recording tells of its type and its publishers."""
@@ -56,6 +71,21 @@ class Topic(NamedTuple):
     """The definition of its type; None if the recording doesn't have it."""
     message_count: int = 0
     """Number of its messages in the recording."""
+
+    def __repr__(self) -> str:
+        from tfloom.terminal_text import shown_name
+
+        return f"<Topic {shown_name(self.name)}: {shown_name(self.type)}, {self.message_count} messages>"
+
+
+class Topics(dict[str, Topic]):
+    """The topics of a recording by name, which a notebook shows as a table."""
+
+    def _repr_html_(self) -> str:
+        """Return what a notebook shows: names, types and numbers of messages."""
+        from tfloom.bag.html import topics_html
+
+        return topics_html(self.values())
 
 
 class RawMessage(NamedTuple):

@@ -6,14 +6,13 @@ from collections.abc import Sequence
 from html import escape
 from typing import Any
 
-from tfloom.notebook_html import drawing, folded, table
+from tfloom.notebook_html import drawing, folded, shortened, table
 
 __all__ = ["message_html"]
 
 MAX_MESSAGES = 10
 """How many messages of a sequence are shown."""
 MAX_NUMBERS = 20
-MAX_CHARACTERS = 500
 SCAN = "sensor_msgs/msg/LaserScan"
 
 
@@ -33,8 +32,7 @@ def _value(value: Any, kind: str) -> str:
     if hasattr(value, "_FIELDS"):
         return folded(kind, _table(value), is_open=len(value._FIELDS) <= 4)
     if isinstance(value, str):
-        shown = value[:MAX_CHARACTERS]
-        return escape(shown) + ("…" if len(value) > MAX_CHARACTERS else "")
+        return escape(shortened(value))
     if isinstance(value, Sequence) or hasattr(value, "tolist"):
         return _sequence(value, kind)
     return escape(str(value))
@@ -51,7 +49,7 @@ def _sequence(values: Any, kind: str) -> str:
 
 
 def _number(value: Any) -> str:
-    return escape(str(value.item() if hasattr(value, "item") else value)[:MAX_CHARACTERS])
+    return escape(shortened(str(value.item() if hasattr(value, "item") else value)))
 
 
 def _scan_drawing(scan: Any) -> str:
@@ -63,4 +61,4 @@ def _scan_drawing(scan: Any) -> str:
         angles = scan.angle_min + scan.angle_increment * np.arange(len(ranges))
         points = np.column_stack((ranges * np.cos(angles), ranges * np.sin(angles)))
         points = points[(ranges >= scan.range_min) & (ranges <= scan.range_max)]
-    return drawing(points, f"the points in the frame {scan.header.frame_id[:MAX_CHARACTERS]}", as_line=False)
+    return drawing(points, f"the points in the frame {shortened(scan.header.frame_id)}", as_line=False)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from html import escape
 from typing import TYPE_CHECKING
 
-from tfloom.notebook_html import code, drawing, faint, table
+from tfloom.notebook_html import code, drawing, faint, shortened, table
 
 if TYPE_CHECKING:
     import numpy as np
@@ -22,8 +22,6 @@ MAX_LINKS = 100
 """How many links of a chain are shown."""
 MAX_TITLE_CHARACTERS = 2000
 """How much of an error is shown; that of a loop names all its frames."""
-MAX_CHARACTERS = 500
-"""How many characters of a name are shown."""
 STYLE = "line-height:1.4;margin:0;padding-left:1.2em;list-style:disc"
 
 
@@ -74,7 +72,7 @@ def _stamp(stamp_ns: int) -> str:
 
 
 def _frame(name: str) -> str:
-    return code(name if len(name) <= MAX_CHARACTERS else f"{name[:MAX_CHARACTERS]}…")
+    return code(shortened(name))
 
 
 def edge_html(edge: Edge) -> str:
@@ -84,7 +82,7 @@ def edge_html(edge: Edge) -> str:
             ("frame", _frame(edge.child_frame_id)),
             ("in", _frame(edge.frame_id)),
             ("history", _history(edge)),
-            ("published by", escape(edge.authority[:MAX_CHARACTERS])),
+            ("published by", escape(shortened(edge.authority))),
         ]
     )
 
@@ -128,7 +126,7 @@ def chain_html(title: str, links: Sequence[tuple[str, Edge]], failing_edge: Edge
         (
             f"{_frame(parent)} → {_frame(edge.child_frame_id)}",
             _history(edge),
-            escape(edge.authority[:MAX_CHARACTERS]),
+            escape(shortened(edge.authority)),
             "◀ here" if edge is failing_edge else "",
         )
         for parent, edge in links
