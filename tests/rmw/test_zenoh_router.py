@@ -3,15 +3,23 @@
 from __future__ import annotations
 
 import signal
+import socket
 import sys
+import time
 from collections.abc import Callable, Iterator
+from contextlib import closing
 from pathlib import Path
+from typing import Any
 
 import pytest
 from tests.conftest import Program, wait_until
 from tests.zenoh_ports import hold_zenoh_port
 
-from tfloom.rmw.zenoh_config import session_configuration
+from tfloom.rmw import zenoh_meeting_point
+from tfloom.rmw.zenoh_config import default_configuration, router_settings, session_configuration
+from tfloom.rmw.zenoh_meeting_point import LINK_GAP_S, MeetingPoint, open_lone_router
+from tfloom.rmw.zenoh_router import open_router
+from tfloom.rmw.zenoh_session import open_session
 
 zenoh = pytest.importorskip("zenoh", reason="eclipse-zenoh is not installed: pip install 'tfloom[zenoh]'")
 
@@ -102,3 +110,91 @@ def test_a_peers_configuration_makes_no_router(tmp_path: Path, start_program: Ca
     router = start_program("tfloom", "zenoh", "router", "-c", file)
     assert router.wait() == 1
     assert router.output == 'the configuration has the mode "peer", a router needs "router"'
+
+
+TOKEN = "test/neighbours/token"
+
+
+@pytest.fixture
+def neighbour() -> Iterator[str]:
+    """Open the router of another machine, with a token at it; return its endpoint."""
+    with socket.create_server(("127.0.0.1", 0)) as free:
+        endpoint = f"tcp/127.0.0.1:{free.getsockname()[1]}"
+    settings = router_settings()
+    router = default_configuration({**settings, "listen/endpoints": [endpoint]})
+    client = {**settings, "mode": "client", "listen/endpoints": [], "connect/endpoints": [endpoint]}
+    with closing(open_router(router)), zenoh.open(default_configuration(client)) as session:
+        token = session.liveliness().declare_token(TOKEN)
+        yield endpoint
+        token.undeclare()
+
+
+def linked_to(endpoint: str) -> Any:
+    """Return the configuration of this machine's router that connects to another one."""
+    return default_configuration({**router_settings(), "connect/endpoints": [endpoint]})
+
+
+def wait_for_token(router: Any) -> None:
+    """Wait until the neighbour's token has come to a router."""
+    tokens: list[str] = []
+    subscriber = router.liveliness().declare_subscriber(
+        "test/**", lambda sample: tokens.append(str(sample.key_expr)), history=True
+    )
+    wait_until(lambda: tokens == [TOKEN])
+    subscriber.undeclare()
+
+
+def test_a_router_that_restarts_at_once_hears_of_its_neighbours_tokens(neighbour: str) -> None:
+    for _ in range(3):
+        with closing(open_lone_router(linked_to(neighbour))) as router:
+            # Ended as soon as the token is here, because the neighbour looks at its routers again a while after that.
+            wait_for_token(router)
+
+
+@pytest.fixture
+def opened_s(monkeypatch: pytest.MonkeyPatch) -> list[float]:
+    """Return a list that gets the time at which each router of this machine is opened [s]."""
+    times: list[float] = []
+
+    def open_and_note(config: Any) -> Any:
+        now_s = time.monotonic()
+        router = open_router(config)
+        times.append(now_s)
+        return router
+
+    monkeypatch.setattr(zenoh_meeting_point, "open_router", open_and_note)
+    return times
+
+
+def test_a_session_takes_over_a_linked_router_after_a_gap(
+    neighbour: str, opened_s: list[float], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("ROS_STATIC_PEERS", neighbour)
+    with closing(open_session()) as owner, closing(open_session()) as other:
+        assert other.wait_for_router(10.0)
+        owner.close()
+        closed_s = time.monotonic()
+        wait_until(lambda: len(opened_s) == 2)
+        assert opened_s[1] - closed_s >= LINK_GAP_S
+
+
+def test_a_linked_router_takes_a_sessions_place_after_a_gap(
+    neighbour: str, opened_s: list[float], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    closed_s: list[float] = []
+    close_router = MeetingPoint._close_router
+
+    def close_and_note(meeting_point: MeetingPoint) -> None:
+        is_open = meeting_point.is_owner
+        close_router(meeting_point)
+        if is_open:
+            closed_s.append(time.monotonic())
+
+    monkeypatch.setattr(MeetingPoint, "_close_router", close_and_note)
+    monkeypatch.setenv("ROS_STATIC_PEERS", neighbour)
+    with closing(open_session()) as owner:
+        assert owner.wait_for_router(10.0)
+        with closing(open_lone_router(linked_to(neighbour))):
+            # The port is free a little before the session's router has ended.
+            assert len(closed_s) == 1
+            assert opened_s[1] - closed_s[0] >= LINK_GAP_S - 0.1

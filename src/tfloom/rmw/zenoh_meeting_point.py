@@ -6,6 +6,8 @@ Peers have links of their own, so data that flows between them goes on meanwhile
 
 A router in a process of its own takes precedence: when it starts and finds the port taken, it asks the sessions of this
 machine to give way. They answer, close their router, and leave the port alone for some seconds.
+
+A router that is linked to those of other machines takes the place of another one late, by `LINK_GAP_S`.
 """
 
 from __future__ import annotations
@@ -41,6 +43,13 @@ GIVE_WAY_S = 5.0
 REPLY_S = 0.1
 """How long the owner's router goes on after the request, to carry the replies [s]."""
 ASK_TIMEOUT_S = 2.0
+LINK_GAP_S = 0.5
+"""How long after the end of this machine's router the next one is opened, where it is linked to other machines [s].
+
+Zenoh's routers look at what has changed between them each 100 ms at most, and know each other by numbers that are used
+again. Where one leaves and the next one is linked between two looks, the others see no change: it never gets their
+tokens, subscriptions and services, and nothing can ask for them. The rest is for a busy machine.
+"""
 
 
 class MeetingPoint:
@@ -62,6 +71,8 @@ class MeetingPoint:
         self._asked_at: float | None = None
         """When a router asked for the port [s]; set by Zenoh's thread, read by the own one."""
         self._queryable: Any = None
+        self._takeover_s = 0.0
+        """How long no router is seen before this one takes over [s]."""
         self._open_router()
 
     @property
@@ -113,8 +124,11 @@ class MeetingPoint:
         )
 
     def _open_router(self) -> None:
+        config = meeting_point_configuration()
+        if _links_routers(config):
+            self._takeover_s = LINK_GAP_S
         try:
-            router = open_router(meeting_point_configuration())
+            router = open_router(config)
         except RouterError as error:
             if not error.is_port_taken:
                 raise
@@ -147,24 +161,27 @@ class MeetingPoint:
         return True
 
     def _watch(self, session: Any) -> None:
-        silent_since = time.monotonic()
+        silent_since: float | None = None  # the first look that found no router
         while not self._is_closed.wait(PERIOD_S):
             if self._gives_way():
-                silent_since = time.monotonic()
+                silent_since = None
                 continue
             try:
                 is_linked = bool(session.info.routers_zid())
             except Exception:  # noqa: BLE001  # the session was closed by other means: there is nothing to watch
                 return
             if is_linked:
-                silent_since = time.monotonic()
+                silent_since = None
                 self._is_reported = False
                 continue
-            if not self.is_owner:
+            now = time.monotonic()
+            if silent_since is None:
+                silent_since = now
+            if not self.is_owner and now - silent_since >= self._takeover_s:
                 # A failure other than a taken port, as a lack of descriptors, may pass: the next round tries again.
                 with suppress(WireError):
                     self._open_router()
-            if not self.is_owner and time.monotonic() - silent_since > NO_ANSWER_S:
+            if not self.is_owner and now - silent_since > NO_ANSWER_S:
                 self.report_silence()
 
 
@@ -180,6 +197,8 @@ def open_lone_router(config: Any) -> Any:
     Raises:
         RouterError: it can't listen, as where another program or router has the port.
     """
+    gap_s = LINK_GAP_S if _links_routers(config) else 0.0
+    time.sleep(gap_s)
     try:
         return open_router(config)
     except RouterError as error:
@@ -187,6 +206,10 @@ def open_lone_router(config: Any) -> Any:
         if not error.is_port_taken or str(port()) not in ports or not _ask_to_give_way():
             raise
     end = time.monotonic() + GIVE_WAY_S / 2
+    if gap_s:
+        while _is_listened_to(port()) and time.monotonic() < end:
+            time.sleep(REPLY_S / 2)
+        time.sleep(gap_s)
     while True:
         try:
             return open_router(config)
@@ -194,6 +217,20 @@ def open_lone_router(config: Any) -> Any:
             if not error.is_port_taken or time.monotonic() > end:
                 raise
         time.sleep(REPLY_S / 2)
+
+
+def _links_routers(config: Any) -> bool:
+    """Return whether a router of this configuration connects to others."""
+    return bool(endpoints_of(config, "connect/endpoints"))
+
+
+def _is_listened_to(local_port: int) -> bool:
+    """Return whether a program of this machine accepts connections at a port."""
+    try:
+        socket.create_connection(("127.0.0.1", local_port), ASK_TIMEOUT_S).close()
+    except OSError:
+        return False
+    return True
 
 
 def _ask_to_give_way() -> bool:
