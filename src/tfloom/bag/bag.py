@@ -54,9 +54,13 @@ class Bag:
 
     def _repr_html_(self) -> str:
         """Return what a notebook shows: its path and times, and a table of its topics."""
-        from tfloom.bag.html import bag_html
+        from tfloom.bag.html import error_html, span_html
 
-        return bag_html(self)
+        try:
+            span = span_html(str(self.path), self.message_count, (self.start_ns, self.end_ns))
+            return f"{span}\n{self.topics._repr_html_()}"
+        except BagError as error:
+            return error_html(error)
 
     def __enter__(self) -> Bag:  # noqa: PYI034  # not to be derived from
         return self

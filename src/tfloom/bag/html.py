@@ -6,50 +6,39 @@ import datetime as dt
 from collections.abc import Collection
 from html import escape
 from itertools import islice
-from typing import TYPE_CHECKING
 
-from tfloom.bag.errors import BagError
 from tfloom.notebook_html import code, faint, shortened, table
 
-if TYPE_CHECKING:
-    from tfloom.bag.bag import Bag
-    from tfloom.bag.values import Topic
-
-__all__ = ["bag_html", "topics_html"]
+__all__ = ["error_html", "span_html", "topics_html"]
 
 MAX_TOPICS = 100
 """How many topics are shown."""
 
 
-def bag_html(bag: Bag) -> str:
-    """Return the recording's path, its times and its topics; the error where a file can't be read."""
-    try:
-        topics = bag.topics.values()
-        about = _about(bag)
-    except BagError as error:
-        return escape(str(error))
-    return f"<b>{escape(shortened(str(bag.path)))}</b> {faint(escape(about))}\n{topics_html(topics)}"
+def span_html(path: str, message_count: int, span_ns: tuple[int, int]) -> str:
+    """Return the recording's path, its number of messages and the times of the first and the last one."""
+    about = f"{message_count} messages"
+    if message_count:
+        start_ns, end_ns = span_ns
+        about += f" in {(end_ns - start_ns) / 1e9:.3f} s, {_date(start_ns)} to {_date(end_ns)}"
+    return f"<b>{escape(shortened(path))}</b> {faint(escape(about))}"
 
 
-def _about(bag: Bag) -> str:
-    about = f"{bag.message_count} messages"
-    if bag.message_count:
-        about += (
-            f" in {(bag.end_ns - bag.start_ns) / 1e9:.3f} s, {_date(bag.start_ns)} to {_date(bag.end_ns)}"
-        )
-    return about
-
-
-def topics_html(topics: Collection[Topic]) -> str:
+def topics_html(topics: Collection[tuple[str, str, int]]) -> str:
     """Return topics as a table of their names, types and numbers of messages."""
     if not topics:
         return "no topics"
     rows = [
-        (code(shortened(topic.name)), escape(shortened(topic.type)), str(topic.message_count))
-        for topic in islice(topics, MAX_TOPICS)
+        (code(shortened(name)), escape(shortened(type_name)), str(message_count))
+        for name, type_name, message_count in islice(topics, MAX_TOPICS)
     ]
     more = f"\n{len(topics) - MAX_TOPICS} more topics" if len(topics) > MAX_TOPICS else ""
     return table(rows, ("topic", "type", "messages")) + more
+
+
+def error_html(error: Exception) -> str:
+    """Return why a recording can't be read."""
+    return escape(shortened(str(error)))
 
 
 def _date(stamp_ns: int) -> str:

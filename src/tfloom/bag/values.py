@@ -85,7 +85,7 @@ class Topics(dict[str, Topic]):
         """Return what a notebook shows: names, types and numbers of messages."""
         from tfloom.bag.html import topics_html
 
-        return topics_html(self.values())
+        return topics_html([(topic.name, topic.type, topic.message_count) for topic in self.values()])
 
 
 class RawMessage(NamedTuple):
