@@ -15,7 +15,9 @@ from tests.zenoh_ports import hold_zenoh_port
 
 pytest.importorskip("zenoh", reason="eclipse-zenoh is not installed: pip install 'tfloom[zenoh]'")
 
-MEMBER = Path(__file__).parent / "programs" / "zenoh_member.py"
+PROGRAMS = Path(__file__).parent / "programs"
+MEMBER = PROGRAMS / "zenoh_member.py"
+NODE = PROGRAMS / "zenoh_site_node.py"
 LEASE_S = 2.0
 LINKS = {
     "lossy": ("netem", "delay", "20ms", "loss", "3%"),
@@ -45,6 +47,12 @@ class Site:
         member = self._start(*self.host.enter, sys.executable, MEMBER, name, stdin=subprocess.PIPE)
         member.wait_for("open guest")
         return member
+
+    def node(self, name: str, other: str) -> Program:
+        """Start a node that checks what comes from another one, and return it when it is ready."""
+        node = self._start(*self.host.enter, sys.executable, NODE, name, other, stdin=subprocess.PIPE)
+        node.wait_for("ready")
+        return node
 
 
 @pytest.fixture
@@ -144,3 +152,24 @@ def test_the_graph_is_whole_again_after_a_restart(end: str, sites: tuple[Site, S
     before = count(receiver, "sender")
     wait_until(lambda: ask(sender, "send", 1, 10) and count(receiver, "sender") > before)
     assert time.monotonic() - restarted < 5.0
+
+
+@pytest.mark.parametrize("end", ["near", "far"])
+def test_topics_and_services_pass_again_after_a_restart(
+    end: str, sites: tuple[Site, Site], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "rmw_zenoh_cpp")
+    near, far = sites
+    nodes = {"near": near.node("near", "far"), "far": far.node("far", "near")}
+
+    def check(word: str) -> None:
+        for name, node in nodes.items():
+            other = "far" if name == "near" else "near"
+            assert ask(node, word) == [word, "sent", "kept", other]
+
+    check("before")
+    site = near if end == "near" else far
+    for number in range(2):
+        site.router.end()
+        site.start_router()
+        check(f"after{number}")
