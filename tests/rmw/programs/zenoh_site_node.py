@@ -50,4 +50,5 @@ for line in sys.stdin:
     has_kept.wait()
     node.destroy_subscription(subscription)
     client.wait_for_service()
-    print(line.strip(), "sent kept", client.call(Trigger.Request()).message, flush=True)
+    response = client.call(Trigger.Request())
+    print(line.strip(), "sent kept", response and response.message, flush=True)
