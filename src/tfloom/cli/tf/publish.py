@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import argparse
 import re
-import threading
 from pathlib import Path
 
 from tfloom.cli import graph
+from tfloom.cli.ctrl_c import wait_for_ctrl_c
 from tfloom.cli.errors import CommandError
 from tfloom.cli.listen import shown_node
 from tfloom.cli.names import full_topic_name, named_node
@@ -54,8 +54,7 @@ def main(args: argparse.Namespace) -> int:
                     wait_until_known(now_ns)
                 writer.write(encoded(transforms, now_ns()))
             print(f"{node.full}: {counted(len(transforms), 'static transform')} on {name}, until Ctrl-C")
-            while True:
-                threading.Event().wait()
+            wait_for_ctrl_c()
         except KeyboardInterrupt:
             return 0
         finally:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import argparse
 import sys
-import threading
 
+from tfloom.cli.ctrl_c import wait_for_ctrl_c
 from tfloom.cli.errors import CommandError
 
 
@@ -49,7 +49,7 @@ def main(args: argparse.Namespace) -> int:
         connect = ", ".join(endpoints_of(config, "connect/endpoints"))
         linked = f", linked to {connect} as soon as it answers" if connect else ""
         print(f"Started Zenoh router with id {session.zid()}, listening on {listen}{linked}", flush=True)
-        threading.Event().wait()
+        wait_for_ctrl_c()
     except KeyboardInterrupt:
         print("Zenoh router ends", file=sys.stderr)
     finally:
