@@ -17,7 +17,7 @@ from tests.rmw.conftest import Peer
 from tests.zenoh_ports import use_port_of
 
 from tfloom._native import ReadyQueue, SampleQueue
-from tfloom.rmw import zenoh_attachment
+from tfloom.rmw import zenoh_attachment, zenoh_graph
 from tfloom.rmw.base import NodeName, Participant, Reader, Sample, Service, Topic
 from tfloom.rmw.errors import ClosedError, ForeignPeerError, NoBackendError, WireError
 from tfloom.rmw.events import Event, LivelinessChanged, Matched
@@ -73,6 +73,13 @@ def take_all(reader: Reader, how_many: int) -> list[Sample]:
         lambda: taken.extend(iter(reader.take, None)) or len(taken) >= how_many, what=f"{how_many} samples"
     )
     return taken
+
+
+def pushed(sink: SampleQueue, how_many: int) -> list[bytes]:
+    """Return the data of samples that were pushed into a sink, when they have come."""
+    taken: list[Any] = []
+    wait_until(lambda: taken.extend(sink.take()) or len(taken) >= how_many, what=f"{how_many} samples")
+    return [sample[0] for sample in taken]
 
 
 def declare_token(session: Any, domain_id: int, kind: Kind, end: End | None, number: int = 5) -> Any:
@@ -171,6 +178,32 @@ def test_a_repeated_token_changes_nothing_and_a_wrong_one_harms_no_other(
     assert participant.graph.changes() == changes
     assert participant.graph.endpoints() == []
     assert len(kept) == len(bad) + 1
+
+
+def test_tokens_beyond_the_limit_are_ignored_with_one_line(
+    participant: Participant,
+    plain: Any,
+    domain_id: int,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.setattr(zenoh_graph, "MAX_TOKENS", 2)
+    first = declare_token(plain, domain_id, Kind.NODE, None, 0)
+    wait_until(lambda: len(participant.graph.nodes()) == 2)
+    changes = participant.graph.changes()
+    graph: Any = participant.graph
+    ignored = [declare_token(plain, domain_id, Kind.NODE, None, number) for number in (1, 2)]
+    wait_until(lambda: graph._is_overflow_told)
+    first.undeclare()
+    wait_until(lambda: participant.graph.nodes() == [NODE])
+    assert participant.graph.changes() == changes + 1
+    assert capsys.readouterr().err == (
+        "tfloom: this domain has more than 2 nodes, publishers, subscriptions, servers and clients: further ones are "
+        "neither listed nor matched in this program; use more domains (ROS_DOMAIN_ID), and start it again\n"
+    )
+    last = declare_token(plain, domain_id, Kind.NODE, None, 3)
+    wait_until(lambda: len(participant.graph.nodes()) == 2)
+    assert len([*ignored, last]) == 3  # held until here
 
 
 def test_samples_of_others_are_taken_with_their_stamps(
@@ -923,6 +956,29 @@ def test_without_a_thread_a_reader_is_not_fed(
             reader.feed(SampleQueue(1))
     participant.create_writer(NODE, TOPIC, QoS()).write(HEADER + b"x")
     assert take_all(reader, 1)[0].data == HEADER + b"x"
+
+
+def test_without_a_thread_for_another_sink_a_reader_keeps_samples_for_the_next_one(
+    participant: Participant, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(thread: threading.Thread) -> None:
+        raise RuntimeError("can't start new thread")
+
+    first, last = SampleQueue(10), SampleQueue(10)
+    reader = participant.create_reader(NODE, TOPIC, QoS())
+    writer = participant.create_writer(NODE, TOPIC, QoS())
+    reader.feed(first)
+    writer.write(HEADER + b"a")
+    assert pushed(first, 1) == [HEADER + b"a"]
+    with monkeypatch.context() as patch:
+        patch.setattr(threading.Thread, "start", refuse)
+        with pytest.raises(WireError, match="cannot feed /robot/chatter, which takes a thread: can't start"):
+            reader.feed(SampleQueue(1))
+    writer.write(HEADER + b"b")
+    reader.feed(last)
+    writer.write(HEADER + b"c")
+    assert pushed(last, 2) == [HEADER + b"b", HEADER + b"c"]
+    assert first.take() == []
 
 
 def test_without_a_thread_for_its_deadline_an_endpoint_is_not_opened(

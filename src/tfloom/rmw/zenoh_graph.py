@@ -5,6 +5,7 @@ Tokens come on Zenoh's threads; own ones are added by the participant.
 
 from __future__ import annotations
 
+import sys
 import threading
 from collections.abc import Callable
 from contextlib import suppress
@@ -21,7 +22,7 @@ from tfloom.rmw.zenoh_tokens import PREFIX, End, Kind, Token, TokenError, gid_of
 __all__ = ["Peer", "Watcher", "ZenohGraph"]
 
 MAX_TOKENS = 200_000
-"""How many tokens are kept; further ones are ignored."""
+"""How many tokens are kept; further ones are ignored, which a line tells once."""
 MAX_KEY_LENGTH = 4096
 """The longest token that is read [characters]."""
 
@@ -83,6 +84,7 @@ class ZenohGraph:
         self._watchers: dict[tuple[str, Kind], list[Watcher]] = {}
         self._listener: tuple[ReadyQueue, int] | None = None
         self._changes = 0
+        self._is_overflow_told = False
         self._is_forked = False
         zenoh = open_library()
         self._put = zenoh.SampleKind.PUT
@@ -117,11 +119,16 @@ class ZenohGraph:
         except TokenError:
             return
         with self._lock:
-            if key in self._entities or len(self._entities) >= MAX_TOKENS:
+            if key in self._entities:
                 return
-            self._entities[key] = entity
-            afterwards = [watcher.add_peer(entity) for watcher in self._watchers_of(entity)]
-            self._post_change()
+            afterwards: list[Callable[[], None] | None] = []
+            if len(self._entities) < MAX_TOKENS:
+                self._entities[key] = entity
+                afterwards += [watcher.add_peer(entity) for watcher in self._watchers_of(entity)]
+                self._post_change()
+            elif not self._is_overflow_told:
+                self._is_overflow_told = True
+                afterwards.append(_report_overflow)
         for call in filter(None, afterwards):
             call()
 
@@ -268,6 +275,15 @@ class ZenohGraph:
         """Stop listening."""
         with suppress(Exception):  # a ZError: the session has ended before
             self._subscriber.undeclare()
+
+
+def _report_overflow() -> None:
+    """Print that tokens are ignored from now on."""
+    print(
+        f"tfloom: this domain has more than {MAX_TOKENS} nodes, publishers, subscriptions, servers and clients: "
+        "further ones are neither listed nor matched in this program; use more domains (ROS_DOMAIN_ID), and start it again",
+        file=sys.stderr,
+    )
 
 
 def _on_wire(topic: Topic) -> Topic:
