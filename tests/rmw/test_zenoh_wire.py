@@ -979,6 +979,7 @@ def test_without_a_thread_for_another_sink_a_reader_keeps_samples_for_the_next_o
     writer.write(HEADER + b"c")
     assert pushed(last, 2) == [HEADER + b"b", HEADER + b"c"]
     assert first.take() == []
+    assert [thread.name for thread in threading.enumerate()].count("tfloom_zenoh_feeder") == 1
 
 
 def test_without_a_thread_for_its_deadline_an_endpoint_is_not_opened(

@@ -281,7 +281,8 @@ def _report_overflow() -> None:
     """Print that tokens are ignored from now on."""
     print(
         f"tfloom: this domain has more than {MAX_TOKENS} nodes, publishers, subscriptions, servers and clients: "
-        "further ones are neither listed nor matched in this program; use more domains (ROS_DOMAIN_ID), and start it again",
+        "further ones are neither listed nor matched in this program; use more domains (ROS_DOMAIN_ID), and start it "
+        "again",
         file=sys.stderr,
     )
 
