@@ -43,6 +43,20 @@ nb::object exception_of(const tf2::Error& error) {
   return exception;
 }
 
+void raise_wrong_argument(const char* wanted, nb::handle given) {
+  constexpr std::size_t max_length = 60;
+  const AcquiredGil gil;
+  if (!gil) throw nb::type_error(wanted);
+  std::string text = nb::repr(given).c_str();
+  if (text.size() > max_length) {
+    std::size_t end = max_length;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U) --end;  // not within a character
+    text = text.substr(0, end) + "...";
+  }
+  text = std::string(wanted) + ", not " + text + " of class " + Py_TYPE(given.ptr())->tp_name;
+  throw nb::type_error(text.c_str());
+}
+
 void raise(const tf2::Error& error) {
   const nb::object exception = exception_of(error);
   PyErr_SetObject(exception.type().ptr(), exception.ptr());
@@ -210,7 +224,8 @@ void bind_queries(nb::class_<BufferHandle>& type) {
           [](const BufferHandle& self, const NameArgument& target, const NameArgument& source, StampArgument stamp) {
             return answer_or_raise(self.buffer->lookup(simple_query(target, source, stamp)), target, source);
           },
-          "target_frame"_a, "source_frame"_a, "stamp_ns"_a = 0,
+          "target_frame"_a.none(), "source_frame"_a.none(), "stamp_ns"_a.none() = 0,
+          nb::sig("def lookup(self, target_frame: str, source_frame: str, stamp_ns: int = 0) -> StampedTransform"),
           "Return target_from_source: the transform that takes data in `source_frame` into `target_frame`.\n\n"
           "Between two stored stamps, translation is interpolated linearly and rotation by slerp.\n\n"
           "Args:\n"
@@ -232,7 +247,10 @@ void bind_queries(nb::class_<BufferHandle>& type) {
             return answer_or_raise(self.buffer->lookup(full_query(target, target_stamp, source, source_stamp, fixed)),
                                    target, source);
           },
-          "target_frame"_a, "target_stamp_ns"_a, "source_frame"_a, "source_stamp_ns"_a, "fixed_frame"_a,
+          "target_frame"_a.none(), "target_stamp_ns"_a.none(), "source_frame"_a.none(), "source_stamp_ns"_a.none(),
+          "fixed_frame"_a.none(),
+          nb::sig("def lookup_full(self, target_frame: str, target_stamp_ns: int, source_frame: str, "
+                  "source_stamp_ns: int, fixed_frame: str) -> StampedTransform"),
           "Return target_from_source between two times: from the source at `source_stamp_ns`, through `fixed_frame`, "
           "which is assumed not to move, to the target at `target_stamp_ns`.\n\n"
           "The result is stamped with the target's time. Raises as `lookup` does.")
@@ -241,7 +259,8 @@ void bind_queries(nb::class_<BufferHandle>& type) {
           [](const BufferHandle& self, const NameArgument& target, const NameArgument& source, StampArgument stamp) {
             return self.buffer->can(simple_query(target, source, stamp));
           },
-          "target_frame"_a, "source_frame"_a, "stamp_ns"_a = 0,
+          "target_frame"_a.none(), "source_frame"_a.none(), "stamp_ns"_a.none() = 0,
+          nb::sig("def can(self, target_frame: str, source_frame: str, stamp_ns: int = 0) -> bool"),
           "Return whether `lookup` with the same arguments would succeed.")
       .def(
           "can_full",
@@ -249,14 +268,18 @@ void bind_queries(nb::class_<BufferHandle>& type) {
              const NameArgument& source, StampArgument source_stamp, const NameArgument& fixed) {
             return self.buffer->can(full_query(target, target_stamp, source, source_stamp, fixed));
           },
-          "target_frame"_a, "target_stamp_ns"_a, "source_frame"_a, "source_stamp_ns"_a, "fixed_frame"_a,
+          "target_frame"_a.none(), "target_stamp_ns"_a.none(), "source_frame"_a.none(), "source_stamp_ns"_a.none(),
+          "fixed_frame"_a.none(),
+          nb::sig("def can_full(self, target_frame: str, target_stamp_ns: int, source_frame: str, "
+                  "source_stamp_ns: int, fixed_frame: str) -> bool"),
           "Return whether `lookup_full` with the same arguments would succeed.")
       .def(
           "find_obstacle",
           [](const BufferHandle& self, const NameArgument& target, const NameArgument& source, StampArgument stamp) {
             return text_or_none(self.buffer->check(simple_query(target, source, stamp)));
           },
-          "target_frame"_a, "source_frame"_a, "stamp_ns"_a = 0,
+          "target_frame"_a.none(), "source_frame"_a.none(), "stamp_ns"_a.none() = 0,
+          nb::sig("def find_obstacle(self, target_frame: str, source_frame: str, stamp_ns: int = 0) -> str | None"),
           "Return tf2's text of the reason why `can` is false, or None if it is true.")
       .def(
           "find_obstacle_full",
@@ -264,7 +287,10 @@ void bind_queries(nb::class_<BufferHandle>& type) {
              const NameArgument& source, StampArgument source_stamp, const NameArgument& fixed) {
             return text_or_none(self.buffer->check(full_query(target, target_stamp, source, source_stamp, fixed)));
           },
-          "target_frame"_a, "target_stamp_ns"_a, "source_frame"_a, "source_stamp_ns"_a, "fixed_frame"_a,
+          "target_frame"_a.none(), "target_stamp_ns"_a.none(), "source_frame"_a.none(), "source_stamp_ns"_a.none(),
+          "fixed_frame"_a.none(),
+          nb::sig("def find_obstacle_full(self, target_frame: str, target_stamp_ns: int, source_frame: str, "
+                  "source_stamp_ns: int, fixed_frame: str) -> str | None"),
           "Return tf2's text of the reason why `can_full` is false, or None if it is true.")
       .def(
           "latest_common_time",
@@ -334,16 +360,21 @@ void bind_contents(nb::class_<BufferHandle>& type) {
   type.def(
           "set",
           [](BufferHandle& self, const NameArgument& frame_id, const NameArgument& child_frame_id, StampArgument stamp,
-             const std::array<double, 3>& p, const std::array<double, 4>& q, const NameArgument& authority,
+             const NumbersArgument<3>& translation, const NumbersArgument<4>& rotation, const NameArgument& authority,
              bool is_static) {
+            const auto& p = translation.values;
+            const auto& q = rotation.values;
             const tf2::Entry entry{frame_id.text,
                                    child_frame_id.text,
                                    stamp.value,
                                    {{p[0], p[1], p[2]}, {q[0], q[1], q[2], q[3]}}};
             return self.buffer->set({&entry, 1}, authority.text, is_static) == 1;
           },
-          "frame_id"_a, "child_frame_id"_a, "stamp_ns"_a, "translation"_a, "rotation_xyzw"_a,
-          "authority"_a = "", "static"_a = false,
+          "frame_id"_a.none(), "child_frame_id"_a.none(), "stamp_ns"_a.none(), "translation"_a.none(),
+          "rotation_xyzw"_a.none(), "authority"_a.none() = "", "static"_a = false,
+          nb::sig("def set(self, frame_id: str, child_frame_id: str, stamp_ns: int, translation: "
+                  "collections.abc.Sequence[float], rotation_xyzw: collections.abc.Sequence[float], authority: str = "
+                  "'', static: bool = False) -> bool"),
           "Store parent_from_child at a time, or for all times if `static`.\n\n"
           "Args:\n"
           "    frame_id: The parent frame. One leading slash is dropped, here and in the child's name.\n"

@@ -1,10 +1,16 @@
-// Argument types of tf2's functions (a stamp, an age, a frame's name), and the conversion of native errors to
-// exceptions.
+// Argument types of tf2's functions (a stamp, an age, a frame's name, numbers), and the conversion of native errors to
+// exceptions. Their casters accept any object, and raise a TypeError that states what was given when the value is used,
+// because nanobind's own text for an object that a caster refuses is the function's signature. It does refuse None
+// where an argument is not marked `.none()`.
 #pragma once
 
 #include <nanobind/nanobind.h>
+#include <nanobind/stl/array.h>
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "tf2/errors.hpp"
@@ -29,6 +35,14 @@ struct NameArgument {
   std::string_view text;
 };
 
+// The x, y, z of a position, or the x, y, z, w of a rotation.
+template <std::size_t N>
+struct NumbersArgument {
+  std::array<double, N> values{};
+};
+
+// Raise the TypeError of an argument that is not what it must be. Takes the GIL.
+[[noreturn]] void raise_wrong_argument(const char* wanted, nanobind::handle given);
 [[noreturn]] void raise(const tf2::Error& error);
 [[nodiscard]] nanobind::object exception_of(const tf2::Error& error);
 
@@ -52,11 +66,11 @@ struct type_caster<tfloom::bindings::StampArgument> {
       value_.value = PyLong_AsLongLongAndOverflow(number, &overflow_);
       return true;
     }
-    if (PyFloat_Check(number) || !PyIndex_Check(number)) return false;
+    if (PyFloat_Check(number) || !PyIndex_Check(number)) return refuse(source);
     number = PyNumber_Index(number);
     if (!number) {
       PyErr_Clear();
-      return false;
+      return refuse(source);
     }
     value_.value = PyLong_AsLongLongAndOverflow(number, &overflow_);
     Py_DECREF(number);
@@ -64,6 +78,10 @@ struct type_caster<tfloom::bindings::StampArgument> {
   }
 
   explicit operator tfloom::bindings::StampArgument() {
+    if (refused_) {
+      tfloom::bindings::raise_wrong_argument(
+          "a stamp must be an int of nanoseconds, as int(seconds * 1e9) or a Time's nanoseconds", refused_);
+    }
     if (overflow_ != 0) {
       throw nanobind::value_error("a stamp must fit into 64 bits of nanoseconds: years 1677 to 2262");
     }
@@ -71,7 +89,13 @@ struct type_caster<tfloom::bindings::StampArgument> {
   }
 
  protected:
+  bool refuse(handle source) noexcept {
+    refused_ = source;
+    return true;
+  }
+
   tfloom::bindings::StampArgument value_;
+  handle refused_;
   int overflow_ = 0;
 };
 
@@ -89,6 +113,10 @@ struct type_caster<tfloom::bindings::AgeArgument> : type_caster<tfloom::bindings
 
   explicit operator tfloom::bindings::AgeArgument() {
     if (is_none_) return {};
+    if (refused_) {
+      tfloom::bindings::raise_wrong_argument(
+          "a cache's time must be an int of nanoseconds, as int(seconds * 1e9) or a Duration's nanoseconds", refused_);
+    }
     if (overflow_ != 0) throw nanobind::value_error("a time must fit into 64 bits of nanoseconds: 292 years");
     return {value_.value};
   }
@@ -108,7 +136,10 @@ struct type_caster<tfloom::bindings::NameArgument> {
   }
 
   bool from_python(handle source, std::uint8_t, cleanup_list*) noexcept {
-    if (!PyUnicode_Check(source.ptr())) return false;
+    if (!PyUnicode_Check(source.ptr())) {
+      refused_ = source;
+      return true;
+    }
     Py_ssize_t size = 0;
     const char* text = PyUnicode_AsUTF8AndSize(source.ptr(), &size);
     if (!text) {
@@ -120,12 +151,45 @@ struct type_caster<tfloom::bindings::NameArgument> {
   }
 
   explicit operator tfloom::bindings::NameArgument() {
+    if (refused_) tfloom::bindings::raise_wrong_argument("the name of a frame or a publisher must be a str", refused_);
     if (!value_.object) throw nanobind::value_error("a frame's name must be valid Unicode, without lone surrogates");
     return value_;
   }
 
  private:
   tfloom::bindings::NameArgument value_;
+  handle refused_;
+};
+
+template <std::size_t N>
+struct type_caster<tfloom::bindings::NumbersArgument<N>> {
+  using Numbers = make_caster<std::array<double, N>>;
+  static constexpr auto Name = Numbers::Name;
+  template <typename T>
+  using Cast = tfloom::bindings::NumbersArgument<N>;
+  template <typename T>
+  static constexpr bool can_cast() {
+    return true;
+  }
+
+  bool from_python(handle source, std::uint8_t flags, cleanup_list* cleanup) noexcept {
+    if (!numbers_.from_python(source, flags, cleanup)) refused_ = source;
+    return true;
+  }
+
+  explicit operator tfloom::bindings::NumbersArgument<N>() {
+    static_assert(N == 3 || N == 4);
+    if (refused_) {
+      tfloom::bindings::raise_wrong_argument(
+          N == 3 ? "a translation must be three numbers, x, y, z" : "a rotation must be four numbers, x, y, z, w",
+          refused_);
+    }
+    return {numbers_.value};
+  }
+
+ private:
+  Numbers numbers_;
+  handle refused_;
 };
 
 }  // namespace nanobind::detail

@@ -189,7 +189,8 @@ nb::object message_or_raise(const tf2::Result<tf2::StampedTransform>& found, con
 }  // namespace
 
 void bind_tf2_messages(nb::class_<BufferHandle>& type) {
-  type.def("set_message", &set_message, "transform"_a, "authority"_a, "static"_a = false,
+  type.def("set_message", &set_message, "transform"_a, "authority"_a.none(), "static"_a = false,
+           nb::sig("def set_message(self, transform: object, authority: str, static: bool = False) -> bool"),
            "Store a `geometry_msgs/msg/TransformStamped` of any class with its fields. Return False if it is rejected."
            "\n\nRaises TypeError if a field lacks a member.")
       .def(
@@ -199,7 +200,7 @@ void bind_tf2_messages(nb::class_<BufferHandle>& type) {
             return message_or_raise(self.buffer->lookup(tf2::Query::at(target.text, source.text, stamp)), target,
                                     source);
           },
-          "target_frame"_a, "source_frame"_a, "time"_a.none(),
+          "target_frame"_a.none(), "source_frame"_a.none(), "time"_a.none(),
           nb::sig("def lookup_message(self, target_frame: str, source_frame: str, time: object) -> typing.Any"),
           "Return the result of `lookup` as a `geometry_msgs/msg/TransformStamped`.\n\n"
           "`time` has `nanoseconds`, or `sec` and `nanosec`; TypeError if it has neither.")
@@ -212,7 +213,8 @@ void bind_tf2_messages(nb::class_<BufferHandle>& type) {
                                    fixed.text};
             return message_or_raise(self.buffer->lookup(query), target, source);
           },
-          "target_frame"_a, "target_time"_a.none(), "source_frame"_a, "source_time"_a.none(), "fixed_frame"_a,
+          "target_frame"_a.none(), "target_time"_a.none(), "source_frame"_a.none(), "source_time"_a.none(),
+          "fixed_frame"_a.none(),
           nb::sig("def lookup_message_full(self, target_frame: str, target_time: object, source_frame: str, "
                   "source_time: object, fixed_frame: str) -> typing.Any"),
           "Return the result of `lookup_full` as a `geometry_msgs/msg/TransformStamped`; see `lookup_message`.");

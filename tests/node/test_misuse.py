@@ -10,14 +10,18 @@ from typing import Any, cast
 
 import pytest
 
-from tfloom.interfaces.geometry_msgs.msg import Twist
+from tfloom.interfaces.geometry_msgs.msg import TransformStamped, Twist
 from tfloom.interfaces.std_msgs.msg import Empty, String
 from tfloom.interfaces.std_srvs.srv import SetBool
 from tfloom.node.base.node_base import NodeBase
 from tfloom.node.client_library import spin, spin_once, spin_until_future_complete
 from tfloom.node.node import Node
 from tfloom.node.parameters.parameter import Parameter
+from tfloom.node.values.duration import Duration
+from tfloom.node.values.time import Time
 from tfloom.tf2_ros.buffer import Buffer
+from tfloom.tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
+from tfloom.tf2_ros.transform_broadcaster import TransformBroadcaster
 from tfloom.tf2_ros.transform_listener import TransformListener
 
 NONE = "got None: if it is the result of a call, as of `callback()`, write `callback`, without brackets"
@@ -121,6 +125,78 @@ CASES: dict[str, tuple[Callable[[Node], object], type[Exception], str]] = {
         TypeError,
         "set_transform_static() needs a geometry_msgs.msg.TransformStamped, got 'x'",
     ),
+    "authority": (
+        lambda _node: Buffer().set_transform(TransformStamped(), ANY),
+        TypeError,
+        "the name of a frame or a publisher must be a str, not None of class NoneType",
+    ),
+    "broadcaster": (
+        lambda _node: TransformBroadcaster(ANY),
+        TypeError,
+        "TransformBroadcaster(node) needs the node that publishes, got None",
+    ),
+    "static broadcaster": (
+        lambda _node: StaticTransformBroadcaster(cast("Any", "x")),
+        TypeError,
+        "StaticTransformBroadcaster(node) needs the node that publishes, got 'x'",
+    ),
+    "sent": (
+        lambda node: TransformBroadcaster(node).sendTransform(ANY),
+        TypeError,
+        "sendTransform() needs a geometry_msgs.msg.TransformStamped, or several, got None of class NoneType",
+    ),
+    "sent statically": (
+        lambda node: StaticTransformBroadcaster(node).sendTransform(
+            [TransformStamped(), cast("Any", Twist())]
+        ),
+        TypeError,
+        "of class Twist",
+    ),
+    "rate": (
+        lambda node: node.create_rate(cast("Any", "x")),
+        TypeError,
+        "create_rate() needs a frequency in Hz, as 0.5, got 'x' of class str",
+    ),
+    "period": (
+        lambda node: node.create_timer(ANY, print),
+        TypeError,
+        "create_timer() needs a period in seconds, as 0.5, got None of class NoneType",
+    ),
+    "period as text": (
+        lambda node: node.create_timer(cast("Any", "fast"), print),
+        ValueError,
+        "create_timer() needs a period in seconds, as 0.5, got 'fast' of class str",
+    ),
+    "duration": (
+        lambda _node: Duration(seconds=cast("Any", "2")),
+        ValueError,
+        "Duration needs seconds, as 0.5, got '2' of class str",
+    ),
+    "frame": (
+        lambda _node: Buffer().lookup_transform("a", ANY, Time()),
+        TypeError,
+        "the name of a frame or a publisher must be a str, not None of class NoneType",
+    ),
+}
+TIMES: dict[str, tuple[Callable[[], object], str]] = {
+    "time": (
+        lambda: Buffer().lookup_transform("a", "b", 1.5),
+        "got 1.5 of class float: write rclpy.time.Time(seconds=1.5), or Time() for the latest transform",
+    ),
+    "other time": (
+        lambda: Buffer().lookup_transform_full("a", Time(), "b", "now", "c"),
+        "got 'now' of class str: write rclpy.time.Time(seconds=…), or Time() for the latest transform",
+    ),
+    "asked time": (lambda: Buffer().can_transform("a", "b", None), "got None of class NoneType: write"),
+    "awaited time": (lambda: Buffer().wait_for_transform_async("a", "b", 1), "rclpy.time.Time(seconds=1)"),
+    "timeout": (
+        lambda: Buffer().lookup_transform("a", "b", Time(), timeout=1.5),
+        "got 1.5 of class float: write rclpy.duration.Duration(seconds=1.5)",
+    ),
+    "asked timeout": (
+        lambda: Buffer().can_transform("a", "b", Time(), 2),
+        "got 2 of class int: write rclpy.duration.Duration(seconds=2)",
+    ),
 }
 
 
@@ -130,13 +206,38 @@ def test_error_says_what_was_meant_near_the_line(node: Node, name: str) -> None:
     with pytest.raises(error) as caught:
         call(node)
     assert text in str(caught.value)
+    assert 1 <= _frames_of_tfloom(caught.value) <= 2
+
+
+@pytest.mark.parametrize("name", TIMES)
+def test_number_in_place_of_a_time_has_a_note(name: str) -> None:
+    """The text is the reference's."""
+    call, note = TIMES[name]
+    with pytest.raises(TypeError) as caught:
+        call()
+    assert str(caught.value) in {
+        f"{kind} must have sec and nanosec, or nanoseconds." for kind in ("time", "duration")
+    }
+    (given,) = cast("Any", caught.value).__notes__
+    assert note in given
+    assert 1 <= _frames_of_tfloom(caught.value) <= 2
+
+
+def test_wait_with_a_wrong_timeout_leaves_no_request() -> None:
+    buffer = Buffer()
+    with pytest.raises(TypeError):
+        buffer.wait_for_transform_async("a", "b", Time(), 1.5)
+    transform = TransformStamped(child_frame_id="b")
+    transform.header.frame_id = "a"
+    transform.transform.rotation.w = 1.0
+    buffer.set_transform(transform, "me")
+    assert not buffer.cancel_request(1)
+
+
+def _frames_of_tfloom(error: BaseException) -> int:
     folder = str(Path(inspect.getfile(NodeBase)).parents[2])
-    frames = [
-        frame
-        for frame in traceback.extract_tb(caught.value.__traceback__)
-        if frame.filename.startswith(folder)
-    ]
-    assert 1 <= len(frames) <= 2
+    frames = traceback.extract_tb(error.__traceback__)
+    return sum(frame.filename.startswith(folder) for frame in frames)
 
 
 def test_timer_without_a_callback_warns(node: Node) -> None:

@@ -7,6 +7,8 @@ in test_arrays.py.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
@@ -207,3 +209,45 @@ def test_cycle_raises_for_many_stamps_and_points(buffer: Buffer) -> None:
     ):
         with pytest.raises(errors.LookupException, match="loop"):
             ask()
+
+
+@pytest.mark.parametrize(
+    ("call", "text"),
+    [
+        (lambda b: b.lookup("a", "b", 1.5), "a stamp must be an int of nanoseconds"),
+        (lambda b: b.lookup("a", "b", None), "a Time's nanoseconds, not None of class NoneType"),
+        (lambda b: b.lookup("a", "b", np.float64(1)), "of class numpy.float64"),
+        (lambda b: b.can(1, "b"), "the name of a frame or a publisher must be a str, not 1 of class int"),
+        (lambda b: b.can("a", None), "must be a str, not None of class NoneType"),
+        (lambda b: b.lookup_full("a", "now", "b", 1, "a"), "not 'now' of class str"),
+        (lambda b: b.has_frame(b"a"), "must be a str, not b'a' of class bytes"),
+        (lambda b: b.wait("a", 2, timeout_s=1.0), "must be a str, not 2 of class int"),
+        (
+            lambda b: b.set("a", "b", 1, (0, 0), UPRIGHT),
+            "a translation must be three numbers, x, y, z, not (0, 0)",
+        ),
+        (
+            lambda b: b.set("a", "b", 1, HERE, HERE),
+            "a rotation must be four numbers, x, y, z, w, not (0.0, 0.0, 0.0)",
+        ),
+        (
+            lambda b: b.set("a", "b", 1, None, UPRIGHT),
+            "a translation must be three numbers, x, y, z, not None",
+        ),
+        (lambda b: b.set("a", "b", 1, HERE, UPRIGHT, authority=None), "not None of class NoneType"),
+        (lambda b: b.lookup("ä" * 99, object), "not <class 'object'> of class type"),
+        (lambda b: b.lookup("a", ["ä" * 99]), "... of class list"),
+        (lambda b: b.insert_cdr(b"", authority=1), "not 1 of class int"),
+        (lambda _: Buffer("x"), "a cache's time must be an int of nanoseconds"),  # type: ignore[arg-type]
+    ],
+)
+def test_wrong_arguments_say_what_was_given(buffer: Buffer, call: Callable[[Any], object], text: str) -> None:
+    with pytest.raises(TypeError) as raised:
+        call(buffer)
+    assert text in str(raised.value)
+    assert "incompatible" not in str(raised.value)
+
+
+def test_numbers_of_other_classes_are_accepted(buffer: Buffer) -> None:
+    assert buffer.set("a", "n", np.int64(SECOND), [1, 2, 3], np.array(UPRIGHT))  # type: ignore[arg-type]
+    assert buffer.lookup("a", "n", np.int32(SECOND)).translation == (1, 2, 3)  # type: ignore[arg-type]

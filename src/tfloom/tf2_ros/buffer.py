@@ -94,7 +94,7 @@ class Buffer(BufferCore, BufferInterface):
             InvalidArgumentException: a frame's name is empty or starts with a slash.
         """
         if timeout is not NO_WAIT:
-            self._wait(timeout, self.wait, target_frame, source_frame, time_ns(time))
+            self._wait(duration_ns(timeout), self.wait, target_frame, source_frame, time_ns(time))
         return self.lookup_transform_core(target_frame, source_frame, time)
 
     def lookup_transform_full(
@@ -112,7 +112,7 @@ class Buffer(BufferCore, BufferInterface):
         """
         query = target_frame, target_time, source_frame, source_time, fixed_frame
         if timeout is not NO_WAIT:
-            self._wait(timeout, self.wait_full, *_in_ns(*query))
+            self._wait(duration_ns(timeout), self.wait_full, *_in_ns(*query))
         return self.lookup_transform_full_core(*query)
 
     def can_transform(
@@ -124,10 +124,11 @@ class Buffer(BufferCore, BufferInterface):
         return_debug_tuple: bool = False,
     ) -> bool | tuple[bool, str]:
         """Return whether `lookup_transform` succeeds within `timeout`; with `return_debug_tuple`, also why not."""
+        stamp_ns = time_ns(time)
         if timeout is not NO_WAIT:
-            self._wait(timeout, self.wait, target_frame, source_frame, time_ns(time))
-        verdict = self.can_transform_core(target_frame, source_frame, time)
-        return verdict if return_debug_tuple else verdict[0]
+            self._wait(duration_ns(timeout), self.wait, target_frame, source_frame, stamp_ns)
+        obstacle = self.find_obstacle(target_frame, source_frame, stamp_ns)
+        return (obstacle is None, obstacle or "") if return_debug_tuple else obstacle is None
 
     def can_transform_full(
         self,
@@ -142,15 +143,15 @@ class Buffer(BufferCore, BufferInterface):
         """Return whether `lookup_transform_full` succeeds within `timeout`; see `can_transform`."""
         query = target_frame, target_time, source_frame, source_time, fixed_frame
         if timeout is not NO_WAIT:
-            self._wait(timeout, self.wait_full, *_in_ns(*query))
+            self._wait(duration_ns(timeout), self.wait_full, *_in_ns(*query))
         verdict = self.can_transform_full_core(*query)
         return verdict if return_debug_tuple else verdict[0]
 
-    def _wait(self, timeout: Any, wait: Callable[..., bool], *query: Any) -> None:
+    def _wait(self, timeout_ns: int, wait: Callable[..., bool], *query: Any) -> None:
         # The native wait ends by a transform or by time, but not by a shutdown of the context. So it is made in slices,
         # with a look at the context after each. A slice that ends early, without the transform, is the native verdict
         # that it can never come; the lookup that follows raises the reason.
-        end_s = monotonic() + duration_ns(timeout) / 1e9
+        end_s = monotonic() + timeout_ns / 1e9
         while (left_s := end_s - (start_s := monotonic())) > 0:
             slice_s = min(left_s, SLICE_S)
             if wait(*query, timeout_s=slice_s) or monotonic() - start_s < slice_s / 2:
@@ -167,11 +168,12 @@ class Buffer(BufferCore, BufferInterface):
         exception is set; after `timeout`, a LookupException. Cancelling the future ends the wait.
         """
         query = target_frame, source_frame, time
+        stamp_ns = time_ns(time)
         return self._future(
             lambda: self.lookup_transform_core(*query),
-            lambda answer: self.add_request(target_frame, source_frame, time_ns(time), answer),
+            lambda answer: self.add_request(target_frame, source_frame, stamp_ns, answer),
             lambda: self.can_transform_core(*query)[1],
-            timeout,
+            None if timeout is None else duration_ns(timeout),
         )
 
     def wait_for_transform_full_async(
@@ -185,11 +187,12 @@ class Buffer(BufferCore, BufferInterface):
     ) -> Future[TransformStamped]:
         """Return a future of the transform of `lookup_transform_full`; see `wait_for_transform_async`."""
         query = target_frame, target_time, source_frame, source_time, fixed_frame
+        query_ns = _in_ns(*query)
         return self._future(
             lambda: self.lookup_transform_full_core(*query),
-            lambda answer: self.add_request_full(*_in_ns(*query), answer),
+            lambda answer: self.add_request_full(*query_ns, answer),
             lambda: self.can_transform_full_core(*query)[1],
-            timeout,
+            None if timeout is None else duration_ns(timeout),
         )
 
     async def lookup_transform_async(
@@ -218,7 +221,7 @@ class Buffer(BufferCore, BufferInterface):
         look_up: Callable[[], TransformStamped],
         request: Callable[[Callable[[int, bool], None]], int | None],
         explain: Callable[[], str],
-        timeout: Any,
+        timeout_ns: int | None,
     ) -> Future[TransformStamped]:
         # Three things can end the wait: the transform arrives, on the thread that stores it; the time is over, on the
         # thread of deadlines; the user cancels. `cancel_request` decides which was first: it returns True to one caller
@@ -245,9 +248,9 @@ class Buffer(BufferCore, BufferInterface):
                 future.set_exception(self._timed_out(f"timed out: {explain()}"))
 
         future.add_done_callback(lambda ended: ended.cancelled() and self.cancel_request(handle))
-        if timeout is not None:
+        if timeout_ns is not None:
             try:
-                deadline = call_after(duration_ns(timeout) / 1e9, expire)
+                deadline = call_after(timeout_ns / 1e9, expire)
             except RuntimeError:  # no thread: without its timeout, the request must not stay
                 self.cancel_request(handle)
                 raise

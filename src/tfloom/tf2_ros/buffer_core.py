@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import reprlib
 from typing import Any
 
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
 from tfloom.node.log.logging import get_logger
 from tfloom.node.values.clock_type import ClockType
+from tfloom.node.values.exceptions import add_note
 from tfloom.node.values.time import Time
 from tfloom.tf2 import buffer as tf2_buffer
 from tfloom.tf2.buffer import DEFAULT_CACHE_TIME_NS
@@ -81,7 +83,11 @@ class BufferCore(tf2_buffer.Buffer):
             ExtrapolationException: the time lies outside the stored history.
             InvalidArgumentException: a frame's name is empty or starts with a slash.
         """
-        message: TransformStamped = self.lookup_message(target_frame, source_frame, time)
+        try:
+            message: TransformStamped = self.lookup_message(target_frame, source_frame, time)
+        except TypeError as error:
+            _note_time(error, time)
+            raise
         return message
 
     def lookup_transform_full_core(
@@ -91,9 +97,13 @@ class BufferCore(tf2_buffer.Buffer):
 
         The result has the target's time. Raises as `lookup_transform_core` does.
         """
-        message: TransformStamped = self.lookup_message_full(
-            target_frame, target_time, source_frame, source_time, fixed_frame
-        )
+        try:
+            message: TransformStamped = self.lookup_message_full(
+                target_frame, target_time, source_frame, source_time, fixed_frame
+            )
+        except TypeError as error:
+            _note_time(error, target_time, source_time)
+            raise
         return message
 
     def get_latest_common_time(self, target_frame: str, source_frame: str) -> Time:
@@ -174,7 +184,10 @@ def time_ns(time: Any) -> int:
     Raises:
         TypeError: it has neither.
     """
-    return _ns(time, "time")
+    try:
+        return _ns(time)
+    except AttributeError:
+        raise without_fields(time, "time") from None
 
 
 def duration_ns(duration: Any) -> int:
@@ -183,18 +196,39 @@ def duration_ns(duration: Any) -> int:
     Raises:
         TypeError: it has neither.
     """
-    return _ns(duration, "duration")
+    try:
+        return _ns(duration)
+    except AttributeError:
+        raise without_fields(duration, "duration") from None
 
 
-def _ns(value: Any, what: str) -> int:
+def _ns(value: Any) -> int:
     try:
         return int(value.nanoseconds)
     except AttributeError:
-        pass
-    try:
         return int(value.sec) * S_TO_NS + int(value.nanosec)
-    except AttributeError:
-        raise TypeError(f"{what} must have sec and nanosec, or nanoseconds.") from None
+
+
+def without_fields(given: object, kind: str) -> TypeError:
+    """Return the error of a `time` or a `duration` that has neither `nanoseconds` nor `sec` and `nanosec`."""
+    error = TypeError(f"{kind} must have sec and nanosec, or nanoseconds.")
+    add_note(error, _meant(given, kind))
+    return error
+
+
+def _note_time(error: TypeError, *times: Any) -> None:
+    """Add to an error of the native buffer which of the times has no fields of one, if that is its reason."""
+    for time in times:
+        if not hasattr(time, "nanoseconds") and not (hasattr(time, "sec") and hasattr(time, "nanosec")):
+            add_note(error, _meant(time, "time"))
+            return
+
+
+def _meant(given: object, kind: str) -> str:
+    is_number = isinstance(given, (int, float)) and not isinstance(given, bool)
+    seconds = f"(seconds={given!r})" if is_number else "(seconds=…)"
+    text = f"got {reprlib.repr(given)} of class {type(given).__name__}: write rclpy.{kind}.{kind.title()}{seconds}"
+    return f"{text}, or Time() for the latest transform" if kind == "time" else text
 
 
 def _log(severity: int, text: str) -> None:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import reprlib
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.node.qos.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
-from tfloom.tf2_ros.transform_broadcaster import as_list
+from tfloom.tf2_ros.transform_broadcaster import NO_NODE, as_list
 
 if TYPE_CHECKING:
     from tfloom.interfaces.geometry_msgs.msg import TransformStamped
@@ -35,6 +36,8 @@ class StaticTransformBroadcaster:
         qos: QoSProfile | int | None = None,
         qos_overriding_options: QoSOverridingOptions | None = None,
     ) -> None:
+        if not hasattr(node, "create_publisher"):
+            raise TypeError(NO_NODE.format(name="StaticTransformBroadcaster", given=reprlib.repr(node)))
         if qos is None:
             qos = QoSProfile(
                 depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL, history=HistoryPolicy.KEEP_LAST
@@ -45,7 +48,11 @@ class StaticTransformBroadcaster:
         self.net_message = TFMessage()
 
     def send_transform(self, transform: TransformStamped | Iterable[TransformStamped]) -> None:
-        """Publish one transform or several, together with all that were sent before."""
+        """Publish one transform or several, together with all that were sent before.
+
+        Raises:
+            TypeError: one is no TransformStamped.
+        """
         by_child = {
             stamped.child_frame_id: stamped for stamped in [*self.net_message.transforms, *as_list(transform)]
         }

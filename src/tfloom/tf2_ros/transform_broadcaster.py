@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import reprlib
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
@@ -14,6 +15,8 @@ if TYPE_CHECKING:
 
 __all__ = ["TransformBroadcaster"]
 
+NO_NODE = "{name}(node) needs the node that publishes, got {given}"
+
 
 class TransformBroadcaster:
     """Publishes on /tf.
@@ -24,15 +27,32 @@ class TransformBroadcaster:
     """
 
     def __init__(self, node: Node, qos: QoSProfile | int | None = None) -> None:
+        if not hasattr(node, "create_publisher"):
+            raise TypeError(NO_NODE.format(name="TransformBroadcaster", given=reprlib.repr(node)))
         self.pub_tf = node.create_publisher(TFMessage, "/tf", QoSProfile(depth=100) if qos is None else qos)
 
     def send_transform(self, transform: TransformStamped | Iterable[TransformStamped]) -> None:
-        """Publish one transform or several, in one message."""
+        """Publish one transform or several, in one message.
+
+        Raises:
+            TypeError: one is no TransformStamped.
+        """
         self.pub_tf.publish(TFMessage(transforms=as_list(transform)))
 
     sendTransform = send_transform  # noqa: N815, tf2's name
 
 
 def as_list(transform: TransformStamped | Iterable[TransformStamped]) -> list[TransformStamped]:
-    """Return one transform or several as a list."""
-    return list(transform) if isinstance(transform, Iterable) else [transform]
+    """Return one transform or several as a list.
+
+    Raises:
+        TypeError: one is no TransformStamped.
+    """
+    transforms = list(transform) if isinstance(transform, Iterable) else [transform]
+    for stamped in transforms:
+        if not hasattr(stamped, "child_frame_id"):
+            given = f"{reprlib.repr(stamped)} of class {type(stamped).__name__}"
+            raise TypeError(
+                f"sendTransform() needs a geometry_msgs.msg.TransformStamped, or several, got {given}"
+            )
+    return transforms

@@ -38,6 +38,7 @@ from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.exceptions import InvalidHandle
 from tfloom.node.values.handle import Handle
 from tfloom.node.values.names import name_error
+from tfloom.node.values.numbers import not_a_number
 from tfloom.node.values.time import check_fits_stamp
 from tfloom.node.values.type_support import (
     check_is_valid_msg_type,
@@ -903,14 +904,20 @@ class NodeBase:
             autostart: Whether it is started at once; otherwise by its first `reset`.
 
         Raises:
-            ValueError: the period is negative.
-            TypeError: `callback` can't be called.
+            ValueError: the period is negative, or a text.
+            TypeError: the period is no number, or `callback` can't be called.
         """
+        try:
+            period_s = float(timer_period_sec)
+        except (TypeError, ValueError) as error:
+            raise type(error)(
+                f"create_timer() {not_a_number('a period in seconds', timer_period_sec)}"
+            ) from None
         if callback is None:
             warnings.warn(f"create_timer() has no callback, {not_callable(None)}", stacklevel=2)
         elif not callable(callback):
             raise TypeError(f"create_timer() needs a callback, {not_callable(callback)}")
-        return self.__create_timer(timer_period_sec, callback, callback_group, clock, autostart=autostart)
+        return self.__create_timer(period_s, callback, callback_group, clock, autostart=autostart)
 
     def __create_timer(
         self,
@@ -921,7 +928,7 @@ class NodeBase:
         *,
         autostart: bool = True,
     ) -> Timer:
-        period_ns = int(float(timer_period_sec) * S_TO_NS)
+        period_ns = int(timer_period_sec * S_TO_NS)
         group = callback_group or self.default_callback_group
         timer = Timer(
             callback, group, period_ns, clock or self.get_clock(), context=self.context, autostart=autostart
@@ -943,8 +950,11 @@ class NodeBase:
             clock: Clock of the period; None: the node's.
 
         Raises:
+            TypeError: `frequency` is no number.
             ValueError: `frequency` isn't above 0.
         """
+        if frequency is None or isinstance(frequency, str):
+            raise TypeError(f"create_rate() {not_a_number('a frequency in Hz', frequency)}")
         if frequency <= 0:
             raise ValueError("frequency must be > 0")
         timer = self.__create_timer(1.0 / frequency, None, MutuallyExclusiveCallbackGroup(), clock)

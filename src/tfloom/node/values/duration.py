@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Protocol
 
 from tfloom.node.values.constants import INT64_MAX, S_TO_NS
+from tfloom.node.values.numbers import not_a_number
 
 if TYPE_CHECKING:
     from tfloom.interfaces.builtin_interfaces import msg as builtin_msg
@@ -29,11 +30,14 @@ class Duration:
 
     Raises:
         OverflowError: the sum doesn't fit 64 bits (about 292 years).
+        ValueError: `seconds` is a text.
     """
 
     __slots__ = ("_ns",)
 
     def __init__(self, *, seconds: float = 0, nanoseconds: int = 0) -> None:
+        if isinstance(seconds, str):  # whose product would be a text of a gigabyte
+            raise ValueError(f"Duration {not_a_number('seconds', seconds)}")  # noqa: TRY004, the reference's kind
         total = int(seconds * S_TO_NS) + int(nanoseconds)
         if not -INT64_MAX - 1 <= total <= INT64_MAX:
             raise OverflowError("Total nanoseconds value is too large to store in C duration.")
