@@ -2,6 +2,6 @@
 
 import sys
 
-from tfloom.cli.main import main
+from tfloom.cli.start import main
 
 sys.exit(main())

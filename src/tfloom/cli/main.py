@@ -1,5 +1,4 @@
-# PYTHON_ARGCOMPLETE_OK
-"""The table of verbs, and the entry point `main`.
+"""The table of verbs, and the function `main`, which runs a command line.
 
 Each verb is a file with `add_arguments(parser)` and `main(args) -> int`, imported when it is called.
 """
@@ -16,6 +15,7 @@ from typing import Any
 
 from tfloom.cli.errors import CommandError, refuse_bytes
 from tfloom.cli.parser import Group, VerbParser, build_parser
+from tfloom.cli.quiet_imports import INTERRUPTED
 
 COMMANDS: dict[str, str | Group] = {
     "action": Group(
@@ -166,8 +166,6 @@ COMMANDS: dict[str, str | Group] = {
     ),
 }
 
-INTERRUPTED = 2
-"""Exit code after Ctrl-C, as in ros2."""
 PIPE_CLOSED = 141
 """Exit code when the output pipe is closed: a shell's 128 + SIGPIPE."""
 
@@ -206,6 +204,9 @@ def _exit_code(argv: Sequence[str] | None, prog: str) -> int:
         _drop_output()
         return PIPE_CLOSED
     except Exception as error:
+        if isinstance(error.__cause__, KeyboardInterrupt):
+            # Until Python 3.12, one that is raised while a class is made, as by an import, is made a RuntimeError.
+            raise error.__cause__ from None
         if (text := _sentence(error, prog)) is None:
             raise
         from tfloom.terminal_text import shown_on_terminals

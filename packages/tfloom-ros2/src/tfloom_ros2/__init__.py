@@ -4,10 +4,8 @@
 from __future__ import annotations
 
 import sys
-from importlib.util import find_spec
 
-from tfloom.cli.main import main as tfloom_main
-from tfloom.ros_guard import is_elsewhere
+from tfloom.cli.quiet_imports import QuietImports
 
 
 def main() -> int:
@@ -16,6 +14,11 @@ def main() -> int:
     A real ROS has its own `ros2cli` and its own `rclpy`. A `ros2cli` alone, built in a workspace or installed by pip,
     serves extensions of the command, which run on tfloom's `rclpy`.
     """
+    with QuietImports():
+        from importlib.util import find_spec
+
+        from tfloom.cli.main import main as tfloom_main
+        from tfloom.ros_guard import is_elsewhere
     if is_elsewhere("ros2cli") and is_elsewhere("rclpy"):
         real = find_spec("ros2cli")
         print(
@@ -29,6 +32,8 @@ def main() -> int:
 
 def launch_test() -> int:
     """Run a launch test file; where Python would import a real launch_testing, say so and stop."""
+    with QuietImports():
+        from tfloom.ros_guard import is_elsewhere
     if is_elsewhere("launch_testing"):
         print(
             "launch_test: this is tfloom's, and it stands before that of a real ROS.\n"
@@ -36,6 +41,6 @@ def launch_test() -> int:
             file=sys.stderr,
         )
         return 1
-    from tfloom.launch.testing.launch_test import main as launch_test_main
-
+    with QuietImports():
+        from tfloom.launch.testing.launch_test import main as launch_test_main
     return launch_test_main()
