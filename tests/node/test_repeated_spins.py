@@ -135,10 +135,11 @@ def test_a_node_without_references_is_freed(
     rclpy.spin_once(node, executor=executor, timeout_sec=0.0)
     reference = weakref.ref(node)
     del node
-    gc.collect()
-    assert reference() is None
+    gc.collect()  # finalizes the node, which its context then holds until another one joins
     watcher = make_node("watcher")
     wait_until(lambda: watcher.get_node_names() == ["watcher"])
+    gc.collect()
+    assert reference() is None  # from Python 3.15 on only now: a finalizer no longer clears weak references
 
 
 class Hesitant(CallbackGroup):
