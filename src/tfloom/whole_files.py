@@ -28,11 +28,11 @@ def write_file(path: str | os.PathLike[str], data: bytes | bytearray | memoryvie
     Raises:
         OSError: it can't be written; its `filename` is `path`.
     """
-    octets = data.encode() if isinstance(data, str) else data
+    content = data.encode() if isinstance(data, str) else data
     replacement = Replacement(path)
     try:
         with replacement.partial.open("wb") as file:
-            file.write(octets)
+            file.write(content)
         replacement.commit()
     except BaseException as error:
         replacement.discard()

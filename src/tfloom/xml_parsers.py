@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 __all__ = ["guard_minidom", "make_parser", "read_tree"]
 
 MAX_TREE = 4_000_000
-"""Length of the longest text of which a tree is made [characters or octets]."""
+"""Length of the longest text of which a tree is made [characters or bytes]."""
 
 
 def make_parser(refuse: Callable[[str], None], namespace_separator: str | None = None) -> expat.XMLParserType:

@@ -162,7 +162,7 @@ def test_small_receive_buffer_is_reported_with_the_interfaces(monkeypatch: pytes
     found = check_network()
     assert found.verdict is Verdict.WARNING
     assert found.summary.startswith("interfaces that are up: ")
-    assert "octets at most" in found.summary
+    assert "bytes at most" in found.summary
 
 
 @pytest.mark.parametrize(

@@ -66,7 +66,7 @@ def test_random_bytes_are_decoded_or_rejected(data: bytes) -> None:
 
 
 def test_huge_count_is_rejected_before_a_loop() -> None:
-    with pytest.raises(NodeListError, match="4294967295 items are announced at octet 20 of 20"):
+    with pytest.raises(NodeListError, match="4294967295 items are announced at byte 20 of 20"):
         decode(b"\0\1\0\0" + bytes(16) + b"\xff\xff\xff\xff")
 
 

@@ -311,7 +311,7 @@ def test_set_many_and_to_arrays_are_inverse(random: np.random.Generator) -> None
     assert buffer.to_arrays("b", "a").stamps_ns.size == 0
 
 
-def test_a_stored_transform_takes_72_octets_or_less(random: np.random.Generator) -> None:
+def test_a_stored_transform_takes_72_bytes_or_less(random: np.random.Generator) -> None:
     buffer = Buffer(None)
     buffer.set_many(
         "a", "b", np.arange(100_000), random.normal(size=(100_000, 3)), random.normal(size=(100_000, 4))

@@ -164,7 +164,7 @@ def check_network() -> Finding:
             advice = (
                 f"for messages of megabytes at best effort: sudo sysctl -w net.core.rmem_max={LARGE_BUFFER}"
             )
-            summary += f"; a socket holds {details['net.core.rmem_max']} octets at most"
+            summary += f"; a socket holds {details['net.core.rmem_max']} bytes at most"
             return Finding(Verdict.WARNING, summary, advice, details)
     return Finding(Verdict.OK, summary, details=details)
 

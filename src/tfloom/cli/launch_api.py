@@ -189,6 +189,7 @@ def launch_a_launch_file(
         return int(service.run())
     from tfloom.launch.missing import missing_packages_stood_in
 
+    # The file itself is not skipped: if it can't be loaded, nothing is left to launch.
     service.context.run_state.unskippable = included
     with missing_packages_stood_in():
         return int(service.run())

@@ -26,7 +26,7 @@ def check_peers() -> Finding:
     from tfloom._native import dds_read_versions
     from tfloom.cli.graph import joined_participant, wait_until_quiet
     from tfloom.rmw.cyclone_library import open_library
-    from tfloom.rmw.cyclone_services import untranslated
+    from tfloom.rmw.cyclone_services import start_translation
 
     is_zenoh = is_zenoh_selected()
     if not is_zenoh:
@@ -39,7 +39,7 @@ def check_peers() -> Finding:
             if is_zenoh:
                 return check_sessions(participant.graph)
             peers = [peer for peer in participant.graph.participants() if not peer.is_own]
-        failure = untranslated(open_library().path)
+        failure = start_translation(open_library().path)
     except WireError as error:
         return Finding(Verdict.FAILED, str(error))
     if not peers:

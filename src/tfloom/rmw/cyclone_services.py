@@ -114,7 +114,7 @@ class Handshake:
 
 
 @lru_cache(maxsize=8)
-def untranslated(library: str) -> str:
+def start_translation(library: str) -> str:
     """Start the translation of services for peers on Fast DDS in a library; return why it is off, or an empty text."""
     if os.environ.get(TRANSLATION_VARIABLE) == "0":
         return f"{TRANSLATION_VARIABLE} is 0"

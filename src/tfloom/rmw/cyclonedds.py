@@ -30,7 +30,7 @@ from tfloom.rmw.cyclone_services import (
     Vendors,
     end_id,
     end_user_data,
-    untranslated,
+    start_translation,
 )
 from tfloom.rmw.cyclone_threads import check_threads
 from tfloom.rmw.errors import ClosedError, WireError
@@ -121,7 +121,13 @@ def _user_data(topic: Topic) -> bytes:
 
 
 class CycloneParticipant:
-    """This process on one DDS domain; see `base.Participant`."""
+    """This process on one DDS domain; see `base.Participant`.
+
+    Args:
+        domain_id: The domain.
+        enclave: Its security enclave, which it tells others and does nothing with.
+        announce_s: Period of its announcements to others [s]; None: Cyclone's own.
+    """
 
     def __init__(self, domain_id: int, enclave: str, announce_s: float | None = None) -> None:
         self.domain_id = domain_id
@@ -129,8 +135,10 @@ class CycloneParticipant:
         self._is_forked = False
         """Whether this is the copy in a forked child, without the library's threads."""
         self._lock = threading.Lock()
+        """Guards the nodes and the endpoints, and the order in which lists of them are written."""
         self._nodes: list[NodeName] = []
-        self._ends: dict[CycloneEndpoint, NodeName] = {}
+        self._node_by_end: dict[CycloneEndpoint, NodeName] = {}
+        """The endpoints that are open, and the node of each."""
         self._service_end_numbers = count(1)
         self._in_flight: WeakValueDictionary[str, RequestsInFlight] = WeakValueDictionary()
         """What the clients of each service have sent."""
@@ -141,7 +149,7 @@ class CycloneParticipant:
             opened = _open_library()
             library = opened.path
             check_threads(domain_id)
-            self._vendors = Vendors(untranslated(library), self._find_node)
+            self._vendors = Vendors(start_translation(library), self._find_node)
             self._native = DdsParticipant(
                 library,
                 domain_id,
@@ -279,7 +287,7 @@ class CycloneParticipant:
 
     def _remember(self, node: NodeName, *ends: CycloneEndpoint) -> None:
         with self._lock:
-            self._ends.update(dict.fromkeys(ends, node))
+            self._node_by_end.update(dict.fromkeys(ends, node))
             self._publish_nodes()
 
     def _forget(self, end: CycloneEndpoint) -> None:
@@ -288,7 +296,7 @@ class CycloneParticipant:
         if self._is_forked:
             return
         with self._lock:
-            if self._ends.pop(end, None) is not None:
+            if self._node_by_end.pop(end, None) is not None:
                 self._publish_nodes()
 
     def invalidate_after_fork(self) -> bool:
@@ -299,7 +307,7 @@ class CycloneParticipant:
         self._lock = threading.Lock()  # a thread of the parent may have held the former one
         self.graph.invalidate_after_fork()
         self._node_list_writer = cast("DdsWriter", Inherited("the list of nodes", self._node_list_writer))
-        for end in self._ends:
+        for end in self._node_by_end:
             end.invalidate_after_fork()
         return True
 
@@ -308,7 +316,7 @@ class CycloneParticipant:
         # The caller holds the lock, so that lists leave in the order of the changes: a reader keeps the last one only.
         nodes = {node: node_lists.NodeEnds(node, [], []) for node in self._nodes}
         # An endpoint whose node has been removed is on no list.
-        for end, node in self._ends.items():
+        for end, node in self._node_by_end.items():
             if entry := nodes.get(node):
                 gids = entry.writer_gids if isinstance(end, CycloneWriter) else entry.reader_gids
                 gids.append(end.gid)
@@ -324,7 +332,7 @@ class CycloneParticipant:
         # Take the endpoints out of the table first. Each calls `_forget` as it closes, which needs the lock, and would
         # otherwise publish a list of nodes for every endpoint of a participant that leaves anyway.
         with self._lock:
-            ends, self._ends = list(self._ends), {}
+            ends, self._node_by_end = list(self._node_by_end), {}
         for end in ends:
             end.close()
         self._node_list_writer.close()

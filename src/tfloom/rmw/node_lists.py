@@ -84,7 +84,7 @@ class _Cursor:
     def take(self, count: int) -> bytes:
         item = self._data[self._at : self._at + count]
         if len(item) < count:
-            raise NodeListError(f"{count} octets are announced at octet {self._at} of {len(self._data)}")
+            raise NodeListError(f"{count} bytes are announced at byte {self._at} of {len(self._data)}")
         self._at += count
         return item
 
@@ -93,7 +93,7 @@ class _Cursor:
         self._at += -self._at % 4
         (count,) = _LENGTH.unpack(self.take(4))
         if count * smallest_item > len(self._data) - self._at:
-            raise NodeListError(f"{count} items are announced at octet {self._at} of {len(self._data)}")
+            raise NodeListError(f"{count} items are announced at byte {self._at} of {len(self._data)}")
         return int(count)
 
     def string(self) -> str:

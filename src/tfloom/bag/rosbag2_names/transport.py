@@ -136,6 +136,7 @@ class PlayOptions:
             exclude_topics=full_names(self.exclude_topics_to_filter),
             exclude_services=_services(self.exclude_service_events_to_filter),
         )
+        # rosbag2 takes them as arguments of a program: `--ros-args`, `--remap` and the like stand between the remaps.
         remaps = [word for word in self.topic_remapping_options if ":=" in word]
         return playing.PlayOptions(
             choice=choice,

@@ -50,9 +50,8 @@ class Tour:
         names = [parameter.name for parameter in parameters]
 
         self._say("Setting parameters:")
-        for name, result in zip(
-            names, self._wait(self._client.set_parameters(parameters)).results, strict=True
-        ):
+        results = self._wait(self._client.set_parameters(parameters)).results
+        for name, result in zip(names, results, strict=True):
             self._say(f"    {name}:", f"        successful: {result.successful}")
 
         self._say("Listing Parameters:")
@@ -72,10 +71,10 @@ class Tour:
             self._say(f"    {name}:", f"        successful: {result.successful}", f"        value: {value}")
 
         self._say("Deleting parameters: ")
-        names = ["other_int_parameter", "other_string_parameter", "string_parameter"]
-        for name, result in zip(
-            names, self._wait(self._client.delete_parameters(names)).results, strict=True
-        ):
+        # The first two were loaded from the file, the last one was set above.
+        deleted_names = ["other_int_parameter", "other_string_parameter", "string_parameter"]
+        results = self._wait(self._client.delete_parameters(deleted_names)).results
+        for name, result in zip(deleted_names, results, strict=True):
             self._say(
                 f"    {name}:", f"        successful: {result.successful}", f"        reason: {result.reason}"
             )

@@ -91,14 +91,15 @@ class Command(Substitution):
         if result.returncode != 0:
             captured = f"\nCaptured stderr output: {result.stderr}" if result.stderr else ""
             raise SubstitutionFailure(f"executed command failed. Command: {line}{captured}")
+        # With `capture`, it is in `result.stdout`, and `result.stderr` is None.
         if result.stderr and on_stderr != "ignore":
-            shown = (
+            message = (
                 f"executed command showed stderr output. Command: {line}\n"
                 f"Captured stderr output:\n{result.stderr}"
             )
             if on_stderr == "fail":
-                raise SubstitutionFailure(shown)
-            get_logger().warning(shown)
+                raise SubstitutionFailure(message)
+            get_logger().warning(message)
         return result.stdout
 
 

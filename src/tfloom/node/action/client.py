@@ -227,11 +227,13 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
         key = key_of(goal_id)
         # All is registered before the request is sent: the goal's feedback and state are on topics of their own, and
         # may be received before the response.
-        servers = self._end_goals_of_servers_that_left() if feedback_callback is not None else frozenset()
+        # Only a feedback callback is kept until its goal ends: its servers are noted, so that it ends if they leave.
+        if feedback_callback is not None:
+            connected_servers = self._end_goals_of_servers_that_left()
         with self._lock:
             self._unanswered[key] = GoalStatus.STATUS_UNKNOWN
             if feedback_callback is not None:
-                self._servers[key] = servers
+                self._servers[key] = connected_servers
                 self._feedback_callbacks[key] = feedback_callback
                 self._ended_ns.pop(key, None)  # of an earlier goal with this id
         request = self._action_type.Impl.SendGoalService.Request(goal_id=goal_id, goal=goal)

@@ -115,8 +115,10 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         self._context = context
         self._executor = executor
         self._logger = logger
-        self._reported_obstacle = ""
+        self._reported_incompatibility = ""
+        """The last warning of a server that can't answer, which is logged once."""
         self._posting = Posting(client_impl.notify)
+        """Wakes for a response either the executor or the thread that waits in `call`."""
         self._take_lock = threading.Lock()
         """Held until the request of a response that was taken is no longer pending."""
         self._lock = threading.Lock()
@@ -128,7 +130,7 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         self._timer_lock = threading.Lock()
         """Held while `unsent_timer` is created."""
         self.unsent_timer: Timer | None = None
-        """Sends these requests, or fails them; run by the same executor. It is started with the first of them."""
+        """Sends the unsent requests, or fails them; run by the same executor. It is started with the first of them."""
         self._reaches_later_servers = qos_profile.durability == DurabilityPolicy.TRANSIENT_LOCAL
         self._was_completed_elsewhere = False
         """Whether a future was completed while the executor did not look, so that its `spin_once` is to return."""
@@ -389,10 +391,10 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         self._context.check_not_from_parent_process(f"cannot find a server of {self.srv_name}")
         if self._endpoint.is_ready():
             return True
-        obstacle = self._endpoint.incompatibility()
-        if obstacle and obstacle != self._reported_obstacle:
-            self._reported_obstacle = obstacle
-            self._logger.warning(obstacle)
+        incompatibility = self._endpoint.incompatibility()
+        if incompatibility and incompatibility != self._reported_incompatibility:
+            self._reported_incompatibility = incompatibility
+            self._logger.warning(incompatibility)
         return False
 
     def wait_for_service(self, timeout_sec: float | None = None) -> bool:

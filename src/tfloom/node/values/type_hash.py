@@ -8,7 +8,7 @@ _SIZE = 32
 
 
 class TypeHash:
-    """A version and 32 octets; version -1: unknown."""
+    """A version and 32 bytes; version -1: unknown."""
 
     __slots__ = ("_value", "_version")
 
@@ -34,7 +34,7 @@ class TypeHash:
 
     @property
     def value(self) -> bytes:
-        """The hash, 32 octets."""
+        """The hash, 32 bytes."""
         return self._value
 
     def __str__(self) -> str:

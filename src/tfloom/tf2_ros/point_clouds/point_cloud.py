@@ -86,8 +86,8 @@ def _copied(cloud: Any) -> tuple[Any, NDArray[Any]]:
     result.header = _copied_header(cloud.header)
     result.fields = [_with_attributes_of(field, _FIELD_ATTRIBUTES) for field in cloud.fields]
     data = cloud.data
-    is_octets = isinstance(data, array.array) and data.typecode == "B"
-    result.data = array.array("B", data if is_octets else bytes(data))
+    is_byte_array = isinstance(data, array.array) and data.typecode == "B"
+    result.data = array.array("B", data if is_byte_array else bytes(data))
     return result, points_view(result, result.data)
 
 

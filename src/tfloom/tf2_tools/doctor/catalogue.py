@@ -149,7 +149,7 @@ _KINDS = (
         "TF204",
         _WARNING,
         "transforms that the doctor does not check",
-        "The doctor keeps at most 65,536 edges of 4,096 publishers, with names of at most 1,024 octets; a transform "
+        "The doctor keeps at most 65,536 edges of 4,096 publishers, with names of at most 1,024 bytes; a transform "
         "beyond that is counted, but none of the other checks sees it. A buffer stores it.",
         "A frame id that is built in a loop or from data, so that it grows or is new each time.",
         "Give each frame a short name that stays the same.",

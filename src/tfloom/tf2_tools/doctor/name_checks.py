@@ -56,7 +56,7 @@ def _unchecked_transforms(subject: Subject) -> Iterator[Finding]:
     unchecked = counted(subject.seen.unrecorded, "transform")
     yield Finding(
         "TF204",
-        f"{unchecked}{who} can't be checked: a name of more than 1,024 octets, or too many edges or publishers",
+        f"{unchecked}{who} can't be checked: a name of more than 1,024 bytes, or too many edges or publishers",
         sources,
     )
 

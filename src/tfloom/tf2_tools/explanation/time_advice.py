@@ -14,6 +14,8 @@ STALE_PERIODS = 5.0
 """A publisher that has sent nothing for this many of its longest periods is said to have stopped."""
 MIN_STALE_S = 0.5
 """And not before this time [s]."""
+TIMEOUT_MARGIN = 1.2
+"""The advised timeout is the longest wait seen so far, times this."""
 LARGE_DELAY_S = 1.0
 """A mean delay above this points to clocks or to old data, rather than to computing [s]."""
 FULL = 0.95
@@ -56,12 +58,13 @@ def _late_publisher(lookup: Lookup, span: Span) -> list[str]:
         return ["The recording has no later one: ask for a time before, or for the latest."]
     statistics = edge.statistics
     silent_s = (lookup.seen.taken_ns - statistics.last_received_ns) / NS_PER_S
-    longest_s = max(statistics.receipt_period.greatest, statistics.stamp_period.greatest)
+    longest_period_s = max(statistics.receipt_period.greatest, statistics.stamp_period.greatest)
+    # First the publishers that send no more, then one whose stamps are old, and last one that sends as it should.
     if edge.publisher.has_left:
         return [
             f"{edge.publisher.label} has left {seconds_text(silent_s)} after its last one: start it again."
         ]
-    if silent_s > max(MIN_STALE_S, STALE_PERIODS * longest_s):
+    if silent_s > max(MIN_STALE_S, STALE_PERIODS * longest_period_s):
         before = (
             f", after one each {seconds_text(statistics.receipt_period.mean)}" if statistics.count > 1 else ""
         )
@@ -76,12 +79,15 @@ def _late_publisher(lookup: Lookup, span: Span) -> list[str]:
                 f"find out why {edge.publisher.label} sends old data. Until then, ask for the latest time."
             )
         ]
-    timeout_s = 1.2 * (max(0.0, worst_s) + longest_s)
+    # A request made just after a transform waits for the next one, and for that one's delay. A delay below zero, of
+    # stamps ahead of now, is no reason to wait less than a period.
+    longest_wait_s = longest_period_s + max(0.0, worst_s)
+    timeout_s = TIMEOUT_MARGIN * longest_wait_s
     return [
         (
             f"{edge.publisher.label} sends one each {seconds_text(statistics.stamp_period.mean)}, which arrives "
             f"{seconds_text(mean_s)} after its stamp (at most {seconds_text(worst_s)}). So a transform for now is "
-            f"there after up to {seconds_text(max(0.0, worst_s) + longest_s)}."
+            f"there after up to {seconds_text(longest_wait_s)}."
         ),
         (
             f"Give the lookup a timeout of {timeout_s:.2f} s or more, or ask for the latest time (Time()), or let a "
