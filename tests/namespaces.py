@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 import subprocess
 import sys
@@ -12,6 +13,7 @@ import pytest
 from tests.conftest import Program
 
 SNIFF = Path(__file__).parent / "programs" / "sniff.py"
+LOSSY_LINK = Path(__file__).parent / "programs" / "lossy_link.py"
 CABLE = "cable"
 """The name of a host's interface, besides lo."""
 
@@ -89,14 +91,47 @@ def hosts_on_a_subnet(start_program: Callable[..., Program]) -> tuple[Host, Host
 
     A packet without another route, as one to a multicast address, goes by the cable.
     """
+    near, far = _two_hosts(start_program)
+    near.run("ip", "link", "add", CABLE, "type", "veth", "peer", "name", CABLE, "netns", far.pid)
+    _set_up_cable(near, far)
+    return near, far
+
+
+def hosts_on_a_lossy_link(
+    start_program: Callable[..., Program], delay_s: float, loss: float, rate: float, seed: int = 1
+) -> tuple[Host, Host, Program]:
+    """Return two hosts as `hosts_on_a_subnet` has them, whose cable delays, loses and slows, and the program that does.
+
+    Skip the test where this isn't allowed.
+
+    Args:
+        start_program: Starts the processes.
+        delay_s: The delay of each way [s].
+        loss: The share of packets that are lost.
+        rate: The rate of each way [bit/s].
+        seed: Of the losses.
+    """
+    near, far = _two_hosts(start_program)
+    if not os.access("/dev/net/tun", os.R_OK | os.W_OK):
+        pytest.skip("needs /dev/net/tun")
+    words = (far.pid, CABLE, delay_s, loss, rate, seed)
+    link = start_program(*near.enter, sys.executable, LOSSY_LINK, *map(str, words), stdin=subprocess.PIPE)
+    link.wait_for("linked")
+    _set_up_cable(near, far)
+    return near, far, link
+
+
+def _two_hosts(start_program: Callable[..., Program]) -> tuple[Host, Host]:
     _skip_if_impossible()
     near = Host(start_program, ("unshare", "-Urnm"), "10.77.0.1")
-    far = Host(start_program, (*near.enter, *_CREATED), "10.77.0.2")
-    near.run("ip", "link", "add", CABLE, "type", "veth", "peer", "name", CABLE, "netns", far.pid)
-    for host, address in ((near, "10.77.0.1"), (far, "10.77.0.2")):
-        host.set_up(CABLE, address)
+    return near, Host(start_program, (*near.enter, *_CREATED), "10.77.0.2")
+
+
+def _set_up_cable(*hosts: Host) -> None:
+    for host in hosts:
+        assert host.address is not None
+        host.set_up(CABLE, host.address)
         host.run("ip", "route", "add", "default", "dev", CABLE)
-    return near, far
 
 
 def containers_of_a_host(start_program: Callable[..., Program]) -> tuple[Host, Host]:
