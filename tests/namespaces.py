@@ -16,6 +16,8 @@ SNIFF = Path(__file__).parent / "programs" / "sniff.py"
 LOSSY_LINK = Path(__file__).parent / "programs" / "lossy_link.py"
 CABLE = "cable"
 """The name of a host's interface, besides lo."""
+QUEUE_S = 0.2
+"""How long a packet waits for its turn on a lossy link [s], before it is dropped."""
 
 MARK = "88b5" + "6d61726b"
 """The protocol and the content of a frame that marks a time, in hex. The protocol is for local use (IEEE 802)."""
@@ -114,7 +116,7 @@ def hosts_on_a_lossy_link(
     near, far = _two_hosts(start_program)
     if not os.access("/dev/net/tun", os.R_OK | os.W_OK):
         pytest.skip("needs /dev/net/tun")
-    words = (far.pid, CABLE, delay_s, loss, rate, seed)
+    words = (far.pid, CABLE, delay_s, loss, rate, QUEUE_S, seed)
     link = start_program(*near.enter, sys.executable, LOSSY_LINK, *map(str, words), stdin=subprocess.PIPE)
     link.wait_for("linked")
     _set_up_cable(near, far)

@@ -1,7 +1,8 @@
 """A link between two network namespaces that delays, loses and slows IP packets, as `tc netem` does where it exists.
 
 Arguments: the process whose network is at the far end (the near one is this process's own), the interface's name, the
-delay of each way [s], the share of packets that are lost, the rate of each way [bit/s], the seed of the losses.
+delay of each way [s], the share of packets that are lost, the rate of each way [bit/s], how long a packet may wait for
+its turn [s], the seed of the losses.
 
 Prints `linked`. A line on stdin is answered by `packets N lost N late N`: those sent into the link so far, those that
 the dice took, and those for which its queue had no room. The link ends with stdin, or with this process, however that
@@ -19,13 +20,13 @@ import struct
 import sys
 import time
 from collections import deque
+from contextlib import suppress
+from pathlib import Path
 
 _CLONE_NEWNET = 0x40000000
 _TUNSETIFF = 0x400454CA
 _IFF_TUN, _IFF_NO_PI = 0x1, 0x1000
 _MAX_PACKET = 65536
-MAX_QUEUE_S = 0.2
-"""How long a packet may wait for its turn; one that would wait longer is dropped, as by a router's full queue."""
 
 
 def open_tun(interface: str) -> int:
@@ -37,7 +38,7 @@ def open_tun(interface: str) -> int:
 
 def enter_network_of(pid: str) -> None:
     """Move this thread to another process's network; a TUN that is open stays where it was made."""
-    with open(f"/proc/{pid}/ns/net", "rb") as network:
+    with Path(f"/proc/{pid}/ns/net").open("rb") as network:
         if ctypes.CDLL(None, use_errno=True).setns(network.fileno(), _CLONE_NEWNET):
             error = ctypes.get_errno()
             raise OSError(error, f"can't enter the network of process {pid}: {os.strerror(error)}")
@@ -52,15 +53,26 @@ class Way:
         delay_s: How long each packet takes, after its turn [s].
         loss: The share of packets that are lost.
         rate: Bits a second.
+        queue_s: How long a packet may wait for its turn [s]; one that would wait longer is dropped, as by a full queue.
         seed: Of the losses.
     """
 
-    def __init__(self, source: int, sink: int, delay_s: float, loss: float, rate: float, seed: str) -> None:
+    def __init__(
+        self,
+        source: int,
+        sink: int,
+        delay_s: float,
+        loss: float,
+        rate: float,
+        queue_s: float,
+        seed: str,
+    ) -> None:
         self.source = source
         self._sink = sink
         self._delay_s = delay_s
         self._loss = loss
         self._rate = rate
+        self._queue_s = queue_s
         self._random = random.Random(seed)
         self._waiting: deque[tuple[float, bytes]] = deque()
         self._free_s = 0.0  # when the last packet has been sent
@@ -78,7 +90,7 @@ class Way:
     def _add(self, packet: bytes, now_s: float) -> None:
         self.packets += 1
         start_s = max(now_s, self._free_s)
-        if start_s - now_s > MAX_QUEUE_S:
+        if start_s - now_s > self._queue_s:
             self.late += 1
             return
         # A packet that is lost in the air has used it.
@@ -92,10 +104,8 @@ class Way:
         """Give the other end what is due. The kernel drops a packet while that interface is down."""
         now_s = time.monotonic()
         while self._waiting and self._waiting[0][0] <= now_s:
-            try:
+            with suppress(OSError):
                 os.write(self._sink, self._waiting.popleft()[1])
-            except OSError:
-                self.late += 1
 
     def wait_s(self) -> float | None:
         """Return the time until a packet is due [s]; None: none waits."""
@@ -114,20 +124,25 @@ def forward(ways: tuple[Way, Way]) -> None:
         if 0 in ready:
             if not os.read(0, 1024):
                 return
-            packets, lost, late = (sum(getattr(way, name) for way in ways) for name in ("packets", "lost", "late"))
+            packets, lost, late = (
+                sum(getattr(way, name) for way in ways) for name in ("packets", "lost", "late")
+            )
             print("packets", packets, "lost", lost, "late", late, flush=True)
 
 
 def main() -> None:
     """Make both ends, and forward between them."""
     pid, interface, *numbers, seed = sys.argv[1:]
-    delay_s, loss, rate = map(float, numbers)
+    delay_s, loss, rate, queue_s = map(float, numbers)
     near = open_tun(interface)
     enter_network_of(pid)
     far = open_tun(interface)
     print("linked", flush=True)
     forward(
-        (Way(near, far, delay_s, loss, rate, f"{seed} out"), Way(far, near, delay_s, loss, rate, f"{seed} back"))
+        (
+            Way(near, far, delay_s, loss, rate, queue_s, f"{seed} out"),
+            Way(far, near, delay_s, loss, rate, queue_s, f"{seed} back"),
+        )
     )
 
 
