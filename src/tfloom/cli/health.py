@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 
 import tfloom
 from tfloom.cli.finding import Finding, Verdict
+from tfloom.cli.other_wire import check_other_wire
 from tfloom.cli.peer_health import check_peers
 from tfloom.cli.zenoh_health import WIRE, check_zenoh_reach, is_zenoh_selected
 from tfloom.rmw.errors import WireError
@@ -494,6 +495,7 @@ CHECKS: dict[str, Callable[[], Finding]] = {
     "reach": check_reach,
     "round trip": check_round_trip,
     "peers": check_peers,
+    "other wire": check_other_wire,
     "names": check_names,
     "commands": check_commands,
     "workspace": check_workspace,
