@@ -345,7 +345,9 @@ PATIENT_DEMO = (
 """The command `ros2`, whose demonstration waits ten times as long for its programs, because the emulator is slow."""
 PURE_PACKAGES = (
     "rosbags<0.12",
+    "pytest>=9",
     "pytest-xdist>=3.7",
+    "pytest-rerunfailures>=16",
     "./packages/tfloom-ros2",
     "./packages/tfloom-interfaces",
 )
