@@ -47,6 +47,13 @@ def test_what_is_missing_is_named(
     assert expected in capsys.readouterr().err
 
 
+def test_chosen_tests_exist() -> None:
+    """In a chroot, a renamed file would be noticed after a quarter of an hour."""
+    chosen = [*platforms.TESTS.values(), *platforms.TESTS_ON_ARM64.values(), platforms.SHORT_TESTS]
+    missing = [path for paths in chosen for path in paths.split() if not (platforms.ROOT / path).exists()]
+    assert missing == []
+
+
 def test_mounts_are_of_the_command_alone(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """Or /dev of this machine would stay in a folder that the next run removes."""
     monkeypatch.setattr(platforms, "FOLDER", tmp_path)
