@@ -596,3 +596,37 @@ def test_images_of_a_camera_are_exchanged_in_its_pyramid_at_the_time_that_is_sho
     wait_until(lambda: shown() == 40, what="the image before")
     page.send(op="choose", topic="/camera/camera_info", choice="no image")
     wait_until(lambda: shown() is None, what="the pyramid alone")
+
+
+def test_wire_that_refuses_the_log_or_the_tools_leaves_the_rest_and_the_page_says_why(
+    node: Node, viewer: Viewer, open_page: OpenPage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    live = viewer._live
+    assert live is not None
+
+    def refuse() -> None:
+        raise WireError("planted refusal")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(live.log, "open", refuse)
+        patch.setattr(live.tools, "open", refuse)
+        page = open_page(viewer)
+        for said in ("the log of the graph is not read", "the topics of the tools are not open"):
+            page.wait_for(lambda said=said: f"{said}: planted refusal" in [line["text"] for line in page.log])
+        feed(node, viewer)
+        page.wait_for(lambda: page.row("laser"))
+        page.socket.close()
+        wait_until(lambda: not viewer._is_open, what="the end of the page")
+    again = open_page(viewer)
+    wait_until(lambda: node.count_subscribers("/rosout") >= 1, what="the reader of /rosout")
+    assert again.state
+
+
+def test_trails_that_a_layout_has_too_many_of_are_named_on_the_page(
+    viewer: Viewer, open_page: OpenPage
+) -> None:
+    viewer.apply(Layout(trails=tuple(f"frame_{number}" for number in range(22))))
+    page = open_page(viewer)
+    assert len(page.state["trails"]) == 20
+    said = page.wait_for(lambda: [line["text"] for line in page.log if "trails" in line["text"]])
+    assert said == ["there are at most 20 trails; those of these frames are not shown: frame_20, frame_21"]

@@ -22,7 +22,7 @@ from tfloom.viewer.pictures import picture_of
 from tfloom.viewer.scene import Scene
 from tfloom.viewer.scene_server import SceneServer
 from tfloom.viewer.shapes import DisplayError
-from tfloom.viewer.view import View
+from tfloom.viewer.view import MAX_TRAILS, View
 from tfloom.whole_files import write_file
 
 if TYPE_CHECKING:
@@ -42,6 +42,10 @@ STATE_S = 0.25
 """Period at which pages get what is beside the scene [s]; at once after a command."""
 MAX_COMMANDS = 1000
 """Number of commands that wait; of more, the newest are dropped."""
+MAX_NOTE = 2000
+"""Length of a line that the viewer itself adds to the log [characters]."""
+WARN = 30
+"""The level of such a line."""
 TICK_S = 0.5
 """Longest wait for a command while no page is open [s]: so long takes an end."""
 
@@ -131,8 +135,25 @@ class Viewer:
         self._is_open = True
         self.view.resume()
         if self._live is not None:
-            self._live.log.open()
-            self._live.tools.open()
+            self._try_open("the log of the graph is not read", self._live.log.open)
+            self._try_open("the topics of the tools are not open", self._live.tools.open)
+
+    def _try_open(self, failure: str, open_part: Callable[[], None]) -> None:
+        """Open a part; where the wire refuses it, tell the pages, which show the rest."""
+        try:
+            open_part()
+        except WireError as error:
+            self._note(f"{failure}: {error}")
+
+    def _note(self, said: str) -> None:
+        """Tell the pages something by a line of their log, also those that open later."""
+        line = {
+            "stamp_ns": str(time.time_ns()),
+            "level": WARN,
+            "name": "tfloom_view",
+            "text": shown_text(said, MAX_NOTE),
+        }
+        self.pages.add_lines([line], MAX_LINES)
 
     def _close(self) -> None:
         self._is_open = False
@@ -195,6 +216,9 @@ class Viewer:
     def apply(self, layout: Layout) -> None:
         """Show what a layout says, and let new pages look from where it says."""
         self.view.apply(layout)
+        if missing := layout.trails[MAX_TRAILS:]:
+            said = f"there are at most {MAX_TRAILS} trails; those of these frames are not shown: {', '.join(missing)}"
+            self._note(said)
         self.pages.view_point = layout.camera
 
     def _save_layout(self, page: str) -> None:

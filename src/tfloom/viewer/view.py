@@ -45,7 +45,7 @@ if TYPE_CHECKING:
     from tfloom.viewer.scene import Scene
     from tfloom.viewer.topics import Topics
 
-__all__ = ["View"]
+__all__ = ["MAX_TRAILS", "View"]
 
 LOOK_S = 0.5
 """Period at which rates, ages and publishers are observed [s]."""
@@ -54,6 +54,7 @@ DIAGNOSE_S = 2.0
 TRAIL_S = 0.2
 """Period at which trails are drawn anew [s]."""
 MAX_TRAILS = 20
+"""Number of trails; of a layout with more, the first ones are shown."""
 MAX_DISPLAYS = 100
 MAX_ROWS = 1000
 """Number of rows of the tree that a page gets."""
