@@ -59,6 +59,8 @@ class Mapper(Node):
         """When a scan was received last; None after a report of silence."""
         self.lost = 0
         self.problem = ""
+        self.others = 0
+        """Number of other nodes that publish the map."""
         self.has_changed = False
         self.create_subscription(LaserScan, "scan", self.on_scan, qos_profile_sensor_data)
         self.create_subscription(PoseWithCovarianceStamped, "initialpose", self.on_initial_pose, 1)
@@ -151,6 +153,16 @@ class Mapper(Node):
         else:
             self.get_logger().info("Scans fit the map again")
 
+    def report_others(self, others: int) -> None:
+        """Log how many other nodes map on this domain, when their number changes: each corrects the same frames."""
+        if others > self.others:
+            topic = self.publisher.topic_name
+            self.get_logger().warn(
+                f"{topic} has {others} more publisher(s): map → odom jumps between their corrections and this one's. "
+                "Stop the others, or use another ROS_DOMAIN_ID"
+            )
+        self.others = others
+
     def on_initial_pose(self, message: PoseWithCovarianceStamped) -> None:
         """Set the robot's pose to the one that a person has chosen; the next scan corrects it."""
         frame = message.header.frame_id
@@ -171,6 +183,7 @@ class Mapper(Node):
         self.get_logger().info(f"The robot is at {pose.x:.2f}, {pose.y:.2f}, {math.degrees(pose.yaw):.0f}°")
 
     def publish_map(self) -> None:
+        self.report_others(self.count_publishers("map") - 1)
         if not self.has_changed:
             return
         self.has_changed = False

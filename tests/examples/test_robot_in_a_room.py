@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tests.conftest import wait_until
 
 from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.interfaces.geometry_msgs.msg import PoseWithCovarianceStamped, Twist
@@ -343,6 +344,24 @@ def test_mapper_finds_the_drift(feed: Feed, capsys: pytest.CaptureFixture[str]) 
     correction = feed.node.map_from_odom
     assert correction[:2] == pytest.approx(drift[:2], abs=0.06)
     assert correction.yaw == pytest.approx(drift[2], abs=0.02)
+    assert logged(capsys) == []
+
+
+def test_second_mapper_on_the_graph_is_reported_once(feed: Feed, capsys: pytest.CaptureFixture[str]) -> None:
+    feed.node.publish_map()
+    assert logged(capsys) == []
+    second = feed.module.Mapper()
+    try:
+        wait_until(lambda: feed.node.count_publishers("map") == 2)
+        for _ in range(2):
+            feed.node.publish_map()
+        # Both have one name, which is logged, too.
+        (line,) = (line for line in logged(capsys) if "publisher(s)" in line)
+        assert line.startswith("/map has 1 more publisher(s): map → odom jumps between")
+    finally:
+        second.destroy_node()
+    wait_until(lambda: feed.node.count_publishers("map") == 1)
+    feed.node.publish_map()
     assert logged(capsys) == []
 
 
