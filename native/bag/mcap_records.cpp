@@ -6,11 +6,11 @@ namespace tfloom::bag {
 
 RunSummary summarise(std::span<const std::byte> data, std::size_t begin) {
   RunSummary summary;
-  RecordWalk walk(data, begin);
-  while (walk.advance()) {
-    const Record& record = walk.record();
-    if (walk.is_message()) {
-      const MessageRecord message = walk.message();
+  RecordReader reader(data, begin);
+  while (reader.advance()) {
+    const Record& record = reader.record();
+    if (reader.is_message()) {
+      const MessageRecord message = reader.message();
       ++summary.counts[message.channel];
       summary.first = std::min(summary.first, message.log_time);
       summary.last = std::max(summary.last, message.log_time);
@@ -18,11 +18,11 @@ RunSummary summarise(std::span<const std::byte> data, std::size_t begin) {
                record.opcode == static_cast<std::uint8_t>(Opcode::channel)) {
       summary.others.push_back(record);
     } else {
-      walk.go_back();
+      reader.go_back();
       break;
     }
   }
-  summary.end = walk.next();
+  summary.end = reader.next();
   return summary;
 }
 
@@ -30,9 +30,9 @@ IndexSummary summarise_indexes(std::span<const std::byte> data) {
   constexpr std::size_t prefix_size = 6;  // the channel, and the size of the entries
   constexpr std::size_t entry_size = 16;  // log time and offset
   IndexSummary summary;
-  RecordWalk walk(data, 0);
-  while (walk.advance()) {
-    const Record& record = walk.record();
+  RecordReader reader(data, 0);
+  while (reader.advance()) {
+    const Record& record = reader.record();
     const std::size_t at = record.offset - record_header_size;
     if (record.opcode != static_cast<std::uint8_t>(Opcode::message_index)) {
       throw RecordError(at, "a record of kind " + std::to_string(record.opcode) + " is no message index");
@@ -49,7 +49,7 @@ IndexSummary summarise_indexes(std::span<const std::byte> data) {
       ++summary.count;
     }
   }
-  walk.require_end();
+  reader.require_end();
   return summary;
 }
 

@@ -48,10 +48,10 @@ T read_little_endian(const std::byte* from) {
   return value;
 }
 
-// Walks records one after the other.
-class RecordWalk {
+// Reads records one after the other.
+class RecordReader {
  public:
-  RecordWalk(std::span<const std::byte> data, std::size_t begin) : data_(data), next_(begin) {}
+  RecordReader(std::span<const std::byte> data, std::size_t begin) : data_(data), next_(begin) {}
 
   // Read the next record; return false at the end, or before a record that is not whole.
   bool advance() {

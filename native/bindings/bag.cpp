@@ -53,9 +53,9 @@ nb::list counts(const Chunk& chunk) {
 
 nb::list messages(const Chunk& chunk) {
   nb::list result;
-  bag::RecordWalk walk(chunk.records, 0);
-  while (walk.advance()) {
-    const bag::MessageRecord message = walk.message();
+  bag::RecordReader reader(chunk.records, 0);
+  while (reader.advance()) {
+    const bag::MessageRecord message = reader.message();
     result.append(nb::make_tuple(message.channel, static_cast<std::int64_t>(message.log_time),
                                  static_cast<std::int64_t>(message.publish_time),
                                  nb::bytes(chunk.records.data() + message.offset, message.size)));

@@ -26,7 +26,7 @@ namespace {
 using bag::Form;
 using bag::MessageRecord;
 using bag::Record;
-using bag::RecordWalk;
+using bag::RecordReader;
 using bag::TfInserter;
 
 std::span<const std::byte> span_of(const nb::bytes& data) {
@@ -64,15 +64,15 @@ nb::list list_messages(const nb::bytes& data, const nb::object& wanted, std::uin
   const Channels channels = channels_of(wanted);
   const auto records = without_gil([octets = span_of(data), &channels, start, end] {
     std::vector<MessageRecord> messages;
-    RecordWalk walk(octets, 0);
-    while (walk.advance()) {
-      if (!walk.is_message()) continue;
-      const MessageRecord message = walk.message();
+    RecordReader reader(octets, 0);
+    while (reader.advance()) {
+      if (!reader.is_message()) continue;
+      const MessageRecord message = reader.message();
       if (channels[message.channel] && message.log_time >= start && message.log_time <= end) {
         messages.push_back(message);
       }
     }
-    walk.require_end();
+    reader.require_end();
     return messages;
   });
   nb::list messages;
@@ -137,16 +137,16 @@ class TfRecords {
  private:
   static std::size_t insert_records(std::span<const std::byte> octets, const std::vector<TfInserter*>& of_channel,
                                     std::uint64_t start, std::uint64_t end) {
-    RecordWalk walk(octets, 0);
-    while (walk.advance()) {
-      if (!walk.is_message()) continue;
-      const MessageRecord message = walk.message();
+    RecordReader reader(octets, 0);
+    while (reader.advance()) {
+      if (!reader.is_message()) continue;
+      const MessageRecord message = reader.message();
       TfInserter* inserter = of_channel[message.channel];
       if (inserter == nullptr) continue;
       if (!inserter->is_static() && (message.log_time < start || message.log_time > end)) continue;
       inserter->insert(octets.subspan(message.offset, message.size));
     }
-    return walk.next();
+    return reader.next();
   }
 
   void finish() {

@@ -196,9 +196,9 @@ nb::bytes encode(const nb::handle& message) {
   ObjectPlan& plan = plan_of(Py_TYPE(message.ptr()));
   BytesStorage storage;
   cdr::Writer out(storage, plan.last_size);
-  ObjectSource source;
+  ObjectReader reader;
   try {
-    cdr::Emitter(source, out).message(nb::borrow(message), plan);
+    cdr::Encoder(reader, out).message(nb::borrow(message), plan);
   } catch (const cdr::EncodeError& error) {
     const std::string reason = error.what();
     const std::string path = whole_path(plan, error);
@@ -212,8 +212,8 @@ nb::bytes encode(const nb::handle& message) {
 nb::object decode_octets(const ObjectPlan& plan, PyTypeObject* type, std::span<const std::byte> octets) {
   try {
     cdr::Cursor in(octets);
-    ObjectSink sink(type);
-    auto message = cdr::Reader(in, sink).message(plan);
+    ObjectBuilder builder(type);
+    auto message = cdr::Decoder(in, builder).message(plan);
     constexpr std::size_t max_padding = 7;  // wires pad to 4 or 8
     if (in.left() > max_padding) in.fail(std::to_string(in.left()) + " bytes are left over");
     return message;

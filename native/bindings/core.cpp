@@ -18,7 +18,7 @@ using namespace nb::literals;
 namespace tfloom::bindings {
 namespace {
 
-Gid gid_of_publisher(const nb::bytes& bytes) { return octets_of<16>(bytes, "publisher_gid must have 16 octets"); }
+Gid gid_of_publisher(const nb::bytes& bytes) { return octets_of<16>(bytes, "publisher_gid must have 16 bytes"); }
 
 std::vector<ReadyQueue::Token> wait_for_tokens(ReadyQueue& queue, std::int64_t timeout_ns, bool quiet) {
   std::vector<ReadyQueue::Token> tokens;
@@ -70,7 +70,7 @@ void bind_core(nb::module_& m) {
             sink.push(view, info);
           },
           "data"_a, "source_stamp_ns"_a, "received_stamp_ns"_a, "publisher_gid"_a,
-          "Push one sample: encapsulation header and CDR, stamps [ns since epoch], 16 octets of gid.")
+          "Push one sample: encapsulation header and CDR, stamps [ns since epoch], 16 bytes of gid.")
       .def(
           "forget", [](Sink& sink, const nb::bytes& publisher_gid) { sink.forget(gid_of_publisher(publisher_gid)); },
           "publisher_gid"_a, "Forget what is stored for a publisher that has left.")

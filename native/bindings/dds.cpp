@@ -54,8 +54,8 @@ nb::bytes to_bytes(const Gid& gid) { return nb::bytes(gid.data(), gid.size()); }
 nb::bytes to_bytes(const std::string& text) { return nb::bytes(text.data(), text.size()); }
 nb::bytes to_bytes(std::span<const std::byte> data) { return nb::bytes(data.data(), data.size()); }
 
-auto key_of(const nb::bytes& bytes) { return octets_of<8>(bytes, "a client's key has 8 octets"); }
-Gid to_gid(const nb::bytes& bytes) { return octets_of<16>(bytes, "a gid has 16 octets"); }
+auto key_of(const nb::bytes& bytes) { return octets_of<8>(bytes, "a client's key has 8 bytes"); }
+Gid to_gid(const nb::bytes& bytes) { return octets_of<16>(bytes, "a gid has 16 bytes"); }
 
 std::string to_string(const nb::bytes& bytes) { return {bytes.c_str(), bytes.size()}; }
 
@@ -93,7 +93,7 @@ nb::object take_event(Endpoint& endpoint, int event) {
 template <typename Endpoint>
 void bind_endpoint(nb::class_<Endpoint>& endpoint) {
   endpoint
-      .def_prop_ro("gid", [](const Endpoint& self) { return to_bytes(self.gid()); }, "16 octets.")
+      .def_prop_ro("gid", [](const Endpoint& self) { return to_bytes(self.gid()); }, "16 bytes.")
       .def("matched_count", &Endpoint::matched_count, "Return how many peers are matched now.")
       .def("matched", &matched<Endpoint>, nb::sig("def matched(self) -> list[tuple[bytes, bytes]]"),
            "Return the gid and the user data of each peer that is matched now.")
@@ -144,7 +144,7 @@ void bind_participant(nb::module_& m) {
           "library_path"_a, "domain_id"_a, "config"_a, "user_data"_a, "is_local"_a = false,
           "Join a domain with the libddsc at `library_path`, Cyclone's XML `config` and the published `user_data`. With "
           "`is_local`, bind the domain's sockets to the loopback interface where the system allows it.")
-      .def_prop_ro("gid", [](const Participant& self) { return to_bytes(self.gid()); }, "16 octets.")
+      .def_prop_ro("gid", [](const Participant& self) { return to_bytes(self.gid()); }, "16 bytes.")
       .def_prop_ro(
           "loopback_failure", [](const Participant& self) { return self.loopback_failure(); },
           "Why the domain's sockets are not bound as `is_local` requests; empty if they are, or without `is_local`.")
@@ -177,7 +177,7 @@ void bind_writer(nb::module_& m) {
             reader.join(std::move(end));
           },
           "reader"_a, "service"_a, "client"_a.none(),
-          "Become an end of a service, with the reader of the other topic: a client whose headers have the 8 octets "
+          "Become an end of a service, with the reader of the other topic: a client whose headers have the 8 bytes "
           "`client`, or a server. To be called before the first sample is written or taken.")
       .def("assert_liveliness", &Writer::assert_liveliness, ReleaseGil(), "Signal that this writer is alive.")
       .def("probe", &Writer::probe, ReleaseGil(),
@@ -245,7 +245,7 @@ void bind_library(nb::module_& m) {
       "unless it is one of PyPI's builds (`is_common_build`) in a version that was tried. Raise RuntimeError if it can't "
       "be used.");
   m.def(
-      "see_dds_packets", [](const std::string& path) { return dds::see_packets(dds::Library::open(path).handle); },
+      "intercept_dds_packets", [](const std::string& path) { return dds::intercept_packets(dds::Library::open(path).handle); },
       "path"_a, ReleaseGil(),
       "Translate services for peers on Fast DDS in the packets of the libddsc at `path`. Return the reason why this can't "
       "be done here; empty if it is done.");
@@ -257,7 +257,7 @@ void bind_library(nb::module_& m) {
       "gid"_a, "Return whether an address of the participant of this endpoint is known.");
   m.def(
       "dds_read_versions", [] { rtps::ServiceForms::of_process().read_versions(); },
-      "From here on, note the versions of DDS that participants announce, where `see_dds_packets` is done.");
+      "From here on, note the versions of DDS that participants announce, where `intercept_dds_packets` is done.");
   m.def(
       "dds_version",
       [](const nb::bytes& gid) {
@@ -272,7 +272,7 @@ void bind_library(nb::module_& m) {
         return to_bytes(*gid);
       },
       "key"_a,
-      "Return the gid that awaits the responses for a client on Fast DDS, by the 8 octets in its headers; None for "
+      "Return the gid that awaits the responses for a client on Fast DDS, by the 8 bytes in its headers; None for "
       "others.");
   m.def(
       "test_dds_library", [](const std::string& path) { dds::run_self_test(dds::Library::open(path)); }, "path"_a,

@@ -28,7 +28,7 @@ void bind_headers(nb::module_& m) {
                                     "The messages begin with a `std_msgs/msg/Header`; nothing else is read.")
       .def(nb::init<>())
       .def("uses", &uses_of, nb::sig("def uses(self) -> list[tuple[bytes, str, int]]"),
-           "Return the gid of a publisher (16 octets), a frame id, and the number of messages, for all of these.")
+           "Return the gid of a publisher (16 bytes), a frame id, and the number of messages, for all of these.")
       .def_prop_ro("unreadable_count", &cdr::HeaderSink::unreadable_count,
                    "Number of messages that have no such header.");
 }

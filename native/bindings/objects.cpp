@@ -50,7 +50,7 @@ nb::object copy(const nb::object& object) {
   return nb::steal(result);
 }
 
-ObjectSink::Value ObjectSink::octet(std::uint8_t value) {
+ObjectBuilder::Value ObjectBuilder::octet(std::uint8_t value) {
   const char letter = static_cast<char>(value);
   return checked(PyBytes_FromStringAndSize(&letter, 1));
 }
@@ -66,7 +66,7 @@ bool is_ascii(std::string_view text) noexcept {
 
 }  // namespace
 
-ObjectSink::Value ObjectSink::string(std::string_view text, std::size_t offset) {
+ObjectBuilder::Value ObjectBuilder::string(std::string_view text, std::size_t offset) {
   if (is_ascii(text)) {  // without, a JointState of 30 takes 16 % longer: benchmarks/native, "ASCII text"
     Value object = checked(PyUnicode_New(static_cast<Py_ssize_t>(text.size()), 127));
     // An empty text may have no address, which memcpy must not be given.
@@ -82,18 +82,18 @@ ObjectSink::Value ObjectSink::string(std::string_view text, std::size_t offset) 
   throw DecodeError(offset, "the text is not UTF-8");
 }
 
-ObjectSink::Value ObjectSink::wide(std::u32string_view text) {
+ObjectBuilder::Value ObjectBuilder::wide(std::u32string_view text) {
   return checked(
       PyUnicode_FromKindAndData(PyUnicode_4BYTE_KIND, text.data(), static_cast<Py_ssize_t>(text.size())));
 }
 
-ObjectSink::Value ObjectSink::list(std::uint32_t length) {
+ObjectBuilder::Value ObjectBuilder::list(std::uint32_t length) {
   Value list = checked(PyList_New(static_cast<Py_ssize_t>(length)));
   PyObject_GC_UnTrack(list.ptr());  // until its items are set, because `gc.get_objects` would return it with null items
   return list;
 }
 
-ObjectSink::Value ObjectSink::sequence(const ObjectPlan::Slot& slot, std::span<const std::byte> octets, bool swap) {
+ObjectBuilder::Value ObjectBuilder::sequence(const ObjectPlan::Slot& slot, std::span<const std::byte> octets, bool swap) {
   Value array = copy(slot.empty);
   if (octets.empty()) return array;
   // One copy, from the sample into the array.
@@ -148,14 +148,14 @@ nb::object as_int(PyObject* value) {
 
 }  // namespace
 
-ObjectSource::Held ObjectSource::open(Value value, const cdr::Plan& plan) {
+ObjectReader::Held ObjectReader::open(Value value, const cdr::Plan& plan) {
   PyTypeObject* expected = static_cast<const ObjectPlan&>(plan).type;
   const bool matches = Py_TYPE(value) == expected || PyType_IsSubtype(Py_TYPE(value), expected) != 0;
   if (!matches) throw_mismatch("a " + plan.name, value);
   return nb::borrow(value);
 }
 
-bool ObjectSource::boolean(Value value) {
+bool ObjectReader::boolean(Value value) {
   if (value == Py_True) return true;
   if (value == Py_False) return false;
   const std::string_view type = Py_TYPE(value)->tp_name;
@@ -163,12 +163,12 @@ bool ObjectSource::boolean(Value value) {
   return PyObject_IsTrue(value) == 1;
 }
 
-std::uint8_t ObjectSource::octet(Value value) {
+std::uint8_t ObjectReader::octet(Value value) {
   if (!PyBytes_Check(value) || PyBytes_GET_SIZE(value) != 1) throw_mismatch("bytes of length 1", value);
   return static_cast<std::uint8_t>(PyBytes_AS_STRING(value)[0]);
 }
 
-std::string_view ObjectSource::any_string(Value value) {
+std::string_view ObjectReader::any_string(Value value) {
   if (!PyUnicode_Check(value)) throw_mismatch("a str", value);
   Py_ssize_t size = 0;
   const char* text = PyUnicode_AsUTF8AndSize(value, &size);  // kept by the str
@@ -178,7 +178,7 @@ std::string_view ObjectSource::any_string(Value value) {
   throw_mismatch("text without lone surrogates", value);
 }
 
-std::u32string ObjectSource::wide(Value value) {
+std::u32string ObjectReader::wide(Value value) {
   string(value);  // throws if it is no text
   const auto size = static_cast<std::size_t>(PyUnicode_GET_LENGTH(value));
   std::u32string text(size, U'\0');
@@ -187,7 +187,7 @@ std::u32string ObjectSource::wide(Value value) {
   return text;
 }
 
-ObjectSource::Held ObjectSource::open_list(Value value) {
+ObjectReader::Held ObjectReader::open_list(Value value) {
   if (PyList_CheckExact(value) || PyTuple_CheckExact(value)) return nb::borrow(value);
   if (PyUnicode_Check(value) || PyBytes_Check(value) || PyDict_Check(value)) throw_mismatch("a sequence", value);
   const auto held = nb::borrow(value);
@@ -197,7 +197,7 @@ ObjectSource::Held ObjectSource::open_list(Value value) {
   throw_mismatch("a sequence", value);
 }
 
-ObjectSource::Value ObjectSource::item(const Held& list, std::size_t index) {
+ObjectReader::Value ObjectReader::item(const Held& list, std::size_t index) {
   // The list may have shrunk, because encoding an element may run any code.
   constexpr auto gone = "is gone: the list changed while it was encoded";
 #ifdef Py_GIL_DISABLED
@@ -212,7 +212,7 @@ ObjectSource::Value ObjectSource::item(const Held& list, std::size_t index) {
   return PySequence_Fast_GET_ITEM(list.ptr(), static_cast<Py_ssize_t>(index));
 }
 
-double ObjectSource::real(Value value, double limit) {
+double ObjectReader::real(Value value, double limit) {
   const auto held = nb::borrow(value);
   const double number = PyFloat_AsDouble(value);  // accepts __float__ and __index__: an int, numpy's numbers
   if (number == -1.0 && PyErr_Occurred() != nullptr) {
@@ -223,7 +223,7 @@ double ObjectSource::real(Value value, double limit) {
   return number;
 }
 
-std::int64_t ObjectSource::integer(Value value, std::int64_t least, std::int64_t greatest) {
+std::int64_t ObjectReader::integer(Value value, std::int64_t least, std::int64_t greatest) {
   int overflow = 0;
   const auto exact = PyLong_CheckExact(value) ? nb::object() : as_int(value);
   const std::int64_t number = PyLong_AsLongLongAndOverflow(exact.is_valid() ? exact.ptr() : value, &overflow);
@@ -235,7 +235,7 @@ std::int64_t ObjectSource::integer(Value value, std::int64_t least, std::int64_t
   return number;
 }
 
-std::uint64_t ObjectSource::natural(Value value) {
+std::uint64_t ObjectReader::natural(Value value) {
   const auto exact = as_int(value);
   const std::uint64_t number = PyLong_AsUnsignedLongLong(exact.ptr());
   if (number == static_cast<std::uint64_t>(-1) && PyErr_Occurred() != nullptr) {
@@ -245,7 +245,7 @@ std::uint64_t ObjectSource::natural(Value value) {
   return number;
 }
 
-char ObjectSource::format_of(const char* format) noexcept {
+char ObjectReader::format_of(const char* format) noexcept {
   if (*format == '@' || *format == '=' || (*format == '<' && std::endian::native == std::endian::little)) ++format;
   return format[0] != '\0' && format[1] == '\0' ? format[0] : '\0';
 }

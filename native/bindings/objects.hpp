@@ -1,4 +1,4 @@
-// Python messages: their plans, and the sink and the source by which the codec creates and reads them.
+// Python messages: their plans, and the builder and the reader by which the codec makes and reads them.
 #pragma once
 
 #include <nanobind/nanobind.h>
@@ -12,7 +12,7 @@
 
 #include "bindings/message_memory.hpp"
 #include "cdr/plan.hpp"
-#include "cdr/walk.hpp"
+#include "cdr/message_codec.hpp"
 
 namespace tfloom::bindings {
 
@@ -93,12 +93,12 @@ class Buffer {
   Py_buffer view_;
 };
 
-// Creates Python messages; the sink of cdr::Reader.
-class ObjectSink {
+// Creates Python messages; the builder of cdr::Decoder.
+class ObjectBuilder {
  public:
   using Value = nb::object;
 
-  explicit ObjectSink(PyTypeObject* outermost) : outermost_(outermost) {}
+  explicit ObjectBuilder(PyTypeObject* outermost) : outermost_(outermost) {}
 
   Value message(const cdr::Plan& plan) {
     PyTypeObject* type = outermost_ != nullptr ? outermost_ : static_cast<const ObjectPlan&>(plan).type;
@@ -165,9 +165,9 @@ class ObjectSink {
   PyTypeObject* outermost_;  // the class of the outermost message: the plan's class or one derived from it
 };
 
-// Reads Python messages; the source of cdr::Emitter. It holds references during the walk, because a number's __float__
+// Reads Python messages; the reader of cdr::Encoder. It holds references while a message is encoded, because a number's __float__
 // may run any code.
-class ObjectSource {
+class ObjectReader {
  public:
   using Value = PyObject*;
   using Held = nb::object;

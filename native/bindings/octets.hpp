@@ -10,7 +10,7 @@
 
 namespace tfloom::bindings {
 
-// Return the octets of `bytes`; throw ValueError with `rule` if they are not as many.
+// Return the bytes of `bytes`; throw ValueError with `rule` if they are not as many.
 template <std::size_t size>
 std::array<std::uint8_t, size> octets_of(const nanobind::bytes& bytes, const char* rule) {
   std::array<std::uint8_t, size> octets{};

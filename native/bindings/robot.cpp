@@ -110,25 +110,25 @@ nb::object convert(StateTransforms& self, const nb::bytes& data, std::int64_t no
   return nb::bytes(message.data(), message.size());
 }
 
-// The function that a sink tells: it hands bytes to one of two callables, or transforms to a writer without Python. Calls
-// that wait for the other thread are limited in number, because writing may wait for slow readers.
-class Teller {
+// The function that a sink emits to: it passes bytes to one of two callables, or transforms to a writer without Python.
+// Calls that wait for the other thread are limited in number, because writing may wait for slow readers.
+class OutputCalls {
  public:
   // `writer` may be of another wire: then `publish` is called.
-  Teller(nb::callable publish, nb::callable report, const nb::object& writer)
+  OutputCalls(nb::callable publish, nb::callable report, const nb::object& writer)
       : publish_(std::move(publish)), report_(std::move(report)) {
     if (!nb::try_cast(writer, writer_)) writer_ = nullptr;
     if (writer_ != nullptr) writer_owner_.emplace(nb::cast<nb::callable>(writer.attr("write")));
   }
 
-  void operator()(robot::Told told, std::vector<std::byte> data) const {
+  void operator()(robot::OutputKind kind, std::vector<std::byte> data) const {
     constexpr int max_waiting = 100;
     DeferredQueue* queue = DeferredQueue::current();
     if (queue == nullptr) {
-      call(told, data);
+      call(kind, data);
     } else if (waiting_->fetch_add(1) < max_waiting) {
-      queue->defer([self = *this, told, kept = std::move(data)] {
-        self.call(told, kept);
+      queue->defer([self = *this, kind, kept = std::move(data)] {
+        self.call(kind, kept);
         self.waiting_->fetch_sub(1);
       });
     } else {
@@ -137,8 +137,8 @@ class Teller {
   }
 
  private:
-  void call(robot::Told told, const std::vector<std::byte>& data) const {
-    if (told == robot::Told::transforms && writer_ != nullptr) {
+  void call(robot::OutputKind kind, const std::vector<std::byte>& data) const {
+    if (kind == robot::OutputKind::transforms && writer_ != nullptr) {
       try {
         writer_->write(data);
       } catch (const std::exception&) {  // the writer is closed, as at the end of a program
@@ -148,14 +148,14 @@ class Teller {
     const AcquiredGil gil;
     if (!gil) return;
     const nb::bytes bytes(data.data(), data.size());
-    switch (told) {
-      case robot::Told::transforms:
+    switch (kind) {
+      case robot::OutputKind::transforms:
         return publish_(bytes);
-      case robot::Told::refused:
+      case robot::OutputKind::refused:
         return report_("refused", bytes);
-      case robot::Told::left_out:
+      case robot::OutputKind::left_out:
         return report_("left out", bytes);
-      case robot::Told::moved_back:
+      case robot::OutputKind::moved_back:
         return report_("moved back", bytes);
     }
   }
@@ -166,9 +166,7 @@ class Teller {
   std::shared_ptr<std::atomic<int>> waiting_ = std::make_shared<std::atomic<int>>(0);
 };
 
-}  // namespace
-
-void bind_robot(nb::module_& m) {
+void bind_chain(nb::module_& m) {
   nb::class_<Chain>(m, "JointChain", "The joints of a robot in order from the root, for their poses at many positions.")
       .def(nb::new_(&make_chain), "joints"_a, "variable_count"_a,
            "Each joint is its form, the index of its parent link, its first variable, and multiplier and offset of a "
@@ -186,6 +184,9 @@ void bind_robot(nb::module_& m) {
              fill<&Chain::link_poses>(self, positions, out, self.joint_count() + 1);
            },
            "positions"_a, "out"_a, "Fill `out` (N, links, 7) with root_from_link at `positions` (N, variables).");
+}
+
+void bind_states(nb::module_& m) {
   nb::class_<StateTransforms>(m, "StateTransforms",
                               "Converts `sensor_msgs/msg/JointState` to `tf2_msgs/msg/TFMessage`, as bytes.")
       .def("__init__", &make_states, "joints"_a, "mimicries"_a,
@@ -205,7 +206,7 @@ void bind_robot(nb::module_& m) {
           [](std::shared_ptr<StateTransforms> self, std::optional<std::int64_t> interval_ns, nb::callable publish,
              nb::callable report, const nb::object& writer) {
             return std::make_unique<robot::StateSink>(std::move(self), interval_ns,
-                                                      Teller(std::move(publish), std::move(report), writer));
+                                                      OutputCalls(std::move(publish), std::move(report), writer));
           },
           "interval_ns"_a.none(), "publish"_a, "report"_a, "writer"_a.none() = nb::none(),
           nb::sig("def sink(self, interval_ns: int | None, publish: collections.abc.Callable[[bytes], object], report: "
@@ -218,6 +219,13 @@ void bind_robot(nb::module_& m) {
   nb::class_<robot::StateSink, Sink>(m, "StateSink", "A sink of `sensor_msgs/msg/JointState`.")
       .def("set_simulated_time", &robot::StateSink::set_simulated_time, "now_ns"_a.none(),
            "Set the time of messages that arrive from now on [ns since epoch]; None: the system's.");
+}
+
+}  // namespace
+
+void bind_robot(nb::module_& m) {
+  bind_chain(m);
+  bind_states(m);
 }
 
 }  // namespace tfloom::bindings

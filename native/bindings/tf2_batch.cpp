@@ -118,7 +118,7 @@ void move_cloud(const Array<const double, nb::shape<7>>& transform, const Array<
                 std::array<std::size_t, 2> shape, std::array<std::size_t, 2> steps,
                 std::array<std::size_t, 3> offsets) {
   const tf2::CloudLayout layout{shape[0], shape[1], steps[0], steps[1], offsets};
-  if (!layout.fits(octets.size(), sizeof(T))) throw nb::value_error("the points must lie within the octets");
+  if (!layout.fits(octets.size(), sizeof(T))) throw nb::value_error("the points must lie within the bytes");
   const Transform value = transform_at(transform.data());
   const ReleasedGil release;
   tf2::move_cloud<T>(value, layout, reinterpret_cast<std::byte*>(octets.data()));
@@ -203,7 +203,7 @@ void bind_tf2_batch(nb::module_& m, nb::class_<BufferHandle>& type) {
            "Returns False if it is unknown.")
       .def_prop_ro("memory", [](const BufferHandle& self) { return self.buffer->memory(); },
                    nb::call_guard<ReleasedGil>(),
-                   "Memory of all histories [octets].");
+                   "Memory of all histories [bytes].");
   bind_points<float>(m, type, "float32");
   bind_points<double>(m, type, "float64");
   m.def("use_wide_vectors", &use_wide_vectors, "are_wide"_a,

@@ -143,10 +143,10 @@ bool set_message(BufferHandle& self, nb::handle message, const NameArgument& aut
 }
 
 template <std::size_t N>
-nb::object build(ObjectSink& sink, const ObjectPlan& plan, const std::array<double, N>& values) {
-  nb::object message = sink.message(plan);
-  for (std::size_t i = 0; i < N; ++i) sink.set(message, plan, i, sink.number(values[i]));
-  sink.finish(message, plan);
+nb::object build(ObjectBuilder& builder, const ObjectPlan& plan, const std::array<double, N>& values) {
+  nb::object message = builder.message(plan);
+  for (std::size_t i = 0; i < N; ++i) builder.set(message, plan, i, builder.number(values[i]));
+  builder.finish(message, plan);
   return message;
 }
 
@@ -159,24 +159,24 @@ nb::object build_message(const tf2::StampedTransform& found, nb::handle target, 
     --sec;
     nanosec += ns_per_s;
   }
-  ObjectSink sink(nullptr);
-  nb::object stamp = sink.message(plans.time);
-  sink.set(stamp, plans.time, 0, sink.number(sec));
-  sink.set(stamp, plans.time, 1, sink.number(nanosec));
-  sink.finish(stamp, plans.time);
-  nb::object header = sink.message(plans.header);
-  sink.set(header, plans.header, 0, std::move(stamp));
-  sink.set(header, plans.header, 1, nb::borrow(target));
-  sink.finish(header, plans.header);
-  nb::object transform = sink.message(plans.transform);
-  sink.set(transform, plans.transform, 0, build(sink, plans.vector3, std::array{p.x, p.y, p.z}));
-  sink.set(transform, plans.transform, 1, build(sink, plans.quaternion, std::array{q.x, q.y, q.z, q.w}));
-  sink.finish(transform, plans.transform);
-  nb::object message = sink.message(plans.transform_stamped);
-  sink.set(message, plans.transform_stamped, 0, std::move(header));
-  sink.set(message, plans.transform_stamped, 1, nb::borrow(source));
-  sink.set(message, plans.transform_stamped, 2, std::move(transform));
-  sink.finish(message, plans.transform_stamped);
+  ObjectBuilder builder(nullptr);
+  nb::object stamp = builder.message(plans.time);
+  builder.set(stamp, plans.time, 0, builder.number(sec));
+  builder.set(stamp, plans.time, 1, builder.number(nanosec));
+  builder.finish(stamp, plans.time);
+  nb::object header = builder.message(plans.header);
+  builder.set(header, plans.header, 0, std::move(stamp));
+  builder.set(header, plans.header, 1, nb::borrow(target));
+  builder.finish(header, plans.header);
+  nb::object transform = builder.message(plans.transform);
+  builder.set(transform, plans.transform, 0, build(builder, plans.vector3, std::array{p.x, p.y, p.z}));
+  builder.set(transform, plans.transform, 1, build(builder, plans.quaternion, std::array{q.x, q.y, q.z, q.w}));
+  builder.finish(transform, plans.transform);
+  nb::object message = builder.message(plans.transform_stamped);
+  builder.set(message, plans.transform_stamped, 0, std::move(header));
+  builder.set(message, plans.transform_stamped, 1, nb::borrow(source));
+  builder.set(message, plans.transform_stamped, 2, std::move(transform));
+  builder.finish(message, plans.transform_stamped);
   return message;
 }
 

@@ -59,7 +59,7 @@ std::unique_ptr<TfObserverSink> make_observer_sink(const std::shared_ptr<TfObser
 
 Gid gid_of(const nb::bytes& octets) {
   Gid gid{};
-  if (octets.size() != gid.size()) throw nb::value_error("a gid must have 16 octets");
+  if (octets.size() != gid.size()) throw nb::value_error("a gid must have 16 bytes");
   std::memcpy(gid.data(), octets.data(), gid.size());
   return gid;
 }
@@ -165,7 +165,7 @@ void bind_statistics(nb::module_& m) {
 
 void bind_snapshot(nb::module_& m) {
   nb::class_<TfTraffic>(m, "TfTraffic", "What one publisher has sent on /tf, or on /tf_static.")
-      .def_prop_ro("gid", [](const TfTraffic& self) { return bytes_of(self.gid); }, "Its gid: 16 octets.")
+      .def_prop_ro("gid", [](const TfTraffic& self) { return bytes_of(self.gid); }, "Its gid: 16 bytes.")
       .def_ro("is_static", &TfTraffic::is_static, "Whether this is on /tf_static.")
       .def_ro("has_left", &TfTraffic::has_left, "Whether it has left.")
       .def_ro("messages", &TfTraffic::messages, "Number of messages.")
@@ -181,7 +181,7 @@ void bind_snapshot(nb::module_& m) {
   nb::class_<TfEdge>(m, "TfEdge", "One edge of one publisher.")
       .def_ro("child", &TfEdge::child, "The child frame.")
       .def_ro("parent", &TfEdge::parent, "The parent frame.")
-      .def_prop_ro("gid", [](const TfEdge& self) { return bytes_of(self.gid); }, "The publisher's gid: 16 octets.")
+      .def_prop_ro("gid", [](const TfEdge& self) { return bytes_of(self.gid); }, "The publisher's gid: 16 bytes.")
       .def_ro("is_static", &TfEdge::is_static, "Whether it came on /tf_static.")
       .def_ro("statistics", &TfEdge::statistics, "Its figures.");
   nb::class_<TfChild>(m, "TfChild", "A frame that was a child, on either topic and from any publisher.")

@@ -72,6 +72,8 @@ AheadFilter::Message AheadFilter::filter(std::vector<tf2::Entry>& entries, const
     message.released = std::move(publisher.held);
     publisher.drop_held();
   }
+  // What is not like a transform that this publisher has sent before is held. One that is like a former one passes,
+  // however far ahead it is: the former one was confirmed.
   const auto is_far_ahead = [&](const tf2::Entry& entry) {
     const Seen candidate = seen(entry);
     return candidate.lead > reach && !(publisher.newest && candidate.is_no_further(*publisher.newest, reach));
@@ -80,6 +82,7 @@ AheadFilter::Message AheadFilter::filter(std::vector<tf2::Entry>& entries, const
   for (const tf2::Entry& entry : entries) {
     if (is_far_ahead(entry)) {
       publisher.hold(entry, seen(entry), reach);
+      // One warning tells of the publisher's clock; more of them would say the same.
       if (!std::exchange(publisher.is_reported, true)) {
         message.first_held = Held{std::string(entry.frame_id), std::string(entry.child_frame_id), entry.stamp, {}};
       }
@@ -87,6 +90,8 @@ AheadFilter::Message AheadFilter::filter(std::vector<tf2::Entry>& entries, const
       passed.push_back(entry);
     }
   }
+  // Only now, because one message's transforms are judged by former messages, and not by each other. A stamp that is not
+  // far ahead shows that the one held for the same frame was wrong.
   for (const tf2::Entry& entry : passed) {
     publisher.pass(seen(entry));
     publisher.drop_held(entry.child_frame_id);

@@ -63,7 +63,7 @@ T swap_bytes(T value) noexcept {
 
 }  // namespace detail
 
-// Plain CDR, version 1 (XCDR1): a number of n octets is aligned to n octets, counted from the end of the encapsulation
+// Plain CDR, version 1 (XCDR1): a number of n bytes is aligned to n bytes, counted from the end of the encapsulation
 // header.
 class Cursor {
  public:
@@ -98,14 +98,14 @@ class Cursor {
     if (swap_ && sizeof(T) > 1) std::ranges::transform(out, out.begin(), detail::swap_bytes<T>);
   }
 
-  // Return the octets of `count` numbers of `size` octets, in the sample's byte order. If `count` is 0, the position
+  // Return the bytes of `count` numbers of `size` bytes, in the sample's byte order. If `count` is 0, the position
   // does not change.
   std::span<const std::byte> read_octets(std::uint32_t count, std::size_t size) {
     if (count == 0) return {};
     return {take(size, count * size), count * size};
   }
 
-  // Read the length of a sequence whose elements take `min_element_size` octets or more each. A length that does not
+  // Read the length of a sequence whose elements take `min_element_size` bytes or more each. A length that does not
   // fit into the bytes left is an error here, so that callers can allocate for it.
   std::uint32_t read_length(std::size_t min_element_size) {
     const auto length = read<std::uint32_t>();
@@ -113,7 +113,7 @@ class Cursor {
     return length;
   }
 
-  // Check that `count` elements of `min_element_size` octets or more fit into the bytes left.
+  // Check that `count` elements of `min_element_size` bytes or more fit into the bytes left.
   void require(std::uint32_t count, std::size_t min_element_size) const {
     if (count * std::uint64_t{min_element_size} > left()) fail_short(at_, count * min_element_size);
   }

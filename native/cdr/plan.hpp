@@ -71,7 +71,7 @@ struct Plan {
   }
 };
 
-// Call `visit` with a value of the number type of a numeric kind (octets and booleans: uint8_t).
+// Call `visit` with a value of the number type of a numeric kind (bytes and booleans: uint8_t).
 template <class Visit>
 decltype(auto) with_number_type(Kind kind, Visit&& visit) {
   switch (kind) {

@@ -48,7 +48,7 @@ tf2::Entry read_transform(In& in) {
   return entry;
 }
 
-// Append the transforms that follow in a message, each of `min_size` octets or more, to `entries`; their names are
+// Append the transforms that follow in a message, each of `min_size` bytes or more, to `entries`; their names are
 // views into the message. Throw DecodeError if the bytes are none.
 //
 // `In` is a cursor of one form, as Cursor. For each, there is a function `read_stamp(In&)`, which reads a header up to

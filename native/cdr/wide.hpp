@@ -1,4 +1,4 @@
-// wstring: UTF-16 code units, each in four octets on the wire.
+// wstring: UTF-16 code units, each in four bytes on the wire.
 #pragma once
 
 #include <cstdint>

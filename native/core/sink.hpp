@@ -27,7 +27,7 @@ class Sink {
   Sink& operator=(const Sink&) = delete;
   virtual ~Sink() = default;
 
-  // Process one sample: the four octets of encapsulation header, then CDR. `data` is untrusted and valid only during
+  // Process one sample: the four bytes of encapsulation header, then CDR. `data` is untrusted and valid only during
   // the call. An unreadable sample is counted and dropped. The call must return within microseconds, because the thread
   // may be the one that receives all samples of the process; calls into Python are deferred
   // (core/deferred_queue.hpp).

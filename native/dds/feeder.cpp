@@ -23,10 +23,10 @@ void Feeder::stop() {
   }
 }
 
-void Feeder::schedule(Source& source) {
+void Feeder::schedule(Task& task) {
   {
     const std::lock_guard lock(state_->mutex);
-    state_->enqueue(source);
+    state_->enqueue(task);
   }
   state_->scheduled.notify_one();  // after the lock is released, because the woken thread would wait for it
 }
@@ -39,22 +39,22 @@ void Feeder::defer(Work work) {
   state_->scheduled.notify_one();
 }
 
-void Feeder::cancel(Source& source) {
+void Feeder::cancel(Task& task) {
   std::unique_lock lock(state_->mutex);
-  state_->drained.wait(lock, [&] { return state_->draining != &source; });
-  std::erase(state_->waiting, &source);
+  state_->drained.wait(lock, [&] { return state_->draining != &task; });
+  std::erase(state_->waiting, &task);
 }
 
-void Feeder::State::enqueue(Source& source) {
-  if (std::ranges::find(waiting, &source) != waiting.end()) return;
-  waiting.push_back(&source);
+void Feeder::State::enqueue(Task& task) {
+  if (std::ranges::find(waiting, &task) != waiting.end()) return;
+  waiting.push_back(&task);
 }
 
 void Feeder::State::run() {
   std::unique_lock lock(mutex);
   for (;;) {
     scheduled.wait(lock, [&] { return stopping || !waiting.empty() || !deferred.empty(); });
-    // Deferred work comes first, and is done even when the feeder stops; sources are not drained then.
+    // Deferred work comes first, and is done even when the feeder stops; tasks are not drained then.
     if (!deferred.empty()) {
       Work work = std::move(deferred.front());
       deferred.pop_front();
@@ -65,14 +65,14 @@ void Feeder::State::run() {
       continue;
     }
     if (stopping) return;
-    // `draining` lets `cancel` wait for this source; a source with more to drain goes behind those that wait already.
-    Source* source = draining = waiting.front();
+    // `draining` lets `cancel` wait for this task; a task with more to drain goes behind those that wait already.
+    Task* task = draining = waiting.front();
     waiting.pop_front();
     lock.unlock();
-    const bool more = source->drain_();
+    const bool more = task->drain_();
     lock.lock();
     draining = nullptr;
-    if (more) enqueue(*source);
+    if (more) enqueue(*task);
     drained.notify_all();
   }
 }

@@ -15,13 +15,13 @@ namespace tfloom::dds {
 
 class Feeder : public DeferredQueue {
  public:
-  // A member of what is drained. It must be cancelled before it is destroyed.
-  class Source {
+  // Pending data to drain: a member of what owns the data. It must be cancelled before it is destroyed.
+  class Task {
    public:
     // `drain` processes some of the pending data, on the feeder's thread, and returns true if there may be more.
-    explicit Source(std::function<bool()> drain) : drain_(std::move(drain)) {}
-    Source(const Source&) = delete;
-    Source& operator=(const Source&) = delete;
+    explicit Task(std::function<bool()> drain) : drain_(std::move(drain)) {}
+    Task(const Task&) = delete;
+    Task& operator=(const Task&) = delete;
 
    private:
     friend class Feeder;
@@ -31,17 +31,17 @@ class Feeder : public DeferredQueue {
   Feeder();
   ~Feeder() override;
 
-  // Queue `source` to be drained. May be called from any thread, in a listener too: it returns before the drain.
-  void schedule(Source& source);
+  // Queue `task` to be drained. May be called from any thread, in a listener too: it returns before the drain.
+  void schedule(Task& task);
 
-  // Remove `source` from the queue and wait until a drain of it has ended. Afterwards it is not drained until it is
+  // Remove `task` from the queue and wait until a drain of it has ended. Afterwards it is not drained until it is
   // scheduled again.
-  void cancel(Source& source);
+  void cancel(Task& task);
 
   // Queue `work`. May be called in a listener, and with a lock held.
   void defer(Work work) override;
 
-  // Run the deferred work and end the thread; sources that are still queued are not drained. Return when the thread has
+  // Run the deferred work and end the thread; tasks that are still queued are not drained. Return when the thread has
   // ended; on the feeder's own thread, where deferred work may release what owns the feeder, return at once: the thread
   // then ends after the rest of the work.
   void stop();
@@ -52,13 +52,13 @@ class Feeder : public DeferredQueue {
     std::mutex mutex;
     std::condition_variable scheduled;  // waits with mutex, like the next
     std::condition_variable drained;
-    std::deque<Source*> waiting;  // sources to drain; guarded by mutex, like the next three
+    std::deque<Task*> waiting;  // tasks to drain; guarded by mutex, like the next three
     std::deque<Work> deferred;
-    Source* draining = nullptr;  // the source that is being drained
+    Task* draining = nullptr;  // the task that is being drained
     bool stopping = false;
 
     void run();
-    void enqueue(Source& source);  // requires mutex to be held
+    void enqueue(Task& task);  // requires mutex to be held
   };
 
   const std::shared_ptr<State> state_;

@@ -52,7 +52,7 @@ void take_all(const Library& library, Entity reader, const Receive& receive) {
 Graph::Graph(Participant& participant, const TopicName& node_lists, const Qos& qos, const std::string& user_data)
     : participant_(participant),
       library_(participant.library()),
-      source_([this] { return drain(); }),
+      drain_task_([this] { return drain(); }),
       node_list_topic_(create_topic(library_, participant.entity(), node_lists)),
       participant_reader_(create_reader(discovered_participants, nullptr)),
       writer_reader_(create_reader(discovered_publications, nullptr)),
@@ -79,12 +79,12 @@ void Graph::listen() {
   for (OwnedEntity* reader : {&participant_reader_, &writer_reader_, &reader_reader_, &node_list_reader_}) {
     reader->listen(listener);
   }
-  participant_.feeder().schedule(source_);  // for what was received before
+  participant_.feeder().schedule(drain_task_);  // for what was received before
 }
 
 void Graph::on_data_available(Entity, void* self) {
   auto* graph = static_cast<Graph*>(self);
-  graph->participant_.feeder().schedule(graph->source_);
+  graph->participant_.feeder().schedule(graph->drain_task_);
 }
 
 bool Graph::drain() {
@@ -234,7 +234,7 @@ void Graph::close() {
   }
   OwnedEntity* const readers[] = {&participant_reader_, &writer_reader_, &reader_reader_, &node_list_reader_};
   for (OwnedEntity* reader : readers) reader->stop_listening();
-  participant_.feeder().cancel(source_);
+  participant_.feeder().cancel(drain_task_);
   for (OwnedEntity* reader : readers) reader->close();
   node_list_topic_.close();
 }

@@ -79,7 +79,7 @@ class Graph {
   ReadyQueue* queue_ = nullptr;
   ReadyQueue::Token token_ = 0;
   bool closed_ = false;
-  Feeder::Source source_;
+  Feeder::Task drain_task_;
   OwnedEntity node_list_topic_;  // constant after construction, like the next four
   OwnedEntity participant_reader_;
   OwnedEntity writer_reader_;

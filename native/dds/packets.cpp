@@ -105,7 +105,7 @@ ssize_t receive(int descriptor, msghdr* message, int flags) noexcept {
 
 }  // namespace
 
-std::string see_packets(void* handle) {
+std::string intercept_packets(void* handle) {
   link_map* library = nullptr;
   if (dlinfo(handle, RTLD_DI_LINKMAP, &library) != 0 || library == nullptr) return "its place in memory is unknown";
   rtps::ServiceForms::of_process();
@@ -115,7 +115,7 @@ std::string see_packets(void* handle) {
   return failure;
 }
 #else
-std::string see_packets(void*) { return "this is done on Linux only"; }
+std::string intercept_packets(void*) { return "this is done on Linux only"; }
 #endif
 
 }  // namespace tfloom::dds

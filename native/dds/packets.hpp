@@ -7,6 +7,6 @@ namespace tfloom::dds {
 
 // Let the library that `handle` of dlopen stands for send and receive by way of `rtps::ServiceForms`.
 // Return the reason why this can't be done here; empty if it is done.
-std::string see_packets(void* handle);
+std::string intercept_packets(void* handle);
 
 }  // namespace tfloom::dds

@@ -50,7 +50,7 @@ Reader::Reader(Participant& participant, const TopicName& topic, const Qos& qos,
       gid_(gid_of(library_, entity_.get())),
       events_(library_, false, [this] { matches_changed(); }),
       peers_(library_, false),
-      source_([this] { return drain(); }) {
+      drain_task_([this] { return drain(); }) {
   const ListenerHandle listener = make_listener(library_);
   library_.lset_data_available_arg(listener.get(), &Reader::on_data_available, this, true);
   events_.listen(listener.get());
@@ -86,7 +86,7 @@ void Reader::data_available() {
 // The feeder looks up a new writer's gid at once, because samples are often taken after their writer has left.
 void Reader::matches_changed() {
   has_new_match_ = true;
-  participant_.feeder().schedule(source_);
+  participant_.feeder().schedule(drain_task_);
 }
 
 void Reader::notify(ReadyQueue* queue, ReadyQueue::Token token) {
@@ -104,12 +104,12 @@ void Reader::feed(Sink* sink) {
     if (closed_) return;
     queue_ = nullptr;
   }
-  participant_.feeder().cancel(source_);
+  participant_.feeder().cancel(drain_task_);
   {
     const std::lock_guard lock(feed_mutex_);  // afterwards, no thread pushes into the former sink
     sink_ = sink;
   }
-  participant_.feeder().schedule(source_);
+  participant_.feeder().schedule(drain_task_);
 }
 
 bool Reader::take(const Receive& receive) {
@@ -152,7 +152,7 @@ void Reader::feed_from_listener() {
   // If the lock is taken, another thread is pushing, and samples must stay in order; the library's thread must not
   // wait. The feeder takes what is left.
   const std::unique_lock lock(feed_mutex_, std::try_to_lock);
-  if (!lock || push_batch()) participant_.feeder().schedule(source_);
+  if (!lock || push_batch()) participant_.feeder().schedule(drain_task_);
 }
 
 bool Reader::drain() {
@@ -206,7 +206,7 @@ void Reader::close() {
   const std::lock_guard lifecycle(lifecycle_mutex_);
   if (closed_.exchange(true) || participant_.is_forked()) return;
   entity_.stop_listening();
-  participant_.feeder().cancel(source_);
+  participant_.feeder().cancel(drain_task_);
   {
     const std::lock_guard lock(listener_mutex_);
     queue_ = nullptr;

@@ -73,7 +73,7 @@ class Reader {
   Events events_;  // thread-safe by itself, like the next
   Peers peers_;
   std::shared_ptr<rtps::ServiceEnd> service_end_;  // constant after the first take; thread-safe by itself
-  Feeder::Source source_;
+  Feeder::Task drain_task_;
   std::atomic<bool> closed_ = false;
   std::atomic<bool> has_new_match_ = false;
   std::atomic<bool> may_have_data_ = false;  // false: there are no samples to take

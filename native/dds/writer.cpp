@@ -19,7 +19,7 @@ constexpr int max_kept_waits = 100;
 
 void check_encapsulation(std::span<const std::byte> data) {
   if (data.size() <= encapsulation_size) {
-    throw std::invalid_argument("a sample has four octets of encapsulation header and at least one of data, not " +
+    throw std::invalid_argument("a sample has four bytes of encapsulation header and at least one of data, not " +
                                 std::to_string(data.size()) + " in all");
   }
   if (data[0] != std::byte{0} || data[1] != std::byte{1}) {

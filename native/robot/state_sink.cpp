@@ -26,17 +26,17 @@ void StateSink::push(std::span<const std::byte> data, const SampleInfo& info) no
 void StateSink::convert(std::span<const std::byte> data, std::int64_t now_ns) {
   if (now_ns < last_ns_.exchange(now_ns)) {
     states_->forget_stamps();
-    tell_(Told::moved_back, {});
+    emit_(OutputKind::moved_back, {});
   }
   std::vector<std::byte> message;
   try {
     message = states_->convert(data, now_ns, interval_ns_);
   } catch (const cdr::DecodeError&) {
-    tell_(Told::refused, {data.begin(), data.end()});
+    emit_(OutputKind::refused, {data.begin(), data.end()});
     return;
   }
-  if (const std::string name = states_->left_out(); !name.empty()) tell_(Told::left_out, octets_of(name));
-  if (!message.empty()) tell_(Told::transforms, std::move(message));
+  if (const std::string name = states_->left_out(); !name.empty()) emit_(OutputKind::left_out, octets_of(name));
+  if (!message.empty()) emit_(OutputKind::transforms, std::move(message));
 }
 
 }  // namespace tfloom::robot

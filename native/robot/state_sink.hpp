@@ -17,8 +17,8 @@
 
 namespace tfloom::robot {
 
-// What is told of a message.
-enum class Told : unsigned char {
+// What comes of a message, and the bytes that are passed with it.
+enum class OutputKind : unsigned char {
   transforms,   // a TFMessage
   refused,      // the message: it is unreadable, or its names and positions differ in number
   left_out,     // the name of a joint whose position is not finite
@@ -27,12 +27,12 @@ enum class Told : unsigned char {
 
 class StateSink final : public Sink {
  public:
-  using Tell = std::function<void(Told, std::vector<std::byte>)>;
+  using OutputFunction = std::function<void(OutputKind, std::vector<std::byte>)>;
 
-  // Transforms are due after `interval_ns`; nullopt: always. See StateTransforms::convert. `tell` is called with no
+  // Transforms are due after `interval_ns`; nullopt: always. See StateTransforms::convert. `emit` is called with no
   // lock held, within microseconds.
-  StateSink(std::shared_ptr<StateTransforms> states, std::optional<std::int64_t> interval_ns, Tell tell)
-      : states_(std::move(states)), interval_ns_(interval_ns), tell_(std::move(tell)) {}
+  StateSink(std::shared_ptr<StateTransforms> states, std::optional<std::int64_t> interval_ns, OutputFunction emit)
+      : states_(std::move(states)), interval_ns_(interval_ns), emit_(std::move(emit)) {}
 
   void push(std::span<const std::byte> data, const SampleInfo& info) noexcept override;
 
@@ -46,7 +46,7 @@ class StateSink final : public Sink {
 
   const std::shared_ptr<StateTransforms> states_;  // thread-safe by itself
   const std::optional<std::int64_t> interval_ns_;
-  const Tell tell_;
+  const OutputFunction emit_;
   std::atomic<std::int64_t> simulated_ns_ = no_time;
   std::atomic<std::int64_t> last_ns_ = no_time;  // written by `push` alone, which runs on one thread at a time
 };

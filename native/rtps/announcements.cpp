@@ -14,7 +14,7 @@ constexpr EntityId subscriptions_writer = {0x00, 0x00, 0x04, 0xc2};
 constexpr std::uint16_t unicast_locator_id = 0x002f;
 constexpr std::uint16_t default_unicast_locator_id = 0x0031;
 
-// Parameters of one vendor each: the version of Fast DDS, in four octets, and a text of Cyclone DDS with its version.
+// Parameters of one vendor each: the version of Fast DDS, in four bytes, and a text of Cyclone DDS with its version.
 constexpr std::uint16_t fast_dds_version_id = 0x8000;
 constexpr std::uint16_t cyclone_version_id = 0x8007;
 constexpr std::size_t cyclone_text_at = 20;  // after five numbers

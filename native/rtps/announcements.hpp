@@ -16,7 +16,7 @@
 
 namespace tfloom::rtps {
 
-// An address of UDP: an IPv4 one is in the last four octets, after zeros.
+// An address of UDP: an IPv4 one is in the last four bytes, after zeros.
 struct Address {
   std::array<std::uint8_t, 16> octets{};
   std::uint32_t port = 0;

@@ -61,7 +61,7 @@ inline GuidPrefix prefix_of(const Gid& gid) {
   return prefix;
 }
 
-// Return whether a participant runs on Fast DDS, by its vendor id: the first octets of its prefix (9.3.1.5).
+// Return whether a participant runs on Fast DDS, by its vendor id: the first bytes of its prefix (9.3.1.5).
 inline bool is_of_fast_dds(const GuidPrefix& participant) { return participant[0] == 0x01 && participant[1] == 0x0f; }
 
 inline bool is_of_cyclone(const GuidPrefix& participant) { return participant[0] == 0x01 && participant[1] == 0x10; }

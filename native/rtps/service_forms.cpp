@@ -75,6 +75,20 @@ ServiceHeader read_header(Octets sample) {
   return header;
 }
 
+// Return the bytes of the fragments with the same numbers in inline form; empty if that form has no such fragments.
+std::vector<std::byte> inline_fragment(Octets sample, const Data& data) {
+  const std::size_t inline_size = sample.size() - ServiceHeader::size;
+  const std::size_t begin = std::size_t{data.first_fragment - 1} * data.fragment_size;
+  const std::size_t end = std::min(begin + std::size_t{data.fragment_count} * data.fragment_size, inline_size);
+  std::vector<std::byte> fragment;
+  if (begin >= end) return fragment;
+  // [begin, end) counts in the inline form: the encapsulation header, then what follows the service's header.
+  if (begin < encapsulation_size) append(fragment, sample.subspan(begin, std::min(end, encapsulation_size) - begin));
+  const std::size_t first = std::max(begin, encapsulation_size);
+  if (first < end) append(fragment, sample.subspan(first + ServiceHeader::size, end - first));
+  return fragment;
+}
+
 constexpr std::size_t heartbeat_size = 32;
 
 void write_heartbeat(std::byte* at, const EntityId& reader, const EntityId& writer, std::uint64_t first,
@@ -526,6 +540,21 @@ bool ServiceForms::append_request(const GuidPrefix& participant, const Submessag
   return true;
 }
 
+// Return the sample in header form that a fragment is of; null if it was not kept. `Writer::write` has kept it, when it had
+// no sequence number yet. Its first fragment has the header, by which it is found; the later ones are found by the number.
+const std::vector<std::byte>* ServiceEnd::kept_sample(const Data& fragment) {
+  auto kept = std::ranges::find(kept_, fragment.sequence_number, &Kept::sequence_number);
+  if (kept == kept_.end() && fragment.first_fragment == 1 && fragment.payload.size() >= header_end) {
+    const ServiceHeader header = read_header(fragment.payload);
+    kept = std::ranges::find_if(kept_, [&](const Kept& candidate) {
+      return candidate.sequence_number == 0 && candidate.sample.size() == fragment.sample_size &&
+             read_header(candidate.sample) == header;
+    });
+    if (kept != kept_.end()) kept->sequence_number = fragment.sequence_number;
+  }
+  return kept == kept_.end() ? nullptr : &kept->sample;
+}
+
 // Append a submessage of a service's writer in inline form, for a participant. Return false if it is appended as it is.
 bool ServiceForms::append_rewritten(ServiceEnd& end, const GuidPrefix& participant, const Submessage& submessage,
                                     const Data& data, std::vector<std::byte>& out) {
@@ -547,29 +576,13 @@ bool ServiceForms::append_rewritten(ServiceEnd& end, const GuidPrefix& participa
     payload[1] = data.payload.subspan(header_end);
   } else {
     // The inline form is shorter by the header, so each of its fragments has other bytes than the one of that number
-    // here: it needs the whole sample, which `Writer::write` has kept. At that time it had no sequence number yet. Its
-    // first fragment has the header, by which it is found; the later ones are found by the number.
-    auto kept = std::ranges::find(end.kept_, data.sequence_number, &ServiceEnd::Kept::sequence_number);
-    if (kept == end.kept_.end() && data.first_fragment == 1 && data.payload.size() >= header_end) {
-      const ServiceHeader wanted = read_header(data.payload);
-      kept = std::ranges::find_if(end.kept_, [&](const ServiceEnd::Kept& candidate) {
-        return candidate.sequence_number == 0 && candidate.sample.size() == data.sample_size &&
-               read_header(candidate.sample) == wanted;
-      });
-      if (kept != end.kept_.end()) kept->sequence_number = data.sequence_number;
-    }
+    // here: it needs the whole sample.
+    const std::vector<std::byte>* const sample = end.kept_sample(data);
     // Of a sample that was not kept, because nobody was there to receive it, no fragment is for this peer.
-    if (kept == end.kept_.end()) return true;
-    header = read_header(kept->sample);
-    const std::size_t size = kept->sample.size() - ServiceHeader::size;
-    const std::size_t begin = std::size_t{data.first_fragment - 1} * data.fragment_size;
-    const std::size_t end_at = std::min(begin + std::size_t{data.fragment_count} * data.fragment_size, size);
-    if (begin >= end_at) return true;  // the last fragment, which the shorter sample does not have, or none: number 0
-    // [begin, end_at) counts in the inline form: the encapsulation header, then what follows the service's header.
-    const Octets sample(kept->sample);  // in header form
-    if (begin < encapsulation_size) append(fragment, sample.subspan(begin, std::min(end_at, encapsulation_size) - begin));
-    const std::size_t first = std::max(begin, encapsulation_size);
-    if (first < end_at) append(fragment, sample.subspan(first + ServiceHeader::size, end_at - first));
+    if (sample == nullptr) return true;
+    header = read_header(*sample);
+    fragment = inline_fragment(*sample, data);
+    if (fragment.empty()) return true;  // the last one, which the shorter sample does not have, or none: number 0
     payload[0] = fragment;
   }
   // libddsc writes each response to every client of the service. The reader of a client on Fast DDS keeps ten samples

@@ -2,7 +2,7 @@
 //
 // | | request | response |
 // |---|---|---|
-// | header form, rmw_cyclonedds | CDR: header {client 8 octets, number 8 octets}, then the message | the same header, then the message |
+// | header form, rmw_cyclonedds | CDR: header {client 8 bytes, number 8 bytes}, then the message | the same header, then the message |
 // | inline form, rmw_fastrtps | CDR of the message; inline QoS names the client's response reader | CDR of the message; inline QoS names that reader, and the sequence number of the request's sample |
 //
 // libddsc has no interface for inline QoS. So all samples of this process have the header form, those that go to a
@@ -41,7 +41,7 @@ struct ServiceHeader {
   }
 };
 
-// Append the header's octets: little-endian, whatever the message's encapsulation is.
+// Append the header's bytes: little-endian, whatever the message's encapsulation is.
 void append(std::vector<std::byte>& out, const ServiceHeader& header);
 
 // Whether a participant uses the inline form: whether it runs on Fast DDS, by the vendor in its GUIDs.
@@ -90,6 +90,8 @@ class ServiceEnd {
 
   ServiceEnd(ServiceForms& forms, bool is_client, std::string service, const Gid& writer, const Gid& reader,
              const std::array<std::uint8_t, 8>& client);
+
+  const std::vector<std::byte>* kept_sample(const Data& fragment);
 
   ServiceForms& forms_;
   const bool is_client_;

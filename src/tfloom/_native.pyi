@@ -27,7 +27,7 @@ class Sink:
 
     def push(self, data: bytes, source_stamp_ns: int, received_stamp_ns: int, publisher_gid: bytes) -> None:
         """
-        Push one sample: encapsulation header and CDR, stamps [ns since epoch], 16 octets of gid.
+        Push one sample: encapsulation header and CDR, stamps [ns since epoch], 16 bytes of gid.
         """
 
     def forget(self, publisher_gid: bytes) -> None:
@@ -80,7 +80,7 @@ def open_dds_library(path: str, is_common_build: bool = False) -> str:
     Open the libddsc at `path`, once, and return its version, empty if it records none. It passes a self-test first, unless it is one of PyPI's builds (`is_common_build`) in a version that was tried. Raise RuntimeError if it can't be used.
     """
 
-def see_dds_packets(path: str) -> str:
+def intercept_dds_packets(path: str) -> str:
     """
     Translate services for peers on Fast DDS in the packets of the libddsc at `path`. Return the reason why this can't be done here; empty if it is done.
     """
@@ -92,7 +92,7 @@ def dds_knows_address(gid: bytes) -> bool:
 
 def dds_read_versions() -> None:
     """
-    From here on, note the versions of DDS that participants announce, where `see_dds_packets` is done.
+    From here on, note the versions of DDS that participants announce, where `intercept_dds_packets` is done.
     """
 
 def dds_version(gid: bytes) -> str:
@@ -102,7 +102,7 @@ def dds_version(gid: bytes) -> str:
 
 def dds_inline_client(key: bytes) -> bytes | None:
     """
-    Return the gid that awaits the responses for a client on Fast DDS, by the 8 octets in its headers; None for others.
+    Return the gid that awaits the responses for a client on Fast DDS, by the 8 bytes in its headers; None for others.
     """
 
 def test_dds_library(path: str) -> None:
@@ -120,7 +120,7 @@ class DdsParticipant:
 
     @property
     def gid(self) -> bytes:
-        """16 octets."""
+        """16 bytes."""
 
     @property
     def loopback_failure(self) -> str:
@@ -143,7 +143,7 @@ class DdsWriter:
 
     @property
     def gid(self) -> bytes:
-        """16 octets."""
+        """16 bytes."""
 
     def matched_count(self) -> int:
         """Return how many peers are matched now."""
@@ -166,7 +166,7 @@ class DdsWriter:
 
     def join_service(self, reader: DdsReader, service: str, client: bytes | None) -> None:
         """
-        Become an end of a service, with the reader of the other topic: a client whose headers have the 8 octets `client`, or a server. To be called before the first sample is written or taken.
+        Become an end of a service, with the reader of the other topic: a client whose headers have the 8 bytes `client`, or a server. To be called before the first sample is written or taken.
         """
 
     def assert_liveliness(self) -> None:
@@ -195,7 +195,7 @@ class DdsReader:
 
     @property
     def gid(self) -> bytes:
-        """16 octets."""
+        """16 bytes."""
 
     def matched_count(self) -> int:
         """Return how many peers are matched now."""
@@ -314,7 +314,7 @@ class HeaderSink(Sink):
 
     def uses(self) -> list[tuple[bytes, str, int]]:
         """
-        Return the gid of a publisher (16 octets), a frame id, and the number of messages, for all of these.
+        Return the gid of a publisher (16 bytes), a frame id, and the number of messages, for all of these.
         """
 
     @property
@@ -627,7 +627,7 @@ class Buffer:
 
     @property
     def memory(self) -> int:
-        """Memory of all histories [octets]."""
+        """Memory of all histories [bytes]."""
 
     def deskew_float32(self, fixed_frame: str, source_frame: str, target_from_fixed: Annotated[NDArray[numpy.float64], dict(shape=(7), order='C', device='cpu', writable=False)], stamps_ns: Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu', writable=False)], points: Annotated[NDArray[numpy.float32], dict(shape=(None, 3), order='C', device='cpu', writable=False)], out: Annotated[NDArray[numpy.float32], dict(shape=(None, 3), order='C', device='cpu')], workers: int) -> None:
         """
@@ -964,7 +964,7 @@ class TfTraffic:
 
     @property
     def gid(self) -> bytes:
-        """Its gid: 16 octets."""
+        """Its gid: 16 bytes."""
 
     @property
     def is_static(self) -> bool:
@@ -1025,7 +1025,7 @@ class TfEdge:
 
     @property
     def gid(self) -> bytes:
-        """The publisher's gid: 16 octets."""
+        """The publisher's gid: 16 bytes."""
 
     @property
     def is_static(self) -> bool:

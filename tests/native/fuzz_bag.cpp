@@ -30,7 +30,7 @@ bool walk(std::span<const std::byte> data, bag::TfInserter& inserter) {
   try {
     const bag::RunSummary summary = bag::summarise(data, 0);
     if (summary.end > data.size()) fuzzing::fail("fuzz_bag", "the summary ends behind the bytes");
-    bag::RecordWalk records(data.first(summary.end), 0);
+    bag::RecordReader records(data.first(summary.end), 0);
     std::uint64_t messages = 0;
     while (records.advance()) {
       if (!records.is_message()) continue;

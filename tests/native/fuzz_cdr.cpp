@@ -65,16 +65,16 @@ Plans read_plans(Input& input) {
 std::vector<std::byte> encode(const Tree& tree, const Plan& plan) {
   TreeStorage storage;
   Writer out(storage, 0);
-  TreeSource source;
-  Emitter(source, out).message(&tree, plan);
+  TreeReader reader;
+  Encoder(reader, out).message(&tree, plan);
   storage.bytes.resize(out.size());
   return storage.bytes;
 }
 
 Tree decode(std::span<const std::byte> bytes, const Plan& plan) {
   Cursor in(bytes);
-  TreeSink sink;
-  return Reader(in, sink).message(plan);
+  TreeBuilder builder;
+  return Decoder(in, builder).message(plan);
 }
 
 // Returns whether the bytes were read.

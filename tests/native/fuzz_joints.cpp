@@ -27,12 +27,12 @@ struct Target {
           {"shoulder", "base", "upper", {JointKind::revolute, {{0, 0, 0.5}, {0, 0.05, 0, 0.99875}}, {0, 1, 0}}},
       },
       std::vector<robot::Mimicry>{{0, 3, -0.5, 0.2}});
-  robot::StateSink always{states, std::nullopt, [this](auto told, auto data) { take(told, data); }};
-  robot::StateSink paced{states, 1'000'000, [this](auto told, auto data) { take(told, data); }};
+  robot::StateSink always{states, std::nullopt, [this](auto kind, auto data) { take(kind, data); }};
+  robot::StateSink paced{states, 1'000'000, [this](auto kind, auto data) { take(kind, data); }};
 
-  void take(robot::Told told, const std::vector<std::byte>& data) {
-    if (told == robot::Told::refused) ++refused;
-    if (told != robot::Told::transforms) return;
+  void take(robot::OutputKind kind, const std::vector<std::byte>& data) {
+    if (kind == robot::OutputKind::refused) ++refused;
+    if (kind != robot::OutputKind::transforms) return;
     std::vector<tf2::Entry> entries;
     try {
       cdr::read_tf_message(data, entries);

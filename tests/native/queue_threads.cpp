@@ -35,13 +35,13 @@ class Reader {
  public:
   Reader(Feeder& feeder, SampleQueue& sink, ReadyQueue& queue) : feeder_(feeder), sink_(sink), queue_(queue) {}
   ~Reader() {
-    feeder_.cancel(source_);
+    feeder_.cancel(drain_task_);
     is_gone_ = true;
   }
 
   void receive() {
     ++waiting_;
-    feeder_.schedule(source_);
+    feeder_.schedule(drain_task_);
   }
 
  private:
@@ -62,7 +62,7 @@ class Reader {
   ReadyQueue& queue_;
   std::atomic<int> waiting_{0};
   std::atomic<bool> is_gone_{false};
-  Feeder::Source source_{[this] { return drain(); }};
+  Feeder::Task drain_task_{[this] { return drain(); }};
 };
 
 // One thread pushes into a sink; another waits for the sink's tokens, and detaches and attaches as executors do.

@@ -1,4 +1,4 @@
-// The plainest sink and source of the codec's walk: messages as trees of C++ values.
+// The plainest builder and reader of the codec: messages as trees of C++ values.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "cdr/walk.hpp"
+#include "cdr/message_codec.hpp"
 
 namespace tfloom::cdr {
 
@@ -19,7 +19,7 @@ struct Tree {
   std::variant<bool, std::uint64_t, double, std::string, std::u32string, Octets, std::vector<Tree>> value;
 };
 
-class TreeSink {
+class TreeBuilder {
  public:
   using Value = Tree;
 
@@ -52,7 +52,7 @@ class TreeSink {
   }
 };
 
-class TreeSource {
+class TreeReader {
  public:
   using Value = const Tree*;
   using Held = const Tree*;

@@ -144,8 +144,8 @@ def test_sample_queue_of_depth_0_counts() -> None:
     assert queue.take() == []
 
 
-def test_a_gid_has_sixteen_octets() -> None:
-    with pytest.raises(ValueError, match="publisher_gid must have 16 octets"):
+def test_a_gid_has_sixteen_bytes() -> None:
+    with pytest.raises(ValueError, match="publisher_gid must have 16 bytes"):
         SampleQueue(1).push(b"data", 1, 2, GID[:15])
 
 

@@ -170,11 +170,11 @@ def test_layouts_of_clouds(layout: str, row_padding: int, size: tuple[int, int])
         ((1, 1), (0, 12), (0, 4, 2**64 - 1)),
     ],
 )
-def test_points_outside_the_octets_raise(
+def test_points_outside_the_bytes_raise(
     shape: tuple[int, int], steps: tuple[int, int], offsets: tuple[int, int, int]
 ) -> None:
     cloud_bytes = np.zeros(36, np.uint8)
-    with pytest.raises(ValueError, match="the points must lie within the octets"):
+    with pytest.raises(ValueError, match="the points must lie within the bytes"):
         _native.move_cloud_float32(np.array([0.0, 0, 0, 0, 0, 0, 1]), cloud_bytes, shape, steps, offsets)
     _native.move_cloud_float32(np.array([1.0, 2, 3, 0, 0, 0, 1]), cloud_bytes, (1, 3), (0, 12), (0, 4, 8))
     assert cloud_bytes.view(np.float32).tolist() == [1, 2, 3] * 3

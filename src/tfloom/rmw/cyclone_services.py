@@ -15,7 +15,7 @@ from collections.abc import Set as AbstractSet
 from functools import lru_cache
 from typing import NamedTuple
 
-from tfloom._native import dds_inline_client, dds_knows_address, see_dds_packets
+from tfloom._native import dds_inline_client, dds_knows_address, intercept_dds_packets
 from tfloom.rmw.cyclone_endpoints import CycloneReader, CycloneWriter
 from tfloom.rmw.cyclone_graph import FAST_DDS
 from tfloom.rmw.topic_names import key_values
@@ -118,7 +118,7 @@ def start_translation(library: str) -> str:
     """Start the translation of services for peers on Fast DDS in a library; return why it is off, or an empty text."""
     if os.environ.get(TRANSLATION_VARIABLE) == "0":
         return f"{TRANSLATION_VARIABLE} is 0"
-    return see_dds_packets(library)
+    return intercept_dds_packets(library)
 
 
 def _is_on_fast_dds(gid: bytes) -> bool:

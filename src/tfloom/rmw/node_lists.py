@@ -101,7 +101,7 @@ class _Cursor:
         try:
             return text_bytes.removesuffix(b"\0").decode()
         except UnicodeDecodeError:
-            raise NodeListError(f"the text before octet {self._at} isn't UTF-8") from None
+            raise NodeListError(f"the text before byte {self._at} isn't UTF-8") from None
 
     def gids(self) -> list[bytes]:
         return [self.take(GID_SIZE) for _ in range(self.length(smallest_item=GID_SIZE))]

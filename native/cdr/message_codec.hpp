@@ -1,6 +1,7 @@
-// Walk a plan over CDR bytes: `Reader` passes decoded values to a sink, `Emitter` encodes values from a source.
+// Any message as CDR bytes, by its plan: `Decoder` passes decoded values to a builder, which makes a message of them;
+// `Encoder` encodes the values that a reader gets from a message.
 //
-// A sink has a type `Value` (movable) and
+// A builder has a type `Value` (movable) and
 //   Value message(const Plan&)                                       an empty message
 //   void set(Value& message, const Plan&, std::size_t index, Value)  its field number `index`
 //   Value boolean(bool)   Value octet(std::uint8_t)   Value number(T)
@@ -11,13 +12,13 @@
 //   Value list(std::uint32_t length)   void set_item(Value& list, std::uint32_t index, Value)
 //   void finish(Value& message, const Plan&)   void finish_list(Value&)   called after all fields or items are set
 //
-// A source has a type `Value`, valid until the next call that may run user code (`number`, `open_list`); a type `Held`,
+// A reader has a type `Value`, valid until the next call that may run user code (`number`, `open_list`); a type `Held`,
 // which keeps its contents alive; and
 //   Value field(const Held& message, const Plan&, std::size_t index)
 //   Held open(Value, const Plan&)                           checks that the value is a message of that plan
 //   bool boolean(Value)   std::uint8_t octet(Value)   T number<T>(Value)
 //   std::string_view string(Value)   std::u32string wide(Value)
-//   bool numbers<T>(Value, visit)                           calls visit(span of octets); false: not contiguous
+//   bool numbers<T>(Value, visit)                           calls visit(span of bytes); false: not contiguous
 //   Held open_list(Value)   std::size_t length(const Held&)   Value item(const Held&, std::size_t index)
 // Its functions throw EncodeError.
 #pragma once
@@ -46,7 +47,7 @@ class EncodeError : public PathError {
 
 namespace detail {
 
-// Return the number of characters of UTF-8: octets that are not continuations.
+// Return the number of characters of UTF-8: bytes that are not continuations.
 inline std::size_t count_characters(std::string_view text) noexcept {
   return static_cast<std::size_t>(
       std::ranges::count_if(text, [](char octet) { return (static_cast<unsigned char>(octet) & 0xc0) != 0x80; }));
@@ -62,25 +63,25 @@ inline std::string exceeds_string(std::size_t length, const Field& field) {
 
 }  // namespace detail
 
-template <class Sink>
-class Reader {
+template <class MessageBuilder>
+class Decoder {
  public:
-  using Value = typename Sink::Value;
+  using Value = typename MessageBuilder::Value;
 
-  Reader(Cursor& in, Sink& sink) : in_(in), sink_(sink) {}
+  Decoder(Cursor& in, MessageBuilder& builder) : in_(in), builder_(builder) {}
 
   Value message(const Plan& plan) {
-    Value message = sink_.message(plan);
+    Value message = builder_.message(plan);
     for (std::size_t i = 0; i < plan.fields.size(); ++i) {
       try {
-        sink_.set(message, plan, i, value(plan, i));
+        builder_.set(message, plan, i, value(plan, i));
       } catch (PathError& error) {
         error.enter_field(plan.fields[i].name);
         throw;
       }
     }
     if (plan.is_empty()) in_.read<std::uint8_t>();
-    sink_.finish(message, plan);
+    builder_.finish(message, plan);
     return message;
   }
 
@@ -91,7 +92,7 @@ class Reader {
     const std::uint32_t length = this->length(field);
     if (is_number(field.kind)) {
       return with_number_type(field.kind, [&](auto number) {
-        return sink_.template numbers<decltype(number)>(plan, index, in_, length);
+        return builder_.template numbers<decltype(number)>(plan, index, in_, length);
       });
     }
     return list(field, length);
@@ -108,43 +109,43 @@ class Reader {
   }
 
   Value list(const Field& field, std::uint32_t length) {
-    Value list = sink_.list(length);
+    Value list = builder_.list(length);
     for (std::uint32_t i = 0; i < length; ++i) {
       try {
-        sink_.set_item(list, i, single(field));
+        builder_.set_item(list, i, single(field));
       } catch (PathError& error) {
         error.enter_element(i);
         throw;
       }
     }
-    sink_.finish_list(list);
+    builder_.finish_list(list);
     return list;
   }
 
   Value single(const Field& field) {
     switch (field.kind) {
-      case Kind::float64: return sink_.number(in_.read<double>());
+      case Kind::float64: return builder_.number(in_.read<double>());
       case Kind::message: return message(*field.message);
       case Kind::string: return string(field);
       case Kind::wstring: return wide(field);
-      case Kind::boolean: return sink_.boolean(in_.read<std::uint8_t>() != 0);
-      case Kind::octet: return sink_.octet(in_.read<std::uint8_t>());
+      case Kind::boolean: return builder_.boolean(in_.read<std::uint8_t>() != 0);
+      case Kind::octet: return builder_.octet(in_.read<std::uint8_t>());
       default:
         return with_number_type(field.kind,
-                                [&](auto number) { return sink_.number(in_.read<decltype(number)>()); });
+                                [&](auto number) { return builder_.number(in_.read<decltype(number)>()); });
     }
   }
 
   Value string(const Field& field) {
     const std::string_view text = in_.read_string();
     if (field.string_bound != 0) check_bound(detail::count_characters(text), field);
-    return sink_.string(text, in_.offset() - text.size() - 1);
+    return builder_.string(text, in_.offset() - text.size() - 1);
   }
 
   Value wide(const Field& field) {
     const std::u32string text = read_wide(in_);
     if (field.string_bound != 0) check_bound(text.size(), field);
-    return sink_.wide(text);
+    return builder_.wide(text);
   }
 
   void check_bound(std::size_t characters, const Field& field) {
@@ -152,21 +153,21 @@ class Reader {
   }
 
   Cursor& in_;
-  Sink& sink_;
+  MessageBuilder& builder_;
 };
 
-template <class Source, class Storage>
-class Emitter {
+template <class MessageReader, class Storage>
+class Encoder {
  public:
-  using Value = typename Source::Value;
-  using Held = typename Source::Held;
+  using Value = typename MessageReader::Value;
+  using Held = typename MessageReader::Held;
 
-  Emitter(Source& source, Writer<Storage>& out) : source_(source), out_(out) {}
+  Encoder(MessageReader& reader, Writer<Storage>& out) : reader_(reader), out_(out) {}
 
   void message(const Held& message, const Plan& plan) {
     for (std::size_t i = 0; i < plan.fields.size(); ++i) {
       try {
-        value(source_.field(message, plan, i), plan.fields[i]);
+        value(reader_.field(message, plan, i), plan.fields[i]);
       } catch (PathError& error) {
         error.enter_field(plan.fields[i].name);
         throw;
@@ -180,14 +181,14 @@ class Emitter {
     if (field.shape == Shape::single) {
       single(value, field);
     } else if (!is_number(field.kind) || !contiguous(value, field)) {
-      list(source_.open_list(value), field);
+      list(reader_.open_list(value), field);
     }
   }
 
   bool contiguous(Value value, const Field& field) {
     return with_number_type(field.kind, [&](auto number) {
       using T = decltype(number);
-      return source_.template numbers<T>(value, [&](std::span<const std::byte> octets) {
+      return reader_.template numbers<T>(value, [&](std::span<const std::byte> octets) {
         length(octets.size() / sizeof(T), field);
         out_.template write_all<T>(octets);
       });
@@ -195,11 +196,11 @@ class Emitter {
   }
 
   void list(const Held& list, const Field& field) {
-    const std::size_t count = source_.length(list);
+    const std::size_t count = reader_.length(list);
     length(count, field);
     for (std::size_t i = 0; i < count; ++i) {
       try {
-        single(source_.item(list, i), field);
+        single(reader_.item(list, i), field);
       } catch (PathError& error) {
         error.enter_element(i);
         throw;
@@ -219,27 +220,27 @@ class Emitter {
 
   void single(Value value, const Field& field) {
     switch (field.kind) {
-      case Kind::float64: return out_.write(source_.template number<double>(value));
-      case Kind::message: return message(source_.open(value, *field.message), *field.message);
+      case Kind::float64: return out_.write(reader_.template number<double>(value));
+      case Kind::message: return message(reader_.open(value, *field.message), *field.message);
       case Kind::string: return string(value, field);
       case Kind::wstring: return wide(value, field);
-      case Kind::boolean: return out_.write(static_cast<std::uint8_t>(source_.boolean(value)));
-      case Kind::octet: return out_.write(source_.octet(value));
+      case Kind::boolean: return out_.write(static_cast<std::uint8_t>(reader_.boolean(value)));
+      case Kind::octet: return out_.write(reader_.octet(value));
       default:
         with_number_type(field.kind,
-                         [&](auto number) { out_.write(source_.template number<decltype(number)>(value)); });
+                         [&](auto number) { out_.write(reader_.template number<decltype(number)>(value)); });
     }
   }
 
   void string(Value value, const Field& field) {
-    const std::string_view text = source_.string(value);
+    const std::string_view text = reader_.string(value);
     if (field.string_bound != 0) check_bound(detail::count_characters(text), field);
     if (text.size() >= std::numeric_limits<std::uint32_t>::max()) throw EncodeError("has more than 2^32 - 2 bytes");
     out_.write_string(text);
   }
 
   void wide(Value value, const Field& field) {
-    const std::u32string text = source_.wide(value);
+    const std::u32string text = reader_.wide(value);
     if (field.string_bound != 0) check_bound(text.size(), field);
     write_wide(out_, text);
   }
@@ -248,7 +249,7 @@ class Emitter {
     if (characters > field.string_bound) throw EncodeError(": " + detail::exceeds_string(characters, field));
   }
 
-  Source& source_;
+  MessageReader& reader_;
   Writer<Storage>& out_;
 };
 
