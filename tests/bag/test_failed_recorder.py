@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import threading
-import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 from tests.bag.written_bags import START_NS, STEP_NS, text, topic
+from tests.conftest import wait_until
 
 from tfloom.bag import open_bag
 from tfloom.bag.errors import BagError
@@ -43,13 +43,6 @@ def started(local_context: Context, tmp_path: Path, monkeypatch: pytest.MonkeyPa
     for recorder in recorders:
         recorder.stop()
         recorder.destroy_node()
-
-
-def wait_until(condition: Callable[[], bool]) -> None:
-    end = time.monotonic() + 10.0
-    while not condition():
-        assert time.monotonic() < end, "timeout"
-        time.sleep(0.002)
 
 
 def push(recorder: Recorder, channel: int, numbers: range) -> None:

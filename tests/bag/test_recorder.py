@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import signal
 import threading
-import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, cast
 
 import pytest
+from tests.conftest import wait_until
 
 from tfloom.bag import open_bag
 from tfloom.bag.errors import BagError
@@ -61,13 +61,6 @@ def record(local_context: Context, tmp_path: Path, monkeypatch: pytest.MonkeyPat
             recorder.destroy_node()
 
     return start
-
-
-def wait_until(condition: Callable[[], bool]) -> None:
-    end = time.monotonic() + 10.0
-    while not condition():
-        assert time.monotonic() < end, "timeout"
-        time.sleep(0.002)
 
 
 def texts(folder: Path, topic: str = "/chatter") -> list[str]:

@@ -7,7 +7,6 @@ import json
 import re
 import threading
 import time
-from collections.abc import Callable
 from enum import IntEnum
 from pathlib import Path
 from typing import Any
@@ -20,6 +19,7 @@ from rclpy.time import Time
 from rosidl_runtime_py.utilities import get_message
 from std_msgs.msg import String
 from tests.bag.written_bags import read_by_rosbags
+from tests.conftest import wait_until
 
 from tfloom.node.context.context import Context
 from tfloom.node.context.utilities import get_default_context
@@ -314,13 +314,6 @@ def test_mistakes_are_runtime_errors(tmp_path: Path) -> None:
 def local_default(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
     assert not get_default_context().ok()
-
-
-def wait_until(condition: Callable[[], bool]) -> None:
-    end = time.monotonic() + 10.0
-    while not condition():
-        assert time.monotonic() < end, "timeout"
-        time.sleep(0.005)
 
 
 def test_recorder_and_player_run_until_they_are_cancelled(local_default: None, tmp_path: Path) -> None:

@@ -8,7 +8,6 @@ import re
 import shutil
 import signal
 import sys
-import time
 from collections.abc import Callable
 from contextlib import nullcontext
 from itertools import chain, pairwise
@@ -19,6 +18,7 @@ import pytest
 import transcript
 from test_usage import VERBS
 from tests.bag.written_bags import START_NS, read_by_rosbags, topic
+from tests.conftest import wait_until
 
 from tfloom.bag import open_bag
 from tfloom.bag.reindexing import reindex
@@ -194,13 +194,6 @@ def talker(domain_id: int, start_program: Callable[..., Any]) -> Any:
     program = start_program("tfloom", "run", "demo_nodes_py", "talker")
     program.wait_for("Hello World: 0")
     return program
-
-
-def wait_until(condition: Callable[[], bool], timeout_s: float = 20.0) -> None:
-    end = time.monotonic() + timeout_s
-    while not condition():
-        assert time.monotonic() < end, "timeout"
-        time.sleep(0.01)
 
 
 def texts_on_disk(folder: Path) -> int:

@@ -17,8 +17,6 @@ from tfloom.node.executing.callback_groups import CallbackGroup
 from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from tfloom.node.node import Node
 
-HEARING_S = 20.0
-
 
 @pytest.fixture
 def context(context_on_each_wire: Context) -> Context:

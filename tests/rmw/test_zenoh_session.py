@@ -80,10 +80,6 @@ def is_owner(program: Program) -> bool:
     return ask(program, "owner")[1] == "True"
 
 
-def zid_of(program: Program) -> str:
-    return next(line for line in program.lines if line.startswith("open ")).split()[2]
-
-
 def test_programs_meet_without_a_router(start: Callable[..., Program]) -> None:
     members = {name: start(name) for name in ("a", "b", "c")}
     assert "open owner" in members["a"].output

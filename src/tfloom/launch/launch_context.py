@@ -80,16 +80,10 @@ class LaunchContext:
         """Whether a Shutdown event has been handled."""
         return self.run_state.is_shutdown
 
-    def _set_is_shutdown(self, state: bool) -> None:
-        self.run_state.is_shutdown = state
-
     @property
     def asyncio_loop(self) -> AbstractEventLoop | None:
         """Loop that runs the launch; None while it doesn't run."""
         return self.run_state.loop
-
-    def _set_asyncio_loop(self, loop: AbstractEventLoop | None) -> None:
-        self.run_state.loop = loop
 
     def add_completion_future(self, completion_future: Future[Any]) -> None:
         """Keep the launch running until a future is done."""

@@ -33,10 +33,6 @@ class RunningWork:
             with self._changed:
                 self._changed.notify_all()
 
-    def is_none(self) -> bool:
-        """Return whether no callback runs."""
-        return not self._threads
-
     def is_this_thread(self) -> bool:
         """Return whether a callback runs on the calling thread."""
         return threading.get_ident() in self._threads
