@@ -7,6 +7,7 @@ claim("ros2cli")
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from ros2cli import cli as cli
     from ros2cli import command as command
     from ros2cli import entry_points as entry_points
     from ros2cli import helpers as helpers
@@ -18,6 +19,7 @@ else:
 
     __getattr__, __dir__ = deferred(
         __name__,
+        cli="ros2cli",
         command="ros2cli",
         entry_points="ros2cli",
         helpers="ros2cli",
