@@ -264,7 +264,7 @@ def test_hostile_requests_are_dropped_and_the_server_goes_on(
     server = participant.create_responder(NODE, KILL, QoS())
     key = data_key(domain_id, KILL.name, KILL.type_name, HASH)
     querier = plain.declare_querier(key, target=zenoh.QueryTarget.ALL_COMPLETE)
-    wait_until(lambda: querier.matching_status)
+    wait_until(lambda: querier.matching_status.matching)
     for attachment, payload in HOSTILE:
         # The stream ends, because the query is dropped: a client isn't kept waiting.
         assert list(querier.get(payload=payload, attachment=attachment)) == []
@@ -355,6 +355,61 @@ def test_more_requests_than_the_depth_push_out_the_oldest(participant: Participa
     assert len(server._queries) == 2
 
 
+def test_server_without_a_route_is_not_ready_and_the_route_wakes_its_waiters(
+    participant: Participant, domain_id: int, plain: Any
+) -> None:
+    """Tokens and routes come in any order. A request sent before the route would end at once, without a response."""
+    client = participant.create_requester(NODE, KILL, QoS())
+    token = declare_token(plain, domain_id, Kind.SERVER, End(KILL.name, KILL.type_name, HASH, QoS()))
+    wait_until(client.receiving_servers)
+    assert client.is_synchronising()
+    assert not client.is_ready()
+    queue = ReadyQueue()
+    client.notify_ready(queue, 8)
+    assert queue.wait(30 * 10**9) == [8]  # at the start
+    key = data_key(domain_id, KILL.name, KILL.type_name, HASH)
+
+    def answer(query: Any) -> None:
+        query.reply(key, HEADER + b"right", attachment=query.attachment.to_bytes())
+        query.drop()
+
+    queryable = plain.declare_queryable(key, zenoh.handlers.Callback(answer, indirect=False), complete=True)
+    assert queue.wait(30 * 10**9) == [8]
+    wait_until(client.is_ready)
+    assert not client.is_synchronising()
+    client.send(HEADER + b"ask")
+    wait_until(lambda: client.take() is not None)
+    queryable.undeclare()
+    assert queue.wait(30 * 10**9) == [8]
+    wait_until(client.is_synchronising)
+    token.undeclare()
+
+
+def test_request_waits_for_the_route(participant: Participant, domain_id: int, plain: Any) -> None:
+    client = participant.create_requester(NODE, KILL, QoS())
+    token = declare_token(plain, domain_id, Kind.SERVER, End(KILL.name, KILL.type_name, HASH, QoS()))
+    wait_until(client.receiving_servers)
+    key = data_key(domain_id, KILL.name, KILL.type_name, HASH)
+
+    def answer(query: Any) -> None:
+        query.reply(key, HEADER + b"right", attachment=query.attachment.to_bytes())
+        query.drop()
+
+    opened: list[Any] = []
+
+    def open_late() -> None:
+        handler = zenoh.handlers.Callback(answer, indirect=False)
+        opened.append(plain.declare_queryable(key, handler, complete=True))
+
+    late = threading.Timer(0.05, open_late)
+    late.start()
+    client.send(HEADER + b"ask")
+    wait_until(lambda: client.take() is not None)
+    late.join()
+    opened[0].undeclare()
+    token.undeclare()
+
+
 def test_queries_of_a_client_that_left_are_dropped(
     participant: Participant, domain_id: int, plain: Any
 ) -> None:
@@ -366,7 +421,7 @@ def test_queries_of_a_client_that_left_are_dropped(
     )
     key = data_key(domain_id, KILL.name, KILL.type_name, HASH)
     querier = plain.declare_querier(key, target=zenoh.QueryTarget.ALL_COMPLETE)
-    wait_until(lambda: querier.matching_status)
+    wait_until(lambda: querier.matching_status.matching)
     querier.get(
         zenoh.handlers.Callback(lambda reply: None, indirect=False),
         payload=HEADER + b"ask",
@@ -439,7 +494,7 @@ def test_what_a_writer_wrote_before_it_knew_of_the_reader_is_asked_for(
     pattern = f"{key}/@adv/pub/{plain.zid()}/7/_"
     queryable = plain.declare_queryable(pattern, zenoh.handlers.Callback(answer, indirect=False))
     probe = plain.declare_querier(pattern)
-    wait_until(lambda: probe.matching_status)
+    wait_until(lambda: probe.matching_status.matching)
     end = time.monotonic() + 30
     while not asked and time.monotonic() < end:
         plain.put(key, HEADER + b"\3", attachment=zenoh_attachment.pack(3, GID))

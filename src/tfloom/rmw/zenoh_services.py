@@ -26,7 +26,7 @@ __all__ = ["ServiceEndpoint", "ZenohRequester", "ZenohResponder"]
 
 ENDLESS_S = 1e9
 """How long a result of an action is awaited [s]; Zenoh has no word for an endless wait."""
-ROUTE_WAIT_S = 0.1
+ROUTE_WAIT_S = 0.5
 """The longest wait for the route to a server whose token has come before it [s]."""
 POLL_S = 0.001
 
@@ -99,6 +99,8 @@ class ZenohRequester(_ServiceEnd):
         self._others: dict[bytes, str] = {}
         """Why each server of another type has no use, by its gid; replaced likewise."""
         self._querier: Any = None
+        self._matching: Any = None
+        """Tells when the route to a server comes: a server may be on the graph before."""
         self._ready: tuple[ReadyQueue, int] | None = None
         self._watch: tuple[ReadyQueue, int] | None = None
         """The queue and token of `watch_servers`."""
@@ -113,7 +115,18 @@ class ZenohRequester(_ServiceEnd):
             consolidation=zenoh.ConsolidationMode.NONE,
             **options,
         )
+        self._matching = self._querier.declare_matching_listener(
+            zenoh.handlers.Callback(self._on_matching, indirect=False)
+        )
         return self._querier
+
+    def adopt(self, token: Any, querier: Any) -> None:
+        """Take the token and the querier; see `ZenohEnd.adopt`."""
+        super().adopt(token, self._matching, querier)
+
+    def _on_matching(self, _status: Any) -> None:
+        """Note that the route to a server has come or gone; called on a thread of Zenoh."""
+        self._post_ready()
 
     def add_peer(self, peer: Peer) -> None:
         """Note a server."""
@@ -226,7 +239,7 @@ class ZenohRequester(_ServiceEnd):
 
     def _has_route(self) -> bool:
         try:
-            return bool(self._querier.matching_status)
+            return bool(self._querier.matching_status.matching)
         except Exception:  # noqa: BLE001  # a ZError: it was closed meanwhile
             return False
 

@@ -229,9 +229,11 @@ def hear(message):
     satisfied.update([name] if has_all else [])
 node.create_subscription(String, "chatter", hear, 10)
 publisher = node.create_publisher(String, "chatter", 10)
-while len(satisfied) < 2:  # until the other has heard this one, too: discovery may take longer in one direction
+def say():
     publisher.publish(String(data=node.get_name() + (" has all" if len(set(heard)) == 2 else "")))
-    rclpy.spin_once(node, timeout_sec=0.05)
+node.create_timer(0.05, say)  # no faster, or the last message of the other would be lost from a queue of ten
+while len(satisfied) < 2:  # until the other has heard this one, too: discovery may take longer in one direction
+    rclpy.spin_once(node)
 publisher.wait_for_all_acked()
 rclpy.shutdown()
 if not child:
