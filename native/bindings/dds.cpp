@@ -245,8 +245,8 @@ void bind_library(nb::module_& m) {
       "unless it is one of PyPI's builds (`is_common_build`) in a version that was tried. Raise RuntimeError if it can't "
       "be used.");
   m.def(
-      "intercept_dds_packets", [](const std::string& path) { return dds::intercept_packets(dds::Library::open(path).handle); },
-      "path"_a, ReleaseGil(),
+      "intercept_dds_packets",
+      [](const std::string& path) { return dds::intercept_packets(dds::Library::open(path).handle); }, "path"_a, ReleaseGil(),
       "Translate services for peers on Fast DDS in the packets of the libddsc at `path`. Return the reason why this can't "
       "be done here; empty if it is done.");
   m.def(

@@ -540,8 +540,9 @@ bool ServiceForms::append_request(const GuidPrefix& participant, const Submessag
   return true;
 }
 
-// Return the sample in header form that a fragment is of; null if it was not kept. `Writer::write` has kept it, when it had
-// no sequence number yet. Its first fragment has the header, by which it is found; the later ones are found by the number.
+// Return the sample in header form that a fragment is of; null if it was not kept. `Writer::write` has kept it, when it
+// had no sequence number yet. Its first fragment has the header, by which it is found; the later ones are found by the
+// number.
 const std::vector<std::byte>* ServiceEnd::kept_sample(const Data& fragment) {
   auto kept = std::ranges::find(kept_, fragment.sequence_number, &Kept::sequence_number);
   if (kept == kept_.end() && fragment.first_fragment == 1 && fragment.payload.size() >= header_end) {
