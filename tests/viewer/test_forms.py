@@ -193,6 +193,36 @@ def test_page_gets_names_and_the_form_of_a_name(spun: Node, viewer: Viewer, open
     assert "/aim has the type geometry_msgs/msg/PoseStamped, not std_msgs/msg/String" in sent(page, "error")
 
 
+def test_message_is_published_at_a_rate_until_it_is_stopped_or_its_page_is_closed(
+    spun: Node, viewer: Viewer, open_page: OpenPage
+) -> None:
+    heard: list[tuple[float, PoseStamped]] = []
+    spun.create_subscription(PoseStamped, "/aim", lambda said: heard.append((time.monotonic(), said)), 100)
+    page = open_page(viewer)
+    command = {"op": "send", "what": "topic", "name": "aim", "type": "geometry_msgs/msg/PoseStamped"}
+    command |= {"values": {"header": {"stamp": "now"}, "pose": {"position": {"x": "2.5"}}}}
+    for rate_hz in (-1.0, 1000.0):
+        page.answers.clear()
+        page.send(**command, key="0", rate_hz=rate_hz)
+        assert "above 0 and at most 100 Hz" in sent(page, "error")
+    page.send(**command, key="1", rate_hz=50.0)
+    wait_until(lambda: len(heard) >= 50, what="messages")
+    assert heard[49][0] - heard[0][0] > 0.5  # a burst would be over at once
+    stamps = [(said.header.stamp.sec, said.header.stamp.nanosec) for _, said in heard]
+    assert stamps == sorted(set(stamps))
+    assert {said.pose.position.x for _, said in heard} == {2.5}
+    page.answers.clear()
+    page.send(op="cancel", key="1")
+    count = int(sent(page, "done").split()[1])
+    wait_until(lambda: len(heard) == count, what="the last message")
+    page.send(**command, key="2", rate_hz=50.0)
+    wait_until(lambda: len(heard) >= count + 5, what="messages")
+    page.socket.close()
+    wait_until(lambda: not viewer._live.forms._tasks, what="its end")
+    graph = viewer._live.participant.graph
+    wait_until(lambda: not any(end.topic.name == "/aim" and end.is_writer for end in graph.endpoints()))
+
+
 def test_message_is_published_to_all_subscriptions_of_the_graph(
     spun: Node, viewer: Viewer, open_page: OpenPage
 ) -> None:

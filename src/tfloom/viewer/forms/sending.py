@@ -21,7 +21,7 @@ from tfloom.viewer.displays.display import shown_text
 from tfloom.viewer.forms.asking import Call, Goal, Wire
 from tfloom.viewer.forms.filling import fill
 from tfloom.viewer.forms.type_form import type_form
-from tfloom.viewer.page_command import PageError, text
+from tfloom.viewer.page_command import PageError, number, text
 
 if TYPE_CHECKING:
     from tfloom.rmw.base import NodeName, Participant, Writer
@@ -44,6 +44,9 @@ MATCH_S = 1.0
 """The longest wait until a new writer has the subscriptions that the graph has [s]."""
 LOOK_S = 0.05
 """Period at which what is open is looked at [s]; what arrives ends the sleep."""
+MAX_RATE_HZ = 100.0
+TOLD_S = 0.5
+"""Least time between two counts of messages that a page gets [s]."""
 ORPHAN_S = 5.0
 """How long a goal is cancelled whose page was closed [s]."""
 
@@ -143,7 +146,7 @@ class Sending:
             self._take_commands()
             self._step()
             is_idle = not self._tasks and not self._orphans
-            self._arrived.wait(-1 if is_idle else int(LOOK_S * 1e9))
+            self._arrived.wait(-1 if is_idle else int(self._sleep_s() * 1e9))
         for opened in self._tasks:
             self._cancel_orphan(opened.task)
         self._tasks.clear()
@@ -151,6 +154,12 @@ class Sending:
             self._step()
             self._arrived.wait(int(LOOK_S * 1e9))
         self._close_writers()
+
+    def _sleep_s(self) -> float:
+        """Return how long to sleep at most: no longer than until the next message at a rate [s]."""
+        now_s = time.monotonic()
+        due = [opened.task.due_s - now_s for opened in self._tasks if isinstance(opened.task, _Repetition)]
+        return max(0.0, min([LOOK_S, *due]))
 
     def _close_writers(self) -> None:
         for writer in self._writers.values():
@@ -291,7 +300,10 @@ class Sending:
             if opened.task.cancel():
                 self._tasks.remove(opened)
                 opened.task.close()
-                opened.tell("error", "it was given up")
+                if isinstance(opened.task, _Repetition):
+                    opened.tell("done", opened.task.summary())
+                else:
+                    opened.tell("error", "it was given up")
             else:
                 opened.tell("accepted", "the server is asked to cancel the goal")
 
@@ -306,11 +318,21 @@ class Sending:
 
         if len(self._tasks) >= MAX_OPEN:
             raise PageError(f"{MAX_OPEN} calls and goals are under way already")
+        rate_hz = number(command, "rate_hz") if "rate_hz" in command else 0.0
+        if rate_hz and (what != "topic" or not 0.0 < rate_hz <= MAX_RATE_HZ):
+            raise PageError(f"a rate is for topics, and has to be above 0 and at most {MAX_RATE_HZ:g} Hz")
         message = _filled_class(what, interface_class)()
-        data = fill(message, command.get("values"), self._now_ns())
+        values = command.get("values")
+        data = fill(message, values, self._now_ns())
         task: _Task
         if what == "topic":
-            task = self._publication(name, type(message), data, tell)
+            first_tell = (lambda _, said: tell("feedback", said)) if rate_hz else tell
+            task = self._publication(name, type(message), data, first_tell)
+            if rate_hz:
+                message_class = type(message)
+                task = _Repetition(
+                    task, lambda: fill(message_class(), values, self._now_ns()), 1.0 / rate_hz, tell
+                )
         elif what == "service":
             task = Call(self._wire, name, interface_class, data, tell)
         else:
@@ -358,7 +380,7 @@ class _Publication:
         tell: Callable[[str, str], None],
     ) -> None:
         self._writer = writer
-        self._name = name
+        self.name = name
         self._data = data
         self._reader_count, self._own_count = reader_counts
         self._tell = tell
@@ -371,17 +393,75 @@ class _Publication:
         self._writer.write(self._data)
         others = max(0, matched - self._own_count)
         missed = self._reader_count - matched
-        said = f"published on {self._name}: {others} subscription{'s' * (others != 1)}"
+        said = f"published on {self.name}: {others} subscription{'s' * (others != 1)}"
         if missed > 0:
             said += f"; {missed} more with another quality of service, which get nothing"
         self._tell("done", said)
         return True
+
+    def write(self, data: bytes) -> None:
+        """Write a further message, when the first one is written."""
+        self._writer.write(data)
 
     def cancel(self) -> bool:
         return True
 
     def close(self) -> None:
         """Leave the writer open for the next message."""
+
+
+class _Repetition:
+    """A message that is written again and again, with the time of each writing where it has the word `now`.
+
+    Args:
+        first: Its first publication.
+        new_data: Returns the bytes of the next message.
+        period_s: Time between two messages [s].
+        tell: Tells the page.
+    """
+
+    def __init__(
+        self,
+        first: _Publication,
+        new_data: Callable[[], bytes],
+        period_s: float,
+        tell: Callable[[str, str], None],
+    ) -> None:
+        self._first = first
+        self._new_data = new_data
+        self._period_s = period_s
+        self._tell = tell
+        self._count = 0
+        self.due_s = time.monotonic()
+        """When there is something to do [s, monotonic]."""
+        self._next_told_s = 0.0
+
+    def step(self) -> bool:
+        now_s = time.monotonic()
+        if self._count == 0:
+            self._count = int(self._first.step())
+            self.due_s = now_s + (self._period_s if self._count else LOOK_S)
+            return False
+        if now_s < self.due_s:
+            return False
+        # What was missed is not made up for: a thread that was late doesn't send a burst.
+        self.due_s = max(self.due_s + self._period_s, now_s)
+        self._first.write(self._new_data())
+        self._count += 1
+        if now_s >= self._next_told_s:
+            self._next_told_s = now_s + TOLD_S
+            self._tell("feedback", self.summary())
+        return False
+
+    def summary(self) -> str:
+        """Return how many messages were published, as a sentence."""
+        return f"published {self._count} message{'s' * (self._count != 1)} on {self._first.name}"
+
+    def cancel(self) -> bool:
+        return True
+
+    def close(self) -> None:
+        self._first.close()
 
 
 def _class_of(what: str, type_name: str) -> type[Any]:

@@ -8,6 +8,7 @@ let formNames = EMPTY_FORM_NAMES;
 let form = null;               // what is filled in: { what, name, type, read() }
 let formKey = "";              // the page's own name of what was sent last
 let formCount = 0;
+let sendingKey = "";           // of what is published at a rate
 let formAsked = "";            // of which name and type the form is, or was asked for
 
 const SEND_WORDS = { topic: "Publish", service: "Call", action: "Send goal" };
@@ -45,6 +46,7 @@ takers.form = (made) => {
   form = { what: made.what, name: made.name, type: made.type, read: fields.read };
   $("form-fields").replaceChildren(fields.node);
   $("form-send").textContent = SEND_WORDS[made.what];
+  $("form-rate-label").hidden = made.what !== "topic";
   $("form-send").disabled = false;
 };
 
@@ -178,8 +180,14 @@ function sendForm() {
   formSay("…");
   $("form-state").textContent = "";
   const command = { op: "send", key: formKey, what: form.what, name: form.name, type: form.type, values: form.read() };
+  const rate = form.what === "topic" ? Number($("form-rate").value) : 0;
+  if (!(rate >= 0)) { formSay("a rate is a number, in Hz", true); return; }
+  if (rate) command.rate_hz = rate;
   if (JSON.stringify(command).length > 60000) { formSay("a form may be 60,000 characters long", true); return; }
-  $("form-cancel").hidden = form.what !== "action";
+  if (sendingKey) send({ op: "cancel", key: sendingKey });
+  sendingKey = rate ? formKey : "";
+  $("form-cancel").hidden = form.what !== "action" && !rate;
+  $("form-cancel").textContent = rate ? "Stop" : "Cancel";
   send(command);
 }
 
@@ -189,8 +197,10 @@ takers.sent = ({ key, state: sentState, text }) => {
   if (sentState === "accepted") { $("form-state").textContent = text; return; }
   if (sentState === "waiting") return;
   formSay(text, sentState === "error");
-  if (sentState === "feedback") $("form-state").textContent = "feedback";
-  if (["done", "error"].includes(sentState)) { $("form-cancel").hidden = true; $("form-state").textContent = ""; }
+  if (sentState === "feedback") $("form-state").textContent = sendingKey === key ? "publishing" : "feedback";
+  if (["done", "error"].includes(sentState)) {
+    sendingKey = "";
+    $("form-cancel").hidden = true; $("form-state").textContent = ""; }
 };
 
 openers.send = askFormNames;
