@@ -14,12 +14,14 @@ LINUX = pytest.mark.skipif(sys.platform != "linux", reason="reads /proc and /sys
 
 
 def check(row: discovery.Row) -> None:
-    """Check that a graph is complete, and that each number can be one."""
+    """Check that a graph is complete, and that each number can be one.
+
+    Not the bytes on the loopback interface, which other tests use meanwhile.
+    """
     assert row.is_complete
     assert 0 < row.time_s < discovery.TIMEOUT_S
     assert 0 < row.join_s < discovery.TIMEOUT_S
     assert row.cpu_s > 0
-    assert row.join_bytes > 0
     assert row.memory_bytes > 5e6  # an interpreter's own
 
 
