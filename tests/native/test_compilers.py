@@ -13,7 +13,6 @@ import shutil
 import subprocess
 import sys
 import sysconfig
-import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -52,12 +51,14 @@ def clang() -> str | None:
 
 
 def failures(compiler: list[str], sources: list[Path]) -> list[str]:
-    """Compile each source to nowhere, in parallel; return what the compiler prints of those that fail."""
+    """Have each source checked, in parallel; return what the compiler prints of those that fail.
+
+    No code is generated, which takes half the time: clang's front end gives all of these warnings.
+    """
 
     def messages(source: Path) -> str:
-        with tempfile.TemporaryDirectory() as folder:
-            command = [*compiler, *WARNINGS, f"-I{NATIVE}", "-c", str(source), "-o", f"{folder}/object"]
-            done = subprocess.run(command, capture_output=True, text=True, timeout=600, check=False)
+        command = [*compiler, *WARNINGS, f"-I{NATIVE}", "-fsyntax-only", str(source)]
+        done = subprocess.run(command, capture_output=True, text=True, timeout=600, check=False)
         return f"{source.relative_to(ROOT)}:\n{done.stderr}" if done.returncode else ""
 
     with ThreadPoolExecutor(os.cpu_count()) as threads:

@@ -47,11 +47,11 @@ def environment(extension: Path, runtime: str, reports: Path) -> dict[str, str]:
         "LD_PRELOAD": " ".join(path.strip() for path in libraries),
         "PYTHONPATH": str(HERE / "sanitized"),
         "TFLOOM_SANITIZED_NATIVE": str(extension),
-        "ASAN_OPTIONS": f"detect_leaks=0:log_path={reports}",  # Python never frees all its memory
-        "UBSAN_OPTIONS": f"halt_on_error=1:print_stacktrace=1:log_path={reports}",
+        "ASAN_OPTIONS": f"detect_leaks=0:log_path='{reports}'",  # Python never frees all its memory
+        "UBSAN_OPTIONS": f"halt_on_error=1:print_stacktrace=1:log_path='{reports}'",
         "TSAN_OPTIONS": (
             "ignore_noninstrumented_modules=1:report_signal_unsafe=0:exitcode=0:"
-            f"suppressions={HERE / 'sanitized' / 'threads.supp'}:log_path={reports}"
+            f"suppressions='{HERE / 'sanitized' / 'threads.supp'}':log_path='{reports}'"  # paths may have a space
         ),
     }
 
