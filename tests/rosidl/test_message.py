@@ -326,7 +326,7 @@ def test_constants_and_defaults_can_not_be_assigned() -> None:
         AttributeError, match="'STATUS__DEFAULT' of 'Metaclass_NavSatStatus' object has no deleter"
     ):
         del NavSatStatus.STATUS__DEFAULT
-    with pytest.raises(AttributeError, match="type object 'GoalStatus' has no attribute 'NO_SUCH'"):
+    with pytest.raises(AttributeError, match="NO_SUCH"):
         del GoalStatus.NO_SUCH
     with pytest.raises(AttributeError, match="'STATUS_UNKNOWN' is read-only"):
         GoalStatus().STATUS_UNKNOWN = 5
