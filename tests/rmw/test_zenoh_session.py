@@ -149,6 +149,42 @@ def test_a_stopped_owner_that_is_killed_is_replaced(start: Callable[..., Program
     wait_until(lambda: sees(newcomer, "late", "newcomer") and sees(late, "late", "newcomer"))
 
 
+def test_session_that_can_not_be_closed_is_a_line(port: int, capfd: pytest.CaptureFixture[str]) -> None:
+    """Zenoh gives up after ten seconds where the router takes nothing; all else ends as usual."""
+    opened = open_session()
+    session = opened.session
+
+    class Unclosable:
+        def close(self) -> None:
+            session.close()
+            raise zenoh.ZError("close operation timed out! at /somewhere/close.rs:135.")
+
+    opened._session = Unclosable()
+    opened.close()
+    assert not opened.is_meeting_point
+    line = (
+        "tfloom: what was written last may be lost, because the Zenoh session can't be closed: "
+        "close operation timed out!\n"
+    )
+    assert capfd.readouterr().err == line
+
+
+@pytest.mark.slow
+def test_program_ends_without_a_traceback_while_the_router_is_stopped(
+    start_program: Callable[..., Program], domain_id: int, port: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "rmw_zenoh_cpp")
+    owner = start_program("tfloom", "run", "demo_nodes_py", "talker")
+    owner.wait_for("Publishing")
+    owner.pause()
+    listener = start_program("tfloom", "run", "demo_nodes_py", "listener")
+    listener.wait_for("no answer from the router")
+    listener.signal(signal.SIGINT)
+    assert listener.wait() == 0
+    assert "Traceback" not in listener.output
+    assert "the Zenoh session can't be closed" in listener.output
+
+
 def test_stock_nodes_meet_at_the_point(
     start: Callable[..., Program], port: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -112,6 +112,7 @@ class ZenohSession:
     def close(self) -> None:
         """Leave, after all that was written has been sent. A router in this process ends, and another takes over.
 
+        Zenoh waits some seconds for a router that is stopped and takes nothing; a line tells it then.
         It must not be called in a callback of Zenoh. A second call, and one in a forked child, does nothing.
         """
         if self._is_closed or os.getpid() != self._pid:
@@ -119,6 +120,9 @@ class ZenohSession:
         self._is_closed = True
         try:
             self._session.close()
+        except open_library().ZError as error:
+            text = f"what was written last may be lost, because the Zenoh session can't be closed: {reason_of(error)}"
+            print(f"tfloom: {text}", file=sys.stderr)
         finally:
             if self._meeting_point is not None:
                 self._meeting_point.close()
