@@ -28,7 +28,7 @@ MAX_WORKERS = 16
 TESTS = ROOT / "tests"
 FEW_FILES = 30
 """So few files that are not compiled cost less than another start of pytest."""
-ROS_TESTS = (TESTS / "ros_peer", TESTS / "drop_in")
+ROS_TESTS = (TESTS / "ros_peer", TESTS / "drop_in", TESTS / "rmw" / "test_zenoh_witness.py")
 MAX_SLOW_TEST_S = 2400
 """The longest time of a slow test [s]; pyproject.toml has that of the others."""
 PR_SET_CHILD_SUBREAPER = 36

@@ -156,7 +156,11 @@ def test_the_witness_sees_this_node(
         "--router",
         f"127.0.0.1:{os.environ['TFLOOM_ZENOH_PORT']}",
     ]
-    listed = start_program(*command, "--no-daemon", "topic", "list", "-t", env=alone)
-    listed.wait(60)
-    assert "/seen/by/it" in listed.output, listed.output
-    assert "std_msgs/msg/String" in listed.output
+
+    def listing() -> str:
+        """Return what it lists; it waits for the graph a short time only, which may be too short."""
+        listed = start_program(*command, "--no-daemon", "topic", "list", "-t", env=alone)
+        listed.wait(60)
+        return str(listed.output)
+
+    wait_until(lambda: "/seen/by/it [std_msgs/msg/String]" in " ".join(listing().split()))

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 from pathlib import Path
 
 import psutil
 import pytest
+from tools import run_tests
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -48,3 +50,17 @@ def test_processes_that_tests_leave_are_ended_and_fail_the_run(tmp_path: Path) -
 
 def test_nothing_selected_is_no_success(tmp_path: Path) -> None:
     assert run_tier(tmp_path / "test_none.py", "").returncode == 5
+
+
+def test_all_tests_beside_the_real_rclpy_and_the_witness_are_run() -> None:
+    """The tier names its folders and files, so a file elsewhere would never run."""
+    marked = [
+        path
+        for path in run_tests.TESTS.rglob("test_*.py")
+        if re.search(r"^ *(@|pytestmark = .*)pytest\.mark\.ros\b", path.read_text("utf-8"), re.MULTILINE)
+    ]
+    assert len(marked) > 5
+    left_out = [
+        path for path in marked if not any(path.is_relative_to(named) for named in run_tests.ROS_TESTS)
+    ]
+    assert not left_out
