@@ -8,9 +8,9 @@ import pytest
 from tests.conftest import Program
 from tests.zenoh_ports import NEEDS_ZENOH, use_port_of
 
-from tfloom.cli import other_wire
 from tfloom.cli.finding import Verdict
 from tfloom.cli.other_wire import check_other_wire
+from tfloom.rmw import cyclone_ports
 from tfloom.rmw.cyclone_config import discovery_port
 
 pytestmark = NEEDS_ZENOH
@@ -42,7 +42,7 @@ def test_programs_on_zenoh_are_named_on_dds(
 def test_programs_on_dds_are_named_on_zenoh(
     domain_id: int, monkeypatch: pytest.MonkeyPatch, start_program: Callable[..., Program]
 ) -> None:
-    if other_wire._bound_udp_ports() is None:
+    if cyclone_ports.bound_udp_ports() is None:
         pytest.skip("this system doesn't tell which ports are bound")
     monkeypatch.setenv("RMW_IMPLEMENTATION", "rmw_zenoh_cpp")
     assert check_other_wire()[:2] == (Verdict.OK, f"no program on DDS on this machine, in domain {domain_id}")
@@ -66,5 +66,5 @@ def test_invalid_settings_and_systems_that_do_not_tell(monkeypatch: pytest.Monke
     monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
     assert check_other_wire().verdict is Verdict.OK
     monkeypatch.setenv("RMW_IMPLEMENTATION", "rmw_zenoh_cpp")
-    monkeypatch.setattr(other_wire, "_bound_udp_ports", lambda: None)
+    monkeypatch.setattr(cyclone_ports, "bound_udp_ports", lambda: None)
     assert check_other_wire()[:2] == (Verdict.OK, "programs on DDS are not looked for on this system")

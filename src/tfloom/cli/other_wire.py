@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import socket
 from typing import Any
 
@@ -49,9 +48,10 @@ def _zenoh_beside_dds() -> Finding:
 def _dds_beside_zenoh() -> Finding:
     from tfloom.rmw.backends import domain_id_from_environment
     from tfloom.rmw.cyclone_config import discovery_port, local_participants
+    from tfloom.rmw.cyclone_ports import bound_udp_ports
 
     domain = domain_id_from_environment()
-    bound = _bound_udp_ports()
+    bound = bound_udp_ports()
     if bound is None:
         return Finding(Verdict.OK, "programs on DDS are not looked for on this system")
     searched = [discovery_port(domain, index) for index in range(local_participants(domain))]
@@ -61,17 +61,3 @@ def _dds_beside_zenoh() -> Finding:
     summary = f"programs on DDS are on this machine, in domain {domain}: they aren't heard on Zenoh"
     details: dict[str, Any] = {"UDP ports of discovery": ", ".join(map(str, found))}
     return Finding(Verdict.WARNING, summary, _ADVICE, details)
-
-
-def _bound_udp_ports() -> set[int] | None:
-    """Return the UDP ports of this machine that are bound; None on a system that doesn't tell."""
-    ports = set()
-    try:
-        for table in ("/proc/net/udp", "/proc/net/udp6"):
-            if table.endswith("6") and not os.path.exists(table):  # noqa: PTH110  # IPv6 may be off
-                continue
-            with open(table, encoding="ascii") as file:  # noqa: PTH123
-                ports |= {int(line.split()[1].rpartition(":")[2], 16) for line in file.readlines()[1:]}
-    except (OSError, ValueError, IndexError):
-        return None
-    return ports

@@ -9,6 +9,7 @@ from pathlib import Path
 from tfloom.rmw.cyclone_config import discovery_port, discovery_range, local_participants
 
 _SOCKETS = Path("/proc/net/udp")
+_SOCKETS_OF_IPV6 = Path("/proc/net/udp6")
 _CYCLONE = bytes([1, 0x10])
 
 
@@ -21,10 +22,20 @@ def bound_indices(domain_id: int) -> set[int]:
     if os.environ.get("CYCLONEDDS_URI") or discovery_range() != "LOCALHOST":
         return set()
     try:
-        table = _SOCKETS.read_text("ascii")
+        return _indices(domain_id, _ports(_SOCKETS.read_text("ascii")))
     except OSError:
         return set()
-    return _indices(domain_id, _ports(table))
+
+
+def bound_udp_ports() -> set[int] | None:
+    """Return the UDP ports of this machine that are bound; None on a system that doesn't tell."""
+    try:
+        ports = _ports(_SOCKETS.read_text("ascii"))
+        if _SOCKETS_OF_IPV6.exists():  # IPv6 may be off
+            ports |= _ports(_SOCKETS_OF_IPV6.read_text("ascii"))
+    except (OSError, ValueError, IndexError):
+        return None
+    return ports
 
 
 def process_count(participants: Iterable[bytes]) -> int:
