@@ -112,7 +112,8 @@ class FoxgloveBridge(Node):
         # Clients see the graph of now, whatever /clock says.
         steady = Clock(clock_type=ClockType.STEADY_TIME)
         self.create_timer(UPDATE_S, self._update, clock=steady)
-        self.create_timer(CONNECTIONS_S, self.publish_connections, clock=steady)
+        if "connectionGraph" in settings.capabilities:
+            self.create_timer(CONNECTIONS_S, self.publish_connections, clock=steady)
         self._update()
         if self._is_simulated:
             best_effort = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
