@@ -355,6 +355,17 @@ def test_more_requests_than_the_depth_push_out_the_oldest(participant: Participa
     assert len(server._queries) == 2
 
 
+def declare_answering_server(plain: Any, domain_id: int) -> Any:
+    """Let a session of Zenoh answer each request of the service `KILL`, without a token."""
+    key = data_key(domain_id, KILL.name, KILL.type_name, HASH)
+
+    def answer(query: Any) -> None:
+        query.reply(key, HEADER + b"right", attachment=query.attachment.to_bytes())
+        query.drop()
+
+    return plain.declare_queryable(key, zenoh.handlers.Callback(answer, indirect=False), complete=True)
+
+
 def test_server_without_a_route_is_not_ready_and_the_route_wakes_its_waiters(
     participant: Participant, domain_id: int, plain: Any
 ) -> None:
@@ -367,13 +378,7 @@ def test_server_without_a_route_is_not_ready_and_the_route_wakes_its_waiters(
     queue = ReadyQueue()
     client.notify_ready(queue, 8)
     assert queue.wait(30 * 10**9) == [8]  # at the start
-    key = data_key(domain_id, KILL.name, KILL.type_name, HASH)
-
-    def answer(query: Any) -> None:
-        query.reply(key, HEADER + b"right", attachment=query.attachment.to_bytes())
-        query.drop()
-
-    queryable = plain.declare_queryable(key, zenoh.handlers.Callback(answer, indirect=False), complete=True)
+    queryable = declare_answering_server(plain, domain_id)
     assert queue.wait(30 * 10**9) == [8]
     wait_until(client.is_ready)
     assert not client.is_synchronising()
@@ -389,19 +394,8 @@ def test_request_waits_for_the_route(participant: Participant, domain_id: int, p
     client = participant.create_requester(NODE, KILL, QoS())
     token = declare_token(plain, domain_id, Kind.SERVER, End(KILL.name, KILL.type_name, HASH, QoS()))
     wait_until(client.receiving_servers)
-    key = data_key(domain_id, KILL.name, KILL.type_name, HASH)
-
-    def answer(query: Any) -> None:
-        query.reply(key, HEADER + b"right", attachment=query.attachment.to_bytes())
-        query.drop()
-
     opened: list[Any] = []
-
-    def open_late() -> None:
-        handler = zenoh.handlers.Callback(answer, indirect=False)
-        opened.append(plain.declare_queryable(key, handler, complete=True))
-
-    late = threading.Timer(0.05, open_late)
+    late = threading.Timer(0.05, lambda: opened.append(declare_answering_server(plain, domain_id)))
     late.start()
     client.send(HEADER + b"ask")
     wait_until(lambda: client.take() is not None)
