@@ -236,6 +236,38 @@ def test_threads_deliver_all_feedback_before_the_result(
     assert at_end == {goal: [0, 1, 2, 3, 4] for goal in range(40)}
 
 
+def test_a_goal_that_comes_while_its_server_is_created_is_executed(
+    context: Context, node: Node, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Each service answers as soon as it is there, and each part that is created after it comes late."""
+    client = ActionClient(node, Fibonacci, "count")
+    goals: list[Future[Any]] = []
+    create_service = node.create_service
+
+    def create_and_wait_for_a_goal(*args: Any, **options: Any) -> Any:
+        service = create_service(*args, **options)
+        if service.service_name.endswith("send_goal"):
+            assert client._send.wait_for_service(30)
+            goals.append(client.send_goal_async(Fibonacci.Goal()))
+            wait_until(lambda: goals[0].done() or not spinning.is_alive())
+        return service
+
+    monkeypatch.setattr(node, "create_service", create_and_wait_for_a_goal)
+    end: Future[None] = Future()
+    with MultiThreadedExecutor(3, context=context) as executor:
+        executor.add_node(node)
+        spinning = threading.Thread(target=executor.spin_until_future_complete, args=(end,))
+        spinning.start()
+        try:
+            ActionServer(node, Fibonacci, "count", succeed, callback_group=ReentrantCallbackGroup())
+            result = goals[0].result().get_result_async()
+            wait_until(result.done)
+        finally:
+            end.set_result(None)
+            spinning.join()
+    assert list(result.result().result.sequence) == [1]
+
+
 def run_with_threads(
     executor: Executor, node: Node, begin: Callable[[], None], group: Any = None
 ) -> tuple[Future[None], threading.Thread]:

@@ -163,21 +163,24 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         self.register_cancel_callback(cancel_callback)
         carrier = self._action_type.Impl
         services = (
-            (carrier.SendGoalService, SEND_GOAL, self._on_goal, goal_service_qos_profile),
             (carrier.GetResultService, GET_RESULT, self._on_result, result_service_qos_profile),
             (carrier.CancelGoalService, CANCEL_GOAL, self._on_cancel, cancel_service_qos_profile),
+            (carrier.SendGoalService, SEND_GOAL, self._on_goal, goal_service_qos_profile),
         )
+        self._feedback = node.create_publisher(
+            carrier.FeedbackMessage, action_name + FEEDBACK, feedback_pub_qos_profile
+        )
+        self._status = node.create_publisher(GoalStatusArray, action_name + STATUS, status_pub_qos_profile)
+        self._expiry: Timer = node.create_timer(3600.0, self._drop_expired_goals, autostart=False)
+        # The services come last, and that of goals after the two others: where other threads spin the node, a goal can
+        # arrive as soon as its service is there, from a client that knew the server before this one. It is executed at
+        # once then, which takes all of the above, and its client asks for its result.
         self._services = [
             node.create_service(
                 srv_type, action_name + suffix, callback, qos_profile=qos, callback_group=callback_group
             )
             for srv_type, suffix, callback, qos in services
         ]
-        self._feedback = node.create_publisher(
-            carrier.FeedbackMessage, action_name + FEEDBACK, feedback_pub_qos_profile
-        )
-        self._status = node.create_publisher(GoalStatusArray, action_name + STATUS, status_pub_qos_profile)
-        self._expiry: Timer = node.create_timer(3600.0, self._drop_expired_goals, autostart=False)
 
     @property
     def action_type(self) -> type[Action[GoalT, ResultT, FeedbackT]]:
