@@ -389,7 +389,10 @@ def programs() -> Iterator[Callable[..., Program]]:
 
     def start(*command: str | Path, **options: object) -> Program:
         first, *rest = command
-        beside_python = Path(sys.executable).parent / first
+        # A system's Python may be python3 alone.
+        beside_python = Path(sys.executable).parent / (
+            Path(sys.executable).name if first == "python" else first
+        )
         program = Program([beside_python if beside_python.exists() else first, *rest], **options)
         started.append(program)
         return program

@@ -20,10 +20,10 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager, nullcontext
+from contextlib import contextmanager, nullcontext, suppress
 from functools import partial
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from tools.set_up import ROOT, SetUpError, only_one, say
 
@@ -63,13 +63,18 @@ PACKAGES = {name: f"{python} {python}-venv {python}-dev {TOOLS}" for name, pytho
     "python3-pytest-rerunfailures python3-hypothesis python3-pandas python3-transforms3d python3-scipy libddsc0t64",
 }
 ARM64_MAGIC = (
-    r":qemu-aarch64:M::\x7fELF\x02\x01\x01\x00\x00\x00\x00\x00\x00\x00\x00\x00\x02\x00\xb7\x00"
+    r":M::\x7fELF\x02\x01\x01\x00\x00\x00\x00\x00\x00\x00\x00\x00\x02\x00\xb7\x00"
     r":\xff\xff\xff\xff\xff\xff\xff\x00\xff\xff\xff\xff\xff\xff\xff\xff\xfe\xff\xff\xff:/usr/bin/qemu-aarch64-static:F"
 )
-"""Registers qemu for programs of arm64; by the flag F the kernel opens it now, so that no chroot needs it."""
+"""What registers qemu for programs of arm64, after a colon and a name.
+
+By the flag F the kernel opens qemu when it is registered, so that no chroot needs it.
+"""
 BINFMT = Path("/proc/sys/fs/binfmt_misc")
 TALK_DOMAIN = "93"
 TALK_S = 90.0
+END_S = 20.0
+"""How long an interrupted command has to end its own programs [s]."""
 COUNTS = re.compile(r"\d+ (?:passed|failed|skipped|errors?)\b")
 
 
@@ -117,7 +122,9 @@ class Chroot:
         """
         shutil.rmtree(self.folder, ignore_errors=True)
         self.folder.parent.mkdir(parents=True, exist_ok=True)
-        command = ["mmdebstrap", f"--variant={variant}", f"--architectures={self._architecture}"]
+        # In a mount namespace, as in `command`: it mounts /proc and /dev while it installs.
+        command = ["unshare", "--mount", "mmdebstrap"]
+        command += [f"--variant={variant}", f"--architectures={self._architecture}"]
         # A mirror may be a snapshot, whose index has expired; its signature is checked in any case.
         command += [
             "--aptopt=Acquire::Check-Valid-Until false",
@@ -158,6 +165,32 @@ class Chroot:
         inside = [*words, "chroot", str(self.folder), "sh", "-c", f"cd /{HERE} && {text}"]
         return ["unshare", "--mount", "sh", "-c", mounts, str(self.folder), *inside]
 
+    def end_programs(self) -> None:
+        """End the programs that run in there: what an interrupted command had started."""
+        for process in Path("/proc").glob("[0-9]*"):
+            with suppress(OSError):  # it has ended, or is a thread of the kernel
+                if (process / "root").readlink() == self.folder:
+                    os.kill(int(process.name), signal.SIGKILL)
+
+
+def completed(command: Sequence[str | Path], **options: Any) -> subprocess.CompletedProcess[str]:
+    """Run a command to its end, as subprocess.run does.
+
+    If this program is interrupted meanwhile, the command and its children are, too: the ones that run in a terminal of
+    their own wouldn't hear of it.
+    """
+    with subprocess.Popen(command, start_new_session=True, text=True, **options) as process:
+        try:
+            output, errors = process.communicate()
+        except BaseException:
+            for number in (signal.SIGINT, signal.SIGKILL):
+                with suppress(ProcessLookupError):
+                    os.killpg(process.pid, number)
+                with suppress(subprocess.TimeoutExpired):
+                    process.wait(END_S)
+            raise
+    return subprocess.CompletedProcess(command, process.returncode, output, errors)
+
 
 def export_checkout(folder: Path) -> None:
     """Write the last commit's files to a folder."""
@@ -183,9 +216,7 @@ def run_in(chroot: Chroot, text: str, log: str, **variables: str) -> tuple[bool,
     """Run a line of shell in a chroot; return whether it succeeded, and pytest's counts or the last line it printed."""
     path = log_path(chroot, log)
     with path.open("w", encoding="utf-8") as file:
-        code = subprocess.run(
-            chroot.command(text, **variables), stdout=file, stderr=subprocess.STDOUT, check=False
-        ).returncode
+        code = completed(chroot.command(text, **variables), stdout=file, stderr=subprocess.STDOUT).returncode
     lines = log_lines(chroot, log) or [""]
     counts = total_counts(lines)
     return code == 0, counts or (lines[-1] if code else "ran") + (f"; see {path}" if code else "")
@@ -252,31 +283,57 @@ def host_architecture() -> str:
 
 def chroot_output(chroot: Chroot, text: str) -> str:
     """Return what a command prints in a chroot."""
-    done = subprocess.run(chroot.command(text), capture_output=True, text=True, check=False)
+    done = completed(chroot.command(text), stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
     return done.stdout.strip()
 
 
 @contextmanager
+def mounted_binfmt() -> Iterator[None]:
+    """Have binfmt_misc mounted as long as the block runs; unmount it if it wasn't, and nobody else registers there."""
+    is_own = not (BINFMT / "register").exists()
+    if is_own:
+        succeed(["mount", "-t", "binfmt_misc", "binfmt_misc", BINFMT])
+    try:
+        yield
+    finally:
+        if is_own and not registrations():
+            succeed(["umount", BINFMT])
+
+
+def registrations() -> list[Path]:
+    """Return what is registered in binfmt_misc."""
+    return [entry for entry in BINFMT.iterdir() if entry.name not in {"register", "status"}]
+
+
+def runs_arm64(entry: Path) -> bool:
+    """Return whether a registration of binfmt_misc runs programs of arm64 in any chroot."""
+    lines = entry.read_text().splitlines()
+    magic = ARM64_MAGIC.split(":")[3].encode().decode("unicode_escape").encode("latin-1").hex()
+    flags = next((line.removeprefix("flags:") for line in lines if line.startswith("flags:")), "")
+    return "enabled" in lines and f"magic {magic}" in lines and "F" in flags
+
+
+@contextmanager
 def arm64_programs() -> Iterator[None]:
-    """Have the kernel run programs of arm64 by qemu as long as the block runs.
+    """Have the kernel run programs of arm64 by qemu as long as the block runs, and leave it as it was.
 
     Raises:
         SetUpError: binfmt_misc can't be mounted or written.
     """
-    entry = BINFMT / "qemu-aarch64"
-    try:
-        if not (BINFMT / "register").exists():
-            subprocess.run(["mount", "-t", "binfmt_misc", "binfmt_misc", BINFMT], check=True)
-        is_own = not entry.exists()
-        if is_own:
-            (BINFMT / "register").write_text(ARM64_MAGIC)
-    except (OSError, subprocess.CalledProcessError) as error:
-        raise SetUpError(f"qemu can't be registered in {BINFMT}: {error}") from None
-    try:
-        yield
-    finally:
-        if is_own:
-            entry.write_text("-1")
+    with mounted_binfmt():
+        if any(map(runs_arm64, registrations())):
+            yield
+            return
+        # A name of this process, because another checkout may run at the same time.
+        own = BINFMT / f"tfloom-arm64-{os.getpid()}"
+        try:
+            (BINFMT / "register").write_text(f":{own.name}{ARM64_MAGIC}")
+        except OSError as error:
+            raise SetUpError(f"qemu can't be registered in {BINFMT}: {error}") from None
+        try:
+            yield
+        finally:
+            own.write_text("-1")
 
 
 def build_for_arm64(chroot: Chroot) -> tuple[bool, str]:
@@ -327,10 +384,11 @@ def succeed(command: Sequence[str | Path], environment: Mapping[str, str] | None
     Raises:
         SetUpError: it failed; the text has its last lines.
     """
-    done = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, check=False)
+    done = completed(command, cwd=ROOT, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     if done.returncode:
-        lines = (done.stdout + done.stderr).splitlines()[-15:]
-        raise SetUpError(f"{Path(command[0]).name} failed:\n" + "\n".join(lines))
+        lines = done.stdout.splitlines()[-15:]
+        name = next(Path(word).name for word in command if word not in {"unshare", "--mount"})
+        raise SetUpError(f"{name} failed:\n" + "\n".join(lines))
 
 
 def output_of(*command: str) -> str:
@@ -482,6 +540,16 @@ PARTS: dict[str, Callable[..., list[Row]]] = {name: partial(run_native, name) fo
 }
 
 
+def run_part(part: str, *, is_short: bool) -> list[Row]:
+    """Run the checks of a part, and leave none of its programs behind; return the rows."""
+    try:
+        return PARTS[part](is_short=is_short)
+    except (SetUpError, OSError) as error:
+        return [Row(part, "prepared", " ".join(str(error).split()), 0.0, is_good=False)]
+    finally:
+        Chroot(part, "").end_programs()
+
+
 def missing_tools() -> str:
     """Return why this machine can't run the parts; empty if it can."""
     if sys.platform != "linux" or os.geteuid() != 0:
@@ -508,8 +576,9 @@ def main() -> int:
         print(f"platforms: {reason}", file=sys.stderr)
         return 3
     FOLDER.mkdir(parents=True, exist_ok=True)
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))  # by which all is put back
     with only_one(FOLDER):  # another run would remove the chroots of this one
-        rows = [row for part in parts for row in PARTS[part](is_short=options.short)]
+        rows = [row for part in parts for row in run_part(part, is_short=options.short)]
     print("| system | what | result | minutes |\n|---|---|---|---|")
     for row in rows:
         print(f"| {row.system} | {row.what} | {row.result} | {row.seconds / 60:.1f} |")

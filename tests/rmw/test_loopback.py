@@ -19,7 +19,7 @@ from tfloom.rmw import cyclonedds
 from tfloom.rmw.cyclone_config import configuration
 from tfloom.rmw.cyclone_library import find_library
 
-SO_BINDTODEVICE = 25
+SO_BINDTOIFINDEX = 62
 REFUSING = Path(__file__).parent / "libraries" / "refusing_kernel.c"
 
 pytestmark = [
@@ -28,10 +28,10 @@ pytestmark = [
 ]
 
 
-def sockets_of(domain_id: int) -> dict[int, bytes]:
+def sockets_of(domain_id: int) -> dict[int, str]:
     """Return the interface that each socket of this process on a domain's unicast ports is bound to, by port."""
     first = 7410 + 250 * domain_id
-    devices: dict[int, bytes] = {}
+    devices: dict[int, str] = {}
     for entry in Path("/proc/self/fd").iterdir():
         with suppress(OSError):  # another thread has closed it
             if not entry.is_socket():
@@ -43,8 +43,13 @@ def sockets_of(domain_id: int) -> dict[int, bytes]:
     return devices
 
 
-def device_of(sock: socket.socket) -> bytes:
-    return sock.getsockopt(socket.SOL_SOCKET, SO_BINDTODEVICE, 16).rstrip(b"\0")
+def device_of(sock: socket.socket) -> str:
+    """Return the interface that a socket is bound to, empty if none.
+
+    It is asked for by number, because qemu-user, which knows integers alone, can't answer with a name.
+    """
+    index = sock.getsockopt(socket.SOL_SOCKET, SO_BINDTOIFINDEX)
+    return socket.if_indextoname(index) if index else ""
 
 
 @pytest.fixture
@@ -57,7 +62,7 @@ def opened(domain_id: int) -> Iterator[cyclonedds.CycloneParticipant]:
 def test_the_sockets_of_a_domain_are_bound(domain_id: int, opened: cyclonedds.CycloneParticipant) -> None:
     first = 7410 + 250 * domain_id
     assert opened.loopback_failure == ""
-    assert sockets_of(domain_id) == {first: b"lo", first + 1: b"lo"}
+    assert sockets_of(domain_id) == {first: "lo", first + 1: "lo"}
     second = cyclonedds.CycloneParticipant(domain_id, "/")
     assert second.loopback_failure == ""
     second.close()
@@ -78,7 +83,7 @@ def test_a_configuration_that_reaches_others_is_not_bound(
     try:
         assert participant.loopback_failure == ""
         ours = {port: device for port, device in sockets_of(domain_id).items() if port not in earlier}
-        assert list(ours.values()) == [b"", b""]
+        assert list(ours.values()) == ["", ""]
     finally:
         participant.close()
 
@@ -106,12 +111,12 @@ def test_other_sockets_of_the_process_stay_as_they_are(domain_id: int) -> None:
         try:
             for _ in range(20):
                 participant = cyclonedds.CycloneParticipant(domain_id, "/")
-                assert sockets_of(domain_id)[first] == b"lo"
+                assert sockets_of(domain_id)[first] == "lo"
                 participant.close()
         finally:
             stop.set()
             thread.join()
-        assert device_of(single) == device_of(of_tcp) == b""
+        assert device_of(single) == device_of(of_tcp) == ""
     assert not faults
 
 
@@ -122,7 +127,7 @@ def test_a_domain_that_other_code_opened_is_reported(domain_id: int) -> None:
     participant = cyclonedds.CycloneParticipant(domain_id, "/")
     try:
         assert participant.loopback_failure == "other code in this process has opened the domain before"
-        assert list(sockets_of(domain_id).values()) == [b"", b""]
+        assert list(sockets_of(domain_id).values()) == ["", ""]
     finally:
         participant.close()
         library.dds_delete(domain)
