@@ -6,6 +6,7 @@ import subprocess
 import sys
 
 import pytest
+from tests.zenoh_ports import hold_zenoh_port
 
 SPINNING = """
 import atexit, sys, threading
@@ -67,6 +68,59 @@ while not begun.wait(0.05):
 """
 
 
+PUBLISHING = """
+import atexit, sys, threading
+
+closed, outcomes = threading.Event(), []
+
+def after_the_context():  # the first one that is registered runs last
+    closed.set()
+    thread.join()
+    if not thread.daemon:
+        publish()
+
+atexit.register(after_the_context)
+import rclpy
+from rclpy.exceptions import RCLError
+
+def publish():
+    try:
+        publisher.publish(String())
+    except RCLError as error:
+        print(error)
+    finally:
+        print("cleaned up")
+
+def work():
+    if thread.daemon:
+        closed.wait()
+        publish()
+
+rclpy.init()
+from std_msgs.msg import String
+publisher = rclpy.create_node("publishes").create_publisher(String, "chatter", 10)
+thread = threading.Thread(target=work, daemon=sys.argv[1] == "daemon")
+thread.start()
+"""
+
+FLOODING = """
+import threading, rclpy
+rclpy.init()
+from std_msgs.msg import String
+publisher = rclpy.create_node("publishes").create_publisher(String, "chatter", 10)
+begun = threading.Event()
+
+def flood():
+    while True:
+        publisher.publish(String(data="x"))
+        begun.set()
+
+for _ in range(2):
+    threading.Thread(target=flood, daemon=True).start()
+begun.wait()
+"""
+
+
 def run(code: str, *arguments: str) -> tuple[int, str, str]:
     command = [sys.executable, "-c", code, *arguments]
     ended = subprocess.run(command, check=False, capture_output=True, text=True, timeout=60)
@@ -81,6 +135,30 @@ def test_daemon_thread_that_spins_ends_with_the_program(
     monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
     code, _, errors = run(SPINNING, executor, work)
     assert (code, errors) == (0, "")
+
+
+@pytest.mark.parametrize(
+    ("thread", "text"),
+    [("daemon", ""), ("main", "Failed to publish: publisher's context is invalid\n")],
+)
+def test_publishing_after_the_contexts_are_closed(
+    thread: str, text: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A daemon thread ends, without a traceback, and can be waited for; the main thread gets the exception."""
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
+    assert run(PUBLISHING, thread) == (0, f"{text}cleaned up\n", "")
+
+
+@pytest.mark.parametrize("turn", range(3))
+@pytest.mark.parametrize("wire", ["rmw_cyclonedds_cpp", "rmw_zenoh_cpp"])
+def test_daemon_threads_that_publish_end_with_the_program(
+    wire: str, turn: int, domain_id: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if wire == "rmw_zenoh_cpp":
+        pytest.importorskip("zenoh", reason="eclipse-zenoh is not installed: pip install 'tfloom[zenoh]'")
+    monkeypatch.setenv("RMW_IMPLEMENTATION", wire)
+    with hold_zenoh_port():
+        assert run(FLOODING) == (0, "", "")
 
 
 def test_callback_on_the_threads_of_the_wire_runs_to_its_end(domain_id: int) -> None:

@@ -213,6 +213,18 @@ class Context:
             error, (RCLError, NotInitializedException, ROSInterruptException, ClosedError)
         )
 
+    def end_daemon_thread_at_exit(self) -> None:
+        """End this thread without a traceback, if it is a daemon thread and the program's end has closed all contexts.
+
+        Python aborts the process if a daemon thread prints, as of an exception, in the moment in which the interpreter
+        ends. Code that waits for the thread goes on, as after the exception. A thread of another library keeps the
+        exception, because the library may not know what SystemExit means.
+        """
+        thread = threading.current_thread()
+        is_foreign = isinstance(thread, threading._DummyThread)  # noqa: SLF001  # how threading represents it
+        if _is_ending and thread.daemon and not is_foreign:
+            raise SystemExit
+
     def shutdown(self) -> None:
         """Shut down: spinning ends, and the callbacks of `on_shutdown` are called on this thread.
 

@@ -10,6 +10,7 @@ from tfloom.node.qos.qos import QoSProfile
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.exceptions import InvalidHandle, RCLError
 from tfloom.node.values.type_support import wrong_message
+from tfloom.rmw.errors import ClosedError
 from tfloom.rosidl import cdr
 
 if TYPE_CHECKING:
@@ -51,7 +52,7 @@ class Publisher(Endpoint["Writer"], Generic[MsgType]):
         Raises:
             TypeError: `msg` is of another type.
             EncodeError: a field's value doesn't fit its type; the text names the field.
-            RCLError: the context is shut down.
+            RCLError: the context is shut down. A daemon thread ends without it where the program's end has done so.
             ForkedProcessError: this process is a fork of the one that created the publisher.
             InvalidHandle: the publisher was destroyed.
         """
@@ -65,8 +66,13 @@ class Publisher(Endpoint["Writer"], Generic[MsgType]):
             raise InvalidHandle(f"cannot publish on {self.topic}: the publisher was destroyed")
         if not self._context.ok():
             self._context.check_not_from_parent_process(f"cannot publish on {self.topic}")
+            self._context.end_daemon_thread_at_exit()
             raise RCLError("Failed to publish: publisher's context is invalid")
-        self._endpoint.write(data)
+        try:
+            self._endpoint.write(data)
+        except ClosedError:
+            self._context.end_daemon_thread_at_exit()
+            raise
 
     def get_subscription_count(self) -> int:
         """Return the number of connected subscriptions."""
