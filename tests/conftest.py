@@ -197,6 +197,18 @@ def forget_interfaces() -> Iterator[None]:
             del sys.modules[name]
 
 
+@pytest.fixture
+def forgotten_types() -> Iterator[None]:
+    """Forget, after a test, the types that it has defined."""
+    from tfloom.rosidl import class_table, sources
+
+    before = dict(sources._defined)
+    yield
+    for name in sources._defined.keys() - before.keys():
+        sources.replace(name, None)
+        class_table.forget(name)
+
+
 @pytest.fixture(scope="session", autouse=True)
 def _log_directory(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
     """Write log files to a temporary folder, not to the home directory."""

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
-from tfloom.rosidl import cdr, class_table, registry, sources, spec
+from tfloom.rosidl import cdr, registry, sources, spec
 from tfloom.rosidl.class_factory import load
 from tfloom.rosidl.definition_files import KINDS, interface_names
 from tfloom.rosidl.described import (
@@ -31,14 +30,7 @@ OF_ALL = ("unique_identifier_msgs/", "builtin_interfaces/", "service_msgs/")
 """The packages of what services and actions contain by themselves."""
 
 
-@pytest.fixture(autouse=True)
-def _forgotten() -> Iterator[None]:
-    """Remove what a test has defined."""
-    before = dict(sources._defined)
-    yield
-    for name in sources._defined.keys() - before.keys():
-        sources.replace(name, None)
-        class_table.forget(name)
+pytestmark = pytest.mark.usefixtures("forgotten_types")
 
 
 def sent(description: dict[str, Any]) -> Any:

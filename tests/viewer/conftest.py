@@ -8,6 +8,7 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager, suppress
 from importlib.util import find_spec
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -38,6 +39,8 @@ collect_ignore = (
 """Tests of pages need the extra `view`; those of what is shown do not."""
 
 TIMEOUT_S = 30.0
+OWN_TYPES = Path(__file__).parents[1] / "cli" / "a_node_with_own_types.py"
+"""A program with topics, services and actions of types that it alone has."""
 
 
 class Page:

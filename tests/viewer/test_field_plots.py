@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import signal
 from collections.abc import Callable, Iterator
 from contextlib import closing
 from pathlib import Path
@@ -11,9 +12,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from tests.conftest import wait_until
+from tests.conftest import Program, wait_until
 from tests.tf2_tools.recordings import START_NS, transform
-from tests.viewer.conftest import Page, running
+from tests.viewer.conftest import OWN_TYPES, Page, running
 
 from tfloom.bag import open_bag
 from tfloom.bag.values import Topic
@@ -224,6 +225,43 @@ def test_damaged_message_is_a_sentence_and_the_next_one_counts(
     page.wait_for(lambda: "Float64.data" in (plot_of(page, "data") or {}).get("status", ""))
     publisher.publish(Float64(data=1.5))
     page.wait_for(lambda: plot_of(page, "data")["shown"] == 1.5 and not plot_of(page, "data")["status"])
+
+
+@pytest.mark.usefixtures("forgotten_types")
+def test_field_of_a_type_that_another_process_alone_has(
+    viewer: Viewer, open_page: OpenPage, start_program: Callable[..., Program]
+) -> None:
+    viewer.view.plots.add("/samples", "at[2]", is_there=False)
+    page = open_page(viewer)
+    start_program("python", OWN_TYPES).wait_for("ready")
+    page.wait_for(lambda: (plot_of(page, "at[2]") or {}).get("shown") == 3.0)
+    page.send(op="plot_fields", topic="/samples")
+    assert page.answer("plot_fields")["fields"][-1] == "at[0]"
+
+
+@pytest.mark.usefixtures("forgotten_types")
+def test_fields_come_when_the_type_is_known_and_a_wrong_description_is_a_sentence(
+    viewer: Viewer, open_page: OpenPage, start_program: Callable[..., Program]
+) -> None:
+    page = open_page(viewer)
+    lab = start_program("python", OWN_TYPES, "lie")
+    lab.wait_for("ready")
+    wait_until(lambda: "/samples" in viewer.view.topics.types(), what="the topic")
+    page.send(op="plot_fields", topic="/samples")
+    assert "; the description from /lab can't be used: " in page.answer("error")
+    lab.signal(signal.SIGINT)
+    lab.wait()
+    wait_until(lambda: "/samples" not in viewer.view.topics.types(), what="the end of the topic")
+    start_program("python", OWN_TYPES).wait_for("ready")
+
+    def fields() -> list[str]:
+        """Return what a page gets that asks for the fields again."""
+        page.answers.clear()
+        page.send(op="plot_fields", topic="/samples")
+        answer = page.wait_for(lambda: page.answers)[0]
+        return answer.get("plot_fields", {"fields": []})["fields"]
+
+    wait_until(lambda: "at[0]" in fields(), what="the fields of the type that is described well")
 
 
 # Of a recording.

@@ -10,8 +10,8 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
-from tests.conftest import wait_until
-from tests.viewer.conftest import Page
+from tests.conftest import Program, wait_until
+from tests.viewer.conftest import OWN_TYPES, Page
 
 from tfloom._native import ReadyQueue
 from tfloom.interfaces.action_msgs.msg import GoalStatus
@@ -29,9 +29,10 @@ from tfloom.node.node import Node
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
 from tfloom.rmw.base import NodeName
 from tfloom.rmw.errors import WireError
+from tfloom.rmw.question import Question
 from tfloom.rosidl.class_search import find_class
 from tfloom.rosidl.definition_files import interface_names
-from tfloom.viewer.forms import asking, filling, sending, type_form
+from tfloom.viewer.forms import asking, filling, publishing, sending, type_form
 from tfloom.viewer.forms.filling import fill
 from tfloom.viewer.page_command import PageError
 from tfloom.viewer.program import Viewer
@@ -266,15 +267,15 @@ class SlowWriter:
 def test_message_waits_until_its_writer_is_matched_and_not_for_ever(monkeypatch: pytest.MonkeyPatch) -> None:
     said: list[tuple[str, str]] = []
     writer = SlowWriter()
-    publication = sending._Publication(writer, "/x", b"data", (2, 1), lambda *words: said.append(words))
+    publication = publishing.Publication(writer, "/x", b"data", (2, 1), lambda *words: said.append(words))
     assert [publication.step(), publication.step()] == [False, False]
     assert writer.written == []
     assert publication.step()
     assert writer.written == [b"data"]
     assert said == [("done", "published on /x: 1 subscription")]
-    monkeypatch.setattr(sending, "MATCH_S", -1.0)
+    monkeypatch.setattr(publishing, "MATCH_S", -1.0)
     late = SlowWriter()
-    assert sending._Publication(late, "/x", b"data", (2, 0), lambda *words: said.append(words)).step()
+    assert publishing.Publication(late, "/x", b"data", (2, 0), lambda *words: said.append(words)).step()
     assert late.written == [b"data"]
     assert said[-1][1].endswith("0 subscriptions; 2 more with another quality of service, which get nothing")
 
@@ -295,18 +296,18 @@ def test_service_is_called_and_its_response_shown(spun: Node, viewer: Viewer, op
 def test_service_that_is_not_there_or_does_not_respond_is_an_error_in_time(
     node: Node, viewer: Viewer, open_page: OpenPage, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(asking, "SERVER_S", 0.3)
+    monkeypatch.setitem(Question.ask.__kwdefaults__, "server_s", 0.3)
     page = open_page(viewer)
     send(page, "service", "/gone", {}, "std_srvs/srv/SetBool")
     assert sent(page, "error") == "there is no server of /gone: waited 0.3 s for it"
     send(page, "action", "/gone", {}, "example_interfaces/action/Fibonacci")
     assert "there is no server of /gone/_action/send_goal" in sent(page, "error")
-    monkeypatch.setattr(asking.Question.ask, "__defaults__", (0.5,))
+    monkeypatch.setitem(Question.ask.__kwdefaults__, "response_s", 0.5)
     service = node.create_service(SetBool, "/silent", lambda _, response: response)  # nobody spins the node
-    monkeypatch.setattr(asking, "SERVER_S", 20.0)
+    monkeypatch.setitem(Question.ask.__kwdefaults__, "server_s", 20.0)
     send(page, "service", "/silent", {}, "std_srvs/srv/SetBool")
     assert sent(page, "error") == "no response from /silent within 0.5 s"
-    monkeypatch.setattr(asking.Question.ask, "__defaults__", (60.0,))
+    monkeypatch.setitem(Question.ask.__kwdefaults__, "response_s", 60.0)
     send(page, "service", "/silent", {}, "std_srvs/srv/SetBool", key="2")
     tasks = viewer._live.forms._tasks
     wait_until(
@@ -512,3 +513,58 @@ def test_odd_values_of_any_type_are_a_sentence_or_a_message() -> None:
         outcome(find_class(name)(), odd(name, 0)) for name in interface_names("msg") for _ in range(6)
     )
     assert min(outcomes["sentence"], outcomes["message"]) > 50
+
+
+# Types that another process alone has.
+
+
+@pytest.mark.usefixtures("forgotten_types")
+@pytest.mark.parametrize(
+    ("what", "name", "values", "answer"),
+    [
+        ("topic", "/samples", {"at": ["4", "5", "6"]}, "published on /samples: 0 subscriptions"),
+        ("service", "/weigh", {"part": {"count": "4"}}, "grams: 10.0\n"),
+        ("action", "/sort", {"parts": [{"name": "b"}, {"name": "a"}]}, "SUCCEEDED\nsorted:\n- name: a\n"),
+    ],
+)
+def test_form_of_a_type_that_another_process_alone_has(
+    what: str,
+    name: str,
+    values: dict[str, Any],
+    answer: str,
+    viewer: Viewer,
+    open_page: OpenPage,
+    start_program: Callable[..., Program],
+) -> None:
+    start_program("python", OWN_TYPES).wait_for("ready")
+    page = open_page(viewer)
+    names = wait_for_name(page, what, name)
+    page.send(op="form", what=what, name=name, type="", key="form")
+    form = page.answer("form")
+    assert (form["name"], form["type"]) == (name, names[name])
+    assert form["types"][form["root"]][0]["name"] in {"header", "part", "parts"}
+    send(page, what, name, values)
+    assert sent(page, "done").startswith(answer)
+
+
+def wait_for_name(page: Page, what: str, name: str) -> dict[str, str]:
+    """Wait until forms offer a name; return all names with their types."""
+    while True:
+        page.answers.clear()
+        page.send(op="form_names", what=what)
+        names = dict(page.answer("form_names")["names"])
+        if name in names:
+            return names
+
+
+@pytest.mark.usefixtures("forgotten_types")
+def test_description_that_was_not_announced_is_an_error_of_the_form(
+    viewer: Viewer, open_page: OpenPage, start_program: Callable[..., Program]
+) -> None:
+    start_program("python", OWN_TYPES, "lie").wait_for("ready")
+    page = open_page(viewer)
+    wait_for_name(page, "topic", "/samples")
+    page.send(op="form", what="topic", name="/samples", type="", key="form")
+    said = sent(page, "error")
+    assert "there is no message type 'lab_msgs/msg/Sample'" in said
+    assert "; the description from /lab can't be used: " in said

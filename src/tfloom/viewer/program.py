@@ -22,6 +22,7 @@ from tfloom.viewer.pictures import picture_of
 from tfloom.viewer.scene import Scene
 from tfloom.viewer.scene_server import SceneServer
 from tfloom.viewer.shapes import DisplayError
+from tfloom.viewer.topics import TypeNotYetKnownError
 from tfloom.viewer.view import MAX_TRAILS, View
 from tfloom.whole_files import write_file
 
@@ -87,6 +88,8 @@ class Viewer:
         """The last picture of each topic, with what it was made of."""
         self._entries: dict[str, Any] = {}
         """What each topic of images shows now, exchanged by the loop."""
+        self._asked_fields: dict[str, str] = {}
+        """By page, the topic whose fields it asked for last, while the type of this topic is searched for."""
         self._is_open = False
         self.layout_path: Path | None = None
         """Where pages save the layout; None: each browser saves it as it saves files."""
@@ -128,6 +131,9 @@ class Viewer:
                 self._live.tools.stop_silent()
             if now_s >= next_state_s:
                 next_state_s = now_s + STATE_S
+                asked, self._asked_fields = self._asked_fields, {}
+                for page, topic in asked.items():
+                    self._do(page, {"op": "plot_fields", "topic": topic})
                 self._publish()
         self._close()
 
@@ -195,6 +201,7 @@ class Viewer:
         if operation == "opened":
             return
         if operation == "closed":
+            self._asked_fields.pop(page, None)
             if self._live is not None:
                 self._live.forms.forget(page)
         elif operation == "layout":
@@ -202,16 +209,22 @@ class Viewer:
         elif operation == "plot_topics":
             self.pages.answer(page, {"plot_topics": self.view.plots.topics()})
         elif operation == "plot_fields":
-            topic = text(command, "topic")
-            self.pages.answer(
-                page, {"plot_fields": {"topic": topic, "fields": self.view.plots.fields(topic)}}
-            )
+            self._list_fields(page, text(command, "topic"))
         elif operation not in LIVE_COMMANDS:
             self.view.command(command)
         elif self._live is None:
             raise PageError("this is a recording: there is nobody to ask")
         else:
             self._run_live_command(self._live, page, operation, command)
+
+    def _list_fields(self, page: str, topic: str) -> None:
+        """Give a page the numeric fields of a topic, as soon as its type is known."""
+        try:
+            fields = self.view.plots.fields(topic)
+        except TypeNotYetKnownError:
+            self._asked_fields[page] = topic
+            return
+        self.pages.answer(page, {"plot_fields": {"topic": topic, "fields": fields}})
 
     def apply(self, layout: Layout) -> None:
         """Show what a layout says, and let new pages look from where it says."""

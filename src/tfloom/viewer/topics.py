@@ -8,15 +8,16 @@ from typing import TYPE_CHECKING, Any, Protocol
 from tfloom.rmw.errors import WireError
 from tfloom.rmw.qos import DurabilityPolicy, QoS, ReliabilityPolicy
 from tfloom.rosidl import cdr
-from tfloom.rosidl.class_search import find_class_of_kind
+from tfloom.rosidl.class_search import UnknownTypeError, find_class_of_kind
 from tfloom.rosidl.message import Message
 from tfloom.viewer.history import Entry, History, Messages, header_stamp_ns
 from tfloom.viewer.shapes import DisplayError
+from tfloom.viewer.type_searches import TypeSearches
 
 if TYPE_CHECKING:
     from tfloom.rmw.base import EndpointInfo, NodeName, Participant, Reader
 
-__all__ = ["Follower", "LiveTopics", "Topics", "begins_with_header"]
+__all__ = ["Follower", "LiveTopics", "Topics", "TypeNotYetKnownError", "begins_with_header"]
 
 DEPTH = 50
 """Number of messages of a topic that wait between two pictures; older ones are dropped."""
@@ -24,6 +25,10 @@ LATCHED_DEPTH = 100
 """… of a topic whose publishers keep messages for late subscriptions."""
 MAX_TAKEN = 200
 """Number of messages of a topic that are taken for one picture."""
+
+
+class TypeNotYetKnownError(DisplayError):
+    """The type of a topic has no definition here, and is searched for among the nodes that use it."""
 
 
 class Follower(Protocol):
@@ -64,6 +69,7 @@ class Topics(Protocol):
 
         Raises:
             DisplayError: there is no such topic, or its type is unknown here.
+            TypeNotYetKnownError: its type is searched for, as `poll` is called.
         """
 
     def follow(self, topic: str) -> Follower:
@@ -100,6 +106,7 @@ class LiveTopics:
         self._readers: dict[str, tuple[Reader, History, bool]] = {}
         self._types: dict[str, str] = {}
         self._changes = -1
+        self._searches = TypeSearches(participant, node)
 
     def types(self) -> Mapping[str, str]:
         """Return the type of each topic that is published, by its name."""
@@ -127,9 +134,16 @@ class LiveTopics:
 
         Raises:
             DisplayError: nobody publishes it, or its type is unknown here.
+            TypeNotYetKnownError: its type is searched for, as `poll` is called.
         """
+        type_name = self._writers(topic)[0].topic.type_name
         try:
-            return find_class_of_kind(self._writers(topic)[0].topic.type_name, "msg", Message)
+            return find_class_of_kind(type_name, "msg", Message)
+        except UnknownTypeError as error:
+            reasons = self._searches.reasons(type_name, "msg")
+            if reasons is None:
+                raise TypeNotYetKnownError(f"{type_name} is searched for among its publishers") from None
+            raise DisplayError("; ".join([str(error), *reasons])) from None
         except (LookupError, ValueError) as error:
             raise DisplayError(str(error)) from None
 
@@ -174,9 +188,11 @@ class LiveTopics:
         """End reading all topics."""
         for topic in list(self._readers):
             self.close(topic)
+        self._searches.close()
 
     def poll(self) -> None:
         """Take what has come. Never waits."""
+        self._searches.poll()
         for reader, history, has_header in self._readers.values():
             for entry in _entries(reader, has_header, self._now_ns):
                 history.add(entry)

@@ -9,9 +9,11 @@ import subprocess
 from collections.abc import Callable
 from contextlib import closing, suppress
 from pathlib import Path
+from typing import Any
 
 import pytest
 from tests.conftest import Program, wait_until
+from tests.viewer.conftest import OWN_TYPES
 from tests.viewer.foxglove_bridge.clients import Client, bridging, port_of, running_node
 from websockets.exceptions import InvalidMessage
 
@@ -24,6 +26,7 @@ from tfloom.rmw.backends import open_participant
 from tfloom.rmw.base import NodeName, Topic
 from tfloom.rmw.qos import QoS
 from tfloom.rosidl import cdr
+from tfloom.rosidl.registry import get_message_class, get_service_class
 from tfloom.viewer.foxglove_bridge.bridge import BridgeError, FoxgloveBridge
 from tfloom.viewer.foxglove_bridge.complaints import MAX_IN_PERIOD, PERIOD_S, Complaints
 from tfloom.viewer.foxglove_bridge.settings import SettingsError
@@ -104,6 +107,28 @@ def test_topic_of_an_unknown_type_is_said_once(
     said = capfd.readouterr().err
     assert said.count("the type secret_msgs/msg/Plan has no definition here") == 1
     wire.close()
+
+
+@pytest.mark.usefixtures("forgotten_types")
+def test_types_that_another_process_alone_has(
+    domain_id: int, client_of: ClientOf, start_program: Callable[..., Program]
+) -> None:
+    with bridging(domain_id) as bridge:
+        client = client_of(bridge)
+        start_program("python", OWN_TYPES).wait_for("ready")
+        client.subscribe("/samples", 1)
+        client.wait_for(lambda: client.messages, "a message")
+        schema = client.channels["/samples"]["schema"]
+        assert schema.startswith("std_msgs/Header header\nlab_msgs/Part[<=2] parts\nfloat64[3] at\n")
+        assert "MSG: lab_msgs/Part\n" in schema
+        sample: Any = cdr.decode(get_message_class("lab_msgs/msg/Sample"), client.messages[0][1])
+        assert list(sample.at) == [1.0, 2.0, 3.0]
+        client.wait_for(lambda: "/weigh" in client.services, "the service")
+        weigh: Any = get_service_class("lab_msgs/srv/Weigh")
+        part: Any = get_message_class("lab_msgs/msg/Part")
+        client.call("/weigh", 7, cdr.encode(weigh.Request(part=part(count=4))))
+        client.wait_for(lambda: client.responses, "the response")
+        assert cdr.decode(weigh.Response, client.responses[7][1]).grams == 10.0
 
 
 VANISHING = """

@@ -61,7 +61,7 @@ if TYPE_CHECKING:
     from tfloom.node.executing.executor import Executor
     from tfloom.node.executing.waitable import Waitable
     from tfloom.node.qos.topic_endpoint_info import TopicEndpointInfo
-    from tfloom.rmw.base import Graph, NodeName, Participant
+    from tfloom.rmw.base import NodeName, Participant
 
 __all__ = ["NodeBase", "open_endpoint"]
 
@@ -323,9 +323,9 @@ class NodeBase:
         """Wait until a node is on the graph; False if it isn't after `timeout` [s]."""
         return self.__graph.wait_for_node(fully_qualified_node_name, timeout)
 
-    def _wire_graph(self) -> Graph:
-        """Return the graph of the node's participant, for tfloom's own nodes."""
-        return self.__entities.participant().graph
+    def _wire(self) -> tuple[Participant, NodeName]:
+        """Return the node's participant, and its name there, for tfloom's own nodes."""
+        return self.__entities.participant(), self.__entities.node_name
 
     def get_topic_names_and_types(self, no_demangle: bool = False) -> NamesAndTypes:
         """Return all topics, and the types they are written or read as.

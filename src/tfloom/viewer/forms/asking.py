@@ -1,4 +1,4 @@
-"""A request of one service, and a goal of one action, in steps that never wait."""
+"""A call of one service, and a goal of one action, in steps that never wait."""
 
 from __future__ import annotations
 
@@ -19,21 +19,19 @@ from tfloom.rmw.action_names import (
     new_goal_id,
 )
 from tfloom.rmw.qos import QoS
-from tfloom.rmw.typed_names import service_of, topic_of
+from tfloom.rmw.question import Question, QuestionError
+from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl import cdr
 from tfloom.rosidl.yaml_text import message_to_yaml
+from tfloom.viewer.forms.task import Task
 from tfloom.viewer.page_command import PageError
 
 if TYPE_CHECKING:
     from tfloom._native import ReadyQueue
     from tfloom.rmw.base import NodeName, Participant
 
-__all__ = ["Call", "Goal", "Question", "Wire"]
+__all__ = ["Call", "Goal", "Wire"]
 
-SERVER_S = 3.0
-"""The longest wait for a server [s]."""
-RESPONSE_S = 10.0
-"""The longest wait for a response, but for the result of a goal [s]."""
 CANCEL_S = 3.0
 """The longest wait for the response to a goal's cancellation [s]."""
 FEEDBACK_S = 0.2
@@ -55,72 +53,12 @@ class Wire(NamedTuple):
     arrived: ReadyQueue
     """Gets a token when something may have arrived."""
 
-
-class Question:
-    """A request of one service. One thread may use it.
-
-    Args:
-        wire: What its end is created with.
-        name: The full name of the service.
-        service_class: Its class.
-    """
-
-    def __init__(self, wire: Wire, name: str, service_class: type[Any]) -> None:
-        self._name = name
-        self._class = service_class
-        self._requester = wire.participant.create_requester(wire.node, service_of(service_class, name), QoS())
-        self._requester.notify(wire.arrived, 1)
-        self._requester.notify_ready(wire.arrived, 1)
-        self._request = b""
-        self._number: int | None = None
-        self._response_s = RESPONSE_S
-        self._end_s = math.inf
-
-    def ask(self, request: bytes, response_s: float = RESPONSE_S) -> None:
-        """Send a request as soon as there is a server, which may take `SERVER_S`; then wait for its response [s]."""
-        self._request, self._number = request, None
-        self._response_s = response_s
-        self._end_s = time.monotonic() + SERVER_S
-
-    @property
-    def is_sent(self) -> bool:
-        """Whether the request was sent."""
-        return self._number is not None
-
-    def take(self) -> Any:
-        """Return the response; None while there is none.
-
-        Raises:
-            PageError: there is no server, it has left, or did not respond in time, or its response is damaged.
-        """
-        if self._number is None:
-            if self._requester.is_ready():
-                self._number = self._requester.send(self._request)
-                self._end_s = time.monotonic() + self._response_s
-            elif incompatibility := self._requester.incompatibility():
-                raise PageError(incompatibility)
-            elif time.monotonic() > self._end_s:
-                raise PageError(f"there is no server of {self._name}: waited {SERVER_S:g} s for it")
-            return None
-        while (response := self._requester.take()) is not None:
-            if response.id.sequence_number == self._number:
-                try:
-                    return cdr.decode(self._class.Response, response.data)
-                except cdr.DecodeError as error:
-                    raise PageError(f"the response of {self._name} can't be decoded: {error}") from None
-        # A response that arrived before the server left was taken above.
-        if not self._requester.is_ready():
-            raise PageError(f"the server of {self._name} has left without a response")
-        if time.monotonic() > self._end_s:
-            raise PageError(f"no response from {self._name} within {self._response_s:g} s")
-        return None
-
-    def close(self) -> None:
-        """Leave the service."""
-        self._requester.close()
+    def question(self, name: str, service_class: type[Any]) -> Question:
+        """Return a request of a service, by its full name."""
+        return Question(self.participant, self.node, name, service_class, self.arrived)
 
 
-class Call:
+class Call(Task):
     """A call of a service, of which the response is told. One thread may use it.
 
     Args:
@@ -132,7 +70,7 @@ class Call:
     """
 
     def __init__(self, wire: Wire, name: str, service_class: type[Any], request: bytes, tell: Tell) -> None:
-        self._question = Question(wire, name, service_class)
+        self._question = wire.question(name, service_class)
         self._question.ask(request)
         self._tell = tell
 
@@ -140,7 +78,7 @@ class Call:
         """Do what can be done now; return whether the call is over.
 
         Raises:
-            PageError: it has failed.
+            PageError, QuestionError: it has failed.
         """
         response = self._question.take()
         if response is None:
@@ -157,7 +95,7 @@ class Call:
         self._question.close()
 
 
-class Goal:
+class Goal(Task):
     """A goal of an action, of which feedback and result are told. One thread may use it.
 
     Args:
@@ -200,7 +138,7 @@ class Goal:
         self._next_feedback_s = 0.0
 
     def _question(self, wire: Wire, name: str, service_class: type[Any]) -> Question:
-        question = Question(wire, name, service_class)
+        question = wire.question(name, service_class)
         self._questions.append(question)
         return question
 
@@ -208,7 +146,7 @@ class Goal:
         """Do what can be done now; return whether the goal has ended.
 
         Raises:
-            PageError: it has failed.
+            PageError, QuestionError: it has failed.
         """
         self._take_feedback()
         if not self._is_accepted:
@@ -219,10 +157,10 @@ class Goal:
                 raise PageError("the server rejected the goal")
             self._is_accepted = True
             self._tell("accepted", "the goal is accepted")
-            self._resulting.ask(self._result_request, math.inf)
+            self._resulting.ask(self._result_request, response_s=math.inf)
         if self._is_cancel_wanted:
             self._is_cancel_wanted, self._is_cancelling = False, True
-            self._cancelling.ask(self._cancel_request, CANCEL_S)
+            self._cancelling.ask(self._cancel_request, response_s=CANCEL_S)
         if self._is_cancelling:
             self._take_cancellation()
         result = self._resulting.take()
@@ -256,7 +194,7 @@ class Goal:
     def _take_cancellation(self) -> None:
         try:
             response = self._cancelling.take()
-        except PageError as error:
+        except QuestionError as error:
             self._is_cancelling = False
             self._tell("accepted", str(error))
             return

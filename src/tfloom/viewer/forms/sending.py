@@ -2,24 +2,30 @@
 
 from __future__ import annotations
 
+import math
 import queue
 import threading
 import time
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tfloom._native import ReadyQueue
 from tfloom.node.values.names import NameValidationException, validate_full_topic_name
 from tfloom.rmw.action_names import SEND_GOAL, SEND_GOAL_TYPE
+from tfloom.rmw.peer_types import TypeSearch
 from tfloom.rmw.qos import DurabilityPolicy, QoS
+from tfloom.rmw.question import QuestionError
 from tfloom.rmw.typed_names import topic_of
-from tfloom.rosidl.class_search import find_class_of_kind
+from tfloom.rosidl.class_search import UnknownTypeError, find_class_of_kind, full_name
 from tfloom.rosidl.definition_files import interface_names
 from tfloom.rosidl.message import Message
 from tfloom.rosidl.service import Action, Service
 from tfloom.viewer.displays.display import shown_text
 from tfloom.viewer.forms.asking import Call, Goal, Wire
 from tfloom.viewer.forms.filling import fill
+from tfloom.viewer.forms.learning import Learning
+from tfloom.viewer.forms.publishing import Publication, Repetition
+from tfloom.viewer.forms.task import Task
 from tfloom.viewer.forms.type_form import type_form
 from tfloom.viewer.page_command import PageError, number, text
 
@@ -40,13 +46,9 @@ MAX_NAMES = 3000
 """Number of names that a page gets."""
 MAX_ANSWER = 20_000
 """Length of a response that a page gets [characters]."""
-MATCH_S = 1.0
-"""The longest wait until a new writer has the subscriptions that the graph has [s]."""
 LOOK_S = 0.05
 """Period at which what is open is looked at [s]; what arrives ends the sleep."""
 MAX_RATE_HZ = 100.0
-TOLD_S = 0.5
-"""Least time between two counts of messages that a page gets [s]."""
 ORPHAN_S = 5.0
 """How long a goal is cancelled whose page was closed [s]."""
 
@@ -59,26 +61,13 @@ KINDS: dict[str, tuple[str, type[Any]]] = {
 """By what a form is for: the kind of its types, and their base class."""
 
 
-class _Task(Protocol):
-    """Something that takes a while, in steps."""
-
-    def step(self) -> bool:
-        """Do what can be done now; return whether it is over."""
-
-    def cancel(self) -> bool:
-        """Begin to end it; return whether it is over."""
-
-    def close(self) -> None:
-        """Close what it has opened."""
-
-
 class _Open(NamedTuple):
     """What is under way for a page."""
 
     page: str
     key: str
     """The page's own name for it."""
-    task: _Task
+    task: Task
     tell: Callable[[str, str], None]
 
 
@@ -106,7 +95,9 @@ class Sending:
         # The members below are of the thread alone.
         self._writers: dict[tuple[str, str], Writer] = {}
         self._tasks: list[_Open] = []
-        self._orphans: list[tuple[_Task, float]] = []
+        self._learned: list[tuple[str, Mapping[str, Any], Answer, list[str]]] = []
+        """Commands whose type was searched for, with the reasons why it was not found."""
+        self._orphans: list[tuple[Task, float]] = []
         """What is cancelled because its page was closed, each until when [s, monotonic]."""
         self._thread = threading.Thread(target=self._run, name="tfloom_view_forms", daemon=True)
         self._thread.start()
@@ -145,7 +136,7 @@ class Sending:
         while not self._is_closed:
             self._take_commands()
             self._step()
-            is_idle = not self._tasks and not self._orphans
+            is_idle = not self._tasks and not self._orphans and not self._learned
             self._arrived.wait(-1 if is_idle else int(self._sleep_s() * 1e9))
         for opened in self._tasks:
             self._cancel_orphan(opened.task)
@@ -157,9 +148,10 @@ class Sending:
 
     def _sleep_s(self) -> float:
         """Return how long to sleep at most: no longer than until the next message at a rate [s]."""
-        now_s = time.monotonic()
-        due = [opened.task.due_s - now_s for opened in self._tasks if isinstance(opened.task, _Repetition)]
-        return max(0.0, min([LOOK_S, *due]))
+        if self._learned:
+            return 0.0
+        due_s = min((opened.task.due_s for opened in self._tasks), default=math.inf)
+        return max(0.0, min(LOOK_S, due_s - time.monotonic()))
 
     def _close_writers(self) -> None:
         for writer in self._writers.values():
@@ -175,17 +167,25 @@ class Sending:
         forgotten = set()
         while not self._forgotten.empty():
             forgotten.add(self._forgotten.get())
+        learned, self._learned = self._learned, []
+        for page, command, answer, reasons in learned:
+            self._try(page, command, answer, reasons)
         while not self._commands.empty():
-            page, command, answer = self._commands.get()
-            try:
-                self._do(page, command, answer)
-            except PageError as error:
-                self._refuse(command, answer, str(error))
-            except Exception as error:  # noqa: BLE001  # of one form: those after it are still sent
-                self._refuse(command, answer, f"{type(error).__name__}: {error}")
+            self._try(*self._commands.get())
         for opened in [opened for opened in self._tasks if opened.page in forgotten]:
             self._tasks.remove(opened)
             self._cancel_orphan(opened.task)
+
+    def _try(
+        self, page: str, command: Mapping[str, Any], answer: Answer, reasons: list[str] | None = None
+    ) -> None:
+        """Do a command, or say why it can't be done; `reasons` as of `_do`."""
+        try:
+            self._do(page, command, answer, reasons)
+        except PageError as error:
+            self._refuse(command, answer, str(error))
+        except Exception as error:  # noqa: BLE001  # of one form: those after it are still sent
+            self._refuse(command, answer, f"{type(error).__name__}: {error}")
 
     @staticmethod
     def _refuse(command: Mapping[str, Any], answer: Answer, reason: str) -> None:
@@ -196,7 +196,7 @@ class Sending:
         else:
             answer({"error": shown_text(reason, 500)})
 
-    def _cancel_orphan(self, task: _Task) -> None:
+    def _cancel_orphan(self, task: Task) -> None:
         if task.cancel():
             task.close()
         else:
@@ -215,18 +215,29 @@ class Sending:
                 self._orphans.remove(orphan)
 
     @staticmethod
-    def _is_over(task: _Task, tell: Callable[[str, str], None]) -> bool:
+    def _is_over(task: Task, tell: Callable[[str, str], None]) -> bool:
         try:
             if not task.step():
                 return False
-        except PageError as error:
+        except (PageError, QuestionError) as error:
             tell("error", str(error))
         except Exception as error:  # noqa: BLE001  # of one task: the others go on
             tell("error", f"{type(error).__name__}: {error}")
         task.close()
         return True
 
-    def _do(self, page: str, command: Mapping[str, Any], answer: Answer) -> None:
+    def _do(self, page: str, command: Mapping[str, Any], answer: Answer, reasons: list[str] | None) -> None:
+        """Do a command; one whose type has no definition here is done when that was searched for.
+
+        Args:
+            page: The page.
+            command: The command.
+            answer: Gives the page answers.
+            reasons: Why the type was not found, if it was searched for; else None.
+
+        Raises:
+            PageError: it can't be done.
+        """
         operation = text(command, "op")
         if operation == "cancel":
             self._cancel(page, text(command, "key"))
@@ -238,7 +249,13 @@ class Sending:
             answer({"form_names": self._names(what)})
             return
         name, type_name = self._resolved(what, text(command, "name"), text(command, "type"))
-        interface_class = _class_of(what, type_name)
+        try:
+            interface_class = _class_of(what, type_name)
+        except UnknownTypeError as error:
+            if reasons is not None:
+                raise PageError("; ".join([str(error), *reasons])) from None
+            self._learn(page, command, answer, full_name(type_name, KINDS[what][0]), KINDS[what][0])
+            return
         if operation == "form":
             try:
                 form = type_form(_filled_class(what, interface_class))
@@ -247,6 +264,26 @@ class Sending:
             answer({"form": {"what": what, "name": name, "type": type_name, **form}})
             return
         self._send(page, command, answer, (what, name, interface_class))
+
+    def _learn(
+        self, page: str, command: Mapping[str, Any], answer: Answer, type_name: str, kind: str
+    ) -> None:
+        """Do a command when a type was searched for."""
+        self._expect_place()
+        search = TypeSearch(self._participant, self._node, type_name, kind, self._arrived)
+        task = Learning(search, lambda reasons: self._learned.append((page, command, answer, reasons)))
+        self._tasks.append(
+            _Open(
+                page,
+                str(command.get("key", ""))[:64],
+                task,
+                lambda _, said: self._refuse(command, answer, said),
+            )
+        )
+
+    def _expect_place(self) -> None:
+        if len(self._tasks) >= MAX_OPEN:
+            raise PageError(f"{MAX_OPEN} calls and goals are under way already")
 
     def _known(self, what: str) -> dict[str, str]:
         """Return the types of the topics, services or actions of the graph by their names."""
@@ -300,10 +337,7 @@ class Sending:
             if opened.task.cancel():
                 self._tasks.remove(opened)
                 opened.task.close()
-                if isinstance(opened.task, _Repetition):
-                    opened.tell("done", opened.task.summary())
-                else:
-                    opened.tell("error", "it was given up")
+                opened.tell(*opened.task.last_word)
             else:
                 opened.tell("accepted", "the server is asked to cancel the goal")
 
@@ -316,21 +350,20 @@ class Sending:
         def tell(state: str, said: str) -> None:
             answer({"sent": {"key": key, "state": state, "text": shown_text(said, MAX_ANSWER)}})
 
-        if len(self._tasks) >= MAX_OPEN:
-            raise PageError(f"{MAX_OPEN} calls and goals are under way already")
+        self._expect_place()
         rate_hz = number(command, "rate_hz") if "rate_hz" in command else 0.0
         if rate_hz and (what != "topic" or not 0.0 < rate_hz <= MAX_RATE_HZ):
             raise PageError(f"a rate is for topics, and has to be above 0 and at most {MAX_RATE_HZ:g} Hz")
         message = _filled_class(what, interface_class)()
         values = command.get("values")
         data = fill(message, values, self._now_ns())
-        task: _Task
+        task: Task
         if what == "topic":
             first_tell = (lambda _, said: tell("feedback", said)) if rate_hz else tell
             task = self._publication(name, type(message), data, first_tell)
             if rate_hz:
                 message_class = type(message)
-                task = _Repetition(
+                task = Repetition(
                     task, lambda: fill(message_class(), values, self._now_ns()), 1.0 / rate_hz, tell
                 )
         elif what == "service":
@@ -342,7 +375,7 @@ class Sending:
 
     def _publication(
         self, name: str, message_class: type[Any], data: bytes, tell: Callable[[str, str], None]
-    ) -> _Publication:
+    ) -> Publication:
         readers = [
             end
             for end in self._participant.graph.endpoints()
@@ -365,109 +398,21 @@ class Sending:
             writer = self._participant.create_writer(self._node, topic, QoS(durability=durability))
             self._writers[key] = writer
         own = sum(end.node == self._node for end in readers)
-        return _Publication(writer, name, data, (len(readers), own), tell)
-
-
-class _Publication:
-    """A message that is written when its writer has the subscriptions that the graph has, or at a timeout."""
-
-    def __init__(
-        self,
-        writer: Writer,
-        name: str,
-        data: bytes,
-        reader_counts: tuple[int, int],
-        tell: Callable[[str, str], None],
-    ) -> None:
-        self._writer = writer
-        self.name = name
-        self._data = data
-        self._reader_count, self._own_count = reader_counts
-        self._tell = tell
-        self._end_s = time.monotonic() + MATCH_S
-
-    def step(self) -> bool:
-        matched = self._writer.matched_count()
-        if matched < self._reader_count and time.monotonic() < self._end_s:
-            return False
-        self._writer.write(self._data)
-        others = max(0, matched - self._own_count)
-        missed = self._reader_count - matched
-        said = f"published on {self.name}: {others} subscription{'s' * (others != 1)}"
-        if missed > 0:
-            said += f"; {missed} more with another quality of service, which get nothing"
-        self._tell("done", said)
-        return True
-
-    def write(self, data: bytes) -> None:
-        """Write a further message, when the first one is written."""
-        self._writer.write(data)
-
-    def cancel(self) -> bool:
-        return True
-
-    def close(self) -> None:
-        """Leave the writer open for the next message."""
-
-
-class _Repetition:
-    """A message that is written again and again, with the time of each writing where it has the word `now`.
-
-    Args:
-        first: Its first publication.
-        new_data: Returns the bytes of the next message.
-        period_s: Time between two messages [s].
-        tell: Tells the page.
-    """
-
-    def __init__(
-        self,
-        first: _Publication,
-        new_data: Callable[[], bytes],
-        period_s: float,
-        tell: Callable[[str, str], None],
-    ) -> None:
-        self._first = first
-        self._new_data = new_data
-        self._period_s = period_s
-        self._tell = tell
-        self._count = 0
-        self.due_s = time.monotonic()
-        """When there is something to do [s, monotonic]."""
-        self._next_told_s = 0.0
-
-    def step(self) -> bool:
-        now_s = time.monotonic()
-        if self._count == 0:
-            self._count = int(self._first.step())
-            self.due_s = now_s + (self._period_s if self._count else LOOK_S)
-            return False
-        if now_s < self.due_s:
-            return False
-        # What was missed is not made up for: a thread that was late doesn't send a burst.
-        self.due_s = max(self.due_s + self._period_s, now_s)
-        self._first.write(self._new_data())
-        self._count += 1
-        if now_s >= self._next_told_s:
-            self._next_told_s = now_s + TOLD_S
-            self._tell("feedback", self.summary())
-        return False
-
-    def summary(self) -> str:
-        """Return how many messages were published, as a sentence."""
-        return f"published {self._count} message{'s' * (self._count != 1)} on {self._first.name}"
-
-    def cancel(self) -> bool:
-        return True
-
-    def close(self) -> None:
-        self._first.close()
+        return Publication(writer, name, data, (len(readers), own), tell)
 
 
 def _class_of(what: str, type_name: str) -> type[Any]:
+    """Return the class of a type.
+
+    Raises:
+        UnknownTypeError: it has no definition here.
+        PageError: it is of another kind, or its definition can't be read.
+    """
     kind, base = KINDS[what]
     try:
         return find_class_of_kind(type_name, kind, base)
+    except UnknownTypeError:
+        raise
     except (LookupError, ValueError, OSError) as error:
         raise PageError(str(error)) from None
 

@@ -24,6 +24,7 @@ from tfloom.viewer.foxglove_bridge.channels import Channels
 from tfloom.viewer.foxglove_bridge.client_topics import ClientTopic, ClientTopicError, ClientTopics
 from tfloom.viewer.foxglove_bridge.commands import Commands
 from tfloom.viewer.foxglove_bridge.complaints import Complaints
+from tfloom.viewer.foxglove_bridge.known_types import KnownTypes
 from tfloom.viewer.foxglove_bridge.own_client import OwnClient
 from tfloom.viewer.foxglove_bridge.parameters import Parameters, from_message
 from tfloom.viewer.foxglove_bridge.services import Services
@@ -81,7 +82,8 @@ class FoxgloveBridge(Node):
         self.settings = settings = Settings(self)
         self.commands = Commands(self)
         sdk_context = Context()
-        self.channels = Channels(self, sdk_context, settings)
+        self._types = KnownTypes(self)
+        self.channels = Channels(self, sdk_context, settings, self._types)
         self.client_topics = ClientTopics(self, settings)
         self.calls = Calls(self)
         self.parameters_of_nodes = Parameters(self, self.calls, settings)
@@ -108,7 +110,7 @@ class FoxgloveBridge(Node):
             raise BridgeError(f"can't listen at {settings.address}:{settings.port}: {error}") from None
         if settings.capabilities & {"connectionGraph", "parametersSubscribe"}:
             self._start_own_client(self.server)
-        self._services = Services(self, self.server, self.calls, settings)
+        self._services = Services(self.server, self.calls, settings, self._types)
         # Clients see the graph of now, whatever /clock says.
         steady = Clock(clock_type=ClockType.STEADY_TIME)
         self.create_timer(UPDATE_S, self._update, clock=steady)
@@ -142,6 +144,7 @@ class FoxgloveBridge(Node):
         if self.server is not None:
             self._stop(self.server)
             self.channels.close()
+            self._types.close()
         self.destroy_node()
 
     def _stop(self, server: WebSocketServer) -> None:
@@ -165,10 +168,11 @@ class FoxgloveBridge(Node):
     # On the node's thread.
 
     def _update(self) -> None:
-        """Follow the graph, if it has changed."""
-        graph = self._wire_graph()
+        """Follow the graph, if it has changed, or more types of it are known."""
+        graph = self._wire()[0].graph
         changes = graph.changes()
-        if changes == self._seen_changes:
+        has_searched = self._types.poll()
+        if changes == self._seen_changes and not has_searched:
             return
         own_name = self.get_fully_qualified_name()
         is_done = self.channels.update(
@@ -188,7 +192,7 @@ class FoxgloveBridge(Node):
 
     def publish_connections(self) -> None:
         """Publish which node publishes, subscribes to and serves what, if that has changed."""
-        graph = self._wire_graph()
+        graph = self._wire()[0].graph
         changes = graph.changes()
         if self.own_client is None or changes == self._published_changes:
             return

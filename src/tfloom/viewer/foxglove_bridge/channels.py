@@ -11,11 +11,11 @@ from tfloom.bag.recording.requested_qos import adapted
 from tfloom.bag.writing.definition_text import find_definition
 from tfloom.node.qos.qos import QoSProfile
 from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, ReliabilityPolicy
-from tfloom.rosidl.registry import get_message_class
 
 if TYPE_CHECKING:
     from tfloom.node.endpoints.subscription import Subscription
     from tfloom.node.node import Node
+    from tfloom.viewer.foxglove_bridge.known_types import KnownTypes
     from tfloom.viewer.foxglove_bridge.settings import Settings
 
 __all__ = ["Channels"]
@@ -32,16 +32,16 @@ class Channels:
         node: Subscribes to the topics.
         context: The SDK's, of the server.
         settings: Which topics clients see, and how they are read.
+        types: Finds their types.
     """
 
-    def __init__(self, node: Node, context: Context, settings: Settings) -> None:
+    def __init__(self, node: Node, context: Context, settings: Settings, types: KnownTypes) -> None:
         self._node = node
         self._context = context
         self._settings = settings
+        self._types = types
         self._channels: dict[tuple[str, str], _TopicChannel] = {}
         self._by_id: dict[int, _TopicChannel] = {}
-        self._unknown: set[str] = set()
-        """Types without a definition, each of which was logged."""
 
     def update(self, topics: Iterable[tuple[str, str]], max_changes: int = MAX_CHANGES) -> bool:
         """Open channels of new topics, close those of gone ones, and follow changed qualities of service.
@@ -55,33 +55,27 @@ class Channels:
         """
         topics = {topic for topic in topics if self._settings.shows(topic[0], self._settings.topics)}
         gone = [key for key in self._channels if key not in topics]
-        new = sorted(key for key in topics - self._channels.keys() if key[1] not in self._unknown)
+        new = {
+            key: message_class
+            for key in sorted(topics - self._channels.keys())
+            if (message_class := self._types.find(key[1], "msg", f"{key[0]} is not shown")) is not None
+        }
         for key in gone[:max_changes]:
             channel = self._channels.pop(key)
             del self._by_id[channel.id]
             channel.close()
-        for key in new[: max(0, max_changes - len(gone))]:
-            if (opened := self._open(*key)) is not None:
-                self._channels[key] = self._by_id[opened.id] = opened
+        for key in list(new)[: max(0, max_changes - len(gone))]:
+            opened = self._open(key[0], new[key])
+            self._channels[key] = self._by_id[opened.id] = opened
         for channel in self._channels.values():
             channel.follow()
         return len(gone) + len(new) <= max_changes
 
-    def _open(self, name: str, type_name: str) -> _TopicChannel | None:
+    def _open(self, name: str, message_class: type[Any]) -> _TopicChannel:
+        type_name = message_class._TYPE_NAME
         definition = find_definition(type_name)
-        try:
-            message_class: type[Any] | None = get_message_class(type_name)
-        except (LookupError, ValueError, OSError):
-            message_class = None
-        if definition is None or message_class is None:
-            if type_name not in self._unknown:
-                self._unknown.add(type_name)
-                self._node.get_logger().warning(
-                    f"{name} is not shown, because the type {type_name} has no definition here: "
-                    "source its workspace before"
-                )
-            return None
-        schema = Schema(name=type_name, encoding=definition.encoding, data=definition.text.encode())
+        encoding, text = ("ros2msg", "") if definition is None else (definition.encoding, definition.text)
+        schema = Schema(name=type_name, encoding=encoding, data=text.encode())
         channel = Channel(name, schema=schema, message_encoding="cdr", context=self._context)
         return _TopicChannel(self._node, channel, message_class, self._settings)
 

@@ -9,14 +9,13 @@ from foxglove import MessageSchema, Schema, Service, ServiceRequest, ServiceSche
 
 from tfloom.bag.writing.definition_text import find_definition
 from tfloom.rosidl import cdr
-from tfloom.rosidl.registry import get_service_class
 from tfloom.viewer.foxglove_bridge.calls import Call
 
 if TYPE_CHECKING:
     from foxglove.websocket import WebSocketServer
 
-    from tfloom.node.node import Node
     from tfloom.viewer.foxglove_bridge.calls import Calls
+    from tfloom.viewer.foxglove_bridge.known_types import KnownTypes
     from tfloom.viewer.foxglove_bridge.settings import Settings
 
 __all__ = ["Services"]
@@ -28,14 +27,13 @@ TIMEOUT_S = 5.0
 class Services:
     """Keeps the server's services as those of the graph. Used on the node's thread, but for the calls."""
 
-    def __init__(self, node: Node, server: WebSocketServer, calls: Calls, settings: Settings) -> None:
-        self._node = node
+    def __init__(self, server: WebSocketServer, calls: Calls, settings: Settings, types: KnownTypes) -> None:
         self._server = server
         self._calls = calls
         self._settings = settings
         self._offered: dict[str, str] = {}
         """The type of each service that clients see, by its name."""
-        self._unknown: set[str] = set()
+        self._types = types
 
     def update(self, served: Mapping[str, str]) -> None:
         """Offer new services, and take back those that are gone.
@@ -46,7 +44,7 @@ class Services:
         services = {
             name: type_name
             for name, type_name in served.items()
-            if self._settings.shows(name, self._settings.services) and type_name not in self._unknown
+            if self._settings.shows(name, self._settings.services)
         }
         gone = [name for name, type_name in self._offered.items() if services.get(name) != type_name]
         if gone:
@@ -63,14 +61,8 @@ class Services:
             self._offered |= {service.name: service.schema.name for service in new}
 
     def _service(self, name: str, type_name: str) -> Service | None:
-        try:
-            service_class = get_service_class(type_name)
-        except (LookupError, ValueError, OSError):
-            self._unknown.add(type_name)
-            self._node.get_logger().warning(
-                f"{name} is not offered, because the type {type_name} has no definition here: "
-                "source its workspace before"
-            )
+        service_class = self._types.find(type_name, "srv", f"{name} is not offered")
+        if service_class is None:
             return None
         schema = ServiceSchema(
             type_name, request=_schema(f"{type_name}_Request"), response=_schema(f"{type_name}_Response")

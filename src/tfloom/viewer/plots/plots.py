@@ -10,6 +10,7 @@ from tfloom.viewer.page_command import PageError
 from tfloom.viewer.plots.field_path import number_at, numeric_paths, parse_path
 from tfloom.viewer.plots.series import Series
 from tfloom.viewer.shapes import DisplayError
+from tfloom.viewer.topics import TypeNotYetKnownError
 
 if TYPE_CHECKING:
     from tfloom.viewer.frames import Span
@@ -63,9 +64,12 @@ class Plots:
 
         Raises:
             PageError: there is no such topic, or its type is unknown here.
+            TypeNotYetKnownError: its type is searched for.
         """
         try:
             return numeric_paths(self._topics.message_class(topic))
+        except TypeNotYetKnownError:
+            raise
         except (DisplayError, LookupError, ValueError) as error:
             raise PageError(str(error)) from None
 
@@ -86,7 +90,10 @@ class Plots:
             raise PageError(f"there are {MAX_PLOTS} plots already")
         plot = _Plot(topic, field, self._length_ns)
         if is_there:
-            self._open(plot)
+            try:
+                self._open(plot)
+            except TypeNotYetKnownError as error:
+                plot.status = shown_text(str(error))
         self._plots[topic, field] = plot
 
     def remove(self, topic: str, field: str) -> None:
@@ -100,6 +107,7 @@ class Plots:
 
         Raises:
             PageError: it can't be read, or has no such field.
+            TypeNotYetKnownError: its type is searched for.
         """
         try:
             plot.path = parse_path(self._topics.message_class(plot.topic), plot.field)
@@ -107,6 +115,8 @@ class Plots:
                 self._restart(plot.topic)
             if plot.topic not in self._followers:
                 self._followers[plot.topic] = self._topics.follow(plot.topic)
+        except TypeNotYetKnownError:
+            raise
         except (DisplayError, LookupError, ValueError) as error:
             raise PageError(str(error)) from None
         plot.status = "no message yet"
@@ -129,7 +139,7 @@ class Plots:
             if plot.topic in types and (plot.path is None or plot.topic not in self._followers):
                 try:
                     self._open(plot)
-                except PageError as error:
+                except (PageError, TypeNotYetKnownError) as error:
                     plot.status = shown_text(str(error))
 
     def suspend(self) -> None:
