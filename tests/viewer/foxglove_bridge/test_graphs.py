@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import shutil
 import signal
 import ssl
@@ -292,11 +293,46 @@ def test_names_match_as_those_of_foxglove_bridge(domain_id: int, node: Node, cli
 
 
 def test_parameters_without_effect_are_said(domain_id: int, capfd: pytest.CaptureFixture[str]) -> None:
-    with bridging(domain_id, "num_threads:=0", "use_compression:=true", "sysinfo:=true"):
+    with bridging(domain_id, "num_threads:=0", "use_compression:=true", "publish_client_count:=true"):
         pass
     said = capfd.readouterr().err
     assert said.count("has no effect here") == 2
     assert "The parameter use_compression has no effect here" in said
+
+
+def test_system_is_served_if_that_is_wanted(domain_id: int, client_of: ClientOf) -> None:
+    parameters = ("sysinfo:=true", "sysinfo_topic:=/load", "sysinfo_refresh_interval:=200")
+    with bridging(domain_id, *parameters) as bridge:
+        client = client_of(bridge)
+        client.subscribe("/load", 1)
+        client.wait_for(lambda: client.messages, "a message")
+        assert client.channels["/load"]["encoding"] == "json"
+        assert json.loads(client.messages[0][1])["process_memory"] > 1_000_000
+    with (
+        pytest.raises(SettingsError, match="parameter sysinfo_refresh_interval: 10 is not from 200"),
+        bridging(domain_id, "sysinfo_refresh_interval:=10"),
+    ):
+        pass
+    with bridging(domain_id) as bridge:
+        client = client_of(bridge)
+        client.wait_for(lambda: "/rosout" in client.channels)
+        assert "/foxglove_bridge/sysinfo" not in client.channels
+
+
+@pytest.mark.parametrize(
+    ("capabilities", "has_client"),
+    [
+        ("[parametersSubscribe]", False),
+        ("[parameters]", False),
+        ("[parameters, parametersSubscribe]", True),
+        ("[connectionGraph]", True),
+    ],
+)
+def test_bridge_is_connected_to_itself_only_where_that_does_something(
+    domain_id: int, capabilities: str, has_client: bool
+) -> None:
+    with bridging(domain_id, f"capabilities:={capabilities}") as bridge:
+        assert (bridge.own_client is not None) is has_client
 
 
 def test_launch_file(node: Node, start_program: Callable[..., Program]) -> None:

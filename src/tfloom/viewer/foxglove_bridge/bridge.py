@@ -31,7 +31,7 @@ from tfloom.viewer.foxglove_bridge.services import Services
 from tfloom.viewer.foxglove_bridge.settings import TIME, Settings
 
 if TYPE_CHECKING:
-    from foxglove import Parameter
+    from foxglove import Parameter, SystemInfoPublisher
     from foxglove.websocket import ChannelView, Client, ClientChannel, WebSocketServer
 
     from tfloom.node.context.context import Context as RosContext
@@ -71,6 +71,7 @@ class FoxgloveBridge(Node):
         super().__init__("foxglove_bridge", context=context)
         self.server: WebSocketServer | None = None
         self.own_client: OwnClient | None = None
+        self._sysinfo: SystemInfoPublisher | None = None
         self._complaints = Complaints(self.get_logger())
         try:
             self._start()
@@ -108,7 +109,12 @@ class FoxgloveBridge(Node):
             )
         except (OSError, RuntimeError, ValueError, foxglove_error()) as error:
             raise BridgeError(f"can't listen at {settings.address}:{settings.port}: {error}") from None
-        if settings.capabilities & {"connectionGraph", "parametersSubscribe"}:
+        if settings.sysinfo_topic:
+            self._sysinfo = foxglove.start_sysinfo_publisher(
+                topic=settings.sysinfo_topic, refresh_interval=settings.sysinfo_s, context=sdk_context
+            )
+        publishes_parameters = settings.capabilities >= {"parameters", "parametersSubscribe"}
+        if publishes_parameters or "connectionGraph" in settings.capabilities:
             self._start_own_client(self.server)
         self._services = Services(self.server, self.calls, settings, self._types)
         # Clients see the graph of now, whatever /clock says.
@@ -120,7 +126,7 @@ class FoxgloveBridge(Node):
         if self._is_simulated:
             best_effort = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
             self.create_subscription(ClockMessage, "/clock", self._broadcast_time, best_effort)
-        if "parametersSubscribe" in settings.capabilities and "parameters" in settings.capabilities:
+        if publishes_parameters:
             self.create_subscription(ParameterEvent, "/parameter_events", self._publish_parameters, 100)
 
     def _start_own_client(self, server: WebSocketServer) -> None:
@@ -141,6 +147,8 @@ class FoxgloveBridge(Node):
         """
         if self.own_client is not None:
             self.own_client.close()
+        if self._sysinfo is not None:
+            self._sysinfo.stop()
         if self.server is not None:
             self._stop(self.server)
             self.channels.close()

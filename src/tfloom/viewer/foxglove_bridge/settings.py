@@ -44,6 +44,9 @@ PARAMETERS: dict[str, tuple[Any, str]] = {
         128,
         "Number of messages that wait for a client; of more, the oldest are dropped",
     ),
+    "sysinfo": (False, "Whether CPU and memory of the bridge and of its system are served, as JSON"),
+    "sysinfo_topic": ("/foxglove_bridge/sysinfo", "Their topic, which only clients see"),
+    "sysinfo_refresh_interval": (500, "Their period [ms]"),
     "debug": (False, "Whether messages of the level DEBUG are logged"),
 }
 """Default and description of each parameter."""
@@ -53,9 +56,6 @@ WITHOUT_EFFECT: dict[str, Any] = {
     "num_threads": 0,
     "disable_load_message": True,
     "publish_client_count": False,
-    "sysinfo": False,
-    "sysinfo_topic": "/foxglove_bridge/sysinfo",
-    "sysinfo_refresh_interval": 500,
     "remote_access": False,
 }
 """Parameters that are accepted and not used, with their defaults."""
@@ -112,6 +112,11 @@ class Settings:
         self.min_depth = _in_range("min_qos_depth", values["min_qos_depth"], 1, 10_000)
         self.max_depth = _in_range("max_qos_depth", values["max_qos_depth"], self.min_depth, 10_000)
         self.backlog = _in_range("message_backlog_size", values["message_backlog_size"], 1, 100_000)
+        self.sysinfo_topic: str = values["sysinfo_topic"] if values["sysinfo"] else ""
+        """Empty: nothing of the system is served."""
+        self.sysinfo_s = (
+            _in_range("sysinfo_refresh_interval", values["sysinfo_refresh_interval"], 200, 3_600_000) / 1000
+        )
         self.include_hidden: bool = values["include_hidden"]
         self.skips_silent_nodes: bool = values["ignore_unresponsive_param_nodes"]
         self.certificate: bytes | None = None
