@@ -55,6 +55,8 @@ class Scene:
         self.socket = connect_scene(port, page.name)
         self.arrays: dict[tuple[str, str], NDArray[np.float32]] = {}
         """The newest array, by the name of a node and of its property."""
+        self.camera: dict[str, Any] = {}
+        """What the server has set of the camera."""
         self.updates = 0
         """How many arrays have come."""
 
@@ -79,10 +81,28 @@ class Scene:
             buffers.append(data[at : at + length])
             at += length
         for message in batch["messages"]:
+            if message["type"] in {"SetCameraPositionMessage", "SetCameraLookAtMessage"}:
+                self.camera |= message
             for key, value in {**(message.get("props") or {}), **(message.get("updates") or {})}.items():
                 if isinstance(value, dict) and "__binary_index" in value and key in ARRAYS:
                     self.arrays[message["name"], key] = np.frombuffer(buffers[value["__binary_index"]], "<f4")
                     self.updates += 1
+
+    def tell_camera(self) -> None:
+        """Tell the server of the camera, as a scene does when it is loaded; the server knows of a scene since then."""
+        camera = {
+            "type": "ViewerCameraMessage",
+            "wxyz": (1.0, 0.0, 0.0, 0.0),
+            "position": (3.0, 0.0, 0.0),
+            "look_at": (0.0, 0.0, 0.0),
+            "up_direction": (0.0, 0.0, 1.0),
+            "fov": 1.0,
+            "near": 0.1,
+            "far": 100.0,
+            "image_height": 300,
+            "image_width": 400,
+        }
+        self.socket.send(msgspec.msgpack.encode(camera))
 
     def abort(self) -> None:
         """End the connection by a reset, as a browser that is killed does."""

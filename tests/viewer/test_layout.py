@@ -24,6 +24,7 @@ FULL = Layout(
     displays=(DisplayLayout("/points", "intensity"), DisplayLayout("/scan")),
     plots=(PlotLayout("/odom", "twist.twist.linear.x"),),
     camera=ViewPoint((1.0, 2.0, 3.5), (0.0, 0.5, 0.0)),
+    camera_frame="base_link",
 )
 
 RVIZ = """\
@@ -188,19 +189,48 @@ def test_common_displays_of_an_rviz_file_are_read_and_the_others_named(write: Wr
     assert unknown[2] == "PublishPoint on /my_point, which publishes on /clicked_point here"
 
 
-def test_view_from_above_has_the_points_below_it_and_a_following_camera_is_named(write: Write) -> None:
+def test_camera_of_each_class_looks_as_in_rviz(write: Write) -> None:
     above = RVIZ.replace("Orbit", "TopDownOrtho").replace(
         "Distance: 10", "Scale: 100\n      X: 4\n      Y: 5"
     )
-    layout, _ = read_layout(write(above, "above.rviz"))
+    layout, unknown = read_layout(write(above, "above.rviz"))
     assert layout.camera is not None
     assert layout.camera.look_at == (4.0, 5.0, 0.0)
     assert layout.camera.position == pytest.approx((4.0, 5.0, 3.9), abs=0.1)
-    _, unknown = read_layout(write(RVIZ.replace("<Fixed Frame>", "base_link"), "follow.rviz"))
-    assert "a camera that follows the frame base_link" in unknown
-    layout, unknown = read_layout(write(RVIZ.replace("Orbit", "FPS"), "fps.rviz"))
+    assert "a view from above without perspective, which has it here" in unknown
+    orbit, _ = read_layout(write(RVIZ, "orbit.rviz"))
+    for kind in ("XYOrbit", "ThirdPersonFollower"):
+        layout, unknown = read_layout(write(RVIZ.replace("/Orbit", f"/{kind}"), "other.rviz"))
+        assert layout.camera == orbit.camera
+        assert len(unknown) == 3  # displays and tools alone
+    first_person = (
+        RVIZ.replace("Orbit", "FPS").replace("Focal Point", "Position").replace("Yaw: 1.5", "Yaw: 0")
+    )
+    layout, unknown = read_layout(write(first_person, "fps.rviz"))
+    assert layout.camera is not None
+    assert layout.camera.position == (1.0, 2.0, 3.0)
+    assert layout.camera.look_at == pytest.approx((1.0 + 5.0 * math.cos(0.5), 2.0, 3.0 - 5.0 * math.sin(0.5)))
+    assert len(unknown) == 3
+    _, unknown = read_layout(write(first_person.replace("Yaw: 0", "Yaw: 0\n      Roll: 0.3"), "tilted.rviz"))
+    assert "a camera that is tilted, which is upright here" in unknown
+    layout, unknown = read_layout(write(RVIZ.replace("/Orbit", "/FrameAligned"), "aligned.rviz"))
     assert layout.camera is None
-    assert "a camera of the class rviz_default_plugins/FPS" in unknown
+    assert "a camera of the class rviz_default_plugins/FrameAligned" in unknown
+    _, unknown = read_layout(
+        write(RVIZ.replace("Yaw: 1.5", "Yaw: 1.5\n      Invert Z Axis: true"), "down.rviz")
+    )
+    assert "a view with the z axis downwards, which is upwards here" in unknown
+
+
+def test_camera_that_follows_a_frame_starts_there_and_that_is_said(write: Write) -> None:
+    following = RVIZ.replace("<Fixed Frame>", "base_link")
+    layout, unknown = read_layout(write(following, "follow.rviz"))
+    assert (layout.camera_frame, layout.camera_turns) == ("base_link", False)
+    assert "a camera that follows base_link: it starts there, and stays where it is" in unknown
+    layout, _ = read_layout(write(following.replace("/Orbit", "/ThirdPersonFollower"), "third.rviz"))
+    assert (layout.camera_frame, layout.camera_turns) == ("base_link", True)
+    layout, unknown = read_layout(write(RVIZ.replace("<Fixed Frame>", "odom"), "fixed.rviz"))
+    assert (layout.camera_frame, len(unknown)) == ("", 3)
 
 
 def test_manager_without_anything_is_an_empty_layout(write: Write) -> None:

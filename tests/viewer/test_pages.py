@@ -9,6 +9,7 @@ import urllib.request
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
+from urllib.parse import urlsplit
 
 import msgspec
 import numpy as np
@@ -16,6 +17,7 @@ import pytest
 from tests.conftest import wait_until
 from tests.viewer.conftest import Page
 from tests.viewer.messages import cloud, header, pose
+from tests.viewer.scenes import Scene
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import ClientConnection, connect
 
@@ -562,6 +564,42 @@ def test_layout_is_applied_and_saved(node: Node, viewer: Viewer, open_page: Open
     viewer.layout_path = tmp_path / "no" / "such"
     page.send(op="layout")
     assert "can't write" in page.answer("error")
+
+
+def test_camera_of_a_layout_stands_at_its_frame_at_once_or_when_the_frame_is_known(
+    node: Node, viewer: Viewer, open_page: OpenPage
+) -> None:
+    above = ViewPoint((-1.0, 0.0, 2.0), (0.0, 0.0, 0.5))
+    viewer.apply(Layout(fixed_frame="map", camera=above, camera_frame="laser"))
+    early = open_page(viewer)
+    assert early.camera == {"position": [-1.0, 0.0, 2.0], "look_at": [0.0, 0.0, 0.5]}
+    scene = Scene(urlsplit(viewer.pages.address).port, early)
+    scene.tell_camera()
+    feed(node, viewer)
+    scene.wait_for(lambda: {"position", "look_at"} <= scene.camera.keys())
+    first = scene.camera["position"]
+    assert first[0] >= -0.5  # the laser is 0.5 m before the base, which may have stood anywhere on its way
+    assert (first[1], first[2]) == (0.0, 2.0)
+    late = open_page(viewer)
+    assert late.camera == {"position": [9.5, 0.0, 2.0], "look_at": [10.5, 0.0, 0.5]}
+    assert viewer._unplaced == set()
+    scene.abort()
+
+
+def test_camera_of_a_layout_turns_with_its_frame_if_that_is_wanted(node: Node, viewer: Viewer) -> None:
+    broadcaster = StaticTransformBroadcaster(node)
+    turned = transform("map", "base", 1, 4.0)
+    turned.transform.rotation.z = turned.transform.rotation.w = math.sqrt(0.5)
+    broadcaster.sendTransform(turned)
+    wait_until(lambda: viewer.view.buffer.has_frame("base"), what="the frame")
+    behind = Layout(
+        fixed_frame="map", camera=ViewPoint((-1.0, 0.0, 2.0), (0.0, 0.0, 0.0)), camera_frame="base"
+    )
+    viewer.apply(behind)
+    assert viewer.view.placed(behind) == ViewPoint((3.0, 0.0, 2.0), (4.0, 0.0, 0.0))
+    placed = viewer.view.placed(behind._replace(camera_turns=True))
+    assert placed is not None
+    assert placed.position == pytest.approx((4.0, -1.0, 2.0))
 
 
 def test_images_of_a_camera_are_exchanged_in_its_pyramid_at_the_time_that_is_shown(

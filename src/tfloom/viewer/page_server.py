@@ -99,8 +99,8 @@ class PageServer:
         self._host = ""
         self._port = 0
         self._pages: dict[str, _Page] = {}
-        self.view_point: ViewPoint | None = None
-        """From where new pages look; None: from where the page itself says."""
+        self.view_point: Callable[[str], ViewPoint | None] = lambda _: None
+        """Returns from where a new page looks, on the thread of the server; None: from where the page itself says."""
         self._state = ""
         self._state_number = 0
         self._lines: list[str] = []
@@ -316,8 +316,9 @@ class PageServer:
             self.answer(name, {"error": str(PageError("a command has to be an object of JSON"))})
 
     async def _send(self, connection: ServerConnection, name: str, page: _Page) -> None:
-        view_point = None if self.view_point is None else self.view_point._asdict()
-        await connection.send(json.dumps({"page": name, "camera": view_point}))
+        view_point = self.view_point(name)
+        camera = None if view_point is None else view_point._asdict()
+        await connection.send(json.dumps({"page": name, "camera": camera}))
         while True:
             page.news.clear()
             answers, page.answers = page.answers, []

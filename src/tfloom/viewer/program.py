@@ -13,6 +13,7 @@ from tfloom.rosidl.message import DecodeError
 from tfloom.viewer.camera import floor_point
 from tfloom.viewer.displays.display import shown_text
 from tfloom.viewer.forms.sending import FORM_COMMANDS
+from tfloom.viewer.layout.layout import Layout
 from tfloom.viewer.layout.layout_file import layout_text
 from tfloom.viewer.log_lines import MAX_LINES
 from tfloom.viewer.node_graph import node_graph
@@ -32,7 +33,7 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
     from tfloom.tf2_tools.watch.sources import Source
-    from tfloom.viewer.layout.layout import Layout
+    from tfloom.viewer.layout.layout import ViewPoint
     from tfloom.viewer.live_parts import LiveParts
     from tfloom.viewer.topics import Topics
 
@@ -91,6 +92,11 @@ class Viewer:
         self._asked_fields: dict[str, str] = {}
         """By page, the topic whose fields it asked for last, while the type of this topic is searched for."""
         self._is_open = False
+        self._layout = Layout()
+        """What is shown from the start."""
+        self._unplaced: set[str] = set()
+        """Pages whose camera is to stand at a frame that is not known yet."""
+        self.pages.view_point = self._view_point
         self.layout_path: Path | None = None
         """Where pages save the layout; None: each browser saves it as it saves files."""
 
@@ -131,6 +137,7 @@ class Viewer:
                 self._live.tools.stop_silent()
             if now_s >= next_state_s:
                 next_state_s = now_s + STATE_S
+                self._place_cameras()
                 asked, self._asked_fields = self._asked_fields, {}
                 for page, topic in asked.items():
                     self._do(page, {"op": "plot_fields", "topic": topic})
@@ -200,8 +207,12 @@ class Viewer:
         operation = text(command, "op")
         if operation == "opened":
             return
+        if operation == "place":
+            self._unplaced.add(page)
+            return
         if operation == "closed":
             self._asked_fields.pop(page, None)
+            self._unplaced.discard(page)
             if self._live is not None:
                 self._live.forms.forget(page)
         elif operation == "layout":
@@ -232,7 +243,19 @@ class Viewer:
         if missing := layout.trails[MAX_TRAILS:]:
             said = f"there are at most {MAX_TRAILS} trails; those of these frames are not shown: {', '.join(missing)}"
             self._note(said)
-        self.pages.view_point = layout.camera
+        self._layout = layout
+
+    def _view_point(self, page: str) -> ViewPoint | None:
+        """Return from where a new page looks; None: from where the page itself says. On a thread of the server."""
+        placed = self.view.placed(self._layout)
+        if placed is None and self._layout.camera is not None:
+            self._put(page, {"op": "place"})
+        return placed or self._layout.camera
+
+    def _place_cameras(self) -> None:
+        """Let pages look from their frame, as soon as it is known."""
+        if self._unplaced and (placed := self.view.placed(self._layout)) is not None:
+            self._unplaced -= {page for page in self._unplaced if self._server.look(page, placed)}
 
     def _save_layout(self, page: str) -> None:
         """Give a page its layout as a file, or write it where the program was told to."""

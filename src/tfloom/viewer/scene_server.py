@@ -8,6 +8,7 @@ import secrets
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 import viser
 from viser import _messages
 
@@ -93,6 +94,15 @@ class SceneServer:
         px, py, pz = (float(part) for part in client.camera.position)
         x, y, z = (float(part) for part in client.camera.look_at)
         return ViewPoint((px, py, pz), (x, y, z))
+
+    def look(self, page: str, view_point: ViewPoint) -> bool:
+        """Let a page look from a point to another one; return whether it was there to be told."""
+        client = self._server.get_clients().get(self._clients.get(page, -1))
+        if client is None:
+            return False
+        client.camera.position = np.array(view_point.position)
+        client.camera.look_at = np.array(view_point.look_at)
+        return True
 
     def forget(self, page: str) -> None:
         """Forget a page that was closed."""

@@ -13,6 +13,7 @@ import numpy as np
 
 from tfloom.tf2.buffer import LATEST
 from tfloom.tf2.errors import TransformException
+from tfloom.tf2.transform import Transform
 from tfloom.tf2_tools.doctor.diagnosis import diagnose
 from tfloom.tf2_tools.doctor.subject import Subject
 from tfloom.tf2_tools.text.transform import matrix_from_quaternion, rpy_from_matrix, transform_text
@@ -270,6 +271,21 @@ class View:
                 self.plots.add(plot.topic, plot.field, is_there=False)
             except PageError as error:  # noqa: PERF203  # the others are plotted
                 _report(f"{plot.field} of {plot.topic}", error)
+
+    def placed(self, layout: Layout) -> ViewPoint | None:
+        """Return from where a layout looks, in the fixed frame; None where it doesn't say, or its frame is not known.
+
+        Any thread may call it.
+        """
+        if layout.camera is None or not layout.camera_frame:
+            return layout.camera
+        try:
+            pose = self.buffer.lookup(self.fixed_frame, layout.camera_frame)
+        except TransformException:
+            return None
+        yaw_rad = pose.transform.rpy_rad[2] if layout.camera_turns else 0.0
+        place = Transform.from_rpy(0.0, 0.0, yaw_rad, pose.translation)
+        return ViewPoint(place.apply(layout.camera.position), place.apply(layout.camera.look_at))
 
     def layout(self, camera: ViewPoint | None) -> Layout:
         """Return what is shown now, with a page's camera."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-__all__ = ["DEFAULT_AXES_M", "DisplayLayout", "Layout", "LayoutError", "PlotLayout", "ViewPoint"]
+__all__ = ["DEFAULT_AXES_M", "DisplayLayout", "Layout", "LayoutError", "PlotLayout", "Point", "ViewPoint"]
 
 DEFAULT_AXES_M = 0.3
 """Length of a frame's axes [m]."""
@@ -17,7 +17,7 @@ class LayoutError(Exception):
 
 
 class ViewPoint(NamedTuple):
-    """From where a page looks, and to where [m], in the fixed frame."""
+    """From where a page looks, and to where [m]."""
 
     position: Point
     look_at: Point
@@ -50,4 +50,8 @@ class Layout(NamedTuple):
     displays: tuple[DisplayLayout, ...] = ()
     plots: tuple[PlotLayout, ...] = ()
     camera: ViewPoint | None = None
-    """None: that of a new page."""
+    """From where new pages look; None: from where they do by themselves."""
+    camera_frame: str = ""
+    """The frame at whose place the camera stands when a page is opened; empty: the fixed frame."""
+    camera_turns: bool = False
+    """Whether it stands as this frame is turned about the vertical, too."""

@@ -52,7 +52,7 @@ def _own_layout(file: PlacedYaml) -> tuple[Layout, list[str]]:
     if not all(isinstance(frame, str) for frame in trails):
         raise file.error(trails, "trails has to be a list of frames")
     camera = file.mapping(root, "camera")
-    unknown += [f"camera.{key}" for key in camera if key not in {"position", "look_at"}]
+    unknown += [f"camera.{key}" for key in camera if key not in {"position", "look_at", "frame"}]
     layout = Layout(
         fixed_frame=file.text(root, "fixed_frame"),
         with_names=file.flag(root, "names", default=True),
@@ -61,6 +61,7 @@ def _own_layout(file: PlacedYaml) -> tuple[Layout, list[str]]:
         displays=tuple(displays),
         plots=tuple(plots),
         camera=ViewPoint(file.point(camera, "position"), file.point(camera, "look_at")) if camera else None,
+        camera_frame=file.text(camera, "frame"),
     )
     return layout, unknown
 
@@ -98,4 +99,6 @@ def layout_text(layout: Layout) -> str:
         values["camera"] = {
             name: [round(part, 4) for part in point] for name, point in layout.camera._asdict().items()
         }
+        if layout.camera_frame:
+            values["camera"]["frame"] = layout.camera_frame
     return str(yaml.safe_dump(values, sort_keys=False, allow_unicode=True))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -121,6 +120,8 @@ class PlacedYaml:
             numbers = [
                 part for part in value if isinstance(part, (int, float)) and not isinstance(part, bool)
             ]
-            if len(numbers) == 3 and all(math.isfinite(part) and abs(part) < 1e12 for part in numbers):
+            if len(numbers) == 3 and all(
+                abs(part) < 1e12 for part in numbers
+            ):  # neither nan nor beyond a float
                 return float(numbers[0]), float(numbers[1]), float(numbers[2])
         raise self.error(holder, f"{key} has to be three numbers, as [1.0, 2.0, 3.0], not {value!r}")

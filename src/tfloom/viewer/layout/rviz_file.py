@@ -10,6 +10,7 @@ from tfloom.viewer.layout.layout import (
     DisplayLayout,
     Layout,
     LayoutError,
+    Point,
     ViewPoint,
 )
 from tfloom.viewer.layout.placed_yaml import PlacedYaml
@@ -33,6 +34,14 @@ TOPIC_KEYS = ("Topic", "Image Topic", "Marker Topic")
 TOOL_TOPICS = {"SetGoal": GOAL_TOPIC, "SetInitialPose": INITIAL_TOPIC, "PublishPoint": POINT_TOPIC}
 ORBITS = frozenset(("Orbit", "XYOrbit", "ThirdPersonFollower"))
 """Cameras that look at a focal point."""
+TURNING = "ThirdPersonFollower"
+"""The one of them that turns with its target frame, about the vertical."""
+FIRST_PERSON = "FPS"
+FROM_ABOVE = "TopDownOrtho"
+FIRST_PERSON_M = 5.0
+"""How far before a first person's camera the point is to which it looks [m]."""
+MAX_PITCH_RAD = 1.56
+"""Straight from above or from below has no direction upwards."""
 FOV_RAD = math.radians(75.0)
 WINDOW_PX = 600.0
 """Height of the window for which the scale of a view from above is taken."""
@@ -52,13 +61,17 @@ def rviz_layout(file: PlacedYaml) -> tuple[Layout, list[str]]:
     reader.take_displays(manager, 0)
     reader.take_tools(manager)
     fixed_frame = file.text(file.mapping(manager, "Global Options"), "Fixed Frame")
-    camera = reader.camera(file.mapping(file.mapping(manager, "Views"), "Current"), fixed_frame)
+    view = file.mapping(file.mapping(manager, "Views"), "Current")
+    camera = reader.camera(view)
+    camera_frame = reader.camera_frame(view, fixed_frame) if camera is not None else ""
     layout = Layout(
         fixed_frame=fixed_frame,
         with_names=reader.with_names,
         axes_m=reader.axes_m,
         displays=tuple(dict.fromkeys(reader.displays)),
         camera=camera,
+        camera_frame=camera_frame,
+        camera_turns=bool(camera_frame) and str(view.get("Class", "")).rpartition("/")[2] == TURNING,
     )
     return layout, reader.unknown
 
@@ -154,41 +167,69 @@ class _Reader:
             if full and full != TOOL_TOPICS[kind]:
                 self.unknown.append(f"{kind} on {full}, which publishes on {TOOL_TOPICS[kind]} here")
 
-    def camera(self, view: dict[Any, Any], fixed_frame: str) -> ViewPoint | None:
-        """Return the camera; None where there is none that is known."""
+    def camera(self, view: dict[Any, Any]) -> ViewPoint | None:
+        """Return the camera, in its target frame; None where there is none that is known."""
         if not view:
             return None
         file = self._file
         kind = str(view.get("Class", "")).rpartition("/")[2]
-        target = file.text(view, "Target Frame", NO_TARGET)
-        if target not in {NO_TARGET, fixed_frame, ""}:
-            self.unknown.append(f"a camera that follows the frame {target}")
+        if file.flag(view, "Invert Z Axis", default=False):
+            self.unknown.append("a view with the z axis downwards, which is upwards here")
         if kind in ORBITS:
-            focus = file.mapping(view, "Focal Point")
-            x, y, z = (file.number(focus, axis, 0.0) for axis in "XYZ")
-            distance = max(file.number(view, "Distance", 10.0), 0.01)
-            pitch, yaw = file.number(view, "Pitch", 0.785), file.number(view, "Yaw", 0.785)
-            pitch = min(max(pitch, -1.56), 1.56)  # straight from above has no direction upwards
-            flat = distance * math.cos(pitch)
-            position = (
-                x + flat * math.cos(yaw),
-                y + flat * math.sin(yaw),
-                z + distance * math.sin(pitch),
-            )
-            return ViewPoint(position, (x, y, z))
-        if kind == "TopDownOrtho":
-            x, y = file.number(view, "X", 0.0), file.number(view, "Y", 0.0)
-            angle = file.number(view, "Angle", 0.0)
-            height = WINDOW_PX / max(file.number(view, "Scale", 10.0), 1e-3) / 2.0 / math.tan(FOV_RAD / 2.0)
-            # A little aside, because straight from above has no direction upwards.
-            aside = 0.001 * height
-            return ViewPoint(
-                (
-                    x - aside * math.cos(angle + math.pi / 2),
-                    y - aside * math.sin(angle + math.pi / 2),
-                    height,
-                ),
-                (x, y, 0.0),
-            )
+            return self._orbit(view)
+        if kind == FIRST_PERSON:
+            return self._first_person(view)
+        if kind == FROM_ABOVE:
+            self.unknown.append("a view from above without perspective, which has it here")
+            return self._from_above(view)
         self.unknown.append(f"a camera of the class {view.get('Class', 'none')}")
         return None
+
+    def camera_frame(self, view: dict[Any, Any], fixed_frame: str) -> str:
+        """Return the frame that the camera follows in RViz; empty where that is the fixed frame."""
+        target = self._file.text(view, "Target Frame", NO_TARGET)
+        if target in {NO_TARGET, fixed_frame, ""}:
+            return ""
+        self.unknown.append(f"a camera that follows {target}: it starts there, and stays where it is")
+        return target
+
+    def _direction(self, view: dict[Any, Any]) -> tuple[float, float, float]:
+        """Return the direction of a view's pitch and yaw, upwards where the pitch is above zero."""
+        pitch, yaw = self._file.number(view, "Pitch", 0.785), self._file.number(view, "Yaw", 0.785)
+        pitch = min(max(pitch, -MAX_PITCH_RAD), MAX_PITCH_RAD)
+        return math.cos(pitch) * math.cos(yaw), math.cos(pitch) * math.sin(yaw), math.sin(pitch)
+
+    def _orbit(self, view: dict[Any, Any]) -> ViewPoint:
+        focus = self._point(view, "Focal Point")
+        distance = max(self._file.number(view, "Distance", 10.0), 0.01)
+        return ViewPoint(_along(focus, self._direction(view), distance), focus)
+
+    def _first_person(self, view: dict[Any, Any]) -> ViewPoint:
+        # A camera here turns about the point to which it looks, which RViz's has none of.
+        position = self._point(view, "Position")
+        ahead, left, down = self._direction(view)  # it looks downwards where the pitch is above zero
+        if self._file.number(view, "Roll", 0.0):
+            self.unknown.append("a camera that is tilted, which is upright here")
+        return ViewPoint(position, _along(position, (ahead, left, -down), FIRST_PERSON_M))
+
+    def _from_above(self, view: dict[Any, Any]) -> ViewPoint:
+        file = self._file
+        x, y = file.number(view, "X", 0.0), file.number(view, "Y", 0.0)
+        angle = file.number(view, "Angle", 0.0)
+        height = WINDOW_PX / max(file.number(view, "Scale", 10.0), 1e-3) / 2.0 / math.tan(FOV_RAD / 2.0)
+        # A little aside, because straight from above has no direction upwards.
+        aside = 0.001 * height
+        return ViewPoint(
+            (x - aside * math.cos(angle + math.pi / 2), y - aside * math.sin(angle + math.pi / 2), height),
+            (x, y, 0.0),
+        )
+
+    def _point(self, view: dict[Any, Any], key: str) -> Point:
+        values = self._file.mapping(view, key)
+        x, y, z = (self._file.number(values, axis, 0.0) for axis in "XYZ")
+        return x, y, z
+
+
+def _along(start: Point, direction: Point, distance: float) -> Point:
+    x, y, z = (at + distance * part for at, part in zip(start, direction, strict=True))
+    return x, y, z
