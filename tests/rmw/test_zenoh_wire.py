@@ -17,8 +17,8 @@ from tests.rmw.conftest import Peer
 from tests.zenoh_ports import use_port_of
 
 from tfloom._native import ReadyQueue, SampleQueue
-from tfloom.rmw import zenoh_attachment, zenoh_graph
-from tfloom.rmw.base import NodeName, Participant, Reader, Sample, Service, Topic
+from tfloom.rmw import zenoh_attachment, zenoh_graph, zenoh_services
+from tfloom.rmw.base import NodeName, Participant, Reader, Requester, Sample, Service, Topic
 from tfloom.rmw.errors import ClosedError, ForeignPeerError, NoBackendError, WireError
 from tfloom.rmw.events import Event, LivelinessChanged, Matched
 from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoS, ReliabilityPolicy
@@ -61,6 +61,11 @@ def plain(participant: Participant) -> Iterator[Any]:
 
     with client_session(int(os.environ["TFLOOM_ZENOH_PORT"])) as session:
         yield session
+
+
+def refuse(_thread: threading.Thread) -> None:
+    """Take the place of `threading.Thread.start` where the system has no more threads."""
+    raise RuntimeError("can't start new thread")
 
 
 def key_of(topic: Topic, domain_id: int) -> str:
@@ -402,6 +407,79 @@ def test_request_waits_for_the_route(participant: Participant, domain_id: int, p
     late.join()
     opened[0].undeclare()
     token.undeclare()
+
+
+@pytest.fixture
+def asked(participant: Participant, domain_id: int, plain: Any) -> Iterator[tuple[Requester, Any, Any, Any]]:
+    """Yield a client, its request's query in a plain session that keeps it, that server's token and its queryable."""
+    client = participant.create_requester(NODE, KILL, QoS())
+    queries: list[Any] = []
+    key = data_key(domain_id, KILL.name, KILL.type_name, HASH)
+    queryable = plain.declare_queryable(
+        key, zenoh.handlers.Callback(queries.append, indirect=False), complete=True
+    )
+    token = declare_token(plain, domain_id, Kind.SERVER, End(KILL.name, KILL.type_name, HASH, QoS()))
+    wait_until(client.is_ready)
+    client.send(HEADER + b"ask")
+    wait_until(lambda: queries)
+    yield client, queries.pop(), token, queryable
+    queryable.undeclare()
+
+
+def test_a_response_that_comes_after_the_end_of_its_servers_token_is_awaited(
+    asked: tuple[Requester, Any, Any, Any],
+) -> None:
+    """Zenoh sends the end of a token ahead of a response that was sent before."""
+    client, query, token, _ = asked
+    servers = client.receiving_servers()
+    assert client.connected_servers() == servers
+    token.undeclare()
+    wait_until(lambda: not client.receiving_servers())
+    queue = ReadyQueue()
+    client.watch_servers(queue, 8)
+    assert queue.wait(30 * 10**9) == [8]  # at the start
+    assert client.connected_servers() == servers
+    query.reply(query.key_expr, HEADER + b"right", attachment=query.attachment.to_bytes())
+    wait_until(lambda: client.take() is not None)
+    assert client.connected_servers() == servers
+    query.drop()
+    assert queue.wait(30 * 10**9) == [8]
+    assert not client.connected_servers()
+
+
+def test_a_request_that_is_given_up_makes_no_server_awaited(asked: tuple[Requester, Any, Any, Any]) -> None:
+    client, _, token, _ = asked
+    client.give_up([1])
+    token.undeclare()
+    wait_until(lambda: not client.receiving_servers())
+    assert not client.connected_servers()
+
+
+@pytest.mark.parametrize("is_thread_refused", [False, True], ids=["", "no thread"])
+def test_a_server_that_leaves_and_keeps_its_request_is_awaited_for_a_limited_time(
+    asked: tuple[Requester, Any, Any, Any], monkeypatch: pytest.MonkeyPatch, *, is_thread_refused: bool
+) -> None:
+    client, query, token, _ = asked
+    monkeypatch.setattr(zenoh_services, "MAX_WAIT_FOR_END_S", 0.2)
+    if is_thread_refused:
+        monkeypatch.setattr(threading.Thread, "start", refuse)
+    queue = ReadyQueue()
+    client.watch_servers(queue, 8)
+    token.undeclare()
+    wait_until(lambda: queue.wait(10**9) and not client.connected_servers())
+    query.reply(query.key_expr, HEADER + b"late", attachment=query.attachment.to_bytes())
+    wait_until(lambda: client.take() is not None)
+    query.drop()
+
+
+def test_a_client_that_closes_ends_its_wait_for_a_server(asked: tuple[Requester, Any, Any, Any]) -> None:
+    client, _, token, _ = asked
+    token.undeclare()
+    wait_until(lambda: client._end_timers)
+    timers = client._timers
+    assert timers._checks
+    client.close()
+    assert not timers._checks
 
 
 def test_queries_of_a_client_that_left_are_dropped(
@@ -995,9 +1073,6 @@ def test_a_sink_that_sleeps_starves_no_other(participant: Participant) -> None:
 def test_without_a_thread_a_reader_is_not_fed(
     participant: Participant, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def refuse(thread: threading.Thread) -> None:
-        raise RuntimeError("can't start new thread")
-
     reader = participant.create_reader(NODE, TOPIC, QoS())
     with monkeypatch.context() as patch:
         patch.setattr(threading.Thread, "start", refuse)
@@ -1010,9 +1085,6 @@ def test_without_a_thread_a_reader_is_not_fed(
 def test_without_a_thread_for_another_sink_a_reader_keeps_samples_for_the_next_one(
     participant: Participant, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def refuse(thread: threading.Thread) -> None:
-        raise RuntimeError("can't start new thread")
-
     first, last = SampleQueue(10), SampleQueue(10)
     reader = participant.create_reader(NODE, TOPIC, QoS())
     writer = participant.create_writer(NODE, TOPIC, QoS())
@@ -1034,9 +1106,6 @@ def test_without_a_thread_for_another_sink_a_reader_keeps_samples_for_the_next_o
 def test_without_a_thread_for_its_deadline_an_endpoint_is_not_opened(
     participant: Participant, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def refuse(thread: threading.Thread) -> None:
-        raise RuntimeError("can't start new thread")
-
     timed = QoS(deadline_ns=10**9)
     with monkeypatch.context() as patch:
         patch.setattr(threading.Thread, "start", refuse)
@@ -1055,9 +1124,6 @@ def test_without_a_thread_for_a_lease_samples_come_and_a_line_tells(
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    def refuse(thread: threading.Thread) -> None:
-        raise RuntimeError("can't start new thread")
-
     manual = QoS(liveliness=LivelinessPolicy.MANUAL_BY_TOPIC, liveliness_lease_ns=10**9)
     end = End(TOPIC.name, TOPIC.type_name, HASH, manual)
     token = declare_token(plain, domain_id, Kind.PUBLISHER, end)

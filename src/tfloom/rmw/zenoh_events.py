@@ -5,6 +5,7 @@ A thread looks for missed deadlines and ended leases. It is started with the fir
 
 from __future__ import annotations
 
+import math
 import threading
 import time
 from collections.abc import Callable
@@ -75,6 +76,8 @@ class Timers:
     def add(self, first_s: float, check: Callable[[float], float]) -> int:
         """Call `check(now)` at `first_s`, and then at each time that it returns, on the monotonic clock [s].
 
+        A check that returns infinity is removed.
+
         Returns:
             The number for `remove`.
 
@@ -115,7 +118,9 @@ class Timers:
             for number, check in due:
                 again_s = check(now_s)
                 with self._changed:
-                    if number in self._checks:
+                    if again_s == math.inf:
+                        self._checks.pop(number, None)
+                    elif number in self._checks:
                         self._checks[number] = again_s, check
 
     def close(self) -> None:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections import OrderedDict, deque
 from collections.abc import Callable, Iterable
+from functools import partial
 from typing import Any, NamedTuple
 
 from tfloom._native import ReadyQueue
@@ -18,6 +20,7 @@ from tfloom.rmw.zenoh_attachment import pack, unpack
 from tfloom.rmw.zenoh_config import reason_of
 from tfloom.rmw.zenoh_end import ZenohEnd
 from tfloom.rmw.zenoh_endpoints import HEADER_SIZE
+from tfloom.rmw.zenoh_events import Timers
 from tfloom.rmw.zenoh_graph import Peer, ZenohGraph
 from tfloom.rmw.zenoh_library import open_library
 from tfloom.rmw.zenoh_tokens import Kind
@@ -29,6 +32,8 @@ ENDLESS_S = 1e9
 ROUTE_WAIT_S = 0.5
 """The longest wait for the route to a server whose token has come before it [s]."""
 POLL_S = 0.001
+MAX_WAIT_FOR_END_S = 60.0
+"""How long a response is awaited from a server that has left, while Zenoh tells nothing of the request's end [s]."""
 
 
 class ServiceEndpoint(NamedTuple):
@@ -38,6 +43,7 @@ class ServiceEndpoint(NamedTuple):
     node: NodeName
     service: Service
     qos: QoS
+    timers: Timers
 
 
 class _ServiceEnd(ZenohEnd):
@@ -51,6 +57,7 @@ class _ServiceEnd(ZenohEnd):
         self.node = endpoint.node
         self.qos = endpoint.qos
         self._service = endpoint.service
+        self._timers = endpoint.timers
         self._listener: tuple[ReadyQueue, int] | None = None
         self._depth = waiting_qos(self.qos, is_client=self.kind == "client").depth
 
@@ -98,6 +105,10 @@ class ZenohRequester(_ServiceEnd):
         """Ids of the servers of this type. Replaced, never changed, under the graph's lock."""
         self._others: dict[bytes, str] = {}
         """Why each server of another type has no use, by its gid; replaced likewise."""
+        self._open: dict[int, frozenset[str]] = {}
+        """The servers of each request whose end Zenoh hasn't told, by its number. Guarded by the own lock."""
+        self._end_timers: dict[str, int] = {}
+        """The timer that ends the wait for a server that has left, by its id."""
         self._querier: Any = None
         self._matching: Any = None
         """Tells when the route to a server comes: a server may be on the graph before."""
@@ -136,11 +147,36 @@ class ZenohRequester(_ServiceEnd):
             self._others = {**self._others, peer.gid: self._difference(peer, "a server")}
         self._post_ready()
 
-    def remove_peer(self, peer: Peer) -> None:
-        """Note a server that has left."""
-        self._servers = self._servers - {peer.gid.hex()}
+    def remove_peer(self, peer: Peer) -> Callable[[], None] | None:
+        """Note a server that has left. What it sent before may come after this news, which Zenoh sends first."""
+        server = peer.gid.hex()
+        self._servers = self._servers - {server}
         self._others = {gid: text for gid, text in self._others.items() if gid != peer.gid}
         self._post_ready()
+        with self._lock:
+            is_asked = any(server in servers for servers in self._open.values())
+        return (lambda: self._limit_wait_for(server)) if is_asked else None
+
+    def _limit_wait_for(self, server: str) -> None:
+        """End the wait for responses of a server that has left, after some time.
+
+        Zenoh tells of a request's end as soon as its servers have dropped it, or their links are lost. A program of
+        another kind may leave the graph and keep it.
+        """
+        end_s = time.monotonic() + MAX_WAIT_FOR_END_S
+        try:
+            self._end_timers[server] = self._timers.add(end_s, lambda _now_s: self._end_wait_for(server))
+        except RuntimeError:  # the system has no thread
+            self._end_wait_for(server)
+
+    def _end_wait_for(self, server: str) -> float:
+        """Expect no response of a server that has left; return that it is done once [s]."""
+        self._end_timers.pop(server, None)
+        with self._lock:
+            for number, servers in self._open.items():
+                self._open[number] = servers - {server}
+        self._post_ready()
+        return math.inf
 
     def _post_ready(self) -> None:
         if (ready := self._ready) is not None:
@@ -164,10 +200,11 @@ class ZenohRequester(_ServiceEnd):
         with self._lock:
             self._sequence_number += 1
             number = self._sequence_number
+            self._open[number] = self._servers
         zenoh = open_library()
         try:
             self._querier.get(
-                zenoh.handlers.Callback(self._on_reply, indirect=False),
+                zenoh.handlers.Callback(self._on_reply, partial(self._on_end, number), indirect=False),
                 payload=bytes(data),
                 attachment=pack(number, self.gid),
             )
@@ -203,14 +240,29 @@ class ZenohRequester(_ServiceEnd):
             self._responses.append(response)
             self._post()
 
+    def _on_end(self, number: int) -> None:
+        """Note that no further response comes to a request; called on a thread of Zenoh, or within `send`."""
+        with self._lock:
+            servers = self._open.pop(number, None)
+        if servers and not servers <= self._servers:
+            self._post_ready()
+
     def take(self) -> Response | None:
         """Remove and return the oldest waiting response, or None."""
         self._check_process()
         with self._lock:
             return self._responses.popleft() if self._responses else None
 
-    def give_up(self, sequence_numbers: Iterable[int], *, is_lost: bool = False) -> None:
-        """Do nothing: a request is sent at once, and its response, if it comes, is the client's to drop."""
+    def give_up(
+        self,
+        sequence_numbers: Iterable[int],
+        *,
+        is_lost: bool = False,  # noqa: ARG002 - no request waits here for room
+    ) -> None:
+        """Await no response to these requests any longer; one that comes nevertheless is the client's to drop."""
+        with self._lock:
+            for number in sequence_numbers:
+                self._open.pop(number, None)
 
     def notify_ready(self, queue: ReadyQueue | None, token: int = 0) -> None:
         """Post `token` to `queue` when `is_ready` may have changed, and once at the start; None ends it."""
@@ -249,13 +301,26 @@ class ZenohRequester(_ServiceEnd):
         return self._servers
 
     def connected_servers(self) -> frozenset[str]:
-        """Return the same as `receiving_servers`, because a reply ends with its server."""
-        return self._servers
+        """Return ids of the servers that are there, and of those that left during a request whose end isn't told.
+
+        Zenoh sends the end of a server's token ahead of the responses that it sent before, and the end of a request
+        after them.
+        """
+        self._check_process()
+        with self._lock:
+            return self._servers.union(*self._open.values())
 
     def incompatibility(self) -> str:
         """Return why the present servers are of no use, or an empty text."""
         self._check_process()
         return "" if self._servers else next(iter(self._others.values()), "")
+
+    def close(self) -> None:
+        """Leave the service. Closing again does nothing."""
+        super().close()
+        if not self._is_forked:  # a thread of the parent may have held the lock of the timers
+            for number in list(self._end_timers.values()):
+                self._timers.remove(number)
 
 
 class ZenohResponder(_ServiceEnd):

@@ -210,7 +210,7 @@ class ZenohParticipant:
             )
         qos = wire_qos(qos)
         key = self._token_key(kind, node, End(service.name, service.type_name, service.type_hash, qos))
-        end = kind(ServiceEndpoint(gid_of(key), node, service, qos), self.graph, self._forget)
+        end = kind(ServiceEndpoint(gid_of(key), node, service, qos, self._timers), self.graph, self._forget)
         self._open(end, key, data_key(self.domain_id, service.name, service.type_name, service.type_hash))
         return end
 
