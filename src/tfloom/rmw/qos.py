@@ -6,8 +6,8 @@
 
 from __future__ import annotations
 
-from enum import IntEnum
-from typing import TYPE_CHECKING, NamedTuple
+from enum import EnumMeta, IntEnum
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 if TYPE_CHECKING:
     from typing_extensions import Self
@@ -34,7 +34,31 @@ class QoSPolicyKind(IntEnum):
     AVOID_ROS_NAMESPACE_CONVENTIONS = 1 << 9
 
 
-class QoSPolicyEnum(IntEnum):
+class _PolicyType(EnumMeta):
+    """The type of the policies' classes: gives their choices by the deprecated names of C, too.
+
+    `HistoryPolicy.RMW_QOS_POLICY_HISTORY_KEEP_LAST` is `HistoryPolicy.KEEP_LAST`, with a warning.
+    """
+
+    if not TYPE_CHECKING:  # a type checker would accept any name
+
+        def __getattr__(cls, name: str) -> Any:
+            prefix = f"RMW_QOS_POLICY_{cls.__name__.removesuffix('Policy').upper()}_"
+            choices = cls.__dict__.get("_member_map_", {})
+            if name in choices:  # Python 3.10 and 3.11 find the choices here
+                return choices[name]
+            choice = name.removeprefix(prefix)
+            if choice == name or choice not in choices:
+                raise AttributeError(f"type object {cls.__name__!r} has no attribute {name!r}")
+            import warnings
+
+            warnings.warn(
+                f"{cls.__name__}.{name} is deprecated. Use {cls.__name__}.{choice} instead.", stacklevel=2
+            )
+            return choices[choice]
+
+
+class QoSPolicyEnum(IntEnum, metaclass=_PolicyType):
     """A policy's choices, with the short names that command lines and parameters use."""
 
     @classmethod

@@ -676,6 +676,7 @@ class NodeBase:
         )
         group = callback_group or self.default_callback_group
         publisher = publisher_class(writer, msg_type, name, profile, None, group, context=self.context)
+        publisher.topic = topic
         self.__entities.add_publisher(publisher)
         self.__entities.warn_of_other_type(wire_topic, publisher)
         try:
@@ -766,6 +767,7 @@ class NodeBase:
         except BaseException:
             reader.close()
             raise
+        subscription.topic = topic
         self.__entities.add(subscription)
         self.__entities.warn_of_other_type(wire_topic, subscription)
         try:
@@ -830,6 +832,7 @@ class NodeBase:
             introspection=self.__introspection(srv_type, name),
             logger=self.get_logger(),
         )
+        service.srv_name = srv_name
         return self.__entities.add(service)
 
     def create_client(
@@ -872,6 +875,7 @@ class NodeBase:
             introspection=self.__introspection(srv_type, name),
             logger=self.get_logger(),
         )
+        client.srv_name = srv_name
         self.__entities.add(client)
         self.__entities.add(client.server_watch)
         return client

@@ -135,6 +135,7 @@ class NodeGraph:
         return self._count_service_ends(service_name, False)
 
     def _count_service_ends(self, service_name: str, is_server: bool) -> int:
+        self._names.expand(service_name)  # a name that isn't valid has rclpy's error of an expansion
         name = self.resolve_service_name(service_name)
         ends = self._graph.service_ends()
         return sum(info.name == name and info.is_server == is_server for info in ends)
@@ -153,16 +154,18 @@ class NodeGraph:
         return [(name, sorted(types)) for name, types in sorted(types_by_name.items())]
 
     def _check_node(self, name: str, namespace: str) -> None:
+        if not (isinstance(name, str) and isinstance(namespace, str)):
+            raise TypeError(f"name and namespace of a node must be str, not {name!r} and {namespace!r}")
         if (name, namespace) not in self.get_node_names_and_namespaces():
             raise NodeNameNonExistentError(f"no node '{namespace.rstrip('/')}/{name}' on the graph")
 
     def count_publishers(self, topic_name: str) -> int:
         """Return how many publishers a topic has, of all nodes; the name is expanded and remapped."""
-        return len(self._endpoints_of(self.resolve_topic_name(topic_name), True))
+        return len(self._endpoints_of(self._full_topic_name(topic_name), True))
 
     def count_subscribers(self, topic_name: str) -> int:
         """Return how many subscriptions a topic has, of all nodes; the name is expanded and remapped."""
-        return len(self._endpoints_of(self.resolve_topic_name(topic_name), False))
+        return len(self._endpoints_of(self._full_topic_name(topic_name), False))
 
     def get_publishers_info_by_topic(
         self, topic_name: str, no_mangle: bool = False
@@ -177,8 +180,12 @@ class NodeGraph:
         return self._infos(topic_name, False, no_mangle)
 
     def _infos(self, topic_name: str, is_writer: bool, no_mangle: bool) -> list[TopicEndpointInfo]:
-        name = topic_name if no_mangle else self.resolve_topic_name(topic_name)
+        name = topic_name if no_mangle else self._full_topic_name(topic_name)
         return [TopicEndpointInfo.from_graph(info) for info in self._endpoints_of(name, is_writer, no_mangle)]
+
+    def _full_topic_name(self, topic_name: str) -> str:
+        self._names.expand(topic_name)  # a name that isn't valid has rclpy's error of an expansion
+        return self.resolve_topic_name(topic_name)
 
     def _endpoints_of(self, name: str, is_writer: bool, no_mangle: bool = False) -> list[EndpointInfo]:
         return [

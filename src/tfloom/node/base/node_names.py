@@ -38,6 +38,14 @@ class NodeNames:
         self.node = NodeName(namespace, arguments.node_name(node_name))
         """Name and namespace of the node."""
 
+    def expand(self, name: str) -> str:
+        """Return the full name of a topic or service before remapping.
+
+        Raises:
+            NameValidationException: the name isn't valid.
+        """
+        return expand_topic_name(name, self.node.name, self.node.namespace)
+
     def resolve(self, name: str, *, only_expand: bool, is_service: bool) -> str:
         """Return the full name of a topic or service: expanded, checked, and remapped unless `only_expand`.
 
@@ -46,7 +54,7 @@ class NodeNames:
         """
         node = self.node
         validate_topic_name(name, is_service=is_service)
-        full_name = expand_topic_name(name, node.name, node.namespace)
+        full_name = self.expand(name)
         validate_full_topic_name(full_name, is_service=is_service)
         if only_expand:
             return full_name

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import weakref
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -35,13 +36,19 @@ class TimeSource:
 
     def __init__(self, *, node: NodeBase | None = None) -> None:
         self._node: NodeBase | None = None
-        self._clocks: list[ROSClock] = []
-        self._subscription: Subscription[rosgraph_msg.Clock] | None = None
-        self._last_time = Time(clock_type=ClockType.ROS_TIME)
+        # These names are rclpy's, because tests of other people's programs look at them.
+        self._associated_clocks: set[ROSClock] = set()
+        self._clock_sub: Subscription[rosgraph_msg.Clock] | None = None
+        self._last_time_set = Time(clock_type=ClockType.ROS_TIME)
         self._ros_time_is_active = False
         self._warning: ThrottledWarning | None = None
         if node is not None:
             self.attach_node(node)
+
+    @property
+    def _node_weak_ref(self) -> weakref.ref[NodeBase] | None:
+        """The attached node, by rclpy's name."""
+        return None if self._node is None else weakref.ref(self._node)
 
     @property
     def ros_time_is_active(self) -> bool:
@@ -54,7 +61,7 @@ class TimeSource:
             return
         self._ros_time_is_active = enabled
         # A jump callback may raise: the other clocks are set nevertheless, and /clock is heard.
-        calls = [partial(clock.set_ros_time_is_active, enabled) for clock in self._clocks]
+        calls = [partial(clock.set_ros_time_is_active, enabled) for clock in self._associated_clocks]
         call_all([*calls, self._subscribe if enabled else self._unsubscribe])
 
     def attach_node(self, node: NodeBase) -> None:
@@ -62,7 +69,10 @@ class TimeSource:
 
         Raises:
             InvalidParameterTypeException: the parameter's first value isn't a bool.
+            TypeError: it isn't a node.
         """
+        if not hasattr(node, "add_on_set_parameters_callback"):
+            raise TypeError(f"Node must be of type Node, not {type(node).__name__}")
         if self._node is not None:
             self.detach_node()
         self._node = node
@@ -87,9 +97,9 @@ class TimeSource:
         """
         if not isinstance(clock, ROSClock):
             raise ValueError("Only clocks with type ROS_TIME can be attached.")  # noqa: TRY004  # as in rclpy
-        clock.set_ros_time_override(self._last_time)
+        clock.set_ros_time_override(self._last_time_set)
         clock.set_ros_time_is_active(self._ros_time_is_active)
-        self._clocks.append(clock)
+        self._associated_clocks.add(clock)
 
     def clock_callback(self, msg: rosgraph_msg.Clock) -> None:
         """Set the clocks to the time of a message; drop a time before 0, which clocks can't hold."""
@@ -97,8 +107,8 @@ class TimeSource:
             if self._warning is not None:
                 self._warning.log(f"Dropped a time on {CLOCK_TOPIC} that is before 0: {msg.clock.sec} s")
             return
-        self._last_time = Time.from_msg(msg.clock)
-        call_all([partial(clock.set_ros_time_override, self._last_time) for clock in self._clocks])
+        self._last_time_set = Time.from_msg(msg.clock)
+        call_all([partial(clock.set_ros_time_override, self._last_time_set) for clock in self._associated_clocks])
 
     def _on_parameters(self, parameters: list[Parameter]) -> rcl_msg.SetParametersResult:
         for parameter in parameters:
@@ -111,13 +121,13 @@ class TimeSource:
         return rcl_msg.SetParametersResult(successful=True)
 
     def _subscribe(self) -> None:
-        if self._node is not None and self._subscription is None:
+        if self._node is not None and self._clock_sub is None:
             qos = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
-            self._subscription = self._node.create_subscription(
+            self._clock_sub = self._node.create_subscription(
                 rosgraph_msg.Clock, CLOCK_TOPIC, self.clock_callback, qos
             )
 
     def _unsubscribe(self) -> None:
-        if self._node is not None and self._subscription is not None:
-            self._node.destroy_subscription(self._subscription)
-            self._subscription = None
+        if self._node is not None and self._clock_sub is not None:
+            self._node.destroy_subscription(self._clock_sub)
+            self._clock_sub = None

@@ -158,7 +158,7 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         executor = self._executor()
         if executor is not None and executor.would_wait_for_itself():
             raise RuntimeError(
-                f"Client.call of {self.srv_name} from a callback would never end if a server or a callback of the same "
+                f"Client.call of {self.service_name} from a callback would never end if a server or a callback of the same "
                 "executor has to run first. Await call_async, or spin with a MultiThreadedExecutor"
             )
         future = self.call_async(request)
@@ -247,7 +247,7 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         """
         if not isinstance(request, self.srv_type.Request):
             raise TypeError(f"Expected {self.srv_type.Request}, got {type(request)}")
-        self._context.check_not_from_parent_process(f"cannot call {self.srv_name}")
+        self._context.check_not_from_parent_process(f"cannot call {self.service_name}")
         data = cdr.encode(request)
         future: ResponseFuture[SrvTypeResponse] = ResponseFuture()
         self._alive()
@@ -341,7 +341,7 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
 
     def _fail(self, future: Future[Any], why: str) -> None:
         future.set_executor(self._executor())
-        future.set_exception(NoResponseError(f"no response from {self.srv_name}: {why}"))
+        future.set_exception(NoResponseError(f"no response from {self.service_name}: {why}"))
 
     def take_orphans(self, own: Future[Any] | None = None) -> list[Future[Any]]:
         """Remove the requests whose servers have all left without a response, and return their futures.
@@ -388,7 +388,7 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         """Return whether a server is matched in both directions, so that it receives a request sent now."""
         if self._destroyed:
             return False
-        self._context.check_not_from_parent_process(f"cannot find a server of {self.srv_name}")
+        self._context.check_not_from_parent_process(f"cannot find a server of {self.service_name}")
         if self._endpoint.is_ready():
             return True
         incompatibility = self._endpoint.incompatibility()

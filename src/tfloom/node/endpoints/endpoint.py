@@ -78,6 +78,15 @@ class Endpoint(Generic[WireEndpoint]):
         return Handle(self._alive(), self._alive)
 
     @property
+    def logger_name(self) -> str:
+        """Name of the logger of the node that has it."""
+        return self.owner.get_logger().name
+
+    def get_logger_name(self) -> str:
+        """Return `logger_name`; rclpy's C handle has this name."""
+        return self.logger_name
+
+    @property
     def is_destroyed(self) -> bool:
         """Whether it has left the wire."""
         return self._destroyed

@@ -42,6 +42,7 @@ class Publisher(Endpoint["Writer"], Generic[MsgType]):
         self._context = context
         self.msg_type = msg_type
         self.topic = topic
+        """The topic's name as the program gave it; `topic_name` is the full one."""
         self.qos_profile = qos_profile
         self.event_handlers: list[EventHandler] = []
         self.callback_group = callback_group
@@ -63,9 +64,9 @@ class Publisher(Endpoint["Writer"], Generic[MsgType]):
         else:
             raise TypeError(wrong_message(self.msg_type, msg))
         if self._destroyed:
-            raise InvalidHandle(f"cannot publish on {self.topic}: the publisher was destroyed")
+            raise InvalidHandle(f"cannot publish on {self._name}: the publisher was destroyed")
         if not self._context.ok():
-            self._context.check_not_from_parent_process(f"cannot publish on {self.topic}")
+            self._context.check_not_from_parent_process(f"cannot publish on {self._name}")
             self._context.end_daemon_thread_at_exit()
             raise RCLError("Failed to publish: publisher's context is invalid")
         try:
@@ -81,7 +82,7 @@ class Publisher(Endpoint["Writer"], Generic[MsgType]):
     @property
     def topic_name(self) -> str:
         """The topic's full name, after remapping."""
-        return self.topic
+        return self._name
 
     @property
     def gid(self) -> bytes:

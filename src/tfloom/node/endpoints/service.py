@@ -56,13 +56,14 @@ class ServiceEndpoint(Receiver[TakingEndpoint], Generic[TakingEndpoint, SrvTypeR
         self._introspection = introspection
         self.srv_type: type[Any] = srv_type
         self.srv_name = srv_name
+        """The service's name as the program gave it; `service_name` is the full one."""
         self.qos_profile = qos_profile
         self.callback_group = callback_group
 
     @property
     def service_name(self) -> str:
         """The service's full name, after remapping."""
-        return self.srv_name
+        return self._name
 
     def configure_introspection(
         self,
@@ -130,7 +131,7 @@ class Service(ServiceEndpoint["Responder", SrvTypeRequest, SrvTypeResponse]):
         """
         if not isinstance(response, self.srv_type.Response):
             raise TypeError(
-                f"the callback of {self.srv_name} must return a {self.srv_type.Response.__name__}, "
+                f"the callback of {self.service_name} must return a {self.srv_type.Response.__name__}, "
                 f"not {type(response).__name__}"
             )
         self._endpoint.send(header, cdr.encode(response))

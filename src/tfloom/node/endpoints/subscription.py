@@ -61,6 +61,7 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
         super().__init__(subscription_impl, topic, msg_type, logger)
         self.msg_type = msg_type
         self.topic = topic
+        """The topic's name as the program gave it; `topic_name` is the full one."""
         self.callback = callback
         self.callback_group = callback_group
         self.qos_profile = qos_profile
@@ -134,7 +135,7 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
     @property
     def topic_name(self) -> str:
         """The topic's full name, after remapping."""
-        return self.topic
+        return self._name
 
     def _read(self, incoming: Sample) -> Any:
         """Return the arguments for the callback."""

@@ -91,9 +91,14 @@ class MultiThreadedExecutor(Executor):
     Args:
         num_threads: Number of threads; None: the number of CPUs, at least 2.
         context: As for every executor.
+
+    Raises:
+        ValueError: `num_threads` is less than 1.
     """
 
     def __init__(self, num_threads: int | None = None, *, context: Context | None = None) -> None:
+        if num_threads is not None and num_threads < 1:
+            raise ValueError(f"a MultiThreadedExecutor needs at least one thread, not {num_threads}")
         super().__init__(context=context)
         import os
         from concurrent.futures import thread

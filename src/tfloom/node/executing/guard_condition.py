@@ -6,9 +6,12 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from tfloom.node.executing.entity import Entity
+from tfloom.node.values.exceptions import InvalidHandle
 from tfloom.node.values.handle import Handle
 
 if TYPE_CHECKING:
+    from typing_extensions import Self
+
     from tfloom._native import ReadyQueue
     from tfloom.node.context.context import Context
     from tfloom.node.executing.callback_groups import CallbackGroup
@@ -28,16 +31,36 @@ class GuardCondition(Entity):
         self.callback = callback
         self.callback_group = callback_group
         self._triggered = False
+        self._destroyed = False
         self._queue: ReadyQueue | None = None
         self._token = 0
 
     @property
     def handle(self) -> Handle:
-        """Proxy of the guard condition, for code that expects rclpy's C handle."""
-        return Handle(self)
+        """Proxy of the guard condition, for code that expects rclpy's C handle.
+
+        Raises:
+            InvalidHandle: it was destroyed.
+        """
+        return Handle(self._alive(), self._alive)
+
+    def _alive(self) -> Self:
+        """Return this guard condition.
+
+        Raises:
+            InvalidHandle: it was destroyed.
+        """
+        if self._destroyed:
+            raise InvalidHandle("cannot use a guard condition that was destroyed")
+        return self
 
     def trigger(self) -> None:
-        """Make the executor run the callback. Threads and signal handlers may call this."""
+        """Make the executor run the callback. Threads and signal handlers may call this.
+
+        Raises:
+            InvalidHandle: it was destroyed.
+        """
+        self._alive()
         self._triggered = True
         queue = self._queue
         if queue is not None:
@@ -53,6 +76,7 @@ class GuardCondition(Entity):
 
     def destroy(self) -> None:
         """Stop triggering."""
+        self._destroyed = True
         self.detach()
 
     def attach(self, queue: ReadyQueue, token: int) -> None:

@@ -14,6 +14,8 @@ from tfloom.node.values.exceptions import InvalidHandle, ROSInterruptException
 from tfloom.node.values.handle import Handle
 
 if TYPE_CHECKING:
+    from typing_extensions import Self
+
     from tfloom._native import ReadyQueue
     from tfloom.node.context.context import Context
     from tfloom.node.executing.callback_groups import CallbackGroup
@@ -89,9 +91,17 @@ class Timer(Entity):
         Raises:
             InvalidHandle: the timer was destroyed.
         """
+        return Handle(self._alive(), self._alive)
+
+    def _alive(self) -> Self:
+        """Return this timer.
+
+        Raises:
+            InvalidHandle: it was destroyed.
+        """
         if self._destroyed:
             raise InvalidHandle("cannot use a timer that was destroyed")
-        return Handle(self)
+        return self
 
     @property
     def clock(self) -> Clock:

@@ -21,6 +21,10 @@ class TransitionCallbackReturn(IntEnum):
     ERROR = Transition.TRANSITION_CALLBACK_ERROR
     """An error occurred; `on_error` is called."""
 
+    def to_label(self) -> str:
+        """Return the label of the transition that follows: `transition_success` and its like."""
+        return f"transition_{self.name.lower()}"
+
 
 class ManagedEntity:
     """Base of managed entities. Each transition calls a method with the state before it; by default, it succeeds."""

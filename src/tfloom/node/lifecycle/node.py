@@ -49,7 +49,7 @@ class LifecycleNodeMixin(ManagedEntity):
     def __init__(
         self, *, enable_communication_interface: bool = True, callback_group: CallbackGroup | None = None
     ) -> None:
-        self.__machine = StateMachine()
+        self._state_machine = StateMachine()
         self.__entities: list[ManagedEntity] = []
         self.__events: Publisher[TransitionEvent] | None = None
         self.__callbacks: dict[LifecycleState, Callable[[LifecycleState], TransitionCallbackReturn]] = {
@@ -74,7 +74,8 @@ class LifecycleNodeMixin(ManagedEntity):
             (GetAvailableTransitions, "get_transition_graph", self.__on_get_transition_graph),
         )
         for srv_type, name, callback in services:
-            node.create_service(srv_type, f"~/{name}", callback, callback_group=callback_group)
+            service = node.create_service(srv_type, f"~/{name}", callback, callback_group=callback_group)
+            setattr(self, f"_service_{name}", service)
 
     @property
     def __node(self) -> Node:
@@ -156,7 +157,7 @@ class LifecycleNodeMixin(ManagedEntity):
         return self.__trigger("deactivate")
 
     def __trigger(self, label: str) -> TransitionCallbackReturn:
-        return self.__make_transition(self.__machine.find(0, label))
+        return self.__make_transition(self._state_machine.find(0, label))
 
     def __make_transition(self, step: Step) -> TransitionCallbackReturn:
         """Make a transition to its end, and return the result of its first callback."""
@@ -164,22 +165,22 @@ class LifecycleNodeMixin(ManagedEntity):
         # An error leads to one more such state, in which `on_error` decides whether the node can be configured again.
         self.__enter_state(step)
         result = self.__run_callback(step.start)
-        self.__enter_state(self.__machine.outcome(result))
-        if self.__machine.state == ERRORPROCESSING:
-            self.__enter_state(self.__machine.outcome(self.__run_callback(step.start)))
+        self.__enter_state(self._state_machine.outcome(result))
+        if self._state_machine.state == ERRORPROCESSING:
+            self.__enter_state(self._state_machine.outcome(self.__run_callback(step.start)))
         return result
 
     def __run_callback(self, previous: LifecycleState) -> TransitionCallbackReturn:
         try:
-            return TransitionCallbackReturn(self.__callbacks[self.__machine.state](previous))
+            return TransitionCallbackReturn(self.__callbacks[self._state_machine.state](previous))
         except Exception as error:  # noqa: BLE001  # on_error follows
-            state = self.__machine.state.label
+            state = self._state_machine.state.label
             self.__node.get_logger().error(f"Error raised while {state}: {error}")
             traceback.print_exc()
             return TransitionCallbackReturn.ERROR
 
     def __enter_state(self, step: Step) -> None:
-        self.__machine.state = step.goal
+        self._state_machine.state = step.goal
         if self.__events is not None:
             self.__events.publish(
                 TransitionEvent(
@@ -194,7 +195,7 @@ class LifecycleNodeMixin(ManagedEntity):
 
     def __on_change_state(self, request: Any, response: Any) -> Any:
         try:
-            step = self.__machine.find(request.transition.id, request.transition.label)
+            step = self._state_machine.find(request.transition.id, request.transition.label)
         except RCLError as error:
             self.__node.get_logger().warning(str(error))
             response.success = False
@@ -203,7 +204,7 @@ class LifecycleNodeMixin(ManagedEntity):
         return response
 
     def __on_get_state(self, request: Any, response: Any) -> Any:  # noqa: ARG002
-        response.current_state = self.__machine.state.to_msg()
+        response.current_state = self._state_machine.state.to_msg()
         return response
 
     def __on_get_available_states(self, request: Any, response: Any) -> Any:  # noqa: ARG002
@@ -212,7 +213,7 @@ class LifecycleNodeMixin(ManagedEntity):
 
     def __on_get_available_transitions(self, request: Any, response: Any) -> Any:  # noqa: ARG002
         response.available_transitions = [
-            _transition_description(step) for step in self.__machine.available()
+            _transition_description(step) for step in self._state_machine.available()
         ]
         return response
 

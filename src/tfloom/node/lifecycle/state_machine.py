@@ -31,6 +31,11 @@ class Step(NamedTuple):
     start: LifecycleState
     goal: LifecycleState
 
+    def as_tuple(self) -> tuple[int, str, int, str, int, str]:
+        """Return id and label of the transition, of its start and of its goal."""
+        start, goal = self.start, self.goal
+        return self.transition_id, self.label, start.state_id, start.label, goal.state_id, goal.label
+
     def transition_msg(self) -> lifecycle_msg.Transition:
         """Return the transition as a message, without its states."""
         return Transition(id=self.transition_id, label=self.label)
@@ -105,6 +110,39 @@ class StateMachine:
     def __init__(self) -> None:
         self.state = UNCONFIGURED
 
+    @property
+    def initialized(self) -> bool:
+        """True; rclpy's machine has states from its creation on, too."""
+        return True
+
+    @property
+    def current_state(self) -> tuple[int, str]:
+        """Id and label of the present state, as rclpy's machine gives them."""
+        return self.state.state_id, self.state.label
+
+    @property
+    def available_states(self) -> list[tuple[int, str]]:
+        """Ids and labels of all states."""
+        return [(state.state_id, state.label) for state in STATES]
+
+    @property
+    def available_transitions(self) -> list[tuple[int, str, int, str, int, str]]:
+        """Id and label of each transition from the present state, those of its start, and those of its goal."""
+        return [step.as_tuple() for step in self.available()]
+
+    @property
+    def transition_graph(self) -> list[tuple[int, str, int, str, int, str]]:
+        """All transitions, as `available_transitions` has them."""
+        return [step.as_tuple() for step in STEPS]
+
+    def get_transition_by_label(self, label: str) -> int:
+        """Return the id of the transition with a label from the present state.
+
+        Raises:
+            RCLError: there is no such transition.
+        """
+        return self.find(0, label).transition_id
+
     def available(self) -> list[Step]:
         """Return the transitions from the present state."""
         return [step for step in STEPS if step.start == self.state]
@@ -125,4 +163,4 @@ class StateMachine:
 
     def outcome(self, result: TransitionCallbackReturn) -> Step:
         """Return the transition that the result of a callback leads to."""
-        return self.find(0, _OUTCOME_LABELS[list(TransitionCallbackReturn).index(result)])
+        return self.find(0, result.to_label())

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 
 from tfloom.ros_guard import ros_home
 
@@ -282,11 +283,28 @@ def expand_topic_name(topic_name: str, node_name: str, node_namespace: str) -> s
         node_namespace: Its namespace.
 
     Raises:
-        NameValidationException: one of the three isn't valid, or a substitution is unknown.
+        NameValidationException: one of the three isn't valid, or a substitution is unknown. Its text differs from
+            that of the functions that validate names, as in rclpy.
     """
-    validate_topic_name(topic_name)
-    validate_node_name(node_name)
-    validate_namespace(node_namespace)
+    with _errors_of_expansion():
+        validate_topic_name(topic_name)
+        validate_node_name(node_name)
+        validate_namespace(node_namespace)
+        return _expand(topic_name, node_name, node_namespace)
+
+
+@contextmanager
+def _errors_of_expansion() -> Iterator[None]:
+    """Give the errors of names within the block the text that they have where names are expanded."""
+    try:
+        yield
+    except NameValidationException as error:
+        kind = "node namespace" if isinstance(error, InvalidNamespaceException) else error.name_type
+        error.args = (f"{kind} '{error.name}' is invalid: {error.error_msg}",)
+        raise
+
+
+def _expand(topic_name: str, node_name: str, node_namespace: str) -> str:
     below = "" if node_namespace == "/" else node_namespace
     values = {"node": node_name, "ns": node_namespace, "namespace": node_namespace}
 
