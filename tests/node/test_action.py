@@ -269,7 +269,7 @@ def test_results_expire_after_the_timeout(
     server = ActionServer(server_node, Fibonacci, "fibonacci", fibonacci, result_timeout=0.02)
     handle = finish(client.send_goal_async(Fibonacci.Goal(order=1)))
     assert finish(handle.get_result_async()).status == GoalStatus.STATUS_SUCCEEDED
-    spin_until(lambda: not server._goals)
+    spin_until(lambda: not server._goal_handles)
     assert finish(handle.get_result_async()).status == GoalStatus.STATUS_UNKNOWN
 
 

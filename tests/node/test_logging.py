@@ -176,7 +176,7 @@ def test_invalid_options_raise() -> None:
         logger.info("x", throttle_time_source_type=ROSClock())
     with pytest.raises(TypeError, match="throttle_duration_sec must be a number of seconds, not str"):
         logger.info("x", throttle_duration_sec="1")
-    with pytest.raises(TypeError, match="is not a Clock instance"):
+    with pytest.raises(ValueError, match='time_source_type of "5" is not a clock instance'):
         logger.info("x", throttle_duration_sec=1, throttle_time_source_type=5)
     with pytest.raises(ValueError, match="severity cannot be changed"):  # noqa: PT012  # one place, two severities
         for severity in (LoggingSeverity.INFO, LoggingSeverity.WARN):

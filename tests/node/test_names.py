@@ -120,5 +120,7 @@ def test_invalid_names_raise_a_value_error() -> None:
         lambda: expand_topic_name("a", "me", "x"),
         lambda: validate_node_name(""),
     ):
-        with pytest.raises(ValueError, match=r"Invalid (topic name|node name|namespace): "):
+        with pytest.raises(
+            ValueError, match=r"^((topic|node) name|node namespace) '.*' is invalid: |^Invalid node name: "
+        ):
             expand()

@@ -2,29 +2,40 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from typing import Any
 
 import pytest
 
+from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.interfaces.example_interfaces.action import Fibonacci
+from tfloom.interfaces.rosgraph_msgs.msg import Clock
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.interfaces.std_srvs.srv import Empty
 from tfloom.node import client_library as rclpy
 from tfloom.node.action.client import ActionClient
 from tfloom.node.action.server import ActionServer
 from tfloom.node.builtin.parameter_event_handler import ParameterEventHandler
+from tfloom.node.builtin.time_source import TimeSource
 from tfloom.node.clock.clock import ROSClock
 from tfloom.node.context.context import Context
 from tfloom.node.context.utilities import get_available_rmw_implementations
 from tfloom.node.endpoints.publisher import Publisher
 from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
+from tfloom.node.lifecycle.managed_entity import TransitionCallbackReturn
+from tfloom.node.lifecycle.node import LifecycleNode
 from tfloom.node.node import Node
 from tfloom.node.parameters.parameter import Parameter
 from tfloom.node.qos.qos import QoSProfile, ReliabilityPolicy, qos_profile_sensor_data
 from tfloom.node.qos.qos_overriding_options import QoSOverridingOptions, _declare_qos_parameters
+from tfloom.node.qos.topic_endpoint_info import TopicEndpointInfo, TopicEndpointTypeEnum
 from tfloom.node.values.duration import Duration
-from tfloom.node.values.exceptions import InvalidHandle
+from tfloom.node.values.exceptions import InvalidHandle, RCLError
+from tfloom.node.values.names import expand_topic_name
+from tfloom.node.values.type_hash import TypeHash
+from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoSPolicyEnum
+from tfloom.rosidl.message import EncodeError
 
 KINDS = (
     *("num_subscriptions", "num_guard_conditions", "num_timers"),
@@ -115,17 +126,21 @@ def test_a_goal_that_is_executed_between_spins_runs_in_the_next(
 def test_handles_of_what_was_destroyed_raise(make_node: Callable[..., Node]) -> None:
     node = make_node("handled")
     publisher = node.create_publisher(String, "chatter", 1)
-    handles = [publisher.handle, node.handle]
+    timer = node.create_timer(1.0, print)
+    guard = node.create_guard_condition(print)
+    handles = [publisher.handle, timer.handle, guard.handle, node.handle]
     for handle in handles:
         with handle as entered:
             assert entered is handle
     node.destroy_node()
     for handle in handles:
-        with pytest.raises(InvalidHandle, match="it was destroyed"), handle:
+        with pytest.raises(InvalidHandle, match="was destroyed"), handle:
             pass
-    for destroyed in (publisher, node):
-        with pytest.raises(InvalidHandle, match="it was destroyed"):
+    for destroyed in (publisher, timer, guard, node):
+        with pytest.raises(InvalidHandle, match="was destroyed"):
             destroyed.handle  # noqa: B018
+    with pytest.raises(InvalidHandle, match="was destroyed"):
+        guard.trigger()
 
 
 def test_a_subscriptions_handle_takes_messages(node: Node) -> None:
@@ -179,6 +194,14 @@ def test_an_argument_that_is_not_utf_8_raises() -> None:
     with pytest.raises(UnicodeEncodeError, match="character '\\\\udce9' in position 6"):
         rclpy.init(args=["my-node.py", "Ragnar\udce9k"], context=context)
     assert not context.ok()
+
+
+def test_a_text_that_is_not_utf_8_raises_where_it_is_published(node: Node) -> None:
+    publisher = node.create_publisher(String, "chatter", 1)
+    with pytest.raises(UnicodeEncodeError) as caught:
+        publisher.publish(String(data="Ragnar\udce9k"))
+    assert isinstance(caught.value, EncodeError)
+    assert str(caught.value).startswith("String.data must be text without lone surrogates, got ")
 
 
 def test_the_wire_inside_a_process_is_none_that_processes_can_meet_on() -> None:
@@ -273,3 +296,161 @@ def test_qos_parameters_can_be_declared_without_an_endpoint(make_node: Callable[
 def test_a_multi_threaded_executor_has_its_pool(context: Context) -> None:
     with MultiThreadedExecutor(num_threads=3, context=context) as executor:
         assert executor._executor._max_workers == 3
+
+
+# names of endpoints
+
+
+def test_endpoints_keep_the_name_that_they_were_given(make_node: Callable[..., Node]) -> None:
+    node = make_node("names", namespace="/ns")
+    publisher = node.create_publisher(String, "~/a", 1)
+    subscription = node.create_subscription(String, "a", print, 1)
+    client = node.create_client(Empty, "{node}")
+    server = node.create_service(Empty, "b", lambda _, response: response)
+    assert (publisher.topic, publisher.topic_name) == ("~/a", "/ns/names/a")
+    assert (subscription.topic, subscription.topic_name) == ("a", "/ns/a")
+    assert (client.srv_name, client.service_name) == ("{node}", "/ns/names")
+    assert (server.srv_name, server.service_name) == ("b", "/ns/b")
+
+
+def test_endpoints_name_their_nodes_logger(make_node: Callable[..., Node]) -> None:
+    node = make_node("names", namespace="/ns")
+    endpoints = (
+        node.create_publisher(String, "a", 1),
+        node.create_subscription(String, "a", print, 1),
+        node.create_client(Empty, "b"),
+        node.create_service(Empty, "b", lambda _, response: response),
+    )
+    for endpoint in endpoints:
+        assert endpoint.logger_name == "ns.names"
+        assert endpoint.handle.get_logger_name() == "ns.names"
+
+
+@pytest.mark.parametrize("name", ["42", "a?", "{unknown}", ""])
+def test_names_that_can_not_be_expanded_have_rclpys_text(node: Node, name: str) -> None:
+    queries = (
+        node.count_publishers,
+        node.count_subscribers,
+        node.count_clients,
+        node.get_publishers_info_by_topic,
+        lambda name: expand_topic_name(name, "n", "/"),
+    )
+    for query in queries:
+        with pytest.raises(ValueError, match=re.escape(f"topic name '{name}' is invalid: ")):
+            query(name)
+    with pytest.raises(ValueError, match=r"^node name 'n\?' is invalid: "):
+        expand_topic_name("a", "n?", "/")
+    with pytest.raises(ValueError, match=r"^node namespace 'ns' is invalid: "):
+        expand_topic_name("a", "n", "ns")
+
+
+def test_names_of_nodes_in_queries_must_be_texts(node: Node) -> None:
+    with pytest.raises(TypeError, match="must be str, not 1 and '/'"):
+        node.get_publisher_names_and_types_by_node(1, "/")  # type: ignore[arg-type]
+
+
+# deprecated names
+
+
+@pytest.mark.parametrize(
+    ("name", "policy"),
+    [
+        ("RMW_QOS_POLICY_HISTORY_KEEP_ALL", HistoryPolicy.KEEP_ALL),
+        ("RMW_QOS_POLICY_RELIABILITY_BEST_EFFORT", ReliabilityPolicy.BEST_EFFORT),
+        ("RMW_QOS_POLICY_DURABILITY_TRANSIENT_LOCAL", DurabilityPolicy.TRANSIENT_LOCAL),
+        ("RMW_QOS_POLICY_LIVELINESS_MANUAL_BY_TOPIC", LivelinessPolicy.MANUAL_BY_TOPIC),
+    ],
+)
+def test_policies_have_their_names_of_c_with_a_warning(name: str, policy: QoSPolicyEnum) -> None:
+    kind = type(policy).__name__
+    with pytest.warns(UserWarning, match=f"^{kind}.{name} is deprecated. Use {kind}.{policy.name} instead.$"):
+        assert getattr(type(policy), name) is policy
+
+
+def test_policies_have_no_other_names() -> None:
+    for name in ("RMW_QOS_POLICY_HISTORY_NEVER", "RMW_QOS_POLICY_DURABILITY_VOLATILE", "keep_all"):
+        with pytest.raises(AttributeError, match=name):
+            getattr(HistoryPolicy, name)
+
+
+# arguments
+
+
+def test_arguments_must_be_a_list_of_texts() -> None:
+    with pytest.raises(TypeError, match="must be a list of arguments, not the text '--ros-args'"):
+        Context().init("--ros-args")
+    with pytest.raises(TypeError, match="must be a str, not 1 of class int"):
+        Context().init([1])  # type: ignore[list-item]
+
+
+def test_an_executor_needs_a_thread(context: Context) -> None:
+    with pytest.raises(ValueError, match="at least one thread, not 0"):
+        MultiThreadedExecutor(num_threads=0, context=context)
+
+
+def test_the_end_that_a_number_names_is_known() -> None:
+    info = TopicEndpointInfo(endpoint_type=2)
+    assert info.endpoint_type is TopicEndpointTypeEnum.SUBSCRIPTION
+    assert "Endpoint type: SUBSCRIPTION" in str(info)
+
+
+def test_a_hash_of_the_wrong_length_is_invalid() -> None:
+    assert str(TypeHash(version=1, value=b"a")) == "INVALID"
+    assert str(TypeHash(version=1, value=bytes(32))) == f"RIHS01_{'0' * 64}"
+
+
+# simulated time
+
+
+def test_a_time_source_shows_what_it_follows(node: Node) -> None:
+    source = TimeSource()
+    assert source._node_weak_ref is None
+    with pytest.raises(TypeError, match="Node must be of type Node, not int"):
+        source.attach_node(5)  # type: ignore[arg-type]
+    source.attach_node(node)
+    clock = ROSClock()
+    source.attach_clock(clock)
+    assert source._node_weak_ref is not None
+    assert source._node_weak_ref() is node
+    assert source._associated_clocks == {clock}
+    assert source._clock_sub is None
+    source.ros_time_is_active = True
+    assert source._clock_sub in node.subscriptions
+    source.clock_callback(Clock(clock=Time(sec=5)))
+    assert source._last_time_set.nanoseconds == clock.now().nanoseconds == 5_000_000_000
+    source.detach_node()
+    assert source._clock_sub is None
+    assert source._node_weak_ref is None
+
+
+# lifecycle
+
+
+def test_a_lifecycle_node_has_rclpys_state_machine(context: Context) -> None:
+    node = LifecycleNode("lifecycle", context=context)
+    machine = node._state_machine
+    assert machine.initialized
+    assert machine.current_state == (1, "unconfigured")
+    assert machine.available_states[-1] == (15, "errorprocessing")
+    assert machine.available_transitions == [
+        (1, "configure", 1, "unconfigured", 10, "configuring"),
+        (5, "shutdown", 1, "unconfigured", 12, "shuttingdown"),
+    ]
+    assert len(machine.transition_graph) == 25
+    assert machine.get_transition_by_label("configure") == 1
+    node.trigger_configure()
+    assert machine.current_state == (2, "inactive")
+    with pytest.raises(RCLError, match="no transition configure from state inactive"):
+        machine.get_transition_by_label("configure")
+    services = (
+        *("change_state", "get_state", "get_available_states"),
+        *("get_available_transitions", "get_transition_graph"),
+    )
+    for name in services:
+        assert getattr(node, f"_service_{name}").service_name == f"/lifecycle/{name}"
+    node.destroy_node()
+
+
+def test_results_of_transitions_have_labels() -> None:
+    labels = [result.to_label() for result in TransitionCallbackReturn]
+    assert labels == ["transition_success", "transition_failure", "transition_error"]

@@ -27,7 +27,12 @@ from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreade
 from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
-from tfloom.node.values.exceptions import ExternalShutdownException, RCLError, ROSInterruptException
+from tfloom.node.values.exceptions import (
+    ExternalShutdownException,
+    InvalidHandle,
+    RCLError,
+    ROSInterruptException,
+)
 
 EXECUTORS = [SingleThreadedExecutor, MultiThreadedExecutor, EventsExecutor]
 LATCHED = QoSProfile(depth=100, durability=DurabilityPolicy.TRANSIENT_LOCAL)
@@ -109,7 +114,8 @@ def test_destroyed_entity_does_not_run_again(node: Node, executor: Executor) -> 
     spinning = Spinning(executor)
     assert finished.wait(30)
     before = len(ran)
-    guard.trigger()
+    with pytest.raises(InvalidHandle):
+        guard.trigger()
     finished.clear()
     assert finished.wait(30)
     assert len(ran) == before

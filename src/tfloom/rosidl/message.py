@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     MessageBase = object  # its native __setattr__ would let type checkers accept any attribute
     from typing import Any, ClassVar
 
+    from typing_extensions import Self
+
     from tfloom._native import Plan
     from tfloom.rosidl.definition import AbstractType
     from tfloom.rosidl.spec import Value
@@ -198,6 +200,23 @@ class EncodeError(ValueError):
     """`TransformStamped.transform.translation.x`"""
     reason: str
     offset: None
+
+    def __new__(cls, text: str = "") -> Self:
+        """Return an error, which is also a UnicodeEncodeError, as in rclpy, where a text is no valid Unicode."""
+        if cls is EncodeError and " text without lone surrogates" in text:
+            return UnicodeEncodeError.__new__(_UnencodableTextError)
+        return super().__new__(cls, text)
+
+
+class _UnencodableTextError(EncodeError, UnicodeEncodeError):
+    """A message holds a text that UTF-8 can't encode."""
+
+    def __init__(self, text: str) -> None:
+        UnicodeEncodeError.__init__(self, "utf-8", "", 0, 1, text)
+        self._text = text
+
+    def __str__(self) -> str:
+        return self._text
 
 
 class DecodeError(ValueError):

@@ -312,7 +312,8 @@ def test_the_client_of_a_call_or_a_goal_ends_at_each_step(
             )
             # With a result timeout of zero, a goal is dropped with its end.
             wait_until(
-                lambda server=server: not server.action._goals, what=f"the goal of {server.step!r} to go"
+                lambda server=server: not server.action._goal_handles,
+                what=f"the goal of {server.step!r} to go",
             )
         names = [f"/{server.step.replace(' ', '_')}" for server in servers]
         wait_until(

@@ -66,7 +66,7 @@ def client(node: Node) -> AsyncParameterClient:
             3,
             "The parameter value for limited is not a valid step. Min: 0, max: 10, value: 3, step: 2",
         ),
-        ("part", 1.5, "Parameter part out of range. Min: 0.0, Max: 1.0, value: 1.5"),
+        ("part", 1.5, "Parameter part out of range Min: 0.0, Max: 1.0, value: 1.5"),
         ("fixed", 2, "Trying to set a read-only parameter: fixed."),
         ("integer", "x", "Wrong parameter type, expected 'Type.INTEGER' got 'Type.STRING'"),
         ("integer", 13, "thirteen is unlucky"),

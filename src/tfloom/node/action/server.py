@@ -155,7 +155,7 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         """Whether a goal has changed since the states were read that were published last."""
         self._is_publishing_status = False
         """Whether a thread publishes the states."""
-        self._goals: dict[bytes, ServerGoalHandle[GoalT, ResultT, FeedbackT]] = {}
+        self._goal_handles: dict[bytes, ServerGoalHandle[GoalT, ResultT, FeedbackT]] = {}
         self._ended_ns: dict[bytes, int] = {}
         self.register_execute_callback(execute_callback)
         self.register_goal_callback(goal_callback)
@@ -212,13 +212,13 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
 
     async def _on_goal(self, request: Any, response: Any) -> Any:
         key = key_of(request.goal_id)
-        response.accepted = key not in self._goals and await self._is_goal_accepted(request.goal)
+        response.accepted = key not in self._goal_handles and await self._is_goal_accepted(request.goal)
         if not response.accepted:
             return response
         response.stamp = self._node.get_clock().now().to_msg()
         handle = ServerGoalHandle(self, GoalInfo(goal_id=request.goal_id, stamp=response.stamp), request.goal)
         with self._lock:
-            self._goals[key] = handle
+            self._goal_handles[key] = handle
         self._publish_status()
         # The response is sent before the callback is called, which may execute the whole goal: otherwise the client
         # would learn that its goal was accepted when that has ended.
@@ -269,11 +269,11 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         # This sends the response to each request for the result that came before the end.
         handle.result_future.set_result(response)
         key = key_of(handle.goal_id)
-        if self._goals.get(key) is handle:  # otherwise the goal, or the server, was destroyed
+        if self._goal_handles.get(key) is handle:  # otherwise the goal, or the server, was destroyed
             self._record_end(key)
 
     def _on_result(self, request: Any, response: Any) -> Any:
-        handle = self._goals.get(key_of(request.goal_id))
+        handle = self._goal_handles.get(key_of(request.goal_id))
         if handle is None:
             response.status = GoalStatus.STATUS_UNKNOWN
             return response
@@ -293,7 +293,7 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         # A request for one goal by its id alone has a code of its own for a goal that can't be cancelled. One for a
         # time, or for all goals, is answered by an empty list.
         if not goals and key != _NO_ID and not _stamp_ns(request.goal_info):
-            is_known = key in self._goals
+            is_known = key in self._goal_handles
             response.return_code = (
                 response.ERROR_GOAL_TERMINATED if is_known else response.ERROR_UNKNOWN_GOAL_ID
             )
@@ -323,7 +323,7 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         key = key_of(request.goal_info.goal_id)
         until_ns = _stamp_ns(request.goal_info)
         with self._lock:
-            goals = dict(self._goals)
+            goals = dict(self._goal_handles)
         # As the action protocol has it: an id alone means that goal, a time alone all that were accepted up to then,
         # both mean that goal and those, and neither means all goals.
         return [
@@ -375,7 +375,7 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
                 self._is_publishing_status = False
                 return False
             self._is_status_stale = False
-            goals = list(self._goals.values())
+            goals = list(self._goal_handles.values())
         if self._node.context.ok():
             with suppress(InvalidHandle):  # the node was destroyed meanwhile
                 self._status.publish(
@@ -393,14 +393,14 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         """Drop a goal."""
         key = key_of(goal_handle.goal_id)
         with self._lock:
-            self._goals.pop(key, None)
+            self._goal_handles.pop(key, None)
             self._ended_ns.pop(key, None)
 
     def _record_end(self, key: bytes) -> None:
         if self._result_timeout_ns < 0:
             return
         with self._lock:
-            if key not in self._goals:  # dropped before
+            if key not in self._goal_handles:  # dropped before
                 return
             self._ended_ns[key] = time.monotonic_ns()
         self._drop_expired_goals()
@@ -411,7 +411,7 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         with self._lock:
             due = [key for key, end in self._ended_ns.items() if end + self._result_timeout_ns <= now_ns]
             for key in due:
-                self._goals.pop(key, None)
+                self._goal_handles.pop(key, None)
                 del self._ended_ns[key]
             oldest_ns = min(self._ended_ns.values(), default=None)
         # One timer for all goals, set to the oldest of those that are left.
@@ -428,7 +428,7 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
     def destroy(self) -> None:
         """Destroy the services and publishers. Goals continue to execute, and nothing is published about them."""
         with self._lock:
-            goals = list(self._goals.values())
+            goals = list(self._goal_handles.values())
         for goal in goals:
             goal.destroy()
         for service in self._services:

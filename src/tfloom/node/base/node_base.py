@@ -509,15 +509,15 @@ class NodeBase:
         """Return the parameters below a prefix (`a.b`; "" for all), by the part of their names after it."""
         return self.__parameters.get_parameters_by_prefix(prefix)
 
-    def get_parameter_type(self, name: str) -> ParameterType:
-        """Return a parameter's type.
+    def get_parameter_type(self, name: str) -> int:
+        """Return the number of a parameter's type, a constant of `rcl_interfaces/msg/ParameterType`.
 
         Raises:
             ParameterNotDeclaredException: it isn't declared, and the node doesn't allow undeclared ones.
         """
         return self.__parameters.get_parameter_type(name)
 
-    def get_parameter_types(self, names: list[str]) -> list[ParameterType]:
+    def get_parameter_types(self, names: list[str]) -> list[int]:
         """Return the types of parameters, each as `get_parameter_type` does."""
         return self.__parameters.get_parameter_types(names)
 

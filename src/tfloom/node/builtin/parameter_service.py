@@ -80,7 +80,7 @@ class ParameterService:
         self, request: GetParameterTypes_Request, response: GetParameterTypes_Response
     ) -> GetParameterTypes_Response:
         try:
-            response.types = [kind.value for kind in self._node.get_parameter_types(request.names)]
+            response.types = self._node.get_parameter_types(request.names)
         except ParameterNotDeclaredException:
             response.types = []
         return response

@@ -108,7 +108,9 @@ class TimeSource:
                 self._warning.log(f"Dropped a time on {CLOCK_TOPIC} that is before 0: {msg.clock.sec} s")
             return
         self._last_time_set = Time.from_msg(msg.clock)
-        call_all([partial(clock.set_ros_time_override, self._last_time_set) for clock in self._associated_clocks])
+        call_all(
+            [partial(clock.set_ros_time_override, self._last_time_set) for clock in self._associated_clocks]
+        )
 
     def _on_parameters(self, parameters: list[Parameter]) -> rcl_msg.SetParametersResult:
         for parameter in parameters:

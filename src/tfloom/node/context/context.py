@@ -117,6 +117,7 @@ class Context:
             RCLInvalidROSArgsError: a ROS argument is malformed.
             UnknownROSArgsError: a ROS argument is unknown.
             RCLError: a configuration file for logging is given, which is not supported.
+            TypeError: `args` is a text, or an argument isn't one.
             UnicodeEncodeError: an argument isn't UTF-8.
             ForkedError: the parent process had a node on a wire that can't be opened in a child.
         """
@@ -126,7 +127,11 @@ class Context:
         if domain_id is not None and domain_id < 0:
             raise RuntimeError(f"Domain id ({domain_id}) should not be lower than zero.")
         words = sys.argv if args is None else args
+        if isinstance(words, str):
+            raise TypeError(f"args must be a list of arguments, not the text {words!r}")
         for word in words:
+            if not isinstance(word, str):
+                raise TypeError(f"an argument must be a str, not {word!r} of class {type(word).__name__}")
             word.encode()  # raises where a message, or a name on the wire, could not hold it
         arguments = parse_arguments(words)
         if initialize_logging:

@@ -158,8 +158,8 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         executor = self._executor()
         if executor is not None and executor.would_wait_for_itself():
             raise RuntimeError(
-                f"Client.call of {self.service_name} from a callback would never end if a server or a callback of the same "
-                "executor has to run first. Await call_async, or spin with a MultiThreadedExecutor"
+                f"Client.call of {self.service_name} from a callback would never end if a server or a callback of the "
+                "same executor has to run first. Await call_async, or spin with a MultiThreadedExecutor"
             )
         future = self.call_async(request)
         is_complete = self._wait_for(future, timeout_sec)

@@ -120,6 +120,6 @@ def check_options(options: dict[str, Any]) -> None:
             '"throttle"'
         )
     if clock is not None and not isinstance(clock, ReadableClock):
-        raise TypeError(
-            f"Received throttle_time_source_type of '{type(clock).__name__}' is not a Clock instance"
+        raise ValueError(  # as in rclpy
+            f'Received throttle_time_source_type of "{clock}" is not a clock instance'
         )

@@ -100,15 +100,15 @@ class NodeParameters:
             if name.startswith(prefix)
         }
 
-    def get_parameter_type(self, name: str) -> ParameterType:
-        """Return a parameter's type."""
+    def get_parameter_type(self, name: str) -> int:
+        """Return the number of a parameter's type."""
         if name in self.parameters:
-            return self.parameters[name].type_
+            return self.parameters[name].type_.value
         if self.allow_undeclared:
-            return ParameterType.NOT_SET
+            return ParameterType.NOT_SET.value
         raise ParameterNotDeclaredException(name)
 
-    def get_parameter_types(self, names: list[str]) -> list[ParameterType]:
+    def get_parameter_types(self, names: list[str]) -> list[int]:
         """Return the types of parameters, each as `get_parameter_type` does."""
         if not all(isinstance(name, str) for name in names):
             raise TypeError("All names must be instances of type str")

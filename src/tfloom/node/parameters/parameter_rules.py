@@ -40,9 +40,9 @@ def _check_integer(parameter: Parameter, limits: rcl_msg.IntegerRange) -> str | 
     if value in (low, high):
         return None
     if not low < value < high:
-        return _out_of_range(parameter, low, high)
+        return _out_of_range(parameter, low, high, "out of range.")
     if limits.step != 0 and (value - low) % limits.step != 0:
-        return _off_step(parameter, low, high, limits.step)
+        return _off_step(parameter, low, high, limits.step, "a valid step")
     return None
 
 
@@ -52,20 +52,23 @@ def _check_double(parameter: Parameter, limits: rcl_msg.FloatingPointRange) -> s
     if isclose(value, low, rel_tol=RELATIVE_TOLERANCE) or isclose(value, high, rel_tol=RELATIVE_TOLERANCE):
         return None
     if not low < value < high:
-        return _out_of_range(parameter, low, high)
+        return _out_of_range(parameter, low, high, "out of range")
     if limits.step != 0.0:
         distance = round((value - low) / limits.step) * limits.step
         if not isclose(value - low, distance, rel_tol=RELATIVE_TOLERANCE):
-            return _off_step(parameter, low, high, limits.step)
+            return _off_step(parameter, low, high, limits.step, "close enough to a valid step")
     return None
 
 
-def _out_of_range(parameter: Parameter, low: float, high: float) -> str:
-    return f"Parameter {parameter.name} out of range. Min: {low}, Max: {high}, value: {parameter.value}"
+# The texts of rclpy differ in these words between whole numbers and floats.
 
 
-def _off_step(parameter: Parameter, low: float, high: float, step: float) -> str:
+def _out_of_range(parameter: Parameter, low: float, high: float, what: str) -> str:
+    return f"Parameter {parameter.name} {what} Min: {low}, Max: {high}, value: {parameter.value}"
+
+
+def _off_step(parameter: Parameter, low: float, high: float, step: float, what: str) -> str:
     return (
-        f"The parameter value for {parameter.name} is not a valid step. "
+        f"The parameter value for {parameter.name} is not {what}. "
         f"Min: {low}, max: {high}, value: {parameter.value}, step: {step}"
     )

@@ -74,7 +74,7 @@ class TopicEndpointInfo:
                 raise TypeError(
                     f"'{name}' is no property of an endpoint; known are {', '.join(self.__slots__)}"
                 )
-            setattr(self, name, value)
+            setattr(self, name, TopicEndpointTypeEnum(value) if name == "endpoint_type" else value)
 
     @classmethod
     def from_graph(cls, info: EndpointInfo) -> Self:

@@ -38,7 +38,9 @@ class TypeHash:
         return self._value
 
     def __str__(self) -> str:
-        return "INVALID" if self._version == -1 else f"RIHS{self._version:02x}_{self._value.hex()}"
+        if self._version == -1 or len(self._value) != _SIZE:
+            return "INVALID"
+        return f"RIHS{self._version:02x}_{self._value.hex()}"
 
     def __repr__(self) -> str:
         return f"TypeHash(version={self._version}, value={self._value!r})"
