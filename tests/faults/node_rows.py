@@ -752,7 +752,7 @@ def on_error(world: World) -> list[Exception]:
 
     node = Living("living", context=world.context)
     assert node.trigger_configure() is TransitionCallbackReturn.ERROR
-    assert node._LifecycleNodeMixin__machine.state.label == "finalized"
+    assert node._state_machine.state.label == "finalized"
     node.destroy_node()
     return []
 

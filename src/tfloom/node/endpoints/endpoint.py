@@ -80,7 +80,8 @@ class Endpoint(Generic[WireEndpoint]):
     @property
     def logger_name(self) -> str:
         """Name of the logger of the node that has it."""
-        return self.owner.get_logger().name
+        name: str = self.owner.get_logger().name
+        return name
 
     def get_logger_name(self) -> str:
         """Return `logger_name`; rclpy's C handle has this name."""
