@@ -22,7 +22,7 @@ from tests.viewer.a_robot import EVIL
 from tests.viewer.test_layout import RVIZ
 
 import tfloom
-from tfloom.interfaces.geometry_msgs.msg import PoseStamped, Twist
+from tfloom.interfaces.geometry_msgs.msg import PointStamped, PoseStamped, Twist
 from tfloom.interfaces.turtlesim.msg import Pose as TurtlePose
 from tfloom.node.context.context import Context
 from tfloom.node.executing.executors import SingleThreadedExecutor
@@ -452,6 +452,37 @@ def test_forms_publish_call_and_send_goals(tab: Tab, node: Node, spin_until: Cal
     tab.click("#form-cancel")
     wait_until(lambda: "CANCELED" in tab.text("#form-answer"), what="the goal's end")
     tab.click("[data-panel=frames]")
+
+
+def test_form_publishes_at_a_rate_until_stop_is_clicked(
+    tab: Tab, node: Node, spin_until: Callable[..., None]
+) -> None:
+    heard: list[PointStamped] = []
+    subscription = node.create_subscription(PointStamped, "/steady", heard.append, 50)
+    form = Form(tab, "topic", "/steady")
+    tab.page.fill("#form-rate", "20")
+    form.set("frame_id", "odom")
+    form.send("messages on /steady")  # a count, which grows
+    assert tab.page.is_visible("#form-cancel")
+    assert tab.text("#form-cancel") == "Stop"
+    spin_until(lambda: len(heard) >= 10)
+    stamps = [(one.header.stamp.sec, one.header.stamp.nanosec) for one in heard]
+    assert stamps == sorted(set(stamps))  # each has its own time, by the word `now`
+    assert {one.header.frame_id for one in heard} == {"odom"}
+    assert tab.text("#form-state") == "publishing"
+    tab.keep("form_rate")
+    tab.click("#form-cancel")
+    wait_until(lambda: not tab.page.is_visible("#form-cancel"), what="the end of publishing")
+    said = re.fullmatch(r"published (\d+) messages on /steady", tab.text("#form-answer"))
+    assert said is not None
+    spin_until(lambda: len(heard) == int(said[1]))
+    tab.page.fill("#form-rate", "-3")
+    tab.click("#form-send")
+    wait_until(lambda: "a rate is a number" in tab.text("#form-answer"), what="the refusal")
+    tab.page.fill("#form-rate", "500")
+    form.send("above 0 and at most 100 Hz")
+    tab.page.fill("#form-rate", "")
+    node.destroy_subscription(subscription)
 
 
 def test_field_is_plotted_and_a_drag_in_its_plot_turns_the_time_back(tab: Tab) -> None:

@@ -154,7 +154,7 @@ def test_cloud_is_shown_where_it_stood_and_a_closed_page_reads_nothing(
 
     def place() -> float | None:
         handle = scene.get_handle_by_name("/displays/0/0")
-        return None if handle is None else float(handle.position[0])
+        return None if handle is None else float(handle.position[0] + handle.points[0, 0])
 
     wait_until(lambda: place() == 7.0, what="the newest cloud")
     page.send(op="hold", stamp_ns=str(106 * 10**9))

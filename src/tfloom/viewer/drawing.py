@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from tfloom.tf2.transform import Transform
 from tfloom.viewer import shapes
 
 if TYPE_CHECKING:
@@ -19,6 +21,10 @@ Pose = tuple[tuple[float, float, float], tuple[float, float, float, float]]
 """Position [m], and quaternion (x, y, z, w)."""
 MAX_NAME = 64
 """Number of characters of a frame's name that are drawn."""
+MAX_POINTS_SENT_AGAIN = 2000
+"""Number of points up to which they are sent again when their pose alone has changed; the node of more is moved."""
+ORIGIN_STEP_M = 1000.0
+"""Distance of the places from which points are counted [m]."""
 MIN_SIZE_M = 1e-4
 """A thinner box is as thin as this, because a page can't draw one of no thickness."""
 
@@ -32,6 +38,10 @@ def shown_name(name: str) -> str:
 class Drawn:
     """A shape in the scene.
 
+    A page draws the pose of a node and the points of a cloud at different times, up to a whole picture apart: so a scan
+    of a robot that turns would be at its new place for a moment with its old points. That is why points are sent as
+    they are in the fixed frame, and the pose of their node is left as it is.
+
     Args:
         scene: The scene.
         name: The node's name; a node of this name is replaced.
@@ -43,8 +53,11 @@ class Drawn:
         self._name = name
         self._shape = shape
         self._offset = np.zeros(3)
-        self._handle = self._add(shape)
         self._pose: Pose | None = None
+        self._sent: _Sent | None = None
+        """How points were sent last; None before the first ones."""
+        self._are_points_new = True
+        self._handle = self._add(shape)
         self._is_visible = True
 
     def _add(self, shape: shapes.Shape) -> Any:
@@ -59,9 +72,9 @@ class Drawn:
             return
         before, self._shape = self._shape, shape
         if isinstance(shape, shapes.Points) and isinstance(before, shapes.Points):
-            # A cloud is changed, not replaced: the page keeps its buffers on the graphics card.
-            self._handle.points = shape.positions
-            self._handle.colors = shape.colors
+            # A cloud is changed, not replaced: the page keeps its buffers on the graphics card. Its points are sent
+            # with its pose.
+            self._are_points_new = True
             return
         if (
             isinstance(shape, shapes.Picture)
@@ -73,6 +86,7 @@ class Drawn:
             self._handle.image = _flipped(shape)
             return
         self._handle = self._add(shape)
+        self._are_points_new = True
         pose, is_visible = self._pose, self._is_visible
         self._pose, self._is_visible = None, True
         self.place(pose if is_visible else None)
@@ -82,6 +96,9 @@ class Drawn:
         if (pose is not None) != self._is_visible:
             self._is_visible = pose is not None
             self._handle.visible = self._is_visible
+        if isinstance(self._shape, shapes.Points):
+            self._place_points(self._shape, pose)
+            return
         if pose is None or pose == self._pose:
             return
         self._pose = pose
@@ -89,9 +106,59 @@ class Drawn:
         self._handle.position = np.array(position) + _turned((x, y, z, w), self._offset)
         self._handle.wxyz = (w, x, y, z)
 
+    def _place_points(self, shape: shapes.Points, pose: Pose | None) -> None:
+        if pose is None or (pose == self._pose and not self._are_points_new):
+            return
+        self._pose = pose
+        fixed_from_shape = Transform(*pose)
+        if self._sent is not None and not self._are_points_new:
+            if len(shape.positions) > MAX_POINTS_SENT_AGAIN:
+                node = fixed_from_shape @ self._sent.fixed_from_shape.inverse() @ Transform(self._sent.origin)
+                self._move_node(node.translation, node.rotation_xyzw)
+                return
+        else:
+            self._are_points_new = False
+            self._handle.colors = shape.colors
+        self._sent = _Sent.of(fixed_from_shape, self._sent)
+        self._handle.points = self._sent.points(shape.positions)
+        self._move_node(self._sent.origin, (0.0, 0.0, 0.0, 1.0))
+
+    def _move_node(
+        self, position: tuple[float, float, float], rotation_xyzw: tuple[float, float, float, float]
+    ) -> None:
+        x, y, z, w = rotation_xyzw
+        if tuple(self._handle.position) != position:
+            self._handle.position = position
+        if tuple(self._handle.wxyz) != (w, x, y, z):
+            self._handle.wxyz = (w, x, y, z)
+
     def remove(self) -> None:
         """Remove it from the scene."""
         self._handle.remove()
+
+
+class _Sent(NamedTuple):
+    """How points were sent to pages."""
+
+    fixed_from_shape: Transform
+    """The pose that is in them."""
+    origin: tuple[float, float, float]
+    """Where they are counted from, in the fixed frame: pages have single precision, too little for far places [m]."""
+
+    @classmethod
+    def of(cls, fixed_from_shape: Transform, before: _Sent | None) -> _Sent:
+        """Return how to send points at a pose; the origin stays as it was before, as long as it is near."""
+        place = fixed_from_shape.translation
+        if before is not None and math.dist(before.origin, place) < 2.0 * ORIGIN_STEP_M:
+            return cls(fixed_from_shape, before.origin)
+        x, y, z = (ORIGIN_STEP_M * round(part / ORIGIN_STEP_M) for part in place)
+        return cls(fixed_from_shape, (x, y, z))
+
+    def points(self, positions: NDArray[np.float32]) -> NDArray[np.float32]:
+        """Return the points (N, 3) to send [m]."""
+        matrix = (Transform(self.origin).inverse() @ self.fixed_from_shape).matrix().astype(np.float32)
+        moved: NDArray[np.float32] = positions @ matrix[:3, :3].T + matrix[:3, 3]
+        return moved
 
 
 def _turned(

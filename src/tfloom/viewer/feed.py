@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 __all__ = ["Feed", "pose_in"]
 
+PATIENCE_NS = 1_000_000_000
+"""How long transforms may be behind a message until it is shown without them [ns]."""
 MAX_SHAPES = 4000
 """Number of shapes of one display that are drawn."""
 
@@ -45,6 +47,8 @@ class Feed:
         """Returns the message of an entry's bytes."""
         self._last: Entry | None = None
         self._fault = ""
+        self._frame = ""
+        """The frame of the last message that has its own stamp; empty before one."""
         self._poses: dict[int, Pose] = {}
         """Poses of shapes that have a stamp, by the shape's place: they are looked up once."""
         self._poses_of: tuple[str, list[Placed]] = "", []
@@ -78,7 +82,7 @@ class Feed:
         display = self.display
         if display is None:
             return []  # the page asks for images itself
-        self._take(held_ns)
+        self._take(buffer, fixed_frame, held_ns)
         if self._last is None:
             self.status = self._fault or "no message at this time"
             return []
@@ -87,6 +91,8 @@ class Feed:
         except DisplayError as error:
             self.status = shown_text(str(error))
             return []
+        if placed and placed[0].stamp_ns == self._last.stamp_ns:
+            self._frame = placed[0].frame_id.removeprefix("/")
         fault = self._fault
         if len(placed) > MAX_SHAPES:
             fault = fault or f"{len(placed)} shapes, of which {MAX_SHAPES} are shown"
@@ -95,11 +101,32 @@ class Feed:
         self.status = shown_text(fault or obstacle)
         return drawn
 
-    def _take(self, held_ns: int | None) -> None:
+    def _newest(self, buffer: Buffer, fixed_frame: str, held_ns: int | None) -> Entry | None:
+        """Return the message to show: the last one that the transforms have reached.
+
+        A message comes before the transforms of its stamp, and would stand where its frame was earlier until they
+        come: a scan of a robot that turns would be turned. If they stay away, the newest one is shown all the same.
+        """
+        newest = self.messages.newest(held_ns)
+        if newest is None or newest == self._last or held_ns is not None or not self._frame:
+            return newest
+        try:
+            reached_ns = buffer.lookup(fixed_frame, self._frame).stamp_ns  # 0: nothing moves between them
+        except TransformException:
+            return newest
+        if not 0 < reached_ns < newest.stamp_ns <= reached_ns + PATIENCE_NS:
+            return newest
+        reached = self.messages.newest(reached_ns)
+        if reached is None or (self._last is not None and reached.stamp_ns < self._last.stamp_ns):
+            return self._last
+        return reached
+
+    def _take(self, buffer: Buffer, fixed_frame: str, held_ns: int | None) -> None:
         """Give the display the messages up to a time."""
         display = self.display
         assert display is not None  # noqa: S101  # for the type checker; the caller has asked
-        entry = self.messages.newest(held_ns)
+        is_one = not display.keeps_all
+        entry = self._newest(buffer, fixed_frame, held_ns) if is_one else self.messages.newest(held_ns)
         if entry is self._last or (entry is not None and entry == self._last):
             return
         if entry is None or not display.keeps_all:
