@@ -217,7 +217,7 @@ def run_in(chroot: Chroot, text: str, log: str, **variables: str) -> tuple[bool,
     path = log_path(chroot, log)
     with path.open("w", encoding="utf-8") as file:
         code = completed(chroot.command(text, **variables), stdout=file, stderr=subprocess.STDOUT).returncode
-    lines = log_lines(chroot, log) or [""]
+    lines = log_lines(chroot, log) or [f"exit code {code}, and nothing printed"]
     counts = total_counts(lines)
     return code == 0, counts or (lines[-1] if code else "ran") + (f"; see {path}" if code else "")
 
@@ -305,6 +305,11 @@ def registrations() -> list[Path]:
     return [entry for entry in BINFMT.iterdir() if entry.name not in {"register", "status"}]
 
 
+def tell_kernel(file: Path, text: str) -> None:
+    """Write to one of its files, where a single write is one command."""
+    file.write_text(text)
+
+
 def runs_arm64(entry: Path) -> bool:
     """Return whether a registration of binfmt_misc runs programs of arm64 in any chroot."""
     lines = entry.read_text().splitlines()
@@ -327,13 +332,13 @@ def arm64_programs() -> Iterator[None]:
         # A name of this process, because another checkout may run at the same time.
         own = BINFMT / f"tfloom-arm64-{os.getpid()}"
         try:
-            (BINFMT / "register").write_text(f":{own.name}{ARM64_MAGIC}")
+            tell_kernel(BINFMT / "register", f":{own.name}{ARM64_MAGIC}")
         except OSError as error:
             raise SetUpError(f"qemu can't be registered in {BINFMT}: {error}") from None
         try:
             yield
         finally:
-            own.write_text("-1")
+            tell_kernel(own, "-1")
 
 
 def build_for_arm64(chroot: Chroot) -> tuple[bool, str]:

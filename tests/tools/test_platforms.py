@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import os
+import signal
 import subprocess
 import sys
-from contextlib import suppress
+from collections.abc import Callable
+from contextlib import nullcontext, suppress
 from pathlib import Path
 
 import pytest
+from tests.conftest import Program, wait_until
 from tools import platforms
 from tools.platforms import Chroot, Row, measured, total_counts
 from tools.set_up import SetUpError
@@ -114,6 +117,178 @@ def test_two_runs_at_once_go_one_after_the_other(monkeypatch: pytest.MonkeyPatch
     assert others[0].startswith("-- Waiting for another set-up")
 
 
+class FakeBinfmt:
+    """The folder of binfmt_misc, as the kernel has it: entries appear and go by what is written."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.is_mounted = False
+        self.refusal: OSError | None = None
+
+    def run(self, command: list[str | Path], _: object = None) -> None:
+        self.is_mounted = command[0] == "mount"
+        for path in self.folder.iterdir():
+            path.unlink()
+        if self.is_mounted:
+            for name in ("register", "status"):
+                (self.folder / name).write_text("enabled")
+
+    def tell(self, file: Path, text: str) -> None:
+        if file.name != "register":
+            assert text == "-1"
+            file.unlink()
+            return
+        if self.refusal:
+            raise self.refusal
+        _, name, _, _, magic, _, _, flags = text.split(":")
+        octets = magic.encode().decode("unicode_escape").encode("latin-1")
+        self.add(name, flags, octets.hex())
+
+    def add(self, name: str, flags: str, magic: str, state: str = "enabled") -> None:
+        lines = (
+            state,
+            "interpreter /usr/bin/qemu-aarch64-static",
+            f"flags: {flags}",
+            "offset 0",
+            f"magic {magic}",
+        )
+        (self.folder / name).write_text("\n".join(lines))
+
+    def entries(self) -> list[str]:
+        return sorted(entry.name for entry in self.folder.iterdir())
+
+
+ARM64 = "7f454c460201010000000000000000000200b700"
+
+
+@pytest.fixture
+def binfmt(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> FakeBinfmt:
+    fake = FakeBinfmt(tmp_path)
+    monkeypatch.setattr(platforms, "BINFMT", tmp_path)
+    monkeypatch.setattr(platforms, "succeed", fake.run)
+    monkeypatch.setattr(platforms, "tell_kernel", fake.tell)
+    return fake
+
+
+@pytest.mark.parametrize("error", [None, SetUpError, OSError, KeyboardInterrupt, SystemExit])
+def test_binfmt_is_as_it_was(binfmt: FakeBinfmt, error: type[BaseException] | None) -> None:
+    with pytest.raises(error) if error else nullcontext(), platforms.arm64_programs():
+        assert binfmt.is_mounted
+        assert any(map(platforms.runs_arm64, platforms.registrations()))
+        if error:
+            raise error
+    assert not binfmt.is_mounted
+
+
+def test_refused_registration_is_an_error_and_nothing_stays_mounted(binfmt: FakeBinfmt) -> None:
+    binfmt.refusal = PermissionError(1, "Operation not permitted")
+    with (
+        pytest.raises(SetUpError, match=r"can't be registered in .*not permitted"),
+        platforms.arm64_programs(),
+    ):
+        pass
+    assert not binfmt.is_mounted
+
+
+def test_registration_of_the_machine_is_used_and_kept(binfmt: FakeBinfmt) -> None:
+    binfmt.run(["mount"])
+    binfmt.add("qemu-aarch64", "POCF", ARM64)
+    with platforms.arm64_programs():
+        assert binfmt.entries() == ["qemu-aarch64", "register", "status"]
+    assert binfmt.is_mounted
+    assert binfmt.entries() == ["qemu-aarch64", "register", "status"]
+
+
+@pytest.mark.parametrize(
+    ("flags", "magic", "state"),
+    [("OC", ARM64, "enabled"), ("F", ARM64, "disabled"), ("F", ARM64.replace("b7", "f3"), "enabled")],
+    ids=["of this root folder alone", "disabled", "of another processor"],
+)
+def test_registration_that_would_not_do_is_left_alone(
+    binfmt: FakeBinfmt, flags: str, magic: str, state: str
+) -> None:
+    binfmt.run(["mount"])
+    binfmt.add("qemu", flags, magic, state)
+    with platforms.arm64_programs():
+        assert len(platforms.registrations()) == 2
+    assert binfmt.is_mounted
+    assert binfmt.entries() == ["qemu", "register", "status"]
+
+
+def test_binfmt_stays_mounted_while_another_program_registers_there(binfmt: FakeBinfmt) -> None:
+    with platforms.arm64_programs():
+        binfmt.add("another", "F", ARM64)
+    assert binfmt.is_mounted
+    assert binfmt.entries() == ["another", "register", "status"]
+
+
+NEEDS_TOOLS = pytest.mark.skipif(bool(reason := platforms.missing_tools()), reason=reason)
+INTERRUPTED = """
+import subprocess, sys
+from pathlib import Path
+from tools import platforms
+
+def run(*, is_short):
+    with platforms.arm64_programs():
+        platforms.completed(["sh", "-c", "sleep 1000 & echo $!; wait"])
+
+platforms.PARTS["arm64"], platforms.FOLDER = run, Path(sys.argv.pop())
+sys.exit(platforms.main())
+"""
+
+
+@NEEDS_TOOLS
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT])
+def test_interrupted_run_leaves_nothing(
+    number: signal.Signals, tmp_path: Path, start_program: Callable[..., Program]
+) -> None:
+    """Neither a mount, nor a registration, nor a process."""
+
+    def state() -> tuple[str, list[Path]]:
+        is_mounted = (platforms.BINFMT / "register").exists()
+        ours = [entry for entry in platforms.registrations() if str(program.process.pid) in entry.name]
+        return Path("/proc/self/mounts").read_text(), ours if is_mounted else []
+
+    before = Path("/proc/self/mounts").read_text()
+    program = start_program("python", "-c", INTERRUPTED, "arm64", tmp_path, cwd=platforms.ROOT)
+    wait_until(lambda: any(line.isdigit() for line in program.lines))
+    assert len(state()[1]) <= 1
+    (sleeper,) = (int(line) for line in program.lines if line.isdigit())
+    program.signal(number)
+    assert program.wait() in {128 + signal.SIGTERM, 130, -signal.SIGINT}, program.output
+    assert state() == (before, [])
+    wait_until(lambda: not Path(f"/proc/{sleeper}").exists())
+
+
+@NEEDS_TOOLS
+def test_programs_left_in_a_chroot_are_ended(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, start_program: Callable[..., Program]
+) -> None:
+    monkeypatch.setattr(platforms, "FOLDER", tmp_path)
+    chroot = Chroot("arm64", "arm64")
+    chroot.folder.mkdir()
+    inside = 'mount --bind / "$0" && exec chroot "$0" sh -c "echo ready; exec sleep 1000"'
+    there = start_program("unshare", "--mount", "sh", "-c", inside, chroot.folder)
+    here = start_program("sh", "-c", "echo ready; exec sleep 1000")
+    for program in (there, here):
+        program.wait_for("ready")
+    chroot.end_programs()
+    assert there.wait() == -signal.SIGKILL
+    assert here.process.poll() is None
+
+
+def test_part_that_fails_early_is_a_row(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setattr(platforms, "FOLDER", tmp_path)  # or the programs of a run at work would be ended
+
+    def run(*, is_short: bool) -> list[Row]:
+        raise SetUpError("qemu can't be registered")
+
+    monkeypatch.setitem(platforms.PARTS, "arm64", run)
+    assert platforms.run_part("arm64", is_short=True) == [
+        Row("arm64", "prepared", "qemu can't be registered", 0.0, is_good=False)
+    ]
+
+
 def test_short_run_leaves_out_what_takes_long() -> None:
     checks = [
         platforms.Check("short", lambda: (True, "ran")),
@@ -127,7 +302,7 @@ def test_short_run_leaves_out_what_takes_long() -> None:
 @pytest.mark.skipif(
     not os.environ.get("TFLOOM_PLATFORMS"), reason="TFLOOM_PLATFORMS isn't set: it makes chroots"
 )
-@pytest.mark.skipif(bool(reason := platforms.missing_tools()), reason=reason)
+@NEEDS_TOOLS
 @pytest.mark.parametrize("part", ["testing", "arm64"])
 def test_short_checks_of_a_system(part: str) -> None:
     """The demonstration on Debian's newest Python, and on arm64 also a talk and the paths for its processor."""
