@@ -78,7 +78,7 @@ docs:
 	"$(BIN)/python" -m sphinx -q -W --keep-going -b html docs build/docs
 	@echo "The pages begin at build/docs/index.html"
 
-# Run the core tests on each Python 3.10 to 3.14 of this machine, including free-threaded ones.
+# Run the core tests on each Python 3.10 to 3.15 of this machine, including free-threaded ones.
 matrix:
 	.ci/matrix $(ARGS)
 
