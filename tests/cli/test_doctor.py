@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import sys
 from pathlib import Path
 
@@ -63,6 +64,19 @@ def test_mixture_with_a_real_ros_is_a_failure(tmp_path: Path) -> None:
     assert found["names"]["verdict"] == "failed"
     assert f"rclpy from {tmp_path}" in str(found["names"]["summary"])
     assert findings("-ep", PYTHONPATH=str(tmp_path), RMW_IMPLEMENTATION="tfloom_local")[1] == 0
+
+
+@pytest.mark.wire
+def test_library_that_is_passed_over_is_a_warning_with_the_reason(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.delenv("RMW_IMPLEMENTATION", raising=False)
+    monkeypatch.setenv("TFLOOM_LIBDDSC", str(tmp_path / "none.so"))
+    finding = health.check_wire()
+    assert finding.verdict is Verdict.WARNING
+    assert re.fullmatch(r"rmw_cyclonedds_cpp, the default; libddsc [\d.]+ of .+", finding.summary)
+    assert finding.advice.startswith("the DDS library of TFLOOM_LIBDDSC can't be used: cannot open")
+    assert str(tmp_path / "none.so") in finding.advice
 
 
 def test_distribution_that_shadows_a_package_of_ours_is_named(tmp_path: Path) -> None:

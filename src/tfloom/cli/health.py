@@ -49,7 +49,7 @@ def check_wire() -> Finding:
 
     asked = os.environ.get("RMW_IMPLEMENTATION")
     details: dict[str, Any] = {"RMW_IMPLEMENTATION": asked or "not set"}
-    library_text = ""
+    library_text, passed_over = "", ""
     try:
         name = implementation_identifier()
         if name == DEFAULT:
@@ -60,6 +60,7 @@ def check_wire() -> Finding:
             details["library from"] = library.origin
             details.update({f"passed over {n}": text for n, text in enumerate(library.passed_over, 1)})
             library_text = f"; libddsc {library.version or 'of unknown version'} of {library.origin}"
+            passed_over = "; ".join(library.passed_over)
         elif name == WIRE:
             from importlib.metadata import version
 
@@ -77,7 +78,8 @@ def check_wire() -> Finding:
         if asked
         else "the default"
     )
-    return Finding(Verdict.OK, f"{name}, {why}{library_text}", details=details)
+    verdict = Verdict.WARNING if passed_over else Verdict.OK
+    return Finding(verdict, f"{name}, {why}{library_text}", passed_over, details)
 
 
 def check_domain() -> Finding:
