@@ -39,6 +39,23 @@ TESTS = {
     "tests of commands": "tests/cli",
 }
 """The tests of each system, by what they are named in the table."""
+TESTS_ON_DDS_0_10 = (
+    *(
+        f"tests/rmw/test_{name}.py"
+        for name in (
+            "cyclonedds",
+            "cyclonedds_processes",
+            "cyclone_graph",
+            "cyclone_config",
+            "events",
+            "services",
+            "loopback",
+            "library_self_test",
+        )
+    ),
+    "tests/node/wire/test_forks.py",
+)
+"""Those on a distribution's libddsc: discovery, data, events, services, sockets and forks."""
 TESTS_ON_ARM64 = {
     "core tests": "tests/tf2 tests/kdl tests/rosidl/test_cdr.py tests/rosidl/test_runtime.py",
     "tests of the wire": " ".join(
@@ -57,7 +74,9 @@ TOOLS = "g++ make git ca-certificates binutils iproute2 faketime"
 SUITES = {"testing": "testing", "unstable": "sid", "debian13": "trixie", "arm64": "trixie"}
 PYTHONS = {"testing": "python3", "unstable": "python3.15", "debian13": "python3"}
 """The Python of each system of this processor, by the name of its command."""
-PACKAGES = {name: f"{python} {python}-venv {python}-dev {TOOLS}" for name, python in PYTHONS.items()} | {
+PACKAGES = {name: f"{python} {python}-venv {python}-dev {TOOLS}" for name, python in PYTHONS.items()}
+PACKAGES["debian13"] += " libddsc0t64"
+PACKAGES |= {
     "arm64": "base-files bash coreutils dash findutils grep procps sed python3 python3-dev python3-numpy python3-yaml "
     "python3-argcomplete python3-pil python3-reportlab python3-psutil python3-rich python3-pytest python3-pytest-xdist "
     "python3-pytest-rerunfailures python3-hypothesis python3-pandas python3-transforms3d python3-scipy libddsc0t64",
@@ -75,6 +94,10 @@ TALK_DOMAIN = "93"
 TALK_S = 90.0
 END_S = 20.0
 """How long an interrupted command has to end its own programs [s]."""
+WHEEL_OF_ANOTHER_PYTHON = (
+    "pip install --no-deps --target DIR --python-version 3.13 --only-binary=:all: cyclonedds==11.0.1"
+)
+"""What the documentation and an error say for a Python without a wheel of cyclonedds; DIR is then on PYTHONPATH."""
 COUNTS = re.compile(r"\d+ (?:passed|failed|skipped|errors?)\b")
 
 
@@ -257,16 +280,38 @@ def run_native(name: str, *, is_short: bool) -> list[Row]:
     make = f"make PYTHON={PYTHONS[name]}"
     demo = f'{make} demo ARGS="--seconds 8" && .venv/bin/tfloom doctor'
     checks = [Check("make demo", partial(run_in, chroot, demo, "demo"))]
-    checks += [
-        Check(
-            what,
-            partial(run_in, chroot, f'{make} test ARGS="--quiet {paths}"', log_name(what)),
-            is_short=False,
+    tests = {what: f'{make} test ARGS="--quiet {paths}"' for what, paths in TESTS.items()}
+    if name == "debian13":
+        files = " ".join(TESTS_ON_DDS_0_10)
+        with_older = f'TFLOOM_LIBDDSC={installed_library(chroot)} {make} test ARGS="--quiet {files}"'
+        tests["tests of the wire on libddsc 0.10"] = with_older
+    else:
+        checks.append(
+            Check("pip install … cyclonedds", partial(run_in, chroot, other_wheel(), "other_wheel"))
         )
-        for what, paths in TESTS.items()
+    checks += [
+        Check(what, partial(run_in, chroot, command, log_name(what)), is_short=False)
+        for what, command in tests.items()
     ]
     system = f"Debian {name}, {chroot_output(chroot, f'{PYTHONS[name]} --version')}"
     return rows + run_all(system, checks, is_short=is_short)
+
+
+def installed_library(chroot: Chroot) -> str:
+    """Return the path, in a chroot, of its system's libddsc."""
+    library = next((chroot.folder / "usr/lib").glob("*/libddsc.so.0.10.*"))
+    return f"/{library.relative_to(chroot.folder)}"
+
+
+def other_wheel() -> str:
+    """Return the commands that have tfloom take libddsc from another Python's wheel, in place of its own one."""
+    folder = "/tmp/cyclonedds"  # noqa: S108  # that of a chroot
+    return (
+        f".venv/bin/{WHEEL_OF_ANOTHER_PYTHON.replace('DIR', folder)} && "
+        "own=$(echo .venv/lib/python3*/site-packages/tfloom_ddsc) && mv $own /tmp/own && "
+        f"{{ PYTHONPATH={folder} .venv/bin/tfloom doctor | grep 'of the wheel of cyclonedds'; code=$?; }} && "
+        "mv /tmp/own $own && exit $code"
+    )
 
 
 def log_name(what: str) -> str:

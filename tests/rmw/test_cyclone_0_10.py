@@ -13,6 +13,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from tools.platforms import TESTS_ON_DDS_0_10
 
 ROOT = Path(__file__).parents[2]
 VERSION = "0.10.2"
@@ -23,18 +24,6 @@ PACKAGES = (
     "libiceoryx-platform2",
     "libiceoryx-posh2",
 )
-FILES = (
-    "tests/rmw/test_cyclonedds.py",
-    "tests/rmw/test_cyclonedds_processes.py",
-    "tests/rmw/test_cyclone_graph.py",
-    "tests/rmw/test_cyclone_config.py",
-    "tests/rmw/test_events.py",
-    "tests/rmw/test_services.py",
-    "tests/rmw/test_loopback.py",
-    "tests/rmw/test_library_self_test.py",
-    "tests/node/wire/test_forks.py",
-)
-"""Discovery, data, events, services, sockets and forks."""
 TIMEOUT_S = 600.0
 
 pytestmark = [pytest.mark.slow, pytest.mark.wire]
@@ -83,7 +72,7 @@ def test_the_tests_of_the_wire_pass_with_it(library: Path) -> None:
             "no:cacheprovider",
             "-m",
             "not slow and not ros",
-            *FILES,
+            *TESTS_ON_DDS_0_10,
         ],
         cwd=ROOT,
         env=environment,
