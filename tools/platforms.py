@@ -202,17 +202,41 @@ def completed(command: Sequence[str | Path], **options: Any) -> subprocess.Compl
     If this program is interrupted meanwhile, the command and its children are, too: the ones that run in a terminal of
     their own wouldn't hear of it.
     """
-    with subprocess.Popen(command, start_new_session=True, text=True, **options) as process:
-        try:
-            output, errors = process.communicate()
-        except BaseException:
-            for number in (signal.SIGINT, signal.SIGKILL):
-                with suppress(ProcessLookupError):
-                    os.killpg(process.pid, number)
-                with suppress(subprocess.TimeoutExpired):
-                    process.wait(END_S)
-            raise
+    numbers = {signal.SIGINT, signal.SIGTERM}
+    mask = signal.pthread_sigmask(
+        signal.SIG_BLOCK, numbers
+    )  # or a signal while it starts would leave it behind
+    try:
+        with subprocess.Popen(
+            command,
+            start_new_session=True,
+            text=True,
+            preexec_fn=partial(signal.pthread_sigmask, signal.SIG_SETMASK, mask),  # noqa: PLW1509  # no other thread
+            **options,
+        ) as process:
+            try:
+                signal.pthread_sigmask(signal.SIG_SETMASK, mask)
+                output, errors = process.communicate()
+            except BaseException:
+                for number in (signal.SIGINT, signal.SIGKILL):
+                    with suppress(ProcessLookupError):
+                        os.killpg(process.pid, number)
+                    with suppress(subprocess.TimeoutExpired):
+                        process.wait(END_S)
+                raise
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, mask)
     return subprocess.CompletedProcess(command, process.returncode, output, errors)
+
+
+@contextmanager
+def ended_by_sigterm() -> Iterator[None]:
+    """Have SIGTERM raise SystemExit as long as the block runs, so that all is put back."""
+    previous = signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, previous)
 
 
 def export_checkout(folder: Path) -> None:
@@ -626,8 +650,10 @@ def main() -> int:
         print(f"platforms: {reason}", file=sys.stderr)
         return 3
     FOLDER.mkdir(parents=True, exist_ok=True)
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))  # by which all is put back
-    with only_one(FOLDER):  # another run would remove the chroots of this one
+    with (
+        ended_by_sigterm(),
+        only_one(FOLDER),  # another run would remove the chroots of this one
+    ):
         rows = [row for part in parts for row in run_part(part, is_short=options.short)]
     print("| system | what | result | minutes |\n|---|---|---|---|")
     for row in rows:

@@ -232,9 +232,10 @@ from tools import platforms
 
 def run(*, is_short):
     with platforms.arm64_programs():
-        platforms.completed(["sh", "-c", "sleep 1000 & echo $!; wait"])
+        platforms.completed(["sh", "-c", f"sleep 1000 & echo $! > {folder}/pid; wait"], stdout=subprocess.DEVNULL)
 
-platforms.PARTS["arm64"], platforms.FOLDER = run, Path(sys.argv.pop())
+folder = Path(sys.argv.pop())
+platforms.PARTS["arm64"], platforms.FOLDER = run, folder
 sys.exit(platforms.main())
 """
 
@@ -253,13 +254,17 @@ def test_interrupted_run_leaves_nothing(
 
     before = Path("/proc/self/mounts").read_text()
     program = start_program("python", "-c", INTERRUPTED, "arm64", tmp_path, cwd=platforms.ROOT)
-    wait_until(lambda: any(line.isdigit() for line in program.lines))
-    assert len(state()[1]) <= 1
-    (sleeper,) = (int(line) for line in program.lines if line.isdigit())
-    program.signal(number)
-    assert program.wait() in {128 + signal.SIGTERM, 130, -signal.SIGINT}, program.output
-    assert state() == (before, [])
-    wait_until(lambda: not Path(f"/proc/{sleeper}").exists())
+    wait_until(lambda: (tmp_path / "pid").exists() and (tmp_path / "pid").read_text() != "")
+    sleeper = int((tmp_path / "pid").read_text())
+    try:
+        assert len(state()[1]) <= 1
+        program.signal(number)
+        assert program.wait() in {128 + signal.SIGTERM, 130, -signal.SIGINT}, program.output
+        assert state() == (before, [])
+        wait_until(lambda: not Path(f"/proc/{sleeper}").exists())
+    finally:
+        with suppress(ProcessLookupError):
+            os.killpg(os.getpgid(sleeper), signal.SIGKILL)
 
 
 @NEEDS_TOOLS
