@@ -11,6 +11,7 @@ import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from typing import Any
 
 import pytest
 from tests.conftest import Program, wait_until
@@ -20,7 +21,8 @@ from tfloom.cli.finding import Verdict
 from tfloom.cli.zenoh_health import check_router
 from tfloom.rmw import zenoh_meeting_point, zenoh_router, zenoh_session
 from tfloom.rmw.errors import ClosedError, ConfigurationError, WireError
-from tfloom.rmw.zenoh_config import meeting_point_configuration
+from tfloom.rmw.zenoh_config import meeting_point_configuration, router_configuration
+from tfloom.rmw.zenoh_meeting_point import MeetingPoint
 from tfloom.rmw.zenoh_session import ZenohSession, open_session
 
 zenoh = pytest.importorskip("zenoh", reason="eclipse-zenoh is not installed: pip install 'tfloom[zenoh]'")
@@ -267,6 +269,51 @@ def test_a_router_asks_again_where_no_session_is_linked_yet(monkeypatch: pytest.
         joining = pool.submit(join)
         assert zenoh_meeting_point._ask_to_give_way()
         joining.result().close()
+
+
+@pytest.mark.parametrize("deaf", ["owner", "guest"])
+def test_a_router_asks_again_where_a_session_did_not_hear_it(
+    monkeypatch: pytest.MonkeyPatch, deaf: str
+) -> None:
+    """After a change of owner, some sessions still seek its router, the owner's own one too, and others answer."""
+    hear = MeetingPoint._on_request
+    asked: list[MeetingPoint] = []
+
+    def hear_the_second(point: MeetingPoint, query: Any) -> None:
+        is_deaf = point is sessions[deaf]._meeting_point and point not in asked
+        asked.append(point)
+        query.drop() if is_deaf else hear(point, query)
+
+    def await_free_port() -> None:
+        if deaf == "guest" and len(asked) == len(sessions):
+            wait_until(lambda: sessions["guest"].is_meeting_point)
+        await_port()
+
+    await_port = zenoh_meeting_point._await_free_port
+    monkeypatch.setattr(MeetingPoint, "_on_request", hear_the_second)
+    monkeypatch.setattr(zenoh_meeting_point, "_await_free_port", await_free_port)
+    sessions = {"owner": open_session()}
+    sessions["guest"] = open_session()
+    assert sessions["owner"].is_meeting_point
+    router = zenoh_meeting_point.open_lone_router(router_configuration())
+    assert not any(session.is_meeting_point for session in sessions.values())
+    assert len(asked) == 2 * len(sessions)
+    router.close()
+    for session in sessions.values():
+        session.close()
+
+
+def test_a_router_that_takes_over_and_ends_soon_is_replaced_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(zenoh_meeting_point, "GIVE_WAY_S", 3600.0)
+    opened = open_session()
+    assert opened.is_meeting_point
+    router = zenoh_meeting_point.open_lone_router(router_configuration())
+    assert not opened.is_meeting_point
+    wait_until(lambda: str(router.zid()) in {zid for zid, _ in opened.router_links()})
+    wait_until(lambda: opened._meeting_point._asked_at is None)
+    router.close()
+    wait_until(lambda: opened.is_meeting_point)
+    opened.close()
 
 
 def test_a_router_that_asks_and_dies_is_replaced(

@@ -38,11 +38,15 @@ PERIOD_S = 0.2
 """How often a session looks whether it still has a router [s]."""
 NO_ANSWER_S = 3.0
 """How long the router's silence is no cause for a message [s]: after a change of owner, sessions retry for a second."""
-GIVE_WAY_S = 5.0
+GIVE_WAY_S = 3.0
 """How long sessions leave the port alone after a router has asked for it [s]."""
 REPLY_S = 0.1
 """How long the owner's router goes on after the request, to carry the replies [s]."""
 ASK_TIMEOUT_S = 2.0
+LEAVE_S = 1.0
+"""How long the owner takes to close its router after a request, at most, before it is asked again [s]."""
+TAKEOVER_S = 10.0
+"""How long a router asks for the port again while others have it [s]."""
 LINK_GAP_S = 0.5
 """How long after the end of this machine's router the next one is opened, where it is linked to other machines [s].
 
@@ -70,6 +74,8 @@ class MeetingPoint:
         self._is_reported = False
         self._asked_at: float | None = None
         """When a router asked for the port [s]; set by Zenoh's thread, read by the own one."""
+        self._routers_when_asked: set[str] | None = None
+        """Ids of the routers that the session was linked to then; None until the own thread has looked."""
         self._queryable: Any = None
         self._takeover_s = 0.0
         """How long no router is seen before this one takes over [s]."""
@@ -144,16 +150,24 @@ class MeetingPoint:
 
     def _on_request(self, query: Any) -> None:
         """Note that a router asks for the port; called on a thread of Zenoh, which must not close a session."""
+        self._routers_when_asked = None
         self._asked_at = time.monotonic()
         query.reply(query.key_expr, b"")
         query.drop()
 
-    def _gives_way(self) -> bool:
-        """Return whether the port is to be left to a router that asked; close the own one then."""
+    def _gives_way(self, routers: set[str]) -> bool:
+        """Return whether the port is to be left to a router that asked; close the own one then.
+
+        Args:
+            routers: Ids of the routers that the session is linked to. A new one is the one that asked, as a rule; where
+                another session was faster, it asks again.
+        """
         if self._asked_at is None:
             return False
+        if self._routers_when_asked is None:
+            self._routers_when_asked = routers
         since_s = time.monotonic() - self._asked_at
-        if since_s > GIVE_WAY_S:
+        if since_s > GIVE_WAY_S or routers - self._routers_when_asked:
             self._asked_at = None
             return False
         if since_s > REPLY_S:
@@ -163,14 +177,14 @@ class MeetingPoint:
     def _watch(self, session: Any) -> None:
         silent_since: float | None = None  # the first look that found no router
         while not self._is_closed.wait(PERIOD_S):
-            if self._gives_way():
-                silent_since = None
-                continue
             try:
-                is_linked = bool(session.info.routers_zid())
+                routers = {str(zid) for zid in session.info.routers_zid()}
             except Exception:  # noqa: BLE001  # the session was closed by other means: there is nothing to watch
                 return
-            if is_linked:
+            if self._gives_way(routers):
+                silent_since = None
+                continue
+            if routers:
                 silent_since = None
                 self._is_reported = False
                 continue
@@ -198,30 +212,33 @@ def open_lone_router(config: Any) -> Any:
         RouterError: it can't listen, as where another program or router has the port.
     """
     gap_s = LINK_GAP_S if _links_routers(config) else 0.0
+    ports = {endpoint.rpartition(":")[2] for endpoint in endpoints_of(config, "listen/endpoints")}
     time.sleep(gap_s)
-    try:
-        return open_router(config)
-    except RouterError as error:
-        ports = {endpoint.rpartition(":")[2] for endpoint in endpoints_of(config, "listen/endpoints")}
-        if not error.is_port_taken or str(port()) not in ports or not _ask_to_give_way():
-            raise
-    end = time.monotonic() + GIVE_WAY_S / 2
-    if gap_s:
-        while _is_listened_to(port()) and time.monotonic() < end:
-            time.sleep(REPLY_S / 2)
-        time.sleep(gap_s)
+    end = time.monotonic() + TAKEOVER_S
     while True:
         try:
             return open_router(config)
         except RouterError as error:
-            if not error.is_port_taken or time.monotonic() > end:
+            if not error.is_port_taken or str(port()) not in ports or time.monotonic() > end:
                 raise
-        time.sleep(REPLY_S / 2)
+        if not _ask_to_give_way():
+            return open_router(config)  # it raises, unless the port has become free meanwhile
+        # One request doesn't suffice: a session that seeks its router at this moment doesn't hear it, and that may be
+        # the owner, or one that takes the port when the owner has left it.
+        _await_free_port()
+        time.sleep(gap_s)
 
 
 def _links_routers(config: Any) -> bool:
     """Return whether a router of this configuration connects to others."""
     return bool(endpoints_of(config, "connect/endpoints"))
+
+
+def _await_free_port() -> None:
+    """Wait until nobody listens at the port of the machine's router, for as long as an owner takes to leave it."""
+    end = time.monotonic() + LEAVE_S
+    while _is_listened_to(port()) and time.monotonic() < end:
+        time.sleep(REPLY_S / 2)
 
 
 def _is_listened_to(local_port: int) -> bool:
