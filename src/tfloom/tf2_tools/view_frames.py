@@ -180,6 +180,15 @@ def publishers_of(observation: Observation) -> dict[str, list[str]]:
     return {child: list(parents) for child, parents in names.items()}
 
 
+def publisher_lines(publishers: Mapping[str, Sequence[str]]) -> list[str]:
+    """Return a line for each node, with the frames that it publishes."""
+    frames: dict[str, list[str]] = {}
+    for child, nodes in publishers.items():
+        for node in nodes:
+            frames.setdefault(node, []).append(child)
+    return [f"{node} publishes {', '.join(sorted(children))}" for node, children in sorted(frames.items())]
+
+
 class Gathered(NamedTuple):
     """What is known of all frames."""
 
@@ -239,6 +248,9 @@ def run(node: Node, options: argparse.Namespace) -> int:
             return 1
     frames_yaml = gathered.frames_yaml
     report.info(f"Result:tf2_msgs.srv.FrameGraph_Response(frame_yaml={frames_yaml!r})")
+    # In that line, which is the reference's, every broadcaster is `default_authority`.
+    for line in publisher_lines(gathered.publishers):
+        report.info(line)
     name = options.output or f"frames_{time.strftime('%Y-%m-%d_%H.%M.%S')}"
     try:
         records = parse_frames_yaml(frames_yaml)
