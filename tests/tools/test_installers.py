@@ -8,6 +8,7 @@ uv reads the clone's own project, too.
 from __future__ import annotations
 
 import os
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -124,10 +125,21 @@ def test_uv_installs_a_tool(
     expect_commands(tmp_path / "bin")
 
 
-def test_pipx_installs_and_injects(tools: Path, clone: Path, with_extras: str, tmp_path: Path) -> None:
+def test_pipx_installs_and_injects(
+    tools: Path, clone: Path, tmp_path: Path, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    """The lines of docs/install.md, in a clone whose path has a space, with a wheel that is there."""
+    wheel = wheel_of(release_files(tmp_path_factory), "tfloom")
+    built = clone / "build" / "wheel"
+    built.mkdir(parents=True)
+    shutil.copy(wheel, built)
+    assert " " in str(clone)
+    lines = [
+        line for line in (ROOT / "docs/install.md").read_text().splitlines() if line.startswith("pipx i")
+    ]
+    assert len(lines) == 3
     folders = {"PIPX_HOME": tmp_path / "pipx", "PIPX_BIN_DIR": tmp_path / "bin"}
-    run(tmp_path, tools / "pipx", "install", "--python", sys.executable, with_extras, cwd=clone, **folders)
-    run(tmp_path, tools / "pipx", "inject", "tfloom", COMMAND, "--include-apps", cwd=clone, **folders)
-    provided = ["colcon-core", "xacro", "--include-apps", "--force"]
-    run(tmp_path, tools / "pipx", "inject", "tfloom", *provided, cwd=clone, **folders)
+    path = f"{tools}{os.pathsep}{os.environ['PATH']}"
+    script = "set -e\n" + "\n".join(lines)
+    run(tmp_path, "bash", "-c", script, cwd=clone, PATH=path, PIPX_DEFAULT_PYTHON=sys.executable, **folders)
     expect_commands(tmp_path / "bin")
