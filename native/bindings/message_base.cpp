@@ -68,9 +68,20 @@ Py_ssize_t take_check_fields(PyObject* self, PyObject* kwargs) {
   return value != nullptr ? 1 : 0;
 }
 
+// Return what is said of a call with positional arguments, as "Vector3 takes its fields by keyword: Vector3(x=…, …)".
+std::string by_keyword(PyTypeObject* type) {
+  const std::string name = type->tp_name;
+  std::string fields;
+  for (const ObjectPlan::Slot& slot : plan_of(type).slots) {
+    if (!fields.empty()) fields += ", ";
+    fields += std::string(nb::str(slot.name).c_str()) + "=…";
+  }
+  return name + " takes its fields by keyword: write " + name + "(" + fields + ")";
+}
+
 void init(PyObject* self, PyObject* args, PyObject* kwargs) {
   if (PyTuple_GET_SIZE(args) != 0) {
-    throw nb::type_error((std::string(Py_TYPE(self)->tp_name) + " takes its fields by keyword").c_str());
+    throw nb::type_error(by_keyword(Py_TYPE(self)).c_str());
   }
   const ObjectPlan& plan = plan_of(Py_TYPE(self));
   plan.pool.tag(self);

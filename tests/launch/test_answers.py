@@ -34,6 +34,8 @@ UNIFORM = (
     "TypeError: Expected a non-empty sequence, with items of uniform type. Allowed sequence item types are bool, int, "
     'float, str. Got inconsistent input for "f"'
 )
+VALUE = "TypeError: Unexpected type for parameter value"
+LIST = "TypeError: 'Node' expected 'parameters' to be one of [<class 'list'>], but got "
 DIFFERENCES: dict[str, dict[str, Ours]] = {
     "launch_values": {
         "20 ": Ours(
@@ -41,6 +43,24 @@ DIFFERENCES: dict[str, dict[str, Ours]] = {
             (f"20 evaluate_parameters: {UNIFORM}: [1.0, 2]. If the parameter is meant to be a string, tr",),
         ),
         "21b ": Ours("launch-parameter-texts", (f"21b evaluate mixed: {UNIFORM}: [1, 'a']",)),
+        "24 ": Ours(
+            "launch-parameter-texts",
+            (f"24 None: {VALUE} None, of class NoneType, given to the parameter 'f'",),
+        ),
+        "45 ": Ours(
+            "launch-parameter-texts",
+            (f"45 Node params str: {LIST}'x' of type '<class 'str'>': write parameters=['x']",),
+        ),
+        "46 ": Ours(
+            "launch-parameter-texts",
+            (
+                f"46 Node params dict: {LIST}'{{'a': 1}}' of type '<class 'dict'>': write parameters=[{{'a': 1}}]",
+            ),
+        ),
+        "47 ": Ours(
+            "launch-parameter-texts",
+            ("47 Node remappings: TypeError: remap_rule must be a tuple of length 2, got length 1: ('a',)",),
+        ),
         "27 ": Ours(
             "launch-parameter-texts",
             (

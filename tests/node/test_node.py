@@ -142,7 +142,10 @@ def test_sink_receives_the_bytes_and_no_callback_runs(node: Node, executor: Sing
         (None, "None of class NoneType"),
         (str, "the class builtins.str"),
         ("std_msgs/msg/String", "'std_msgs/msg/String' of class str"),
-        (String(data="x"), "std_msgs.msg.String(data='x') of class String"),
+        (
+            String(data="x"),
+            "std_msgs.msg.String(data='x') of class String: give the class, String, without brackets",
+        ),
     ],
 )
 def test_error_names_what_is_not_a_type(node: Node, bad: object, given: str) -> None:

@@ -185,7 +185,7 @@ class Buffer(tf2_ros_buffer.Buffer):
         rotation.x, rotation.y, rotation.z, rotation.w = stamped.rotation_xyzw
         return message
 
-    def _registered(self, kind: Any) -> Callable[..., Any]:
+    def _registered(self, kind: Any) -> Callable[..., Any] | None:
         theirs = real_ros.find("tf2_ros")
         if theirs is not None:
             try:
@@ -196,6 +196,9 @@ class Buffer(tf2_ros_buffer.Buffer):
                     raise
                 return function
         return _find_ours(kind) or super()._registered(kind)
+
+    def _conversion_error(self, kind: Any, new_type: Any) -> Exception | None:
+        return super()._conversion_error(kind, new_type) if real_ros.find("tf2_ros") is None else None
 
     def _converted(self, result: Any, new_type: Any) -> Any:
         theirs = real_ros.find("tf2_ros")

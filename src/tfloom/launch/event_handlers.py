@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any, ClassVar, cast
 
 from tfloom.launch.action import Action
@@ -74,6 +74,12 @@ class OnActionEventBase(BaseEventHandler):
         self._on_event = on_event
         self._actions: list[LaunchDescriptionEntity] | None = None
         if not callable(on_event):
+            if not isinstance(on_event, Iterable) and not hasattr(on_event, "visit"):
+                # In here, not by the function below, so that the traceback is short.
+                raise TypeError(
+                    "expected all items in 'on_event' iterable to be of type 'LaunchDescriptionEntity' "
+                    f"but got '{type(on_event)}': give actions, or a function that returns them, not {on_event!r}"
+                )
             self._actions = normalize_to_list_of_entities([on_event], name="on_event")
         super().__init__(matcher=self._is_target_event, **kwargs)
 

@@ -9,6 +9,7 @@ from tfloom.launch.action import Action
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.logging import get_logger
+from tfloom.launch.utilities.argument_errors import entities_error, entity_error
 
 __all__ = ["LaunchDescription"]
 
@@ -27,7 +28,13 @@ class LaunchDescription(LaunchDescriptionEntity):
         *,
         deprecated_reason: str | None = None,
     ) -> None:
-        self._entities = list(initial_entities) if initial_entities is not None else []
+        entities = () if initial_entities is None else initial_entities
+        if (error := entities_error("LaunchDescription", entities)) is not None:
+            raise error
+        self._entities = list(entities)
+        for entity in self._entities:
+            if (error := entity_error("LaunchDescription", entity)) is not None:
+                raise error
         self._deprecated_reason = deprecated_reason
 
     @property
@@ -47,6 +54,8 @@ class LaunchDescription(LaunchDescriptionEntity):
 
     def add_entity(self, entity: LaunchDescriptionEntity) -> None:
         """Add an entity after the others."""
+        if (error := entity_error("LaunchDescription", entity)) is not None:
+            raise error
         self._entities.append(entity)
 
     def add_action(self, action: Action) -> None:

@@ -21,8 +21,10 @@ from tfloom.node.executing.signals import (
     leave_signal_handlers,
     uninstall_signal_handlers,
 )
-from tfloom.node.executing.task import Future
+from tfloom.node.executing.task import Future, future_error
 from tfloom.node.parameters.parameter import Parameter
+from tfloom.node.values.node_errors import node_error
+from tfloom.node.values.numbers import timeout_error
 from tfloom.ros_environment import set_ros_environment
 
 if TYPE_CHECKING:
@@ -202,9 +204,6 @@ class _TemporarilyAdded:
                 self._former_executor.add_node(self._node)
 
 
-_NO_NODE = "{name}() needs a node, got None: does the function that creates it return it?"
-
-
 def spin(node: Node, executor: Executor | None = None) -> None:
     """Run a node's callbacks until its context is shut down.
 
@@ -214,8 +213,8 @@ def spin(node: Node, executor: Executor | None = None) -> None:
         Exception: raised by a callback.
         TypeError: there is no node.
     """
-    if node is None:
-        raise TypeError(_NO_NODE.format(name="spin"))
+    if (error := node_error("spin", node)) is not None:
+        raise error
     executor = executor or get_global_executor()
     with _TemporarilyAdded(node, executor):
         executor.spin()
@@ -223,8 +222,8 @@ def spin(node: Node, executor: Executor | None = None) -> None:
 
 def spin_once(node: Node, *, executor: Executor | None = None, timeout_sec: float | None = None) -> None:
     """Wait for one callback and run it; after `timeout_sec` [s] (None: no limit), return without one."""
-    if node is None:
-        raise TypeError(_NO_NODE.format(name="spin_once"))
+    if (error := node_error("spin_once", node) or timeout_error("spin_once", timeout_sec)) is not None:
+        raise error
     executor = executor or get_global_executor()
     with _TemporarilyAdded(node, executor):
         executor.spin_once(timeout_sec=timeout_sec)
@@ -234,10 +233,11 @@ def spin_until_future_complete(
     node: Node, future: Future[Any], executor: Executor | None = None, timeout_sec: float | None = None
 ) -> None:
     """Run a node's callbacks until a future is done, or for `timeout_sec` [s] (None: no limit)."""
-    if node is None:
-        raise TypeError(_NO_NODE.format(name="spin_until_future_complete"))
-    if future is None:
-        raise TypeError("spin_until_future_complete() needs a future, as `call_async` returns it, got None")
+    name = "spin_until_future_complete"
+    if (
+        error := node_error(name, node) or timeout_error(name, timeout_sec) or future_error(future)
+    ) is not None:
+        raise error
     executor = executor or get_global_executor()
     with _TemporarilyAdded(node, executor):
         executor.spin_until_future_complete(future, timeout_sec)

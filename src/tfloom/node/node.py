@@ -12,9 +12,9 @@ from tfloom.node.builtin.type_description_service import TypeDescriptionService
 from tfloom.node.context.arguments import Arguments, parse_arguments
 from tfloom.node.context.utilities import get_default_context
 from tfloom.node.endpoints.type_variables import MsgType, SrvType, SrvTypeRequest, SrvTypeResponse
-from tfloom.node.parameters.parameter import PARAMETER_SEPARATOR_STRING, Parameter
+from tfloom.node.parameters.parameter import PARAMETER_SEPARATOR_STRING, Parameter, no_parameter_error
 from tfloom.node.values.constants import S_TO_NS
-from tfloom.node.values.names import node_name_error
+from tfloom.node.values.names import namespace_error, node_name_error
 from tfloom.ros_guard import ros_repr
 
 if TYPE_CHECKING:
@@ -59,6 +59,7 @@ class Node(NodeBase):
         NotInitializedException: the context isn't initialised, or shut down.
         InvalidNodeNameException: the name isn't valid.
         InvalidNamespaceException: the namespace isn't valid.
+        TypeError: a name is no text, or an override no Parameter.
         RCLInvalidROSArgsError: one of `cli_args` is malformed.
     """
 
@@ -83,6 +84,13 @@ class Node(NodeBase):
     ) -> None:
         if (error := node_name_error(node_name)) is not None:
             raise error
+        full_namespace = (
+            f"/{namespace}" if isinstance(namespace, str) and namespace[:1] != "/" else namespace or "/"
+        )
+        if (error := namespace_error(full_namespace)) is not None:
+            raise error
+        if (error := no_parameter_error(parameter_overrides or ())) is not None:
+            raise error
         context = context or get_default_context()
         arguments = parse_arguments(cli_args or []).over(
             context.arguments if use_global_arguments else Arguments()
@@ -92,7 +100,7 @@ class Node(NodeBase):
             node_name,
             context=context,
             arguments=arguments,
-            namespace=namespace or "/",
+            namespace=full_namespace,
             parameter_overrides=parameter_overrides or [],
             allow_undeclared_parameters=allow_undeclared_parameters,
             declare_overrides=automatically_declare_parameters_from_overrides,

@@ -12,8 +12,9 @@ from tfloom.node.clock.time_jump import ClockChange, JumpThreshold
 from tfloom.node.executing.task import Future
 from tfloom.node.log.logging import get_logger
 from tfloom.node.values.duration import Duration
+from tfloom.node.values.node_errors import node_error
 from tfloom.tf2.errors import LookupException
-from tfloom.tf2_ros.buffer_core import BufferCore, duration_ns, time_ns
+from tfloom.tf2_ros.buffer_core import BufferCore, cache_time_error, duration_ns, time_error, time_ns
 from tfloom.tf2_ros.buffer_interface import NO_WAIT, BufferInterface
 from tfloom.tf2_ros.deadlines import call_after
 
@@ -47,6 +48,10 @@ class Buffer(BufferCore, BufferInterface):
     """
 
     def __init__(self, cache_time: Any = None, node: Node | None = None) -> None:
+        if (error := cache_time_error(cache_time)) is not None:
+            raise error
+        if node is not None and (error := node_error("Buffer", node)) is not None:
+            raise error
         BufferCore.__init__(self, cache_time)
         BufferInterface.__init__(self)
         self._jump_handles: weakref.WeakKeyDictionary[Clock, JumpHandle] = weakref.WeakKeyDictionary()
@@ -144,6 +149,8 @@ class Buffer(BufferCore, BufferInterface):
         query = target_frame, target_time, source_frame, source_time, fixed_frame
         if timeout is not NO_WAIT:
             self._wait(duration_ns(timeout), self.wait_full, *_in_ns(*query))
+        if (error := time_error(target_time) or time_error(source_time)) is not None:
+            raise error
         verdict = self.can_transform_full_core(*query)
         return verdict if return_debug_tuple else verdict[0]
 

@@ -15,6 +15,8 @@ from tfloom.node.executing.executor import executor_of
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.executing.task import Future
 from tfloom.node.values.duration import Duration
+from tfloom.node.values.names import name_error
+from tfloom.node.values.node_errors import node_error
 from tfloom.tf2.errors import (
     ConnectivityException,
     ExtrapolationException,
@@ -73,6 +75,8 @@ class BufferClient(BufferInterface):
         from tfloom.interfaces.tf2_msgs.action import LookupTransform
         from tfloom.node.action.client import ActionClient
 
+        if (error := node_error("BufferClient", node) or name_error(ns, is_service=True)) is not None:
+            raise error
         super().__init__()
         self.node = node
         self.action_client = ActionClient(node, LookupTransform, action_name=ns)

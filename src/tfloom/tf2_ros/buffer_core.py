@@ -15,7 +15,15 @@ from tfloom.tf2.buffer import DEFAULT_CACHE_TIME_NS
 from tfloom.tf2.errors import InvalidArgumentException, TransformException
 from tfloom.tf2.errors import LookupException as _LookupException
 
-__all__ = ["BufferCore", "duration_ns", "time_ns"]
+__all__ = [
+    "BufferCore",
+    "cache_time_error",
+    "duration_error",
+    "duration_ns",
+    "frame_error",
+    "time_error",
+    "time_ns",
+]
 
 S_TO_NS = 1_000_000_000
 Triple = tuple[float, float, float]
@@ -36,6 +44,9 @@ class BufferCore(tf2_buffer.Buffer):
     """
 
     def __init__(self, cache_time: Any = None, /, **_ignored: object) -> None:
+        # Built in here, not by the class above, so that a wrong argument's traceback is short.
+        if (error := cache_time_error(cache_time)) is not None:
+            raise error
         super().__init__(DEFAULT_CACHE_TIME_NS if cache_time is None else duration_ns(cache_time))
         self.set_log_callback(_log)
 
@@ -114,6 +125,8 @@ class BufferCore(tf2_buffer.Buffer):
             InvalidArgumentException: a frame's name is empty or starts with a slash.
             TransformException: the two frames are in different trees, or the chain is a loop.
         """
+        if (wrong_frame := frame_error(target_frame) or frame_error(source_frame)) is not None:
+            raise wrong_frame
         try:
             stamp = self.latest_common_time(target_frame, source_frame)
         except InvalidArgumentException:
@@ -202,6 +215,37 @@ def duration_ns(duration: Any) -> int:
         raise without_fields(duration, "duration") from None
 
 
+def time_error(time: object) -> TypeError | None:
+    """Return what `time_ns` raises, or None, for callers whose tracebacks shall be short."""
+    return None if _has_time(time) else without_fields(time, "time")
+
+
+def duration_error(duration: object) -> TypeError | None:
+    """Return what `duration_ns` raises, or None, for callers whose tracebacks shall be short."""
+    return None if _has_time(duration) else without_fields(duration, "duration")
+
+
+def frame_error(frame_id: object) -> TypeError | None:
+    """Return the native buffer's error of a frame's name that is no text, or None if it is one."""
+    if isinstance(frame_id, str):
+        return None
+    given = f"{reprlib.repr(frame_id)} of class {type(frame_id).__name__}"
+    return TypeError(f"the name of a frame or a publisher must be a str, not {given}")
+
+
+def cache_time_error(cache_time: Any) -> Exception | None:
+    """Return the error of what is neither None nor a duration from 0."""
+    if cache_time is None:
+        return None
+    if (error := duration_error(cache_time)) is not None:
+        return error
+    return ValueError(f"cache_time must not be negative, got {cache_time!r}") if _ns(cache_time) < 0 else None
+
+
+def _has_time(value: object) -> bool:
+    return hasattr(value, "nanoseconds") or (hasattr(value, "sec") and hasattr(value, "nanosec"))
+
+
 def _ns(value: Any) -> int:
     try:
         return int(value.nanoseconds)
@@ -219,7 +263,7 @@ def without_fields(given: object, kind: str) -> TypeError:
 def _note_time(error: TypeError, *times: Any) -> None:
     """Add to an error of the native buffer which of the times has no fields of one, if that is its reason."""
     for time in times:
-        if not hasattr(time, "nanoseconds") and not (hasattr(time, "sec") and hasattr(time, "nanosec")):
+        if not _has_time(time):
             add_note(error, _meant(time, "time"))
             return
 

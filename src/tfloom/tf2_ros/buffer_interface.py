@@ -13,6 +13,7 @@ from tfloom.node.values.exceptions import add_note
 from tfloom.node.values.time import Time
 from tfloom.ros_guard import ros_home
 from tfloom.tf2.errors import TransformException
+from tfloom.tf2_ros.buffer_core import duration_error, frame_error, time_error
 
 __all__ = [
     "BufferInterface",
@@ -85,11 +86,16 @@ class BufferInterface:
             TypeException: nothing is registered for the object's type, or for `new_type`.
             TransformException: as from `lookup_transform`.
         """
-        return self._transform(
-            object_stamped,
-            new_type,
-            lambda frame_id, stamp: self.lookup_transform(target_frame, frame_id, stamp, timeout),
+        error = (
+            frame_error(target_frame)
+            or duration_error(timeout)
+            or self._object_error(object_stamped, new_type)
         )
+        if error is not None:
+            raise error
+        header = object_stamped.header
+        transform = self.lookup_transform(target_frame, header.frame_id, header.stamp, timeout)
+        return self._transformed(object_stamped, transform, new_type)
 
     def transform_full(
         self,
@@ -101,25 +107,36 @@ class BufferInterface:
         new_type: Any = None,
     ) -> Any:
         """Return `object_stamped` in `target_frame` at another time, by way of `fixed_frame`; see `transform`."""
-        return self._transform(
-            object_stamped,
-            new_type,
-            lambda frame_id, stamp: self.lookup_transform_full(
-                target_frame, target_time, frame_id, stamp, fixed_frame, timeout
-            ),
-        )
-
-    def _transform(self, object_stamped: Any, new_type: Any, look_up: Callable[[str, Any], Any]) -> Any:
-        transform_object = self._registered(type(object_stamped))
+        wrong_query = frame_error(target_frame) or frame_error(fixed_frame) or time_error(target_time)
+        error = wrong_query or duration_error(timeout) or self._object_error(object_stamped, new_type)
+        if error is not None:
+            raise error
         header = object_stamped.header
-        result = transform_object(object_stamped, look_up(header.frame_id, header.stamp))
+        transform = self.lookup_transform_full(
+            target_frame, target_time, header.frame_id, header.stamp, fixed_frame, timeout
+        )
+        return self._transformed(object_stamped, transform, new_type)
+
+    def _object_error(self, object_stamped: Any, new_type: Any) -> Exception | None:
+        kind = type(object_stamped)
+        if self._registered(kind) is None:
+            return _unregistered(kind, getattr(self.registration, "_functions", ()))
+        return None if new_type is None else self._conversion_error(kind, new_type)
+
+    def _transformed(self, object_stamped: Any, transform: Any, new_type: Any) -> Any:
+        transform_object: Any = self._registered(type(object_stamped))
+        result = transform_object(object_stamped, transform)
         return result if new_type is None else self._converted(result, new_type)
+
+    def _conversion_error(self, kind: Any, new_type: Any) -> Exception | None:
+        conversion = _conversion(kind, new_type)
+        return conversion if isinstance(conversion, TypeException) else None
 
     def _converted(self, result: Any, new_type: Any) -> Any:
         return convert(result, new_type)
 
-    def _registered(self, kind: Any) -> Callable[..., Any]:
-        return self.registration.get(kind)
+    def _registered(self, kind: Any) -> Callable[..., Any] | None:
+        return self.registration.find(kind)
 
     def lookup_transform(
         self, target_frame: str, source_frame: str, time: Any, timeout: Any = NO_WAIT
@@ -191,12 +208,14 @@ class TransformRegistration:
         Raises:
             TypeException: no function is registered for it; a note names the package that registers one.
         """
-        try:
-            return _find_function(self._functions, key)
-        except TypeException as error:
-            if hint := _how_to_transform(key, self._functions):
-                add_note(error, hint)
-            raise
+        function = self.find(key)
+        if function is None:
+            raise _unregistered(key, self._functions)
+        return function
+
+    def find(self, key: Any) -> Callable[..., Any] | None:
+        """Return the function for a type, or None."""
+        return _find_function(self._functions, key)
 
 
 class ConvertRegistration:
@@ -220,15 +239,21 @@ class ConvertRegistration:
 
     def get_from_msg(self, key: Any) -> Callable[[Any], Any]:
         """Return the function that makes `key` of a message; raise TypeException without one."""
-        return _find_function(self._from_msg, key)
+        if (function := _find_function(self._from_msg, key)) is None:
+            raise _not_loaded(key)
+        return function
 
     def get_to_msg(self, key: Any) -> Callable[[Any], Any]:
         """Return the function that makes a message of `key`; raise TypeException without one."""
-        return _find_function(self._to_msg, key)
+        if (function := _find_function(self._to_msg, key)) is None:
+            raise _not_loaded(key)
+        return function
 
     def get_convert(self, key: tuple[Any, Any]) -> Callable[[Any], Any]:
         """Return the function that converts `key[0]` to `key[1]`; raise TypeException without one."""
-        return _find_function(self._convert, key)
+        if (function := _find_function(self._convert, key)) is None:
+            raise _not_loaded(key)
+        return function
 
 
 def convert(a: Any, b_type: Any) -> Any:
@@ -237,14 +262,24 @@ def convert(a: Any, b_type: Any) -> Any:
     Raises:
         TypeException: no such conversion is registered.
     """
-    registration = ConvertRegistration()
-    try:
-        direct = registration.get_convert((type(a), b_type))
-    except TypeException:
-        if type(a) is b_type:
-            return deepcopy(a)
-        return registration.get_from_msg(b_type)(registration.get_to_msg(type(a))(a))
-    return direct(a)
+    conversion = _conversion(type(a), b_type)
+    if isinstance(conversion, TypeException):
+        raise conversion
+    return conversion(a)
+
+
+def _conversion(kind: Any, new_type: Any) -> Callable[[Any], Any] | TypeException:
+    """Return the function that converts objects of the type `kind`, or the error that there is none."""
+    tables = ConvertRegistration
+    if (direct := _find_function(tables._convert, (kind, new_type))) is not None:  # noqa: SLF001
+        return direct
+    if kind is new_type:
+        return deepcopy
+    if (from_msg := _find_function(tables._from_msg, new_type)) is None:  # noqa: SLF001
+        return _not_loaded(new_type)
+    if (to_msg := _find_function(tables._to_msg, kind)) is None:  # noqa: SLF001
+        return _not_loaded(kind)
+    return lambda given: from_msg(to_msg(given))
 
 
 def _how_to_transform(key: Any, registered: Collection[Any]) -> str:
@@ -267,11 +302,19 @@ def _how_to_transform(key: Any, registered: Collection[Any]) -> str:
     return ", and ".join(advice)
 
 
-def _find_function(table: dict[Any, Callable[..., Any]], key: Any) -> Callable[..., Any]:
-    function = table.get(key) or table.get(_find_twin_key(table, key))
-    if function is None:
-        raise TypeException(f"Type {key if isinstance(key, str) else str(key)} is not loaded or supported")
-    return function
+def _find_function(table: dict[Any, Callable[..., Any]], key: Any) -> Callable[..., Any] | None:
+    return table.get(key) or table.get(_find_twin_key(table, key))
+
+
+def _not_loaded(key: Any) -> TypeException:
+    return TypeException(f"Type {key if isinstance(key, str) else str(key)} is not loaded or supported")
+
+
+def _unregistered(kind: Any, registered: Collection[Any]) -> TypeException:
+    error = _not_loaded(kind)
+    if hint := _how_to_transform(kind, registered):
+        add_note(error, hint)
+    return error
 
 
 def _find_twin_key(table: dict[Any, Callable[..., Any]], key: Any) -> Any:

@@ -5,7 +5,9 @@ Arguments are not changed. Messages may be of any class that has the fields; the
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable
+from functools import wraps
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 from tfloom.interfaces.geometry_msgs.msg import (
     PointStamped,
@@ -23,8 +25,6 @@ from tfloom.tf2.transform import Transform
 from tfloom.tf2_ros.buffer_interface import ConvertRegistration, TransformRegistration
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
 
@@ -54,6 +54,7 @@ __all__ = [
 
 Triple = tuple[float, float, float]
 Quadruple = tuple[float, float, float, float]
+_Function = TypeVar("_Function", bound=Callable[..., Any])
 
 
 def to_msg_msg(msg: Any) -> Any:
@@ -72,6 +73,27 @@ def value_of(transform: Any) -> Transform:
     return Transform(_xyz(message.translation), _rotation(message.rotation))
 
 
+def _taking(kinds: str) -> Callable[[_Function], _Function]:
+    """Let a function say what it needs and what it got, in one frame, where an argument lacks a field."""
+
+    def decorate(function: _Function) -> _Function:
+        @wraps(function)
+        def run(*args: Any, **kwargs: Any) -> Any:
+            try:
+                return function(*args, **kwargs)
+            except AttributeError as error:
+                given = " and ".join(type(argument).__name__ for argument in (*args, *kwargs.values()))
+                needs = f"{function.__name__}() needs {kinds}, and a TransformStamped"
+                # One of these functions may have called another, whose kind the program has not chosen.
+                text = str(error).partition(": do_transform_")[0]
+                raise AttributeError(f"{text}: {needs}, got {given}") from None
+
+        return cast("_Function", run)
+
+    return decorate
+
+
+@_taking("a PointStamped, a Point or a Point32")
 def do_transform_point(point: Any, transform: Any) -> Any:
     """Transform a PointStamped, whose new header is the TransformStamped's; or a Point or Point32."""
     if hasattr(point, "point"):
@@ -79,6 +101,7 @@ def do_transform_point(point: Any, transform: Any) -> Any:
     return _with_xyz(point, value_of(transform).apply(_xyz(point)))
 
 
+@_taking("a Vector3Stamped or a Vector3")
 def do_transform_vector3(vector3: Any, transform: Any) -> Any:
     """Rotate a Vector3Stamped, whose new header is the TransformStamped's; or a Vector3.
 
@@ -89,6 +112,7 @@ def do_transform_vector3(vector3: Any, transform: Any) -> Any:
     return _with_xyz(vector3, _turned(value_of(transform), _xyz(vector3)))
 
 
+@_taking("a Pose")
 def do_transform_pose(pose: Any, transform: Any) -> Any:
     """Transform a Pose by a TransformStamped; its orientation has w ≥ 0."""
     result = type(pose)()
@@ -99,11 +123,13 @@ def do_transform_pose(pose: Any, transform: Any) -> Any:
     return result
 
 
+@_taking("a PoseStamped")
 def do_transform_pose_stamped(pose: Any, transform: Any) -> Any:
     """Transform a PoseStamped; its new header is the TransformStamped's."""
     return _stamped(pose, transform, "pose", do_transform_pose)
 
 
+@_taking("a PoseWithCovariance")
 def do_transform_pose_with_covariance(pose: Any, transform: Any) -> Any:
     """Transform a PoseWithCovariance by a TransformStamped."""
     result = type(pose)()
@@ -112,11 +138,13 @@ def do_transform_pose_with_covariance(pose: Any, transform: Any) -> Any:
     return result
 
 
+@_taking("a PoseWithCovarianceStamped")
 def do_transform_pose_with_covariance_stamped(pose: Any, transform: Any) -> Any:
     """Transform a PoseWithCovarianceStamped; its new header is the TransformStamped's."""
     return _stamped(pose, transform, "pose", do_transform_pose_with_covariance)
 
 
+@_taking("a Polygon")
 def do_transform_polygon(polygon: Any, transform: Any) -> Any:
     """Transform a Polygon by a TransformStamped."""
     result = type(polygon)()
@@ -125,11 +153,13 @@ def do_transform_polygon(polygon: Any, transform: Any) -> Any:
     return result
 
 
+@_taking("a PolygonStamped")
 def do_transform_polygon_stamped(polygon: Any, transform: Any) -> Any:
     """Transform a PolygonStamped; its new header is the TransformStamped's."""
     return _stamped(polygon, transform, "polygon", do_transform_polygon)
 
 
+@_taking("a Quaternion")
 def do_transform_quaternion(quaternion: Any, transform: Any) -> Any:
     """Rotate a Quaternion by a TransformStamped."""
     result = type(quaternion)()
@@ -138,11 +168,13 @@ def do_transform_quaternion(quaternion: Any, transform: Any) -> Any:
     return result
 
 
+@_taking("a QuaternionStamped")
 def do_transform_quaternion_stamped(quaternion: Any, transform: Any) -> Any:
     """Rotate a QuaternionStamped; its new header is the TransformStamped's."""
     return _stamped(quaternion, transform, "quaternion", do_transform_quaternion)
 
 
+@_taking("a Transform")
 def do_transform_transform(moved: Any, transform: Any) -> Any:
     """Return target_from_child from the Transform source_from_child and the TransformStamped target_from_source."""
     result = type(moved)()
@@ -152,11 +184,13 @@ def do_transform_transform(moved: Any, transform: Any) -> Any:
     return result
 
 
+@_taking("a TransformStamped")
 def do_transform_transform_stamped(moved: Any, transform: Any) -> Any:
     """Return target_from_child, with the header of the TransformStamped target_from_source."""
     return _stamped(moved, transform, "transform", do_transform_transform, "child_frame_id")
 
 
+@_taking("a Wrench")
 def do_transform_wrench(wrench: Any, transform: Any) -> Any:
     """Transform a Wrench to the target frame: F' = R F, τ' = R τ + cross(t, F')."""
     result = type(wrench)()
@@ -166,11 +200,13 @@ def do_transform_wrench(wrench: Any, transform: Any) -> Any:
     return result
 
 
+@_taking("a WrenchStamped")
 def do_transform_wrench_stamped(wrench: Any, transform: Any) -> Any:
     """Transform a WrenchStamped; its new header is the TransformStamped's."""
     return _stamped(wrench, transform, "wrench", do_transform_wrench)
 
 
+@_taking("a Twist")
 def do_transform_twist(twist: Any, transform: Any) -> Any:
     """Transform a Twist of the same body to the target frame: ω' = R ω, v' = R v + cross(t, ω')."""
     result = type(twist)()
@@ -180,11 +216,13 @@ def do_transform_twist(twist: Any, transform: Any) -> Any:
     return result
 
 
+@_taking("a TwistStamped")
 def do_transform_twist_stamped(twist: Any, transform: Any) -> Any:
     """Transform a TwistStamped; its new header is the TransformStamped's."""
     return _stamped(twist, transform, "twist", do_transform_twist)
 
 
+@_taking("a VelocityStamped")
 def do_transform_velocity_stamped(velocity: Any, transform: Any) -> Any:
     """Transform a VelocityStamped; its new header is the TransformStamped's, its other frames are kept."""
     return _stamped(

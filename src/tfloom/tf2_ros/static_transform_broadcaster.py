@@ -36,7 +36,7 @@ class StaticTransformBroadcaster:
         qos: QoSProfile | int | None = None,
         qos_overriding_options: QoSOverridingOptions | None = None,
     ) -> None:
-        if not hasattr(node, "create_publisher"):
+        if isinstance(node, type) or not hasattr(node, "create_publisher"):
             raise TypeError(NO_NODE.format(name="StaticTransformBroadcaster", given=reprlib.repr(node)))
         if qos is None:
             qos = QoSProfile(

@@ -27,7 +27,7 @@ class TransformBroadcaster:
     """
 
     def __init__(self, node: Node, qos: QoSProfile | int | None = None) -> None:
-        if not hasattr(node, "create_publisher"):
+        if isinstance(node, type) or not hasattr(node, "create_publisher"):
             raise TypeError(NO_NODE.format(name="TransformBroadcaster", given=reprlib.repr(node)))
         self.pub_tf = node.create_publisher(TFMessage, "/tf", QoSProfile(depth=100) if qos is None else qos)
 

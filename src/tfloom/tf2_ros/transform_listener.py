@@ -14,6 +14,7 @@ from tfloom.node.executing.callback_groups import ReentrantCallbackGroup
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
+from tfloom.node.values.node_errors import node_error
 from tfloom.tf2_ros.far_stamps import held_callback, jump_callback, warn_of_held
 from tfloom.tf2_ros.listener_base import AUTHORITY, ListenerBase
 
@@ -73,6 +74,8 @@ class TransformListener(ListenerBase):
                 f"TransformListener(buffer, node) needs a tf2_ros.Buffer first, got {buffer!r} "
                 f"of class {type(buffer).__name__}"
             )
+        if node is not None and (error := node_error("TransformListener", node)) is not None:
+            raise error
         super().__init__()
         self._owns_node = node is None
         self.node: Node = _hidden_node() if node is None else node
@@ -81,18 +84,23 @@ class TransformListener(ListenerBase):
         self.tf_static_sub: Subscription[TFMessage] | None = None
         self._buffer = buffer
         if not static_only:
-            self.tf_sub = self._subscribe(
-                tf_topic, self.callback, QoSProfile(depth=DEPTH) if qos is None else qos
+            self.tf_sub = self.node.create_subscription(
+                TFMessage,
+                tf_topic,
+                self.callback,
+                QoSProfile(depth=DEPTH) if qos is None else qos,
+                callback_group=self.group,
             )
-        self.tf_static_sub = self._subscribe(
-            tf_static_topic, self.static_callback, _static_profile() if static_qos is None else static_qos
+        self.tf_static_sub = self.node.create_subscription(
+            TFMessage,
+            tf_static_topic,
+            self.static_callback,
+            _static_profile() if static_qos is None else static_qos,
+            callback_group=self.group,
         )
         self.buffer = buffer
         if spin_thread:
             self._spin_on_thread()
-
-    def _subscribe(self, topic: str, callback: Any, qos: QoSProfile | int) -> Subscription[TFMessage]:
-        return self.node.create_subscription(TFMessage, topic, callback, qos, callback_group=self.group)
 
     @property
     def buffer(self) -> Any:

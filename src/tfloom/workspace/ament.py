@@ -66,7 +66,10 @@ def get_package_prefix(package_name: str) -> str:
         PackageNotFoundError: there is no such package.
         ValueError: it is not a valid package name.
     """
-    return _find(package_name) or str(index.own_packages()[package_name])
+    prefix = _find(package_name)
+    if isinstance(prefix, Exception):
+        raise prefix
+    return prefix or str(index.own_packages()[package_name])
 
 
 def get_package_share_path(package_name: str, print_warning: bool = True) -> Path:
@@ -76,13 +79,9 @@ def get_package_share_path(package_name: str, print_warning: bool = True) -> Pat
         PackageNotFoundError: there is no such package.
         ValueError: it is not a valid package name.
     """
-    try:
-        path = index.share_folder(package_name, _find(package_name))
-    except PackageNotFoundError:
-        if on_stand_in is None:
-            raise
-        on_stand_in(package_name)
-        return STAND_IN / package_name
+    path = _share_folder(package_name)
+    if isinstance(path, Exception):
+        raise path
     if print_warning and not path.exists():
         warnings.warn(f"Share path for {package_name} ({path}) does not exist.", stacklevel=2)
     return path
@@ -90,7 +89,9 @@ def get_package_share_path(package_name: str, print_warning: bool = True) -> Pat
 
 def get_package_share_directory(package_name: str, print_warning: bool = True) -> str:
     """Return `get_package_share_path` as a string."""
-    path = get_package_share_path(package_name, print_warning=False)
+    path = _share_folder(package_name)
+    if isinstance(path, Exception):
+        raise path
     if print_warning and not path.exists():
         warnings.warn(f"Share directory for {package_name} ({path}) does not exist.", stacklevel=2)
     return str(path)
@@ -141,16 +142,30 @@ def _check_type(resource_type: str) -> None:
         raise InvalidResourceTypeNameError(f"Resource type '{resource_type}' is invalid")
 
 
-def _find(package: str) -> str | None:
-    """Return a package's prefix, or None for one of tfloom's own."""
+def _share_folder(package: str) -> Path | Exception:
+    """Return the folder of a package's files, or the error that there is no such package."""
+    prefix = _find(package)
+    if isinstance(prefix, PackageNotFoundError) and on_stand_in is not None:
+        on_stand_in(package)
+        return STAND_IN / package
+    return prefix if isinstance(prefix, Exception) else index.share_folder(package, prefix)
+
+
+def _find(package: str) -> str | Exception | None:
+    """Return a package's prefix, None for one of tfloom's own, or the error that there is none.
+
+    The callers raise the error, so that its traceback is short.
+    """
+    if not isinstance(package, str):
+        return TypeError(f"a package's name must be a str, not {package!r} of class {type(package).__name__}")
     if not re.fullmatch(r"[a-zA-Z0-9][a-zA-Z0-9_-]+", package):
-        raise ValueError(f"'{package}' is not a valid package name")
+        return ValueError(f"'{package}' is not a valid package name")
     prefix = index.find_package(package)
     if prefix is None and package not in index.own_packages():
         error = PackageNotFoundError(f"package '{package}' not found, {_where_searched()}")
         if hint := how_to_find(package):
             add_note(error, hint)
-        raise error
+        return error
     return prefix
 
 

@@ -19,12 +19,14 @@ from tfloom.bag.rosbag2_names.storage import (
     StorageFilter,
     StorageOptions,
     TopicMetadata,
+    options_error,
 )
 from tfloom.bag.values import RawMessage
 from tfloom.bag.writing.storage import STORAGES
 
 __all__ = ["SequentialCompressionReader", "SequentialReader", "get_registered_readers"]
 
+_NOT_OPEN = "rosbag2_py", "no bag is open: call open() before"
 _PARTS = 64
 """Into how many parts of equal time a bag is divided at least, to read it in reverse."""
 _PART_SIZE = 1 << 25
@@ -53,6 +55,8 @@ class SequentialReader:
         Raises:
             BagError: there is no such bag, it can't be read, or a serialization format is not cdr.
         """
+        if (error := options_error("open", arg0, arg1)) is not None:
+            raise error
         for name in (arg1.input_serialization_format, arg1.output_serialization_format):
             if name not in {"", "cdr"}:
                 raise BagError(arg0.uri, f"the format is cdr; it can't be converted from or to '{name}'")
@@ -84,6 +88,8 @@ class SequentialReader:
         Raises:
             BagError: no bag is open, or it can't be read.
         """
+        if self._bag is None:
+            raise BagError(*_NOT_OPEN)
         if self._next is None:
             if self._messages is None:
                 self._messages = self._begin()
@@ -157,7 +163,7 @@ class SequentialReader:
 
     def _opened(self) -> Bag:
         if self._bag is None:
-            raise BagError("rosbag2_py", "no bag is open: call open() before")
+            raise BagError(*_NOT_OPEN)
         return self._bag
 
     def _begin_anew(self) -> None:

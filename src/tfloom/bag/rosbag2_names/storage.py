@@ -70,6 +70,15 @@ class ConverterOptions:
     output_serialization_format: str = ""
 
 
+def options_error(call: str, storage: object, converter: object) -> TypeError | None:
+    """Return the error of what `call` got in place of its options, or None if it got both."""
+    if isinstance(storage, StorageOptions) and isinstance(converter, ConverterOptions):
+        return None
+    needs = "StorageOptions(uri='…', storage_id='mcap') and ConverterOptions('cdr', 'cdr')"
+    given = f"{type(storage).__name__} and {type(converter).__name__}"
+    return TypeError(f"{call}() needs {needs}, got {given}")
+
+
 @dataclass
 class StorageFilter:
     """Which topics are read; all, unless topics, events of services or an expression are given."""

@@ -7,7 +7,12 @@ from enum import IntEnum
 from pathlib import Path
 
 from tfloom.bag.errors import BagError
-from tfloom.bag.rosbag2_names.storage import ConverterOptions, StorageOptions, TopicMetadata
+from tfloom.bag.rosbag2_names.storage import (
+    ConverterOptions,
+    StorageOptions,
+    TopicMetadata,
+    options_error,
+)
 from tfloom.bag.writing.bag_writer import BagWriter, WriterSettings
 from tfloom.bag.writing.storage import STORAGES
 from tfloom.bag.writing.storage_config import storage_settings
@@ -88,6 +93,8 @@ class SequentialWriter:
         Raises:
             BagError: the folder exists or can't be written, or an option can't be used.
         """
+        if (error := options_error("open", arg0, arg1)) is not None:
+            raise error
         if arg1.output_serialization_format not in {"", "cdr"}:
             raise BagError(arg0.uri, f"the format is cdr, not '{arg1.output_serialization_format}'")
         self.close()

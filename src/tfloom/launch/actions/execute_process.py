@@ -15,6 +15,7 @@ from tfloom.launch.frontend.pairs import parse_pairs
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 from tfloom.launch.substitution import Substitution
 from tfloom.launch.substitutions.text_substitution import TextSubstitution
+from tfloom.launch.utilities.argument_errors import unknown_argument_error, words_error
 
 __all__ = ["ExecuteProcess"]
 
@@ -60,6 +61,9 @@ class ExecuteProcess(ExecuteLocal):
         additional_env: Mapping[SomeSubstitutionsType, SomeSubstitutionsType] | None = None,
         **kwargs: Any,
     ) -> None:
+        error = words_error("cmd", cmd) or unknown_argument_error(ExecuteProcess, kwargs)
+        if error is not None:
+            raise error
         executable = Executable(
             cmd=cmd, prefix=prefix, name=name, cwd=cwd, env=env, additional_env=additional_env
         )

@@ -21,6 +21,7 @@ from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.launch_description_source import LaunchDescriptionSource
 from tfloom.launch.launch_description_sources.sources import AnyLaunchDescriptionSource
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
+from tfloom.launch.utilities.argument_errors import substitutions_error
 from tfloom.launch.utilities.perform_substitutions import perform_some_substitutions, perform_substitutions
 
 __all__ = ["IncludeLaunchDescription"]
@@ -57,6 +58,10 @@ class IncludeLaunchDescription(Action):
     ) -> None:
         super().__init__(**kwargs)
         if not isinstance(launch_description_source, LaunchDescriptionSource):
+            if (
+                error := substitutions_error("launch_description_source", launch_description_source)
+            ) is not None:
+                raise error
             launch_description_source = AnyLaunchDescriptionSource(launch_description_source)
         self.__source = launch_description_source
         if isinstance(launch_arguments, Mapping):

@@ -12,6 +12,7 @@ from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.logging import get_logger
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 from tfloom.launch.substitution import Substitution
+from tfloom.launch.utilities.argument_errors import substitutions_error
 from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
 from tfloom.launch.utilities.perform_substitutions import perform_substitutions
 
@@ -40,6 +41,8 @@ class Log(Action):
     """
 
     def __init__(self, *, msg: SomeSubstitutionsType, level: SomeSubstitutionsType, **kwargs: Any) -> None:
+        if (error := substitutions_error("msg", msg)) is not None:
+            raise error
         super().__init__(**kwargs)
         self.__msg = normalize_to_list_of_substitutions(msg)
         self.__level = normalize_to_list_of_substitutions(level)

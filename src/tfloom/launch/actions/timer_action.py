@@ -16,6 +16,7 @@ from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.logging import get_logger
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
+from tfloom.launch.utilities.argument_errors import entities_error
 from tfloom.launch.utilities.type_utils import normalize_typed_substitution, perform_typed_substitution
 
 if TYPE_CHECKING:
@@ -48,6 +49,8 @@ class TimerAction(Action):
     ) -> None:
         super().__init__(**kwargs)
         self._period = normalize_typed_substitution(_as_substitution(period), float)
+        if (error := entities_error("TimerAction", actions)) is not None:
+            raise error
         self._actions = list(actions)
         self._cancel_on_shutdown = normalize_typed_substitution(cancel_on_shutdown, bool)
         self._completed_future: asyncio.Future[None] | None = None

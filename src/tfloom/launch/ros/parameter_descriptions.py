@@ -16,6 +16,7 @@ from tfloom.launch.utilities.perform_substitutions import perform_substitutions
 from tfloom.launch.utilities.type_utils import (
     AllowedTypesType,
     SomeValueType,
+    data_type_error,
     normalize_typed_substitution,
     perform_typed_substitution,
 )
@@ -39,6 +40,8 @@ class ParameterValue:
     """
 
     def __init__(self, value: SomeValueType, *, value_type: AllowedTypesType | None = None) -> None:
+        if value_type is not None and (error := data_type_error(value_type)) is not None:
+            raise error
         self._value = normalize_typed_substitution(value, value_type)
         self._value_type = value_type
         self._evaluated: Any = None

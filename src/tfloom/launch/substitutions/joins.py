@@ -12,6 +12,7 @@ from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 from tfloom.launch.substitution import Substitution
 from tfloom.launch.substitutions.described import described
+from tfloom.launch.utilities.argument_errors import substitutions_error
 from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
 from tfloom.launch.utilities.perform_substitutions import perform_substitutions
 
@@ -29,6 +30,9 @@ class PathJoinSubstitution(Substitution):
     def __init__(self, substitutions: Iterable[SomeSubstitutionsType]) -> None:
         super().__init__()
         parts = [substitutions] if isinstance(substitutions, (str, Path, Substitution)) else substitutions
+        for part in parts:
+            if (error := substitutions_error("a part of the path", part)) is not None:
+                raise error
         self._parts = [normalize_to_list_of_substitutions(part) for part in parts]
 
     @classmethod

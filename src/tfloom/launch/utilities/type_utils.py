@@ -87,14 +87,26 @@ def extract_type(data_type: Any) -> tuple[Any, bool]:
     Raises:
         ValueError: the type is none of AllowedTypesTuple.
     """
-    is_list = is_typing_list(data_type)
-    scalar = data_type
-    if is_list:
-        items: tuple[Any, ...] = getattr(data_type, "__args__", ())
-        scalar = items[0] if len(items) == 1 else None
-    if not is_valid_scalar_type(scalar):
-        raise ValueError(f"Unrecognized data type: {data_type}")
-    return scalar, is_list
+    if (error := data_type_error(data_type)) is not None:
+        raise error
+    return _scalar_of(data_type), is_typing_list(data_type)
+
+
+def data_type_error(data_type: Any) -> ValueError | None:
+    """Return what `extract_type` raises, or None, for callers whose tracebacks shall be short."""
+    if is_valid_scalar_type(_scalar_of(data_type)):
+        return None
+    known = ", ".join(kind.__name__ for kind in ScalarTypesTuple)
+    return ValueError(
+        f"Unrecognized data type: {data_type}: it is one of {known}, or a list of one, as list[int]"
+    )
+
+
+def _scalar_of(data_type: Any) -> Any:
+    if not is_typing_list(data_type):
+        return data_type
+    items: tuple[Any, ...] = getattr(data_type, "__args__", ())
+    return items[0] if len(items) == 1 else None
 
 
 def _is_scalar(value: Any, scalar: type) -> bool:

@@ -26,7 +26,11 @@ from tfloom.node.executing.executor import executor_of
 from tfloom.node.executing.task import Future
 from tfloom.node.executing.waitable import NumberOfEntities
 from tfloom.node.qos.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
-from tfloom.node.values.type_support import check_is_valid_action_type
+from tfloom.node.values.callbacks import not_callable
+from tfloom.node.values.names import name_error
+from tfloom.node.values.node_errors import node_error
+from tfloom.node.values.numbers import timeout_error
+from tfloom.node.values.type_support import check_is_valid_action_type, wrong_fields
 from tfloom.rmw.action_names import (
     CANCEL_GOAL,
     FEEDBACK,
@@ -142,6 +146,10 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
         status_sub_qos_profile: QoSProfile = qos_profile_action_status_default,
     ) -> None:
         check_is_valid_action_type(action_type)
+        if (
+            error := node_error("ActionClient", node) or name_error(action_name, is_service=True)
+        ) is not None:
+            raise error
         self._node = node
         self._action_type: type[Any] = action_type
         self._action_name = action_name
@@ -193,6 +201,8 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
 
     def wait_for_server(self, timeout_sec: float | None = None) -> bool:
         """Wait until a server is ready; return False after `timeout_sec` [s] (None: no limit), or at shutdown."""
+        if (error := timeout_error("wait_for_server", timeout_sec)) is not None:
+            raise error
         end = None if timeout_sec is None else time.monotonic() + timeout_sec
         while self._node.context.ok():
             if self.server_is_ready():
@@ -222,7 +232,10 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
             TypeError: `goal` isn't of the action's goal type.
         """
         if not isinstance(goal, self._action_type.Goal):
-            raise TypeError(f"Expected {self._action_type.Goal}, got {type(goal)}")
+            written = f"{self._action_type.__name__}.Goal"
+            raise TypeError(wrong_fields(self._action_type.Goal, goal, "send a goal", written))
+        if feedback_callback is not None and not callable(feedback_callback):
+            raise TypeError(f"send_goal_async() needs a feedback callback, {not_callable(feedback_callback)}")
         goal_id = new_goal_id() if goal_uuid is None else goal_uuid
         key = key_of(goal_id)
         # All is registered before the request is sent: the goal's feedback and state are on topics of their own, and

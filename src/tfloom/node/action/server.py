@@ -21,9 +21,12 @@ from tfloom.node.endpoints.type_variables import FeedbackT, GoalT, ResultT
 from tfloom.node.executing.executors import await_or_execute
 from tfloom.node.executing.waitable import NumberOfEntities
 from tfloom.node.qos.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
+from tfloom.node.values.callbacks import not_callable
 from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.exceptions import InvalidHandle, RCLError
-from tfloom.node.values.type_support import check_is_valid_action_type
+from tfloom.node.values.names import name_error
+from tfloom.node.values.node_errors import node_error
+from tfloom.node.values.type_support import check_is_valid_action_type, wrong_fields
 from tfloom.rmw.action_names import (
     CANCEL_GOAL,
     FEEDBACK,
@@ -145,6 +148,10 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         forget_sent_results: bool = False,
     ) -> None:
         check_is_valid_action_type(action_type)
+        if (
+            error := node_error("ActionServer", node) or name_error(action_name, is_service=True)
+        ) is not None:
+            raise error
         self._node = node
         self._action_type: type[Any] = action_type
         self._result_timeout_ns = int(result_timeout * S_TO_NS)
@@ -157,10 +164,12 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         """Whether a thread publishes the states."""
         self._goal_handles: dict[bytes, ServerGoalHandle[GoalT, ResultT, FeedbackT]] = {}
         self._ended_ns: dict[bytes, int] = {}
-        self.register_execute_callback(execute_callback)
-        self.register_goal_callback(goal_callback)
-        self.register_handle_accepted_callback(handle_accepted_callback)
-        self.register_cancel_callback(cancel_callback)
+        self._execute_callback = _checked_callable(execute_callback, "execute")
+        self._goal_callback = _checked_callable(goal_callback, "goal", default_goal_callback)
+        self._handle_accepted_callback = _checked_callable(
+            handle_accepted_callback, "handle accepted", default_handle_accepted_callback
+        )
+        self._cancel_callback = _checked_callable(cancel_callback, "cancel", default_cancel_callback)
         carrier = self._action_type.Impl
         services = (
             (carrier.GetResultService, GET_RESULT, self._on_result, result_service_qos_profile),
@@ -193,20 +202,21 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
 
     def register_goal_callback(self, goal_callback: GoalCallback[GoalT] | None) -> None:
         """Set the callback that accepts or rejects goals; None: accept all."""
-        self._goal_callback = _checked_callable(goal_callback or default_goal_callback, "goal")
+        self._goal_callback = _checked_callable(goal_callback, "goal", default_goal_callback)
 
     def register_handle_accepted_callback(
         self, handle_accepted_callback: HandleAcceptedCallback[GoalT, ResultT, FeedbackT] | None
     ) -> None:
         """Set the callback for accepted goals; None: execute them."""
-        callback = handle_accepted_callback or default_handle_accepted_callback
-        self._handle_accepted_callback = _checked_callable(callback, "handle accepted")
+        self._handle_accepted_callback = _checked_callable(
+            handle_accepted_callback, "handle accepted", default_handle_accepted_callback
+        )
 
     def register_cancel_callback(
         self, cancel_callback: CancelCallback[GoalT, ResultT, FeedbackT] | None
     ) -> None:
         """Set the callback that accepts or rejects cancellation; None: reject."""
-        self._cancel_callback = _checked_callable(cancel_callback or default_cancel_callback, "cancel")
+        self._cancel_callback = _checked_callable(cancel_callback, "cancel", default_cancel_callback)
 
     # Goals
 
@@ -342,7 +352,8 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
     def publish_feedback(self, goal_id: UUID, feedback: Any) -> None:
         """Publish the feedback of a goal; goal handles call this."""
         if not isinstance(feedback, self._action_type.Feedback):
-            raise TypeError(f"Expected {self._action_type.Feedback}, got {type(feedback)}")
+            written = f"{self._action_type.__name__}.Feedback"
+            raise TypeError(wrong_fields(self._action_type.Feedback, feedback, "publish feedback", written))
         message = self._action_type.Impl.FeedbackMessage(goal_id=goal_id, feedback=feedback)
         with suppress(InvalidHandle):
             self._feedback.publish(message)
@@ -450,9 +461,11 @@ async def _raise_all(errors: list[Exception]) -> None:
     raise errors[0]
 
 
-def _checked_callable(callback: Any, what: str) -> Any:
+def _checked_callable(callback: Any, what: str, default: Any = None) -> Any:
+    """Return the callback, or the default for None, so that constructors and setters raise the same error."""
+    callback = callback or default
     if not callable(callback):
-        raise TypeError(f"Failed to register {what} callback: not callable")
+        raise TypeError(f"Failed to register {what} callback: not callable, {not_callable(callback)}")
     return callback
 
 

@@ -18,7 +18,11 @@ from tfloom.node.endpoints.service import Service
 from tfloom.node.endpoints.service_introspection import Introspection
 from tfloom.node.endpoints.subscription import Subscription, callback_error
 from tfloom.node.endpoints.type_variables import MsgType, SrvTypeRequest, SrvTypeResponse
-from tfloom.node.executing.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup
+from tfloom.node.executing.callback_groups import (
+    CallbackGroup,
+    MutuallyExclusiveCallbackGroup,
+    group_error,
+)
 from tfloom.node.executing.event_handler import (
     EventHandler,
     PublisherEventCallbacks,
@@ -29,7 +33,8 @@ from tfloom.node.executing.timer import Rate, Timer
 from tfloom.node.executing.waitable_entity import WaitableEntity
 from tfloom.node.log.rcutils_logger import RcutilsLogger
 from tfloom.node.parameters.node_parameters import NodeParameters
-from tfloom.node.parameters.parameter import Parameter, ParameterType, value_error
+from tfloom.node.parameters.parameter import Parameter, no_parameter_error
+from tfloom.node.parameters.parameter_declaration import warn_of_names_alone
 from tfloom.node.qos.qos import QoSProfile, qos_profile_parameter_events, qos_profile_services_default
 from tfloom.node.qos.qos_overriding_options import QoSOverridingOptions, apply_overrides
 from tfloom.node.values.callbacks import not_callable
@@ -41,8 +46,8 @@ from tfloom.node.values.names import name_error
 from tfloom.node.values.numbers import not_a_number
 from tfloom.node.values.time import check_fits_stamp
 from tfloom.node.values.type_support import (
-    check_is_valid_msg_type,
     check_is_valid_srv_type,
+    msg_type_error,
 )
 from tfloom.rmw.typed_names import service_of, topic_of
 from tfloom.rosidl.service import Service as ServiceType
@@ -293,6 +298,8 @@ class NodeBase:
         Raises:
             InvalidTopicNameException: the name isn't valid.
         """
+        if (error := name_error(topic)) is not None:
+            raise error
         return self.__graph.resolve_topic_name(topic, only_expand=only_expand)
 
     def resolve_service_name(self, service: str, *, only_expand: bool = False) -> str:
@@ -301,6 +308,8 @@ class NodeBase:
         Raises:
             InvalidServiceNameException: the name isn't valid.
         """
+        if (error := name_error(service, is_service=True)) is not None:
+            raise error
         return self.__graph.resolve_service_name(service, only_expand=only_expand)
 
     def get_node_names(self) -> list[str]:
@@ -321,6 +330,9 @@ class NodeBase:
 
     def wait_for_node(self, fully_qualified_node_name: str, timeout: float) -> bool:
         """Wait until a node is on the graph; False if it isn't after `timeout` [s]."""
+        if not isinstance(fully_qualified_node_name, str):
+            given = f"{fully_qualified_node_name!r} of class {type(fully_qualified_node_name).__name__}"
+            raise TypeError(f"wait_for_node() needs the full name of a node, as '/turtlesim', got {given}")
         return self.__graph.wait_for_node(fully_qualified_node_name, timeout)
 
     def _wire(self) -> tuple[Participant, NodeName]:
@@ -370,10 +382,14 @@ class NodeBase:
 
     def count_services(self, service_name: str) -> int:
         """Return how many servers a service has; the name is expanded and remapped."""
+        if (error := name_error(service_name, is_service=True)) is not None:
+            raise error
         return self.__graph.count_services(service_name)
 
     def count_clients(self, service_name: str) -> int:
         """Return how many clients a service has; the name is expanded and remapped."""
+        if (error := name_error(service_name, is_service=True)) is not None:
+            raise error
         return self.__graph.count_clients(service_name)
 
     def count_publishers(self, topic_name: str) -> int:
@@ -382,6 +398,8 @@ class NodeBase:
         Raises:
             InvalidTopicNameException: the name isn't valid.
         """
+        if (error := name_error(topic_name)) is not None:
+            raise error
         return self.__graph.count_publishers(topic_name)
 
     def count_subscribers(self, topic_name: str) -> int:
@@ -390,6 +408,8 @@ class NodeBase:
         Raises:
             InvalidTopicNameException: the name isn't valid.
         """
+        if (error := name_error(topic_name)) is not None:
+            raise error
         return self.__graph.count_subscribers(topic_name)
 
     def get_publishers_info_by_topic(
@@ -404,6 +424,8 @@ class NodeBase:
         Raises:
             InvalidTopicNameException: the name isn't valid.
         """
+        if not no_mangle and (error := name_error(topic_name)) is not None:
+            raise error
         return self.__graph.get_publishers_info_by_topic(topic_name, no_mangle)
 
     def get_subscriptions_info_by_topic(
@@ -418,6 +440,8 @@ class NodeBase:
         Raises:
             InvalidTopicNameException: the name isn't valid.
         """
+        if not no_mangle and (error := name_error(topic_name)) is not None:
+            raise error
         return self.__graph.get_subscriptions_info_by_topic(topic_name, no_mangle)
 
     # Parameters
@@ -445,9 +469,12 @@ class NodeBase:
             InvalidParameterTypeException: the value given on the command line is of another type.
             InvalidParameterValueException: the initial value is out of range, or rejected by a callback.
         """
-        if not isinstance(value, ParameterType) and (error := value_error(value)) is not None:
+        only_name = value is None and descriptor is None
+        declaration = (name,) if only_name else (name, value, descriptor or rcl_msg.ParameterDescriptor())
+        if (error := self.__parameters.declaration_error("", [declaration])) is not None:
             raise error
-        return self.__parameters.declare_parameter(name, value, descriptor, ignore_override)
+        warn_of_names_alone("", [declaration])
+        return self.__parameters.declare_parameters("", [declaration], ignore_override)[0]
 
     def declare_parameters(
         self,
@@ -468,6 +495,9 @@ class NodeBase:
                 type, and no dynamic typing.
             ParameterException: as from `declare_parameter`; the tuples before it in the list are then declared.
         """
+        if (error := self.__parameters.declaration_error(namespace, parameters)) is not None:
+            raise error
+        warn_of_names_alone(namespace, parameters)
         return self.__parameters.declare_parameters(namespace, parameters, ignore_override)
 
     def undeclare_parameter(self, name: str) -> None:
@@ -499,7 +529,10 @@ class NodeBase:
             TypeError: `names` isn't a list of strings.
             ParameterException: as from `get_parameter`.
         """
-        return self.__parameters.get_parameters(names)
+        if not all(isinstance(name, str) for name in names):
+            raise TypeError("All names must be instances of type str")
+        parameters = self.__parameters
+        return list(map(parameters.get_parameter, names))
 
     def get_parameter_or(self, name: str, alternative_value: Parameter | None = None) -> Parameter:
         """Return a parameter; if it is undeclared or has no value, the alternative (None: one without value)."""
@@ -550,7 +583,14 @@ class NodeBase:
             ParameterNotDeclaredException: one isn't declared, and the node doesn't allow undeclared ones; those
                 before it are then set.
         """
-        return self.__parameters.set_parameters(parameter_list)
+        if isinstance(parameter_list, Parameter) and (no_list := no_parameter_error(parameter_list)):
+            raise no_list
+        results: list[rcl_msg.SetParametersResult] = []
+        for parameter in parameter_list:
+            if (error := self.__parameters.setting_error([parameter])) is not None:
+                raise error
+            results.append(self.__parameters.set_atomically([parameter]))
+        return results
 
     def set_parameters_atomically(self, parameter_list: list[Parameter]) -> rcl_msg.SetParametersResult:
         """Set all parameters, or none of them if one is rejected.
@@ -559,7 +599,9 @@ class NodeBase:
             TypeError: an item is not a Parameter.
             ParameterNotDeclaredException: one isn't declared, and the node doesn't allow undeclared ones.
         """
-        return self.__parameters.set_parameters_atomically(parameter_list)
+        if (error := self.__parameters.setting_error(parameter_list)) is not None:
+            raise error
+        return self.__parameters.set_atomically(parameter_list)
 
     def set_descriptor(
         self,
@@ -665,8 +707,9 @@ class NodeBase:
             InvalidQosOverridesError: the parameters give an invalid profile.
             UnsupportedEventTypeError: the wire doesn't support an event that there is a callback for.
         """
-        check_is_valid_msg_type(msg_type)
-        if (error := name_error(topic) or _profile_error(qos_profile)) is not None:
+        error = msg_type_error(msg_type) or name_error(topic) or _profile_error(qos_profile)
+        error = error or group_error(callback_group)
+        if error is not None:
             raise error
         name = self.resolve_topic_name(topic)
         profile = self.__profile("publisher", name, qos_profile, qos_overriding_options)
@@ -749,9 +792,8 @@ class NodeBase:
             RuntimeError: `callback` takes neither one argument nor two.
             UnsupportedEventTypeError: the wire doesn't support an event that there is a callback for.
         """
-        check_is_valid_msg_type(msg_type)
-        error = name_error(topic) or _profile_error(qos_profile) or callback_error(callback)
-        if error is not None:
+        error = msg_type_error(msg_type) or name_error(topic) or _profile_error(qos_profile)
+        if (error := error or callback_error(callback) or group_error(callback_group)) is not None:
             raise error
         name = self.resolve_topic_name(topic)
         profile = self.__profile("subscription", name, qos_profile, qos_overriding_options)
@@ -813,7 +855,7 @@ class NodeBase:
             TypeError: `callback` can't be called.
         """
         check_is_valid_srv_type(srv_type)
-        if (error := name_error(srv_name, is_service=True)) is not None:
+        if (error := name_error(srv_name, is_service=True) or group_error(callback_group)) is not None:
             raise error
         if not callable(callback):
             raise TypeError(f"create_service() needs a callback, {not_callable(callback)}")
@@ -921,6 +963,10 @@ class NodeBase:
             warnings.warn(f"create_timer() has no callback, {not_callable(None)}", stacklevel=2)
         elif not callable(callback):
             raise TypeError(f"create_timer() needs a callback, {not_callable(callback)}")
+        if period_s < 0:
+            raise ValueError(f"timer period must be non-negative, not {period_s} s")
+        if (wrong_group := group_error(callback_group)) is not None:
+            raise wrong_group
         return self.__create_timer(period_s, callback, callback_group, clock, autostart=autostart)
 
     def __create_timer(
@@ -943,6 +989,8 @@ class NodeBase:
         self, callback: Callable[[], Any], callback_group: CallbackGroup | None = None
     ) -> GuardCondition:
         """Create a guard condition, whose callback runs after each trigger."""
+        if (error := group_error(callback_group)) is not None:
+            raise error
         group = callback_group or self.default_callback_group
         return self.__entities.add(GuardCondition(callback, group, context=self.context))
 

@@ -147,6 +147,11 @@ class Clock(ReadableClock):
             ValueError: `until` has another clock type.
             NotInitializedException: the context isn't initialised.
         """
+        if not hasattr(until, "clock_type"):
+            raise AttributeError(
+                f"sleep_until() needs a Time, got {until!r} of class {type(until).__name__}: "
+                "write clock.now() + Duration(seconds=…)"
+            )
         context = context or get_default_context()
         if not context.ok():
             raise NotInitializedException
@@ -179,6 +184,14 @@ class Clock(ReadableClock):
 
     def sleep_for(self, rel_time: Duration, context: Context | None = None) -> bool:
         """Wait for a duration by this clock; results and errors as of `sleep_until`."""
+        if not isinstance(rel_time, Duration):
+            meant = (
+                f"Duration(seconds={rel_time})"
+                if isinstance(rel_time, (int, float))
+                else "Duration(seconds=…)"
+            )
+            given = f"{rel_time!r} of class {type(rel_time).__name__}"
+            raise TypeError(f"sleep_for() needs a Duration, got {given}: write {meant}")
         return self.sleep_until(self.now() + rel_time, context)
 
     def _is_simulated(self) -> bool:

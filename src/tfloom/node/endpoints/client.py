@@ -20,6 +20,8 @@ from tfloom.node.executing.entity import Entity
 from tfloom.node.executing.task import Future
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
 from tfloom.node.values.exceptions import RCLError
+from tfloom.node.values.numbers import timeout_error
+from tfloom.node.values.type_support import wrong_fields
 from tfloom.rmw.base import RequestId
 from tfloom.rmw.waiting import LOOK_AGAIN_S, wait_for_token, wait_until_ready
 from tfloom.rosidl import cdr
@@ -246,7 +248,8 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
             ForkedProcessError: this process is a fork of the one that created the client.
         """
         if not isinstance(request, self.srv_type.Request):
-            raise TypeError(f"Expected {self.srv_type.Request}, got {type(request)}")
+            written = f"{self.srv_type.__name__}.Request"
+            raise TypeError(wrong_fields(self.srv_type.Request, request, "send a request", written))
         self._context.check_not_from_parent_process(f"cannot call {self.service_name}")
         data = cdr.encode(request)
         future: ResponseFuture[SrvTypeResponse] = ResponseFuture()
@@ -405,7 +408,12 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
 
         Returns:
             True if a server is ready; False after the timeout, or at shutdown.
+
+        Raises:
+            TypeError: `timeout_sec` is no number.
         """
+        if (error := timeout_error("wait_for_service", timeout_sec)) is not None:
+            raise error
         end_s = math.inf if timeout_sec is None else time.monotonic() + timeout_sec
         queue = ReadyQueue()
         self._context.add_queue(queue)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import reprlib
 import threading
 import weakref
 from typing import TYPE_CHECKING, Any
@@ -9,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-__all__ = ["CallbackGroup", "MutuallyExclusiveCallbackGroup", "ReentrantCallbackGroup"]
+__all__ = ["CallbackGroup", "MutuallyExclusiveCallbackGroup", "ReentrantCallbackGroup", "group_error"]
 
 
 class CallbackGroup:
@@ -114,3 +115,15 @@ class MutuallyExclusiveCallbackGroup(CallbackGroup):
         with self._lock:
             if self._active_entity is entity:
                 self._active_entity = None
+
+
+def group_error(group: object) -> AttributeError | None:
+    """Return the error of a `callback_group` that is neither None nor a group, or None if it is one of them."""
+    if isinstance(group, type):
+        return AttributeError(
+            f"expected a callback group, got the class {group.__name__}: write {group.__name__}()"
+        )
+    if group is None or hasattr(group, "add_entity"):
+        return None
+    given = f"{reprlib.repr(group)} of class {type(group).__name__}"
+    return AttributeError(f"expected a callback group, as ReentrantCallbackGroup(), got {given}")

@@ -20,10 +20,12 @@ from tfloom.node.executing.executor_exceptions import (
 )
 from tfloom.node.executing.running_work import RunningWork
 from tfloom.node.executing.signals import shutdown_exception
-from tfloom.node.executing.task import Future, Task
+from tfloom.node.executing.task import Future, Task, future_error
 from tfloom.node.executing.work_queue import MAX_BATCH_SIZE, Work, WorkQueue
 from tfloom.node.values.callback_errors import report_exception
 from tfloom.node.values.exceptions import ExternalShutdownException
+from tfloom.node.values.node_errors import node_error
+from tfloom.node.values.numbers import timeout_error
 
 if TYPE_CHECKING:
     from typing_extensions import Self
@@ -135,6 +137,8 @@ class Executor(WorkQueue):
 
     def add_node(self, node: SpunNode) -> bool:
         """Add a node; return False if it was added before. A node in another executor is removed from that one."""
+        if (error := node_error("add_node", node)) is not None:
+            raise error
         node.get_name()  # raises, before anything is changed, where the node's `__init__` has not run
         with self._lock:
             if self._is_shutdown:
@@ -386,10 +390,15 @@ class Executor(WorkQueue):
 
         Return without either after `timeout_sec` [s] (None, negative: no limit).
         """
+        if (error := timeout_error("spin_once", timeout_sec)) is not None:
+            raise error
         self._spin_once(_end_ns(timeout_sec))
 
     def spin_until_future_complete(self, future: Future[Any], timeout_sec: float | None = None) -> None:
         """Run callbacks until a future is done, or for `timeout_sec` [s] (None, negative: no limit)."""
+        error = future_error(future) or timeout_error("spin_until_future_complete", timeout_sec)
+        if error is not None:
+            raise error
         with self._long_spin():
             self._spin_until(future, timeout_sec)
 

@@ -97,6 +97,9 @@ class MultiThreadedExecutor(Executor):
     """
 
     def __init__(self, num_threads: int | None = None, *, context: Context | None = None) -> None:
+        if num_threads is not None and not isinstance(num_threads, int):
+            given = f"{num_threads!r} of class {type(num_threads).__name__}"
+            raise TypeError(f"MultiThreadedExecutor needs a number of threads, as 4, got {given}")
         if num_threads is not None and num_threads < 1:
             raise ValueError(f"a MultiThreadedExecutor needs at least one thread, not {num_threads}")
         super().__init__(context=context)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import reprlib
 import sys
 import threading
 import weakref
@@ -11,7 +12,7 @@ from typing import Any, Generic, Protocol, TypeVar, cast
 from tfloom.node.executing.asyncio_wait import is_driven_by_asyncio, step, wait_in_asyncio
 from tfloom.node.values.callback_errors import call_all
 
-__all__ = ["Future", "Task", "TaskRunner"]
+__all__ = ["Future", "Task", "TaskRunner", "future_error"]
 
 T = TypeVar("T")
 
@@ -21,6 +22,14 @@ class TaskRunner(Protocol):
 
     def create_task(self, callback: Callable[..., Any], /, *args: Any) -> Any:
         """Call `callback(*args)` on a thread that runs callbacks."""
+
+
+def future_error(future: object) -> TypeError | None:
+    """Return the error of what `spin_until_future_complete` got in place of a future, or None if it is one."""
+    if hasattr(future, "when_complete") and not isinstance(future, type):
+        return None
+    given = "None" if future is None else f"{reprlib.repr(future)} of class {type(future).__name__}"
+    return TypeError(f"spin_until_future_complete() needs a future, as `call_async` returns it, got {given}")
 
 
 class Future(Generic[T]):

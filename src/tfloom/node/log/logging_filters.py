@@ -10,7 +10,7 @@ from tfloom.node.log.logging_severity import LoggingSeverity
 from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.readable_clock import ReadableClock
 
-__all__ = ["CallState", "CallerId", "check_options"]
+__all__ = ["CallState", "CallerId", "options_error"]
 
 _PARAMETERS = {
     "once": "once",
@@ -98,28 +98,25 @@ def _filters(options: dict[str, Any]) -> set[str]:
     return {_PARAMETERS[name] for name, value in options.items() if value}
 
 
-def check_options(options: dict[str, Any]) -> None:
-    """Check the options of a logger call.
-
-    Raises:
-        TypeError: an option is unknown, lacks an option that it requires, or has a value of the wrong type.
-    """
+def options_error(options: dict[str, Any]) -> TypeError | ValueError | None:
+    """Return the error of the options of a logger call: one is unknown, lacks another, or is of the wrong type."""
     for name in options:
         if name not in _PARAMETERS:
             option_names = ", ".join(_PARAMETERS)
-            raise TypeError(
+            return TypeError(
                 f'parameter "{name}" is not one of the recognized logging options "{option_names}"'
             )
     period_s = options.get("throttle_duration_sec")
     clock = options.get("throttle_time_source_type")
     if period_s is not None and not hasattr(period_s, "__float__"):
-        raise TypeError(f"throttle_duration_sec must be a number of seconds, not {type(period_s).__name__}")
+        return TypeError(f"throttle_duration_sec must be a number of seconds, not {type(period_s).__name__}")
     if clock is not None and period_s is None:
-        raise TypeError(
+        return TypeError(
             'required parameter "throttle_duration_sec" not specified but is required for the the logging filter '
             '"throttle"'
         )
     if clock is not None and not isinstance(clock, ReadableClock):
-        raise ValueError(  # as in rclpy
+        return ValueError(  # as in rclpy
             f'Received throttle_time_source_type of "{clock}" is not a clock instance'
         )
+    return None

@@ -7,7 +7,7 @@ from typing import Any
 
 from tfloom.node.log import log_output
 from tfloom.node.log.log_output import Record
-from tfloom.node.log.logging_filters import CallerId, CallState, check_options
+from tfloom.node.log.logging_filters import CallerId, CallState, options_error
 from tfloom.node.log.logging_severity import LoggingSeverity
 
 __all__ = ["CallerId", "RcutilsLogger"]
@@ -44,8 +44,17 @@ class RcutilsLogger:
         return RcutilsLogger(f"{self.name}.{name}" if self.name else name)
 
     def set_level(self, level: LoggingSeverity | int) -> None:
-        """Set the least severity to log; UNSET: that of the nearest name above that has a level."""
-        log_output.set_level(self.name, LoggingSeverity(level))
+        """Set the least severity to log; UNSET: that of the nearest name above that has a level.
+
+        Raises:
+            ValueError: there is no such severity.
+        """
+        try:
+            severity = LoggingSeverity(level)
+        except ValueError as error:
+            names = ", ".join(known.name for known in LoggingSeverity)
+            raise ValueError(f"{error}: write LoggingSeverity.NAME, with a name of {names}") from None
+        log_output.set_level(self.name, severity)
 
     def get_effective_level(self) -> LoggingSeverity:
         """Return the least severity that is logged."""
@@ -98,7 +107,8 @@ class RcutilsLogger:
             caller = CallerId(frame.f_code, frame.f_lineno, frame.f_lasti)
             state = self._states.get(caller)
             if state is None:
-                check_options(options)
+                if (error := options_error(options)) is not None:
+                    raise error
                 state = self._states[caller] = CallState(severity, name, options)
             else:
                 state.check_unchanged(severity, name, options)

@@ -17,8 +17,18 @@ from tfloom.node.parameters.exceptions import (
     ParameterNotDeclaredException,
     ParameterUninitializedException,
 )
-from tfloom.node.parameters.parameter import PARAMETER_SEPARATOR_STRING, Parameter, ParameterType
-from tfloom.node.parameters.parameter_declaration import Declaration, read_declarations
+from tfloom.node.parameters.parameter import (
+    PARAMETER_SEPARATOR_STRING,
+    Parameter,
+    ParameterType,
+    no_parameter_error,
+)
+from tfloom.node.parameters.parameter_declaration import (
+    Declaration,
+    declaration_error,
+    full_name,
+    read_declarations,
+)
 from tfloom.node.parameters.parameter_rules import check_against_descriptor
 from tfloom.node.values.callback_errors import call_all
 
@@ -74,12 +84,6 @@ class NodeParameters:
         if parameter.type_ is ParameterType.NOT_SET and not self.descriptors[name].dynamic_typing:
             raise ParameterUninitializedException(name)
         return parameter
-
-    def get_parameters(self, names: list[str]) -> list[Parameter]:
-        """Return the parameters of these names, each as `get_parameter` does."""
-        if not all(isinstance(name, str) for name in names):
-            raise TypeError("All names must be instances of type str")
-        return [self.get_parameter(name) for name in names]
 
     def get_parameter_or(self, name: str, alternative_value: Parameter | None = None) -> Parameter:
         """Return a parameter; if it is undeclared or has no value, the alternative (None: one without value)."""
@@ -146,18 +150,14 @@ class NodeParameters:
 
     # Declaring
 
-    def declare_parameter(
-        self,
-        name: str,
-        value: Any = None,
-        descriptor: rcl_msg.ParameterDescriptor | None = None,
-        ignore_override: bool = False,
-    ) -> Parameter:
-        """Declare one parameter, and return it with its initial value."""
-        if value is None and descriptor is None:
-            return self.declare_parameters("", [(name,)], ignore_override)[0]
-        descriptor = rcl_msg.ParameterDescriptor() if descriptor is None else descriptor
-        return self.declare_parameters("", [(name, value, descriptor)], ignore_override)[0]
+    def declaration_error(self, namespace: str, parameters: Sequence[tuple[Any, ...]]) -> Exception | None:
+        """Return what `declare_parameters` raises of its arguments, or None, for callers whose tracebacks are short."""
+        if (error := declaration_error(namespace, parameters)) is not None:
+            return error
+        names = [full_name(namespace, entry[0]) for entry in parameters]
+        if declared_names := [name for name in names if name in self.parameters]:
+            return ParameterAlreadyDeclaredException(declared_names)
+        return None if all(names) else InvalidParameterException("")
 
     def declare_parameters(
         self,
@@ -208,31 +208,19 @@ class NodeParameters:
 
     # Setting
 
-    def set_parameters(self, parameter_list: list[Parameter]) -> list[rcl_msg.SetParametersResult]:
-        """Set parameters one by one, and return a result for each: successful, or rejected with a reason."""
-        results: list[rcl_msg.SetParametersResult] = []
-        for parameter in parameter_list:
-            self._check_declared([parameter])
-            results.append(self._set_atomically([parameter]))
-        return results
-
-    def set_parameters_atomically(self, parameter_list: list[Parameter]) -> rcl_msg.SetParametersResult:
-        """Set all parameters, or none of them if one is rejected."""
-        self._check_declared(parameter_list)
-        return self._set_atomically(parameter_list)
-
-    def _check_declared(self, parameters: Sequence[Parameter]) -> None:
-        if not all(isinstance(parameter, Parameter) for parameter in parameters):
-            raise TypeError("parameter must be instance of type 'rclpy.parameter.Parameter'")
+    def setting_error(self, parameters: Sequence[Parameter]) -> Exception | None:
+        """Return the error of parameters that can't be set, or None, for callers whose tracebacks shall be short."""
+        if (error := no_parameter_error(parameters)) is not None:
+            return error
         if self.allow_undeclared:
-            return
+            return None
         undeclared_names = [
             parameter.name for parameter in parameters if parameter.name not in self.parameters
         ]
-        if undeclared_names:
-            raise ParameterNotDeclaredException(undeclared_names)
+        return ParameterNotDeclaredException(undeclared_names) if undeclared_names else None
 
-    def _set_atomically(self, parameters: list[Parameter]) -> rcl_msg.SetParametersResult:
+    def set_atomically(self, parameters: list[Parameter]) -> rcl_msg.SetParametersResult:
+        """Set all parameters, or none of them if one is rejected; `setting_error` has none of them."""
         with self._lock:
             for pre_callback in self.pre_set_callbacks:
                 parameters = pre_callback(parameters)
@@ -242,7 +230,8 @@ class NodeParameters:
                         "modifying the original parameters list."
                     )
                     return rcl_msg.SetParametersResult(successful=False, reason=reason)
-            self._check_declared(parameters)
+            if (error := self.setting_error(parameters)) is not None:
+                raise error
             descriptors = {parameter.name: self._descriptor_for(parameter.name) for parameter in parameters}
             return self._apply(parameters, descriptors, check_read_only=True)
 

@@ -65,6 +65,20 @@ def value_error(value: Any) -> TypeError | None:
     return None if any(check(value) for check in _CHECKS.values()) else _no_type(value)
 
 
+def no_parameter_error(parameters: Any) -> TypeError | None:
+    """Return the error of what is not a sequence of Parameter objects, or None if it is one."""
+    if isinstance(parameters, Parameter):
+        return TypeError("'Parameter' object is not iterable: put it in brackets, [Parameter(…)]")
+    for parameter in parameters:
+        if not isinstance(parameter, Parameter):
+            given = f"{reprlib.repr(parameter)} of class {type(parameter).__name__}"
+            return TypeError(
+                f"parameter must be instance of type 'rclpy.parameter.Parameter', got {given}: "
+                "write [Parameter('name', value=1.0)]"
+            )
+    return None
+
+
 def _no_type(value: Any) -> TypeError:
     names = ", ".join(kind.name for kind in ParameterType)
     given = f"{reprlib.repr(value)} of class {type(value).__name__}"

@@ -12,9 +12,10 @@ from tfloom.node.parameters.parameter import (
     Parameter,
     ParameterType,
     parameter_value_to_python,
+    value_error,
 )
 
-__all__ = ["Declaration", "read_declarations"]
+__all__ = ["Declaration", "declaration_error", "full_name", "read_declarations", "warn_of_names_alone"]
 
 
 class Declaration(NamedTuple):
@@ -34,56 +35,87 @@ def read_declarations(namespace: str, parameters: Sequence[tuple[Any, ...]]) -> 
         ValueError: a type is NOT_SET, or given together with dynamic typing; or there is neither value nor type,
             and no dynamic typing.
     """
-    return [_read_declaration(index, namespace, parameter) for index, parameter in enumerate(parameters)]
+    if (error := declaration_error(namespace, parameters)) is not None:
+        raise error
+    return [_read_declaration(namespace, entry) for entry in parameters]
 
 
-def _read_declaration(index: int, namespace: str, entry: tuple[Any, ...]) -> Declaration:
-    where = f"at index {index} in parameters list: {entry}"
-    if not 1 <= len(entry) <= 3:
-        raise TypeError(f"Invalid parameter tuple length {where}; expecting length between 1 and 3")
+def declaration_error(namespace: str, parameters: Sequence[tuple[Any, ...]]) -> Exception | None:
+    """Return what `read_declarations` raises, or None, for callers whose tracebacks shall be short."""
+    for index, entry in enumerate(parameters):
+        where = f"at index {index} in parameters list: {entry}"
+        if not isinstance(entry, (tuple, list)):
+            return TypeError(
+                f"Expected a tuple of a name, and a value or a type, {where}: write ('speed', 1.0)"
+            )
+        if not 1 <= len(entry) <= 3:
+            return TypeError(f"Invalid parameter tuple length {where}; expecting length between 1 and 3")
+        name, value, descriptor = [*entry, None, None][:3]
+        if not isinstance(name, str):
+            return TypeError(f"Expected string as name {where}")
+        if descriptor is not None and not isinstance(descriptor, rcl_msg.ParameterDescriptor):
+            return TypeError(f"Expected a ParameterDescriptor as third item {where}")
+        is_dynamic = len(entry) == 1 or (descriptor is not None and descriptor.dynamic_typing)
+        if (error := _type_error(full_name(namespace, name), value, is_dynamic=is_dynamic)) is not None:
+            return error
+    return None
+
+
+def full_name(namespace: str, name: str) -> str:
+    """Return a parameter's name below a namespace; "" is none."""
+    return f"{namespace}{PARAMETER_SEPARATOR_STRING}{name}" if namespace else name
+
+
+def warn_of_names_alone(namespace: str, parameters: Sequence[tuple[Any, ...]]) -> None:
+    """Warn of tuples that have only a name, at the line that called the caller."""
+    for entry in parameters:
+        if len(entry) == 1:
+            name = full_name(namespace, entry[0])
+            warnings.warn(
+                f"when declaring parameter named '{name}', declaring a parameter only providing its name is "
+                "deprecated. You have to either:\n"
+                '\t- Pass a name and a default value different to "PARAMETER NOT SET" (and optionally a descriptor).\n'
+                "\t- Pass a name and a parameter type.\n"
+                "\t- Pass a name and a descriptor with `dynamic_typing=True",
+                stacklevel=3,
+            )
+
+
+def _read_declaration(namespace: str, entry: tuple[Any, ...]) -> Declaration:
     name, value, descriptor = [*entry, None, None][:3]
-    if not isinstance(name, str):
-        raise TypeError(f"Expected string as name {where}")
-    if namespace:
-        name = f"{namespace}{PARAMETER_SEPARATOR_STRING}{name}"
+    name = full_name(namespace, name)
     if descriptor is None:
         descriptor = rcl_msg.ParameterDescriptor()
-    if not isinstance(descriptor, rcl_msg.ParameterDescriptor):
-        raise TypeError(f"Expected a ParameterDescriptor as third item {where}")
     if len(entry) == 1:
-        _warn_of_name_alone(name)
         descriptor.dynamic_typing = True
     return Declaration(name, _settle_type(name, value, descriptor), descriptor)
+
+
+def _type_error(name: str, value: Any, *, is_dynamic: bool) -> Exception | None:
+    if isinstance(value, ParameterType):
+        if value is ParameterType.NOT_SET:
+            return ValueError(f"Cannot declare parameter {{{name}}} as statically typed of type NOT_SET")
+        if is_dynamic:
+            return ValueError(
+                f"When declaring parameter {{{name}}} passing a descriptor with`dynamic_typing=True` "
+                "is not allowed when the parameter type is provided"
+            )
+        return None
+    if isinstance(value, rcl_msg.ParameterValue):
+        value = parameter_value_to_python(value)
+    if value is None and not is_dynamic:
+        return ValueError(
+            "Cannot declare a statically typed parameter with default value of type PARAMETER_NOT_SET"
+        )
+    return value_error(value)
 
 
 def _settle_type(name: str, value: Any, descriptor: rcl_msg.ParameterDescriptor) -> Any:
     """Write the type into the descriptor, and return the default."""
     if isinstance(value, ParameterType):
-        if value is ParameterType.NOT_SET:
-            raise ValueError(f"Cannot declare parameter {{{name}}} as statically typed of type NOT_SET")
-        if descriptor.dynamic_typing:
-            raise ValueError(
-                f"When declaring parameter {{{name}}} passing a descriptor with`dynamic_typing=True` "
-                "is not allowed when the parameter type is provided"
-            )
         descriptor.type = value.value
         return None
     if isinstance(value, rcl_msg.ParameterValue):
         value = parameter_value_to_python(value)
-    if value is None and not descriptor.dynamic_typing:
-        raise ValueError(
-            "Cannot declare a statically typed parameter with default value of type PARAMETER_NOT_SET"
-        )
     descriptor.type = Parameter(name, value=value).type_.value
     return value
-
-
-def _warn_of_name_alone(name: str) -> None:
-    warnings.warn(
-        f"when declaring parameter named '{name}', declaring a parameter only providing its name is deprecated. "
-        "You have to either:\n"
-        '\t- Pass a name and a default value different to "PARAMETER NOT SET" (and optionally a descriptor).\n'
-        "\t- Pass a name and a parameter type.\n"
-        "\t- Pass a name and a descriptor with `dynamic_typing=True",
-        stacklevel=5,
-    )

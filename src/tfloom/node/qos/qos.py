@@ -79,7 +79,7 @@ LivelinessLeaseDurationeBestAvailable = BEST_AVAILABLE_DURATION  # rclpy's spell
 
 def _checked_number(value: Any, name: str) -> int:
     if isinstance(value, bool) or not isinstance(value, int):
-        raise TypeError(f"{name} must be an int, not {type(value).__name__}")
+        raise TypeError(f"{name} must be an int, as 10, got {value!r} of class {type(value).__name__}")
     if value < 0:
         raise ValueError(f"{name} must be greater than or equal to zero")
     return value
@@ -87,7 +87,9 @@ def _checked_number(value: Any, name: str) -> int:
 
 def _checked_duration(value: Any, name: str) -> Duration:
     if not isinstance(value, Duration):
-        raise TypeError(f"{name} must be a Duration, not {type(value).__name__}")
+        given = f"{value!r} of class {type(value).__name__}"
+        meant = f"Duration(seconds={value})" if isinstance(value, (int, float)) else "Duration(seconds=…)"
+        raise TypeError(f"{name} must be a Duration, got {given}: write {meant}")
     return value
 
 
@@ -97,12 +99,15 @@ def _checked_flag(value: Any, name: str) -> bool:
     return value
 
 
-def _policy_converter(kind: Callable[[Any], Any]) -> Callable[[Any, str], Any]:
+def _policy_converter(kind: type[IntEnum]) -> Callable[[Any, str], Any]:
     def convert(value: Any, name: str) -> Any:
         try:
             return kind(value)
         except ValueError:
-            raise ValueError(f"{name} has no policy {value!r}") from None
+            known = ", ".join(policy.name for policy in kind)
+            raise ValueError(
+                f"{name} has no policy {value!r}: write {kind.__name__}.NAME, with a name of {known}"
+            ) from None
 
     return convert
 
@@ -167,7 +172,9 @@ class QoSProfile:
             raise TypeError(f"Invalid arguments passed to constructor: {', '.join(sorted(unknown_names))}")
         if "history" not in kwargs and "depth" not in kwargs:
             raise InvalidQoSProfileException("History and/or depth settings are required.")
-        _set_fields(self, kwargs)
+        # As `_set_fields`, written here because a wrong argument's traceback is to be short.
+        for name, (default, convert) in _FIELDS.items():
+            setattr(self, f"_{name}", convert(kwargs.get(name, default), name))
         if "depth" in kwargs:
             self._warn_of_no_depth()
         if self.history == HistoryPolicy.KEEP_LAST and "depth" not in kwargs:

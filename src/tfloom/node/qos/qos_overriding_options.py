@@ -169,5 +169,5 @@ def _declared_value(
     parameters: NodeParameters, name: str, default: Any, descriptor: ParameterDescriptor
 ) -> Any:
     if not parameters.has_parameter(name):
-        parameters.declare_parameter(name, default, descriptor)
+        parameters.declare_parameters("", [(name, default, descriptor)])
     return parameters.get_parameter(name).value

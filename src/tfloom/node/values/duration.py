@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Protocol
 
 from tfloom.node.values.constants import INT64_MAX, S_TO_NS
-from tfloom.node.values.numbers import not_a_number
+from tfloom.node.values.numbers import given_time, no_time_of, not_a_number
 
 if TYPE_CHECKING:
     from tfloom.interfaces.builtin_interfaces import msg as builtin_msg
@@ -31,6 +31,7 @@ class Duration:
     Raises:
         OverflowError: the sum doesn't fit 64 bits (about 292 years).
         ValueError: `seconds` is a text.
+        TypeError: a part is no number.
     """
 
     __slots__ = ("_ns",)
@@ -38,7 +39,10 @@ class Duration:
     def __init__(self, *, seconds: float = 0, nanoseconds: int = 0) -> None:
         if isinstance(seconds, str):  # whose product would be a text of a gigabyte
             raise ValueError(f"Duration {not_a_number('seconds', seconds)}")  # noqa: TRY004, the reference's kind
-        total = int(seconds * S_TO_NS) + int(nanoseconds)
+        try:
+            total = int(seconds * S_TO_NS) + int(nanoseconds)
+        except TypeError:
+            raise TypeError(no_time_of("Duration", seconds, nanoseconds)) from None
         if not -INT64_MAX - 1 <= total <= INT64_MAX:
             raise OverflowError("Total nanoseconds value is too large to store in C duration.")
         self._ns = total
@@ -69,7 +73,7 @@ class Duration:
         from tfloom.interfaces.builtin_interfaces import msg as builtin_msg
 
         if not isinstance(msg, builtin_msg.Duration):
-            raise TypeError("Must pass a builtin_interfaces.msg.Duration object")
+            raise TypeError(f"Must pass a builtin_interfaces.msg.Duration object{given_time(msg)}")
         return cls(nanoseconds=msg.sec * S_TO_NS + msg.nanosec)
 
     def __repr__(self) -> str:

@@ -22,6 +22,7 @@ __all__ = [
     "expand_topic_name",
     "full_node_name",
     "name_error",
+    "namespace_error",
     "node_name_error",
     "topic_or_service_is_hidden",
     "validate_full_topic_name",
@@ -226,11 +227,17 @@ def validate_namespace(namespace: str) -> bool:
         InvalidNamespaceException: the namespace isn't valid; the exception has the rule and the index.
         TypeError: the namespace is not a str.
     """
-    _check_is_text("namespace", namespace)
-    finding = _check_namespace(namespace)
-    if finding is not None:
-        raise InvalidNamespaceException(namespace, *finding)
+    if (error := namespace_error(namespace)) is not None:
+        raise error
     return True
+
+
+def namespace_error(namespace: object) -> Exception | None:
+    """Return what `validate_namespace` raises, or None, for callers whose tracebacks shall be short."""
+    if not isinstance(namespace, str):
+        return _text_error("namespace", namespace)
+    finding = _check_namespace(namespace)
+    return None if finding is None else InvalidNamespaceException(namespace, *finding)
 
 
 def validate_topic_name(name: str, *, is_service: bool = False) -> bool:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import reprlib
 from typing import TypeVar
 
-from tfloom.node.values.type_support import check_is_valid_msg_type
+from tfloom.node.values.type_support import msg_type_error
 from tfloom.rosidl import cdr
 from tfloom.rosidl.message import Message
 
@@ -20,7 +21,11 @@ def serialize_message(message: Message) -> bytes:
         AttributeError: `message` is not a message.
         EncodeError: a field's value doesn't fit its type; the text names the field.
     """
-    check_is_valid_msg_type(type(message))
+    if not isinstance(message, Message):
+        given = f"{reprlib.repr(message)} of class {type(message).__name__}"
+        meant = f": write {message.__name__}(…)" if isinstance(message, type) else ""
+        needs = "a message, as String(data='hello')"
+        raise AttributeError(f"serialize_message() needs {needs}, got {given}{meant}")  # noqa: TRY004  # ROS's kind
     return cdr.encode(message)
 
 
@@ -30,7 +35,16 @@ def deserialize_message(serialized_message: bytes, message_type: type[M]) -> M:
     Raises:
         AttributeError: `message_type` is not a ROS type.
         RuntimeError: `message_type` is a service or an action.
+        TypeError: `serialized_message` is no object with bytes.
         DecodeError: the bytes are not a message of that type.
     """
-    check_is_valid_msg_type(message_type)
+    if (error := msg_type_error(message_type)) is not None:
+        raise error
+    try:
+        memoryview(serialized_message)
+    except TypeError:
+        given = f"{reprlib.repr(serialized_message)} of class {type(serialized_message).__name__}"
+        raise TypeError(
+            f"deserialize_message() needs bytes, as serialize_message() returns them, got {given}"
+        ) from None
     return cdr.decode(message_type, serialized_message)

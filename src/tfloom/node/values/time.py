@@ -8,6 +8,7 @@ from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.constants import INT64_MAX, S_TO_NS
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.exceptions import RCLError
+from tfloom.node.values.numbers import given_time, no_time_of
 from tfloom.rmw.machine_clock import describe_machine_clock
 
 if TYPE_CHECKING:
@@ -45,11 +46,14 @@ class Time:
     ) -> None:
         if not isinstance(clock_type, ClockType):
             raise TypeError("Clock type must be a ClockType enum")
-        if seconds < 0:
-            raise ValueError("Seconds value must not be negative")
-        if nanoseconds < 0:
-            raise ValueError("Nanoseconds value must not be negative")
-        total = int(seconds * S_TO_NS) + int(nanoseconds)
+        try:
+            if seconds < 0:
+                raise ValueError("Seconds value must not be negative")
+            if nanoseconds < 0:
+                raise ValueError("Nanoseconds value must not be negative")
+            total = int(seconds * S_TO_NS) + int(nanoseconds)
+        except TypeError:
+            raise TypeError(no_time_of("Time", seconds, nanoseconds)) from None
         if total > INT64_MAX:
             raise OverflowError("Total nanoseconds value is too large to store in C time point.")
         self._ns = total
@@ -87,7 +91,7 @@ class Time:
         from tfloom.interfaces.builtin_interfaces import msg as builtin_msg
 
         if not isinstance(msg, builtin_msg.Time):
-            raise TypeError("Must pass a builtin_interfaces.msg.Time object")
+            raise TypeError(f"Must pass a builtin_interfaces.msg.Time object{given_time(msg)}")
         return cls(seconds=msg.sec, nanoseconds=msg.nanosec, clock_type=clock_type)
 
     def __repr__(self) -> str:

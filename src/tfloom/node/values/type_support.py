@@ -14,6 +14,8 @@ __all__ = [
     "check_is_valid_action_type",
     "check_is_valid_msg_type",
     "check_is_valid_srv_type",
+    "msg_type_error",
+    "wrong_fields",
     "wrong_message",
 ]
 
@@ -38,9 +40,13 @@ def check_is_valid_msg_type(msg_type: Any) -> None:
         AttributeError: it is not a ROS type.
         RuntimeError: it is a service or an action.
     """
-    error = _type_error(msg_type, (Message,), "message class, such as std_msgs.msg.String")
-    if error is not None:
+    if (error := msg_type_error(msg_type)) is not None:
         raise error
+
+
+def msg_type_error(msg_type: Any) -> Exception | None:
+    """Return what `check_is_valid_msg_type` raises, or None, for callers whose tracebacks shall be short."""
+    return _type_error(msg_type, (Message,), "message class, such as std_msgs.msg.String")
 
 
 def check_is_valid_srv_type(srv_type: Any) -> None:
@@ -72,17 +78,33 @@ def wrong_message(msg_type: type[Message], given: Any) -> str:
 
     It begins as the reference's does, and ends with what was probably meant.
     """
-    text = f"Expected {msg_type}, got {type(given)}"
     name = msg_type.__name__
     if isinstance(given, type):
-        return f"{text}: publish a message, {given.__name__}(…), not its class"
-    fields = msg_type.get_fields_and_field_types()
-    if isinstance(given, Message) or not fields:
-        return f"{text}: this topic has {msg_type.__module__.partition('.')[0]}.msg.{name}"
-    field = next(iter(fields)) if len(fields) == 1 else ""
-    if field and given is not None:
-        return f"{text}: publish a message, {name}({field}={reprlib.repr(given)})"
-    return f"{text}: publish a message, {name}({', '.join(f'{field}=…' for field in fields)})"
+        return (
+            f"Expected {msg_type}, got {type(given)}: publish a message, {given.__name__}(…), not its class"
+        )
+    if isinstance(given, Message) or not msg_type.get_fields_and_field_types():
+        home = msg_type.__module__.partition(".")[0]
+        return f"Expected {msg_type}, got {type(given)}: this topic has {home}.msg.{name}"
+    return wrong_fields(msg_type, given, "publish a message", name)
+
+
+def wrong_fields(message_class: type[Message], given: Any, what_to_do: str, written: str) -> str:
+    """Return the text of an error about something that was given in place of a `message_class`.
+
+    Args:
+        message_class: The class.
+        given: What was given.
+        what_to_do: As "send a request".
+        written: The class as programs write it, as "SetBool.Request".
+    """
+    text = f"Expected {message_class}, got {type(given)}: {what_to_do}"
+    if given is message_class:
+        return f"{text}, {written}(…), not its class"
+    fields = message_class.get_fields_and_field_types()
+    if len(fields) == 1 and given is not None and not isinstance(given, (type, Message)):
+        return f"{text}, {written}({next(iter(fields))}={reprlib.repr(given)})"
+    return f"{text}, {written}({', '.join(f'{field}=…' for field in fields)})"
 
 
 def _type_error(candidate: Any, bases: tuple[type, ...], wanted: str) -> Exception | None:
@@ -107,4 +129,6 @@ def _is_subclass(candidate: Any, bases: tuple[type, ...]) -> bool:
 def _describe(candidate: Any) -> str:
     if isinstance(candidate, type):
         return f"the class {candidate.__module__}.{candidate.__qualname__}"
-    return f"{reprlib.repr(candidate)} of class {type(candidate).__name__}"
+    given = f"{reprlib.repr(candidate)} of class {type(candidate).__name__}"
+    is_object = isinstance(candidate, _TYPES)
+    return f"{given}: give the class, {type(candidate).__name__}, without brackets" if is_object else given

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import reprlib
 import threading
 from bisect import bisect_left, bisect_right
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import partial
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
 from tfloom.node.values.callback_errors import call_all
+from tfloom.node.values.callbacks import not_callable
 from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.duration import Duration
+from tfloom.node.values.node_errors import node_error
 from tfloom.node.values.time import Time
 from tfloom.tf2_ros.buffer_core import time_ns
 
@@ -31,7 +34,9 @@ class SimpleFilter:
         self.callbacks: dict[int, tuple[Callable[..., Any], tuple[Any, ...]]] = {}
 
     def registerCallback(self, cb: Callable[..., Any], *args: Any) -> int:  # noqa: N802, message_filters' name
-        """Register `cb(*messages, *args)` and return its number."""
+        """Register `cb(*messages, *args)` and return its number; TypeError if it can't be called."""
+        if not callable(cb):
+            raise TypeError(f"registerCallback() needs a callback, {not_callable(cb)}")
         number = max(self.callbacks, default=-1) + 1
         self.callbacks[number] = cb, args
         return number
@@ -55,7 +60,11 @@ class Subscriber(SimpleFilter):
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
         super().__init__()
+        if len(args) < 3:
+            raise TypeError(f"Subscriber needs a node, a type and a topic, got {len(args)} arguments")
         self.node, self.type, self.topic, *others = args
+        if (error := node_error("Subscriber", self.node)) is not None:
+            raise error
         kwargs.setdefault("qos_profile", 10)
         if others:
             kwargs["qos_profile"] = others[0]
@@ -202,6 +211,13 @@ class TimeSynchronizer(SimpleFilter):
     """
 
     def __init__(self, fs: Sequence[Any], queue_size: int) -> None:
+        if (error := _filters_error(fs)) is not None:
+            raise error
+        if not hasattr(queue_size, "__float__"):
+            raise TypeError(
+                f"{type(self).__name__} needs a queue size, as 10, got {reprlib.repr(queue_size)} of class "
+                f"{type(queue_size).__name__}"
+            )
         super().__init__()
         self.queue_size = queue_size
         self.lock = threading.Lock()
@@ -229,6 +245,21 @@ class TimeSynchronizer(SimpleFilter):
             matched = [queue.pop(at) for queue in self.queues] if is_complete else []
         if matched:
             self.signalMessage(*matched)
+
+
+def _filters_error(filters: Any) -> TypeError | AttributeError | None:
+    """Return the error of what a synchronizer got in place of filters, or None if it got some."""
+    meant = "write [Subscriber(node, Image, 'image'), …]"
+    if not isinstance(filters, Iterable):
+        given = f"{reprlib.repr(filters)} of class {type(filters).__name__}"
+        return TypeError(f"a synchronizer needs a list of filters, got {given}: {meant}")
+    for given_filter in filters:
+        if not hasattr(given_filter, "registerCallback"):
+            given = f"{reprlib.repr(given_filter)} of class {type(given_filter).__name__}"
+            return AttributeError(
+                f"a synchronizer needs filters, which have registerCallback, got {given}: {meant}"
+            )
+    return None
 
 
 class ApproximateTimeSynchronizer(TimeSynchronizer):

@@ -9,6 +9,7 @@ The other functions of tf_transformations are in `projections` and `arcball`.
 from __future__ import annotations
 
 import math
+import reprlib
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -133,8 +134,7 @@ def rotation_from_matrix(matrix: ArrayLike) -> tuple[float, Matrix, Matrix]:
 
 def quaternion_matrix(quaternion: ArrayLike) -> Matrix:
     """Return the rotation matrix of a quaternion of any length; the identity for zero."""
-    q = _four(quaternion)
-    return np.identity(4) if not any(q) else np.asarray(Transform((0.0, 0.0, 0.0), q).rows(), np.float64)
+    return _rotation_matrix(_four(quaternion))
 
 
 def quaternion_from_matrix(matrix: ArrayLike) -> Matrix:
@@ -229,7 +229,7 @@ def euler_from_matrix(matrix: ArrayLike, axes: str = "sxyz") -> tuple[float, flo
 
 def euler_from_quaternion(quaternion: ArrayLike, axes: str = "sxyz") -> tuple[float, float, float]:
     """Return the Euler angles of a quaternion."""
-    return euler_from_matrix(quaternion_matrix(quaternion), axes)
+    return euler_from_matrix(_rotation_matrix(_four(quaternion)), axes)
 
 
 def quaternion_from_euler(ai: float, aj: float, ak: float, axes: str = "sxyz") -> Matrix:
@@ -361,8 +361,17 @@ def _three(vector: ArrayLike) -> Matrix:
 
 
 def _four(quaternion: ArrayLike) -> tuple[float, float, float, float]:
-    x, y, z, w = (float(value) for value in np.asarray(quaternion, np.float64))
+    try:
+        x, y, z, w = np.asarray(quaternion, np.float64).tolist()
+    except (TypeError, ValueError) as error:
+        meant = ": write [q.x, q.y, q.z, q.w]" if hasattr(quaternion, "w") else ""
+        given = f"{reprlib.repr(quaternion)} of class {type(quaternion).__name__}"
+        raise type(error)(f"a quaternion is four numbers x, y, z, w, got {given}{meant}") from None
     return x, y, z, w
+
+
+def _rotation_matrix(q: tuple[float, float, float, float]) -> Matrix:
+    return np.identity(4) if not any(q) else np.asarray(Transform((0.0, 0.0, 0.0), q).rows(), np.float64)
 
 
 def _angles(values: Any) -> tuple[float, float, float]:

@@ -24,11 +24,12 @@ from tfloom.launch.ros.utilities.names import (
     make_namespace_absolute,
     normalize_remap_rules,
     prefix_namespace,
+    remappings_error,
 )
-from tfloom.launch.ros.utilities.normalize_parameters import normalize_parameters
+from tfloom.launch.ros.utilities.normalize_parameters import normalize_parameters, parameters_error
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 from tfloom.launch.substitutions.variables import LocalSubstitution
-from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
+from tfloom.launch.utilities.argument_errors import substitutions_error, unknown_argument_error, words_error
 from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
 from tfloom.launch.utilities.perform_substitutions import perform_some_substitutions, perform_substitutions
 
@@ -72,13 +73,23 @@ class Node(ExecuteProcess):
         arguments: Iterable[SomeSubstitutionsType] | None = None,
         **kwargs: Any,
     ) -> None:
+        named = {"executable": executable, "package": package, "name": name, "namespace": namespace}
+        for argument, value in named.items():
+            if (value is not None or argument == "executable") and (
+                error := substitutions_error(argument, value)
+            ) is not None:
+                raise error
+        error = unknown_argument_error(Node, kwargs) or words_error("arguments", arguments or ())
+        error = (
+            error or words_error("ros_arguments", ros_arguments or ()) or remappings_error(remappings or ())
+        )
+        if (error := error or parameters_error(parameters)) is not None:
+            raise error
         program = executable if package is None else ExecutableInPackage(executable, package)
         cmd: list[SomeSubstitutionsType] = [program, *(arguments or ()), "--ros-args", *(ros_arguments or ())]
         # The name stands in a local variable, which `execute` sets: extensions may change it until then.
         if name is not None:
             cmd += ["-r", LocalSubstitution("ros_specific_arguments['name']", description="node name")]
-        if parameters is not None and not isinstance(parameters, tuple):
-            ensure_argument_type(parameters, [list], "parameters", "Node")
         super().__init__(cmd=cmd, name=exec_name, **kwargs)
         self._package = package
         self._executable = executable

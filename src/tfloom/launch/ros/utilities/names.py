@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.ros.remap_rule_type import RemapRule, SomeRemapRule, SomeRemapRules
@@ -21,6 +21,7 @@ __all__ = [
     "normalize_remap_rule",
     "normalize_remap_rules",
     "prefix_namespace",
+    "remappings_error",
 ]
 
 
@@ -55,6 +56,19 @@ def prefix_namespace(base_ns: str | None, ns: str | None) -> str | None:
     if joined is None or is_root_namespace(joined):
         return joined
     return joined.rstrip("/")
+
+
+def remappings_error(remap_rules: Any) -> TypeError | None:
+    """Return the error of what Node(remappings=…) can't take, or None, for callers whose tracebacks shall be short."""
+    for rule in remap_rules if isinstance(remap_rules, (list, tuple, dict)) else ():
+        if not isinstance(rule, tuple):
+            return TypeError(
+                f"Expected 'remap_rule' to be one of [{tuple!r}], but got '{rule}' of type '{type(rule)}': "
+                "write remappings=[('from', 'to')]"
+            )
+        if len(rule) != 2:
+            return TypeError(f"remap_rule must be a tuple of length 2, got length {len(rule)}: {rule!r}")
+    return None
 
 
 def normalize_remap_rule(remap_rule: SomeRemapRule) -> RemapRule:

@@ -22,7 +22,7 @@ from tfloom.launch.substitutions.text_substitution import TextSubstitution
 from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
 from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
 
-__all__ = ["normalize_parameter_dict", "normalize_parameters"]
+__all__ = ["normalize_parameter_dict", "normalize_parameters", "parameters_error"]
 
 _PLAIN = re.compile(r"[A-Za-z_/][A-Za-z0-9_/]*")
 _WORDS = {"y", "yes", "n", "no", "true", "false", "on", "off", "null"}
@@ -40,21 +40,56 @@ def normalize_parameters(parameters: SomeParameters) -> Parameters:
     return [_normalize_item(item) for item in parameters]
 
 
+def parameters_error(parameters: Any) -> TypeError | None:
+    """Return the error of what Node(parameters=…) can't take, or None, for callers whose tracebacks shall be short."""
+    if parameters is None:
+        return None
+    if not isinstance(parameters, (list, tuple)):
+        return TypeError(
+            f"'Node' expected 'parameters' to be one of [<class 'list'>], but got '{parameters}' of type "
+            f"'{type(parameters)}': write parameters=[{parameters!r}]"
+        )
+    errors = (_values_error(item) if isinstance(item, Mapping) else _item_error(item) for item in parameters)
+    return next((error for error in errors if error is not None), None)
+
+
+def _item_error(item: Any) -> TypeError | None:
+    if isinstance(item, (ParameterFile, Parameter, str, Path, Substitution)):
+        return None
+    is_list = isinstance(item, Sequence) and not isinstance(item, bytes)
+    if is_list and all(isinstance(part, (str, Substitution)) for part in item):
+        return None
+    return TypeError(
+        f"Expecting a file, a dictionary or a Parameter in the list of parameters, got {item!r} of type "
+        f"'{type(item).__name__}'"
+    )
+
+
+def _values_error(parameters: Mapping[Any, Any]) -> TypeError | None:
+    for name, value in parameters.items():
+        if isinstance(value, Mapping):
+            if (error := _values_error(value)) is not None:
+                return error
+        elif not isinstance(
+            value, (str, Substitution, bool, int, float, bytes, ParameterValueDescription, Sequence)
+        ):
+            return _value_error(name, value)
+    return None
+
+
+def _value_error(name: Any, value: Any) -> TypeError:
+    given = f"of class {type(value).__name__}, given to the parameter {name!r}"
+    return TypeError(f"Unexpected type for parameter value {value!r}, {given}")
+
+
 def _normalize_item(item: Any) -> ParameterFile | ParametersDict | Parameter:
     if isinstance(item, (ParameterFile, Parameter)):
         return item
     if isinstance(item, Mapping):
         return normalize_parameter_dict(item)
-    if isinstance(item, (str, Path, Substitution)) or (
-        isinstance(item, Sequence)
-        and not isinstance(item, bytes)
-        and all(isinstance(part, (str, Substitution)) for part in item)
-    ):
-        return ParameterFile(item)
-    raise TypeError(
-        f"Expecting a file, a dictionary or a Parameter in the list of parameters, got {item!r} of type "
-        f"'{type(item).__name__}'"
-    )
+    if (error := _item_error(item)) is not None:
+        raise error
+    return ParameterFile(item)
 
 
 def normalize_parameter_dict(
@@ -95,7 +130,7 @@ def _normalize_value(name: Any, value: Any) -> ParameterValue:
         return value
     if isinstance(value, Sequence):
         return _normalize_array(name, value)
-    raise TypeError(f"Unexpected type for parameter value {value!r}")
+    raise _value_error(name, value)
 
 
 def _as_yaml(text: str) -> str:
