@@ -17,7 +17,7 @@ from tests.faults.conftest import Fails, Injected, World
 
 from tfloom.interfaces.example_interfaces.action import Fibonacci
 from tfloom.interfaces.rcl_interfaces.msg import SetParametersResult
-from tfloom.interfaces.std_msgs.msg import Int32
+from tfloom.interfaces.std_msgs.msg import Int32, String
 from tfloom.interfaces.std_srvs.srv import Trigger
 from tfloom.node.action.client import ActionClient
 from tfloom.node.action.server import ActionServer, CancelResponse, GoalResponse
@@ -137,6 +137,28 @@ def incompatible_qos_of_publisher(world: World) -> list[Exception]:
 def incompatible_qos_of_subscription(world: World) -> list[Exception]:
     fails = Fails()
     return _incompatible(world, fails, subscription=SubscriptionEventCallbacks(incompatible_qos=fails))
+
+
+def incompatible_type_of_publisher(world: World) -> list[Exception]:
+    fails = Fails()
+    callbacks = PublisherEventCallbacks(incompatible_type=fails)
+    world.node.create_publisher(Int32, "types", 1, event_callbacks=callbacks)
+    world.node.create_subscription(String, "types", print, 1)
+    wait_until(lambda: world.raised)
+    world.node.create_subscription(String, "types", print, 1)
+    wait_until(lambda: fails.was_called(2), what="the event after the failure")
+    return [fails.error]
+
+
+def incompatible_type_of_subscription(world: World) -> list[Exception]:
+    fails = Fails()
+    callbacks = SubscriptionEventCallbacks(incompatible_type=fails)
+    world.node.create_subscription(Int32, "types", print, 1, event_callbacks=callbacks)
+    world.node.create_publisher(String, "types", 1)
+    wait_until(lambda: world.raised)
+    world.node.create_publisher(String, "types", 1)
+    wait_until(lambda: fails.was_called(2), what="the event after the failure")
+    return [fails.error]
 
 
 LATE = Duration(seconds=0.05)

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from tfloom.interfaces.std_msgs.msg import String
+from tfloom.interfaces.std_msgs.msg import Int32, String
 from tfloom.node.executing.event_handler import (
     EventHandler,
     IncompatibleTypeInfo,
@@ -22,6 +22,7 @@ from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import ReliabilityPolicy, qos_profile_best_available, qos_profile_sensor_data
 from tfloom.node.values.duration import Duration
+from tfloom.rmw.events import Count
 
 SpinUntil = Callable[..., None]
 
@@ -91,9 +92,60 @@ def test_callback_or_opt_out_replaces_the_warning(
     assert "incompatible" not in capsys.readouterr().err
 
 
-def test_unsupported_event_raises(node: Node) -> None:
-    with pytest.raises(UnsupportedEventTypeError, match="incompatible_type"):
-        PublisherEventCallbacks(incompatible_type=print)
+def test_endpoints_have_two_handlers_by_default(node: Node) -> None:
+    publisher = node.create_publisher(String, "chatter", 1)
+    subscription = node.create_subscription(String, "chatter", print, 1)
+    assert [len(end.event_handlers) for end in (publisher, subscription)] == [2, 2]
+    kinds = (
+        QoSPublisherEventType.RCL_PUBLISHER_INCOMPATIBLE_TYPE,
+        QoSSubscriptionEventType.RCL_SUBSCRIPTION_INCOMPATIBLE_TYPE,
+    )
+    assert (publisher.event_handlers[1].event_type, subscription.event_handlers[1].event_type) == kinds
+    quiet = PublisherEventCallbacks(use_default_callbacks=False)
+    assert node.create_publisher(String, "chatter", 1, event_callbacks=quiet).event_handlers == []
+
+
+def test_peers_of_another_type_in_the_program_are_reported(
+    node: Node,
+    make_node: Callable[..., Node],
+    executor: SingleThreadedExecutor,
+    spin_until: SpinUntil,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    of_publisher: list[Count] = []
+    of_subscription: list[Count] = []
+    other = make_node("other")
+    executor.add_node(node)
+    executor.add_node(other)
+    node.create_publisher(
+        String, "chatter", 1, event_callbacks=PublisherEventCallbacks(incompatible_type=of_publisher.append)
+    )
+    node.create_publisher(Int32, "chatter", 1)  # of the same kind, which is no peer
+    assert "has two types" in capsys.readouterr().err
+    callbacks = SubscriptionEventCallbacks(incompatible_type=of_subscription.append)
+    other.create_subscription(Int32, "chatter", print, 1, event_callbacks=callbacks)
+    spin_until(lambda: of_publisher and of_subscription)
+    other.create_subscription(Int32, "chatter", print, 1)
+    spin_until(lambda: len(of_publisher) == 2)
+    assert of_publisher == [Count(1, 1), Count(2, 1)]
+    assert of_subscription == [Count(1, 1)]
+    assert capsys.readouterr().err.count("has two types") == 2
+
+
+def test_a_destroyed_peer_of_another_type_is_not_reported(
+    node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil, capsys: pytest.CaptureFixture[str]
+) -> None:
+    executor.add_node(node)
+    publisher = node.create_publisher(String, "chatter", 1)
+    node.destroy_publisher(publisher)
+    seen: list[Count] = []
+    callbacks = SubscriptionEventCallbacks(incompatible_type=seen.append)
+    node.create_subscription(Int32, "chatter", print, 1, event_callbacks=callbacks)
+    timer_ran: list[bool] = []
+    node.create_timer(0.01, lambda: timer_ran.append(True))
+    spin_until(lambda: timer_ran)
+    assert seen == []
+    assert "has two types" not in capsys.readouterr().err
 
 
 def test_endpoint_with_unsupported_events_is_not_created(node: Node) -> None:

@@ -721,7 +721,6 @@ class NodeBase:
         publisher = publisher_class(writer, msg_type, name, profile, None, group, context=self.context)
         publisher.topic = topic
         self.__entities.add_publisher(publisher)
-        self.__entities.warn_of_other_type(wire_topic, publisher)
         try:
             publisher.event_handlers = self.__entities.watch(
                 event_callbacks or PublisherEventCallbacks(), group, writer, name
@@ -729,6 +728,7 @@ class NodeBase:
         except BaseException:
             self.destroy_publisher(publisher)
             raise
+        self.__entities.warn_of_other_type(wire_topic, publisher)
         return publisher
 
     @overload
@@ -811,7 +811,6 @@ class NodeBase:
             raise
         subscription.topic = topic
         self.__entities.add(subscription)
-        self.__entities.warn_of_other_type(wire_topic, subscription)
         try:
             subscription.event_handlers = self.__entities.watch(
                 event_callbacks or SubscriptionEventCallbacks(), group, reader, name
@@ -819,6 +818,7 @@ class NodeBase:
         except BaseException:
             self.destroy_subscription(subscription)
             raise
+        self.__entities.warn_of_other_type(wire_topic, subscription)
         return subscription
 
     def __profile(

@@ -6,13 +6,14 @@ import weakref
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
+from tfloom.node.endpoints.publisher import Publisher
 from tfloom.node.executing.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup
+from tfloom.node.executing.event_handler import report_other_type
 from tfloom.node.values.exceptions import InvalidHandle
 
 if TYPE_CHECKING:
     from tfloom.node.clock.clock import Clock
     from tfloom.node.context.context import Context
-    from tfloom.node.endpoints.publisher import Publisher
     from tfloom.node.endpoints.subscription import Subscription
     from tfloom.node.executing.entity import Entity
     from tfloom.node.executing.event_handler import (
@@ -183,14 +184,22 @@ class NodeEntities:
         return [self.add(handler) for handler in handlers]
 
     def warn_of_other_type(self, topic: Topic, endpoint: Publisher[Any] | Subscription[Any]) -> None:
-        """Log a warning if an endpoint of this program has the topic with another type."""
-        other = self.context.topic_types.add(topic, endpoint)
-        if other is not None:
+        """Log a warning if an endpoint of this program has the topic with another type, and report it to both.
+
+        The warning is logged at once, because a program that has mistaken a type may never spin.
+        """
+        others = self.context.topic_types.add(topic, endpoint)
+        if others:
+            other_type = others[0].msg_type._TYPE_NAME  # ours
             warning = (
-                f"{topic.name} has two types in this program: {other}, and here {topic.type_name}. Messages pass "
-                "only between endpoints of one type"
+                f"{topic.name} has two types in this program: {other_type}, and here {topic.type_name}. Messages "
+                "pass only between endpoints of one type"
             )
             self.logger.warning(warning)
+        for other in others:
+            if isinstance(other, Publisher) != isinstance(endpoint, Publisher):
+                report_other_type(other.event_handlers)
+                report_other_type(endpoint.event_handlers)
 
     def add_rate(self, rate: Rate) -> None:
         """Add a rate, which is destroyed with the node."""

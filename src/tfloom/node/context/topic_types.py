@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-import weakref
-from typing import TYPE_CHECKING, Protocol
+import threading
+from typing import TYPE_CHECKING, Any, Protocol
+from weakref import WeakSet
 
 if TYPE_CHECKING:
     from tfloom.rmw.base import Topic
@@ -14,25 +15,32 @@ __all__ = ["TopicTypes"]
 class TopicEndpoint(Protocol):
     """A publisher or a subscription."""
 
+    msg_type: type[Any]
+    event_handlers: list[Any]
+
     @property
     def is_destroyed(self) -> bool:
         """Whether it has left the wire."""
 
 
 class TopicTypes:
-    """The type of each topic by the first endpoint that a program has of it, while that one lives.
-
-    Endpoints may be added from any thread: each change is a single operation on a dict.
-    """
+    """The publishers and subscriptions of a program, by topic and type. Any thread may add one."""
 
     def __init__(self) -> None:
-        self._first: dict[str, tuple[weakref.ref[TopicEndpoint], Topic]] = {}
+        self._lock = threading.Lock()
+        """Guards `_endpoints`."""
+        self._endpoints: dict[str, dict[str, WeakSet[TopicEndpoint]]] = {}
 
-    def add(self, topic: Topic, endpoint: TopicEndpoint) -> str | None:
-        """Add an endpoint; return the type of the topic's first one if it is another, else None."""
-        reference, first_topic = self._first.get(topic.name, (None, topic))
-        first = None if reference is None else reference()
-        if first is None or first.is_destroyed:
-            self._first[topic.name] = weakref.ref(endpoint), topic
-            return None
-        return first_topic.type_name if first_topic.type_name != topic.type_name else None
+    def add(self, topic: Topic, endpoint: TopicEndpoint) -> list[TopicEndpoint]:
+        """Add an endpoint, and return those that use its topic with another type."""
+        with self._lock:
+            by_type = self._endpoints.setdefault(topic.name, {})
+            others = [
+                other
+                for type_name, endpoints in by_type.items()
+                if type_name != topic.type_name
+                for other in endpoints
+                if not other.is_destroyed
+            ]
+            by_type.setdefault(topic.type_name, WeakSet()).add(endpoint)
+        return others

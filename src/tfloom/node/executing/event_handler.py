@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import threading
+from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any, Protocol
 
 from tfloom.node.executing.entity import Entity
@@ -124,6 +125,73 @@ class EventHandler(Entity):
         self._destroyed = True
 
 
+class _TypeHandler(EventHandler):
+    """Calls a callback when an endpoint of this program uses the topic with another type.
+
+    The wires don't report such peers, so those of other programs stay unnoticed.
+    """
+
+    def __init__(
+        self, callback_group: CallbackGroup, callback: StatusCallback, *, is_publisher: bool
+    ) -> None:
+        self.callback_group = callback_group
+        self._is_publisher = is_publisher
+        self.callback = callback
+        self._lock = threading.Lock()
+        """Guards the numbers and the queue."""
+        self._count = self._change = 0
+        self._queue: tuple[ReadyQueue, int] | None = None
+        self._destroyed = False
+
+    if not TYPE_CHECKING:  # an attribute of the base, which most programs have no use for
+
+        @property
+        def event_type(self) -> QoSPublisherEventType | QoSSubscriptionEventType:
+            """The event, by rclpy's name."""
+            from tfloom.node.executing import event_types
+
+            if self._is_publisher:
+                return event_types.QoSPublisherEventType.RCL_PUBLISHER_INCOMPATIBLE_TYPE
+            return event_types.QoSSubscriptionEventType.RCL_SUBSCRIPTION_INCOMPATIBLE_TYPE
+
+    def report(self) -> None:
+        """Count an endpoint of another type. Any thread may call this."""
+        with self._lock:
+            self._count += 1
+            self._change += 1
+            if self._queue is not None:
+                queue, token = self._queue
+                queue.post(token)
+
+    def attach(self, queue: ReadyQueue, token: int) -> None:
+        """Post `token` when an endpoint was counted."""
+        with self._lock:
+            self._queue = (queue, token)
+            queue.post(token)
+
+    def detach(self) -> None:
+        """Stop posting the token."""
+        with self._lock:
+            self._queue = None
+
+    def take(self) -> Any:
+        """Return how many endpoints were counted, if there are new ones, else None."""
+        with self._lock:
+            change, self._change = self._change, 0
+            return Count(self._count, change) if change and not self._destroyed else None
+
+
+def report_other_type(handlers: Iterable[EventHandler]) -> None:
+    """Count an endpoint of another type in those of an endpoint's handlers that wait for one."""
+    for handler in handlers:
+        if isinstance(handler, _TypeHandler):
+            handler.report()
+
+
+def _ignore(status: Count) -> None:
+    """Do nothing: the node has logged the two types when the second endpoint was created."""
+
+
 def _wire_event(event_type: QoSPublisherEventType | QoSSubscriptionEventType) -> Event:
     # Imported here, because most programs have no use for rclpy's event types.
     from tfloom.node.executing.event_types import wire_event
@@ -167,10 +235,6 @@ class _EventCallbacks:
         matched: StatusCallback | None = None,
         use_default_callbacks: bool = True,
     ) -> None:
-        if incompatible_type is not None:
-            raise UnsupportedEventTypeError(
-                "incompatible_type: the wires here don't report peers of another type"
-            )
         self.deadline = deadline
         self.liveliness = liveliness
         self.incompatible_qos = incompatible_qos
@@ -197,7 +261,8 @@ class _EventCallbacks:
     ) -> list[EventHandler]:
         """Return the handlers for an endpoint.
 
-        By default, a warning is logged about peers of incompatible QoS.
+        By default, a warning is logged about peers of incompatible QoS. Of endpoints of another type the node warns
+        itself.
 
         Raises:
             UnsupportedEventTypeError: the wire doesn't support an event that there is a callback for.
@@ -207,13 +272,17 @@ class _EventCallbacks:
             callbacks[Event.INCOMPATIBLE_QOS] = lambda status: logger.warning(
                 mismatch_text(status, topic_name, endpoint.gid, graph, is_publisher=self.is_publisher)
             )
-        return [
+        handlers = [
             EventHandler(
                 callback_group=callback_group, callback=callback, event_type=event, parent_impl=endpoint
             )
             for event, callback in callbacks.items()
             if callback is not None
         ]
+        incompatible_type = self.incompatible_type or (_ignore if self.use_default_callbacks else None)
+        if incompatible_type is not None:
+            handlers.append(_TypeHandler(callback_group, incompatible_type, is_publisher=self.is_publisher))
+        return handlers
 
 
 class PublisherEventCallbacks(_EventCallbacks):
@@ -223,12 +292,9 @@ class PublisherEventCallbacks(_EventCallbacks):
         deadline: It did not publish before its deadline.
         liveliness: It did not assert its liveliness within its lease.
         incompatible_qos: A subscription requests more than it offers.
-        incompatible_type: A subscription is of another type. The wires here don't report that.
+        incompatible_type: A subscription of this program is of another type. The wires here report no others.
         matched: A subscription has connected or disconnected.
         use_default_callbacks: Whether to warn of incompatible QoS where `incompatible_qos` isn't given.
-
-    Raises:
-        UnsupportedEventTypeError: `incompatible_type` is given.
     """
 
     is_publisher = True
@@ -243,12 +309,9 @@ class SubscriptionEventCallbacks(_EventCallbacks):
         incompatible_qos: A publisher offers less than it requests.
         liveliness: A publisher has lost or regained its liveliness.
         message_lost: Messages were lost. Cyclone reports few of them.
-        incompatible_type: A publisher is of another type. The wires here don't report that.
+        incompatible_type: A publisher of this program is of another type. The wires here report no others.
         matched: A publisher has connected or disconnected.
         use_default_callbacks: Whether to warn of incompatible QoS where `incompatible_qos` isn't given.
-
-    Raises:
-        UnsupportedEventTypeError: `incompatible_type` is given.
     """
 
     is_publisher = False
