@@ -11,6 +11,8 @@ from pathlib import Path
 from types import ModuleType
 
 import pytest
+from packaging.requirements import Requirement
+from tools.set_up import read_project
 
 from tfloom.rmw.cyclone_library import find_library
 
@@ -110,6 +112,36 @@ def test_no_requirement_names_it() -> None:
     for path in (ROOT / "pyproject.toml", *ROOT.glob("packages/*/pyproject.toml")):
         if path.parent != PACKAGE:
             assert '"tfloom-ddsc' not in path.read_text("utf-8"), path
+
+
+@pytest.mark.parametrize(
+    ("python", "system", "machine", "is_required"),
+    [
+        ("3.10", "linux", "x86_64", True),
+        ("3.13", "linux", "x86_64", True),
+        ("3.13", "darwin", "arm64", True),
+        ("3.13", "win32", "AMD64", True),
+        ("3.14", "linux", "x86_64", False),
+        ("3.15", "linux", "x86_64", False),
+        ("3.14", "darwin", "arm64", False),
+        ("3.14", "win32", "AMD64", False),
+        ("3.13", "linux", "aarch64", False),
+        ("3.11", "linux", "armv7l", False),
+    ],
+)
+def test_cyclonedds_is_required_only_where_it_has_a_wheel(
+    python: str, system: str, machine: str, is_required: bool
+) -> None:
+    """Elsewhere pip would compile it, and fail."""
+    here = {"python_version": python, "sys_platform": system, "platform_machine": machine}
+    requirements = map(Requirement, read_project(Path(sys.executable))["project"]["dependencies"])
+    names = {
+        requirement.name
+        for requirement in requirements
+        if requirement.marker is None or requirement.marker.evaluate(here)
+    }
+    assert ("cyclonedds" in names) == is_required
+    assert "numpy" in names
 
 
 @pytest.mark.slow
