@@ -86,6 +86,9 @@ PLACES = {
     "rmw/zenoh_events.py": ["refused: tests/rmw/test_zenoh_wire.py, where the endpoint is not opened then"],
     "rmw/zenoh_feeder.py": ["refused: tests/rmw/test_zenoh_wire.py, where the reader isn't fed then"],
     "rmw/zenoh_meeting_point.py": ["refused: tests/rmw/test_zenoh_session.py, which closes the session then"],
+    "rmw/zenoh_session.py": [
+        "refused: tests/rmw/test_zenoh_session.py, which closes the session nevertheless"
+    ],
     "tf2_ros/deadlines.py": ["deadline"],
     "tf2_ros/listener_base.py": ["listener"],
     "turtlesim/teleop_key.py": [TOLD],

@@ -5,6 +5,7 @@ from __future__ import annotations
 import atexit
 import os
 import sys
+import threading
 import time
 import weakref
 from typing import Any, NoReturn
@@ -27,6 +28,8 @@ __all__ = ["FORK_ADVICE", "ZenohSession", "open_session", "refuse_fork"]
 CHECK_PERIOD_S = 1.0
 """How long one look for a router takes at most [s]."""
 POLL_S = 0.005
+CLOSE_LIMIT_S = 1.0
+"""How long the close of a session that is linked to no router is waited for [s]."""
 
 FORK_ADVICE = (
     "this process was forked after that, and a fork has none of Zenoh's threads: start the child by "
@@ -112,20 +115,47 @@ class ZenohSession:
     def close(self) -> None:
         """Leave, after all that was written has been sent. A router in this process ends, and another takes over.
 
-        Zenoh waits some seconds for a router that is stopped and takes nothing; a line tells it then.
-        It must not be called in a callback of Zenoh. A second call, and one in a forked child, does nothing.
+        Zenoh waits some seconds for a linked router that is stopped and takes nothing; a line tells it then. It must
+        not be called in a callback of Zenoh. A second call, and one in a forked child, does nothing.
         """
         if self._is_closed or os.getpid() != self._pid:
             return
         self._is_closed = True
         try:
-            self._session.close()
+            if self._session.info.routers_zid():
+                self._session.close()
+            else:
+                self._close_unlinked()
         except open_library().ZError as error:
             text = f"what was written last may be lost, because the Zenoh session can't be closed: {reason_of(error)}"
             print(f"tfloom: {text}", file=sys.stderr)
         finally:
             if self._meeting_point is not None:
                 self._meeting_point.close()
+
+    def _close_unlinked(self) -> None:
+        """Close the session, but don't wait for the handshake with a router that is stopped.
+
+        Zenoh waits for that for ten seconds before it ends its links to others, which have all that was written by
+        then. A thread does so instead, and ends; the end of the process ends the links, too.
+        """
+        errors: list[Exception] = []
+
+        def close() -> None:
+            try:
+                self._session.close()
+            except open_library().ZError as error:
+                errors.append(error)
+
+        thread = threading.Thread(target=close, name="tfloom_zenoh_close", daemon=True)
+        try:
+            thread.start()
+        except RuntimeError:  # the system has none; nor does an interpreter that ends
+            self._session.close()
+            return
+        thread.join(CLOSE_LIMIT_S)
+        if errors:
+            raise errors[0]
 
 
 def open_session(domain_id: int = 0) -> ZenohSession:
