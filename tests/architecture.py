@@ -48,7 +48,7 @@ NODE_ROOMS = [
 DOORS = {
     "pygame": ("turtlesim/window.py",),
     "reportlab": ("tf2_tools/drawing/",),
-    "rich": ("tf2_tools/top/",),
+    "rich": ("tf2_tools/top/", "viewer/scene_server.py"),
     "argcomplete": ("cli/tab_key.py",),
     "PIL": ("turtlesim/picture.py", "tf2_tools/drawing/png.py", "viewer/pictures.py"),
     "viser": ("viewer/",),

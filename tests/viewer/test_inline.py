@@ -113,6 +113,24 @@ def test_only_notebooks_of_this_machine_may_embed_the_page(bag: Path) -> None:
         assert not {"*", "http:", "https:"} & set(embedders.split())
 
 
+def test_viser_says_nothing_into_the_cell(
+    bag: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    """In a notebook rich, by which viser prints its address, takes another way than standard output."""
+    import rich.console
+
+    shown: list[object] = []
+    monkeypatch.setattr("rich.jupyter.display", lambda *args: shown.append(args))
+    monkeypatch.setattr("rich._console", rich.console.Console(force_jupyter=True))
+    rich.get_console().print("as viser does")
+    assert len(shown) == 1
+    with tfloom.view(bag) as page:
+        assert page.is_open
+    assert len(shown) == 1
+    assert "viser" not in "".join(capfd.readouterr())
+    assert not rich.get_console().quiet
+
+
 def test_errors_are_raised_in_the_cell(bag: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(BagError, match="nowhere"):
         tfloom.view(tmp_path / "nowhere")
@@ -206,6 +224,8 @@ def test_cells_run_in_jupyters_kernel(bag: Path, tmp_path: Path, monkeypatch: py
     ]
     client.NotebookClient(notebook, timeout=120).execute()
     outputs = {name: cell.outputs[-1] for name, cell in zip(CELLS, notebook.cells, strict=True)}
+    for name, cell in zip(CELLS, notebook.cells, strict=True):
+        assert len(cell.outputs) <= 1, (name, cell.outputs)  # viser prints nothing into a cell, either
     html = {name: output.get("data", {}).get("text/html", "") for name, output in outputs.items()}
     assert ">lidar</code>" in html["buffer"]
     assert outputs["buffer"]["data"]["text/plain"].startswith("<Buffer: 2 frames, 20 transforms, from 1.000")

@@ -5,10 +5,12 @@ from __future__ import annotations
 import contextlib
 import io
 import secrets
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import rich
 import viser
 from viser import _messages
 
@@ -37,9 +39,7 @@ class SceneServer:
         self.key = secrets.token_urlsafe(24)
         self._clients: dict[str, int] = {}
         """Viser's number of the client of each page."""
-        with contextlib.redirect_stdout(
-            io.StringIO()
-        ):  # it would print its address, which is nobody's business
+        with _without_words():  # it would print its address, which is nobody's business
             self._server = viser.ViserServer(host="127.0.0.1", port=0, verbose=False)
         connections = self._server._websock_server  # noqa: SLF001  # there is no public way to a connection's headers
         for message in (_messages.ShareUrlRequest, _messages.ShareUrlDisconnect):
@@ -110,8 +110,20 @@ class SceneServer:
 
     def stop(self) -> None:
         """Close all connections, and the port."""
-        with contextlib.redirect_stdout(io.StringIO()):
+        with _without_words():
             self._server.stop()
+
+
+@contextlib.contextmanager
+def _without_words() -> Iterator[None]:
+    """Drop what viser prints in the block. In a notebook it would come into the cell past standard output, by rich."""
+    console = rich.get_console()
+    was_quiet, console.quiet = console.quiet, True
+    try:
+        with contextlib.redirect_stdout(io.StringIO()):
+            yield
+    finally:
+        console.quiet = was_quiet
 
 
 _STYLE = b"<style>#root :not(:has(canvas)):not(canvas) { display: none !important }</style>"
