@@ -303,7 +303,7 @@ def run_native(name: str, *, is_short: bool) -> list[Row]:
     export_checkout(chroot.folder / HERE)
     make = f"make PYTHON={PYTHONS[name]}"
     demo = f'{make} demo ARGS="--seconds 8" && .venv/bin/tfloom doctor'
-    checks = [Check("make demo", partial(run_in, chroot, demo, "demo"))]
+    checks = [Check("make demo", partial(run_in, chroot, demo, "demo")), *talks(chroot, ".venv/bin/tfloom")]
     tests = {what: f'{make} test ARGS="--quiet {paths}"' for what, paths in TESTS.items()}
     if name == "debian13":
         files = " ".join(TESTS_ON_DDS_0_10)
@@ -516,20 +516,30 @@ def install_for_arm64(chroot: Chroot) -> tuple[bool, str]:
     return run_in(chroot, "python3 -m compileall -q -j 0 /usr/lib/python3/dist-packages/tfloom", "compile")
 
 
-def talk(chroot: Chroot, *, speaks_there: bool) -> tuple[bool, str]:
+def talks(chroot: Chroot, command_there: str) -> list[Check]:
+    """Return the checks of a talk with this machine, both ways, where `command_there` starts tfloom in the chroot."""
+    return [
+        Check("a talker there, a listener here", partial(talk, chroot, command_there, speaks_there=True)),
+        Check("a talker here, a listener there", partial(talk, chroot, command_there, speaks_there=False)),
+    ]
+
+
+def talk(chroot: Chroot, command_there: str, *, speaks_there: bool) -> tuple[bool, str]:
     """Have a talker on one side, and a listener on the other, over the loopback interface."""
     domain = {"ROS_DOMAIN_ID": TALK_DOMAIN}
     ours = os.environ | domain | {"PYTHONUNBUFFERED": "1"}
     command = str(Path(sys.executable).with_name("tfloom"))
     sides = {
         program: (
-            chroot.command(f"exec tfloom run demo_nodes_py {program}", PYTHONUNBUFFERED="1", **domain)
+            chroot.command(
+                f"exec {command_there} run demo_nodes_py {program}", PYTHONUNBUFFERED="1", **domain
+            )
             if is_there
             else [command, "run", "demo_nodes_py", program]
         )
         for program, is_there in (("talker", speaks_there), ("listener", not speaks_there))
     }
-    log = FOLDER / f"talk_{'there' if speaks_there else 'here'}.log"
+    log = log_path(chroot, f"talker_{'there' if speaks_there else 'here'}")
     with (
         log.open("w", encoding="utf-8") as output,
         subprocess.Popen(sides["talker"], env=ours, stdout=output, stderr=output) as talker,
@@ -594,8 +604,7 @@ def run_arm64(*, is_short: bool) -> list[Row]:
             Check("the extension", lambda: build_for_arm64(chroot)),
             Check("ros2 demo", lambda: demo_on_arm64(chroot, has_library=True)),
             Check("ros2 demo without libddsc", lambda: demo_on_arm64(chroot, has_library=False)),
-            Check("a talker there, a listener here", lambda: talk(chroot, speaks_there=True)),
-            Check("a talker here, a listener there", lambda: talk(chroot, speaks_there=False)),
+            *talks(chroot, "tfloom"),
         ]
         special = partial(run_in, chroot, f"{tests} {SHORT_TESTS}", "short_tests")
         checks.append(Check("paths for the processor", special, is_short=False))
