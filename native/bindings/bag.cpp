@@ -31,16 +31,16 @@ struct QueueHandle {
 // Return a channel's entries as MCAP's message index holds them: pairs of log time and offset.
 nb::bytes index_of(const Chunk& chunk, std::size_t channel, std::uint64_t shift) {
   const auto& entries = chunk.index[channel];
-  std::vector<std::uint8_t> octets;
-  octets.reserve(entries.size() * 16);
-  const auto put = [&octets](std::uint64_t value) {
-    for (std::size_t i = 0; i < 8; ++i) octets.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(entries.size() * 16);
+  const auto put = [&bytes](std::uint64_t value) {
+    for (std::size_t i = 0; i < 8; ++i) bytes.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
   };
   for (const auto& entry : entries) {
     put(static_cast<std::uint64_t>(entry.log_time));
     put(entry.offset + shift);
   }
-  return nb::bytes(octets.data(), octets.size());
+  return nb::bytes(bytes.data(), bytes.size());
 }
 
 nb::list counts(const Chunk& chunk) {
@@ -75,8 +75,8 @@ void wait(QueueHandle& self, std::int64_t timeout_ns) {
 
 bool push(QueueHandle& self, std::uint16_t channel, const nb::bytes& data, std::int64_t log_time_ns,
           std::int64_t publish_time_ns) {
-  const std::span octets(static_cast<const std::byte*>(data.data()), data.size());
-  return self.queue->push(channel, octets, log_time_ns, publish_time_ns);
+  const std::span bytes(static_cast<const std::byte*>(data.data()), data.size());
+  return self.queue->push(channel, bytes, log_time_ns, publish_time_ns);
 }
 
 // Wrap a method of the queue without an argument, or with one.

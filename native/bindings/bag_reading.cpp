@@ -62,9 +62,9 @@ Channels channels_of(const nb::object& wanted) {
 
 nb::list list_messages(const nb::bytes& data, const nb::object& wanted, std::uint64_t start, std::uint64_t end) {
   const Channels channels = channels_of(wanted);
-  const auto records = without_gil([octets = span_of(data), &channels, start, end] {
+  const auto records = without_gil([bytes = span_of(data), &channels, start, end] {
     std::vector<MessageRecord> messages;
-    RecordReader reader(octets, 0);
+    RecordReader reader(bytes, 0);
     while (reader.advance()) {
       if (!reader.is_message()) continue;
       const MessageRecord message = reader.message();
@@ -85,7 +85,7 @@ nb::list list_messages(const nb::bytes& data, const nb::object& wanted, std::uin
 
 nb::tuple summarise(const nb::bytes& data, std::size_t begin) {
   const bag::RunSummary summary =
-      without_gil([octets = span_of(data), begin] { return bag::summarise(octets, begin); });
+      without_gil([bytes = span_of(data), begin] { return bag::summarise(bytes, begin); });
   nb::dict counts;
   for (const auto& [channel, count] : summary.counts) counts[nb::int_(channel)] = count;
   nb::list others;
@@ -94,7 +94,7 @@ nb::tuple summarise(const nb::bytes& data, std::size_t begin) {
 }
 
 nb::tuple summarise_indexes(const nb::bytes& data) {
-  const bag::IndexSummary found = without_gil([octets = span_of(data)] { return bag::summarise_indexes(octets); });
+  const bag::IndexSummary found = without_gil([bytes = span_of(data)] { return bag::summarise_indexes(bytes); });
   return nb::make_tuple(found.count, found.first, found.last);
 }
 
@@ -118,10 +118,10 @@ class TfRecords {
                           std::uint64_t start, std::uint64_t end) {
     std::vector<TfInserter*> of_channel(1 << 16, nullptr);
     for (const auto& [channel, topic] : channels) of_channel[channel] = &inserters_.at(topic);
-    return without_gil([this, octets = span_of(data), &of_channel, start, end] {
+    return without_gil([this, bytes = span_of(data), &of_channel, start, end] {
       std::size_t next = 0;
       try {
-        next = insert_records(octets, of_channel, start, end);
+        next = insert_records(bytes, of_channel, start, end);
       } catch (const bag::RecordError&) {
         finish();  // because the transforms' names are views into the bytes
         throw;
@@ -135,16 +135,16 @@ class TfRecords {
   [[nodiscard]] std::uint64_t dropped_count() const { return sum(&TfInserter::dropped_count); }
 
  private:
-  static std::size_t insert_records(std::span<const std::byte> octets, const std::vector<TfInserter*>& of_channel,
+  static std::size_t insert_records(std::span<const std::byte> bytes, const std::vector<TfInserter*>& of_channel,
                                     std::uint64_t start, std::uint64_t end) {
-    RecordReader reader(octets, 0);
+    RecordReader reader(bytes, 0);
     while (reader.advance()) {
       if (!reader.is_message()) continue;
       const MessageRecord message = reader.message();
       TfInserter* inserter = of_channel[message.channel];
       if (inserter == nullptr) continue;
       if (!inserter->is_static() && (message.log_time < start || message.log_time > end)) continue;
-      inserter->insert(octets.subspan(message.offset, message.size));
+      inserter->insert(bytes.subspan(message.offset, message.size));
     }
     return reader.next();
   }

@@ -209,9 +209,9 @@ nb::bytes encode(const nb::handle& message) {
   return storage.take(out.size());
 }
 
-nb::object decode_octets(const ObjectPlan& plan, PyTypeObject* type, std::span<const std::byte> octets) {
+nb::object decode_bytes(const ObjectPlan& plan, PyTypeObject* type, std::span<const std::byte> bytes) {
   try {
-    cdr::Cursor in(octets);
+    cdr::Cursor in(bytes);
     ObjectBuilder builder(type);
     auto message = cdr::Decoder(in, builder).message(plan);
     constexpr std::size_t max_padding = 7;  // wires pad to 4 or 8
@@ -229,11 +229,11 @@ nb::object decode(const nb::type_object& message_class, const nb::handle& data) 
   auto* type = reinterpret_cast<PyTypeObject*>(message_class.ptr());
   const ObjectPlan& plan = plan_of(type);
   if (PyBytes_CheckExact(data.ptr())) {
-    const auto* octets = reinterpret_cast<const std::byte*>(PyBytes_AS_STRING(data.ptr()));
-    return decode_octets(plan, type, {octets, static_cast<std::size_t>(PyBytes_GET_SIZE(data.ptr()))});
+    const auto* bytes = reinterpret_cast<const std::byte*>(PyBytes_AS_STRING(data.ptr()));
+    return decode_bytes(plan, type, {bytes, static_cast<std::size_t>(PyBytes_GET_SIZE(data.ptr()))});
   }
   const Buffer buffer(data.ptr(), PyBUF_SIMPLE);
-  return decode_octets(plan, type, buffer.octets());
+  return decode_bytes(plan, type, buffer.bytes());
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 #include "bindings/bindings.hpp"
 #include "bindings/gil.hpp"
-#include "bindings/octets.hpp"
+#include "bindings/bytes.hpp"
 #include "bindings/signal_wakeup.hpp"
 #include "core/ready_queue.hpp"
 #include "core/sample_queue.hpp"
@@ -18,7 +18,7 @@ using namespace nb::literals;
 namespace tfloom::bindings {
 namespace {
 
-Gid gid_of_publisher(const nb::bytes& bytes) { return octets_of<16>(bytes, "publisher_gid must have 16 bytes"); }
+Gid gid_of_publisher(const nb::bytes& bytes) { return bytes_of<16>(bytes, "publisher_gid must have 16 bytes"); }
 
 std::vector<ReadyQueue::Token> wait_for_tokens(ReadyQueue& queue, std::int64_t timeout_ns, bool quiet) {
   std::vector<ReadyQueue::Token> tokens;

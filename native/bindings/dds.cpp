@@ -8,7 +8,7 @@
 
 #include "bindings/bindings.hpp"
 #include "bindings/gil.hpp"
-#include "bindings/octets.hpp"
+#include "bindings/bytes.hpp"
 #include "dds/graph.hpp"
 #include "dds/packets.hpp"
 #include "dds/participant.hpp"
@@ -54,8 +54,8 @@ nb::bytes to_bytes(const Gid& gid) { return nb::bytes(gid.data(), gid.size()); }
 nb::bytes to_bytes(const std::string& text) { return nb::bytes(text.data(), text.size()); }
 nb::bytes to_bytes(std::span<const std::byte> data) { return nb::bytes(data.data(), data.size()); }
 
-auto key_of(const nb::bytes& bytes) { return octets_of<8>(bytes, "a client's key has 8 bytes"); }
-Gid to_gid(const nb::bytes& bytes) { return octets_of<16>(bytes, "a gid has 16 bytes"); }
+auto key_of(const nb::bytes& bytes) { return bytes_of<8>(bytes, "a client's key has 8 bytes"); }
+Gid to_gid(const nb::bytes& bytes) { return bytes_of<16>(bytes, "a gid has 16 bytes"); }
 
 std::string to_string(const nb::bytes& bytes) { return {bytes.c_str(), bytes.size()}; }
 

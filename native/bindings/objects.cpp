@@ -93,12 +93,12 @@ ObjectBuilder::Value ObjectBuilder::list(std::uint32_t length) {
   return list;
 }
 
-ObjectBuilder::Value ObjectBuilder::sequence(const ObjectPlan::Slot& slot, std::span<const std::byte> octets, bool swap) {
+ObjectBuilder::Value ObjectBuilder::sequence(const ObjectPlan::Slot& slot, std::span<const std::byte> bytes, bool swap) {
   Value array = copy(slot.empty);
-  if (octets.empty()) return array;
+  if (bytes.empty()) return array;
   // One copy, from the sample into the array.
-  auto* from = const_cast<char*>(reinterpret_cast<const char*>(octets.data()));
-  const auto view = checked(PyMemoryView_FromMemory(from, static_cast<Py_ssize_t>(octets.size()), PyBUF_READ));
+  auto* from = const_cast<char*>(reinterpret_cast<const char*>(bytes.data()));
+  const auto view = checked(PyMemoryView_FromMemory(from, static_cast<Py_ssize_t>(bytes.size()), PyBUF_READ));
   array.attr("frombytes")(view);
   if (swap) array.attr("byteswap")();
   return array;

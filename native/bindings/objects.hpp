@@ -85,7 +85,7 @@ class Buffer {
 
   [[nodiscard]] void* data() const noexcept { return view_.buf; }
   [[nodiscard]] const Py_buffer& view() const noexcept { return view_; }
-  [[nodiscard]] std::span<const std::byte> octets() const noexcept {
+  [[nodiscard]] std::span<const std::byte> bytes() const noexcept {
     return {static_cast<const std::byte*>(view_.buf), static_cast<std::size_t>(view_.len)};
   }
 
@@ -136,7 +136,7 @@ class ObjectBuilder {
   Value numbers(const cdr::Plan& plan, std::size_t index, cdr::Cursor& in, std::uint32_t length) {
     const auto& slot = static_cast<const ObjectPlan&>(plan).slots[index];
     if (plan.fields[index].shape != cdr::Shape::array) {
-      return sequence(slot, in.read_octets(length, sizeof(T)), in.swaps() && sizeof(T) > 1);
+      return sequence(slot, in.read_bytes(length, sizeof(T)), in.swaps() && sizeof(T) > 1);
     }
     Value array = copy(slot.empty);
     const Buffer buffer(array.ptr(), PyBUF_WRITABLE);
@@ -149,7 +149,7 @@ class ObjectBuilder {
     if (object == nullptr) throw nb::python_error();
     return nb::steal(object);
   }
-  static Value sequence(const ObjectPlan::Slot& slot, std::span<const std::byte> octets, bool swap);
+  static Value sequence(const ObjectPlan::Slot& slot, std::span<const std::byte> bytes, bool swap);
 
   // Most numbers of most transforms are 0 or 1, so all messages share one object for each. With a new object for each
   // number, decoding a PoseStamped takes 18 % longer: benchmarks/native, "shared 0 and 1".
@@ -215,7 +215,7 @@ class ObjectReader {
     if (PyObject_CheckBuffer(value) == 0) return false;
     const Buffer buffer(value, PyBUF_FORMAT | PyBUF_C_CONTIGUOUS);
     if (!holds<T>(buffer.view())) return false;
-    visit(buffer.octets());
+    visit(buffer.bytes());
     return true;
   }
 

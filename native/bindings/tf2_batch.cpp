@@ -114,14 +114,14 @@ void move_points(const Array<const double, nb::shape<7>>& transform, const Point
 }
 
 template <class T>
-void move_cloud(const Array<const double, nb::shape<7>>& transform, const Array<std::uint8_t, nb::ndim<1>>& octets,
+void move_cloud(const Array<const double, nb::shape<7>>& transform, const Array<std::uint8_t, nb::ndim<1>>& bytes,
                 std::array<std::size_t, 2> shape, std::array<std::size_t, 2> steps,
                 std::array<std::size_t, 3> offsets) {
   const tf2::CloudLayout layout{shape[0], shape[1], steps[0], steps[1], offsets};
-  if (!layout.fits(octets.size(), sizeof(T))) throw nb::value_error("the points must lie within the bytes");
+  if (!layout.fits(bytes.size(), sizeof(T))) throw nb::value_error("the points must lie within the bytes");
   const Transform value = transform_at(transform.data());
   const ReleasedGil release;
-  tf2::move_cloud<T>(value, layout, reinterpret_cast<std::byte*>(octets.data()));
+  tf2::move_cloud<T>(value, layout, reinterpret_cast<std::byte*>(bytes.data()));
 }
 
 template <class T>
@@ -143,10 +143,10 @@ template <class T>
 void bind_points(nb::module_& m, nb::class_<BufferHandle>& buffer, const std::string& type) {
   m.def(("move_points_" + type).c_str(), &move_points<T>, "transform"_a, "points"_a, "out"_a,
         "Apply `transform` (7,) to `points` (N, 3) and write them into `out`, which may be `points`.");
-  m.def(("move_cloud_" + type).c_str(), &move_cloud<T>, "transform"_a, "octets"_a, "shape"_a, "steps"_a, "offsets"_a,
+  m.def(("move_cloud_" + type).c_str(), &move_cloud<T>, "transform"_a, "bytes"_a, "shape"_a, "steps"_a, "offsets"_a,
         "Apply `transform` (7,) to the points of a cloud, in place. Point (row, column) of `shape` begins at row * "
         "steps[0] + column * steps[1], and has x, y and z at `offsets` from there, in this machine's byte order.\n\n"
-        "Raises ValueError if they are not all within `octets` (N,).");
+        "Raises ValueError if they are not all within `bytes` (N,).");
   buffer.def(("deskew_" + type).c_str(), &deskew<T>, "fixed_frame"_a, "source_frame"_a, "target_from_fixed"_a,
              "stamps_ns"_a, "points"_a, "out"_a, "workers"_a,
              "Transform `points` (N, 3) from `source_frame` at `stamps_ns` (N,) into `fixed_frame`, then by "

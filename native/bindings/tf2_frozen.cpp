@@ -17,33 +17,33 @@ using namespace nb::literals;
 namespace tfloom::bindings {
 namespace {
 
-using Octets = nb::ndarray<const std::uint8_t, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
+using Bytes = nb::ndarray<const std::uint8_t, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 
 nb::bytes freeze(const BufferHandle& self) {
-  std::vector<std::byte> octets;
+  std::vector<std::byte> bytes;
   {
     const ReleasedGil release;
-    octets = self.buffer->freeze();
+    bytes = self.buffer->freeze();
   }
   // No other thread has a reference to the object yet, so it may be filled without the GIL.
   nb::bytes frozen = nb::steal<nb::bytes>(
-      PyBytes_FromStringAndSize(nullptr, static_cast<Py_ssize_t>(octets.size())));
+      PyBytes_FromStringAndSize(nullptr, static_cast<Py_ssize_t>(bytes.size())));
   if (!frozen.is_valid()) throw nb::python_error();
   char* const data = PyBytes_AS_STRING(frozen.ptr());
   {
     const ReleasedGil release;
-    std::memcpy(data, octets.data(), octets.size());
-    std::vector<std::byte>().swap(octets);  // free the memory without the GIL, because that takes long too
+    std::memcpy(data, bytes.data(), bytes.size());
+    std::vector<std::byte>().swap(bytes);  // free the memory without the GIL, because that takes long too
   }
   return frozen;
 }
 
-void map_frozen(BufferHandle& self, const Octets& data) {
-  const auto owner = std::make_shared<Octets>(data);  // nanobind acquires the GIL to release it
-  const std::span octets(reinterpret_cast<const std::byte*>(owner->data()), owner->size());
+void map_frozen(BufferHandle& self, const Bytes& data) {
+  const auto owner = std::make_shared<Bytes>(data);  // nanobind acquires the GIL to release it
+  const std::span bytes(reinterpret_cast<const std::byte*>(owner->data()), owner->size());
   const ReleasedGil release;
   try {
-    self.buffer->map(octets, owner);
+    self.buffer->map(bytes, owner);
   } catch (const tf2::FrozenError& error) {
     throw std::invalid_argument(error.what());
   }

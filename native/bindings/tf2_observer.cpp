@@ -57,24 +57,24 @@ std::unique_ptr<TfObserverSink> make_observer_sink(const std::shared_ptr<TfObser
   return std::make_unique<TfObserverSink>(observer, is_static, buffer == nullptr ? nullptr : buffer->buffer);
 }
 
-Gid gid_of(const nb::bytes& octets) {
+Gid gid_of(const nb::bytes& bytes) {
   Gid gid{};
-  if (octets.size() != gid.size()) throw nb::value_error("a gid must have 16 bytes");
-  std::memcpy(gid.data(), octets.data(), gid.size());
+  if (bytes.size() != gid.size()) throw nb::value_error("a gid must have 16 bytes");
+  std::memcpy(gid.data(), bytes.data(), gid.size());
   return gid;
 }
 
-std::vector<tf2::Entry> read_entries(std::span<const std::byte> octets, bool is_ros1, bool& is_readable) {
+std::vector<tf2::Entry> read_entries(std::span<const std::byte> bytes, bool is_ros1, bool& is_readable) {
   std::vector<tf2::Entry> entries;
   try {
     if (is_ros1) {
-      bag::read_ros1_tf_message(octets, entries);
+      bag::read_ros1_tf_message(bytes, entries);
       for (tf2::Entry& entry : entries) {  // names of ROS 1 may begin with a slash, which a buffer drops
         if (entry.frame_id.starts_with('/')) entry.frame_id.remove_prefix(1);
         if (entry.child_frame_id.starts_with('/')) entry.child_frame_id.remove_prefix(1);
       }
     } else {
-      cdr::read_tf_message(octets, entries);
+      cdr::read_tf_message(bytes, entries);
     }
     is_readable = true;
   } catch (const cdr::PathError&) {
@@ -87,11 +87,11 @@ std::vector<tf2::Entry> read_entries(std::span<const std::byte> octets, bool is_
 bool record(TfObserver& observer, const nb::bytes& data, const nb::bytes& publisher_gid, StampArgument received,
             bool is_static, bool is_ros1, const BufferHandle* buffer) {
   const SampleInfo info{0, received.value, gid_of(publisher_gid)};
-  const std::span octets(static_cast<const std::byte*>(data.data()), data.size());
+  const std::span bytes(static_cast<const std::byte*>(data.data()), data.size());
   const ReleasedGil release;
   bool is_readable = false;
-  const std::vector<tf2::Entry> entries = read_entries(octets, is_ros1, is_readable);
-  observer.record(entries, info, is_static, octets.size(), is_readable);
+  const std::vector<tf2::Entry> entries = read_entries(bytes, is_ros1, is_readable);
+  observer.record(entries, info, is_static, bytes.size(), is_readable);
   if (buffer != nullptr) buffer->buffer->set(entries, "recorded", is_static);
   return is_readable;
 }
@@ -170,7 +170,7 @@ void bind_snapshot(nb::module_& m) {
       .def_ro("has_left", &TfTraffic::has_left, "Whether it has left.")
       .def_ro("messages", &TfTraffic::messages, "Number of messages.")
       .def_ro("transforms", &TfTraffic::transforms, "Number of transforms.")
-      .def_ro("bytes", &TfTraffic::bytes, "Octets of the messages.")
+      .def_ro("bytes", &TfTraffic::bytes, "Bytes of the messages.")
       .def_ro("unreadable", &TfTraffic::unreadable, "Number of messages that are no TFMessage.")
       .def_ro("max_transforms", &TfTraffic::max_transforms, "The greatest number of transforms in one message.")
       .def_ro("first_received_ns", &TfTraffic::first_received, "Time of the first receipt [ns since epoch].")

@@ -24,11 +24,11 @@ namespace tfloom::bindings {
 namespace {
 
 std::size_t insert_cdr(BufferHandle& self, const nb::bytes& data, const NameArgument& authority, bool is_static) {
-  const std::span octets(static_cast<const std::byte*>(data.data()), data.size());
+  const std::span bytes(static_cast<const std::byte*>(data.data()), data.size());
   const ReleasedGil release;
   std::vector<tf2::Entry> entries;
   try {
-    cdr::read_tf_message(octets, entries);
+    cdr::read_tf_message(bytes, entries);
   } catch (const cdr::DecodeError& error) {
     const std::string path = error.path.empty() ? "TFMessage" : "TFMessage." + error.path;
     throw std::invalid_argument(path + ": byte " + std::to_string(error.offset) + ": " + error.what());

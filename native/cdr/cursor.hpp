@@ -54,10 +54,10 @@ namespace detail {
 
 template <Number T>
 T swap_bytes(T value) noexcept {
-  std::byte octets[sizeof(T)];
-  std::memcpy(octets, &value, sizeof(T));
-  for (std::size_t i = 0; i < sizeof(T) / 2; ++i) std::swap(octets[i], octets[sizeof(T) - 1 - i]);
-  std::memcpy(&value, octets, sizeof(T));
+  std::byte bytes[sizeof(T)];
+  std::memcpy(bytes, &value, sizeof(T));
+  for (std::size_t i = 0; i < sizeof(T) / 2; ++i) std::swap(bytes[i], bytes[sizeof(T) - 1 - i]);
+  std::memcpy(&value, bytes, sizeof(T));
   return value;
 }
 
@@ -100,7 +100,7 @@ class Cursor {
 
   // Return the bytes of `count` numbers of `size` bytes, in the sample's byte order. If `count` is 0, the position
   // does not change.
-  std::span<const std::byte> read_octets(std::uint32_t count, std::size_t size) {
+  std::span<const std::byte> read_bytes(std::uint32_t count, std::size_t size) {
     if (count == 0) return {};
     return {take(size, count * size), count * size};
   }

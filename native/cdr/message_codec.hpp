@@ -188,9 +188,9 @@ class Encoder {
   bool contiguous(Value value, const Field& field) {
     return with_number_type(field.kind, [&](auto number) {
       using T = decltype(number);
-      return reader_.template numbers<T>(value, [&](std::span<const std::byte> octets) {
-        length(octets.size() / sizeof(T), field);
-        out_.template write_all<T>(octets);
+      return reader_.template numbers<T>(value, [&](std::span<const std::byte> bytes) {
+        length(bytes.size() / sizeof(T), field);
+        out_.template write_all<T>(bytes);
       });
     });
   }

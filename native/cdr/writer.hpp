@@ -34,12 +34,12 @@ class Writer {
   // Write numbers in host byte order, contiguous and not necessarily aligned in memory. Write nothing if there are
   // none.
   template <Number T>
-  void write_all(std::span<const std::byte> octets) {
-    if (octets.empty()) return;
-    std::byte* to = reserve(sizeof(T), octets.size());
-    std::memcpy(to, octets.data(), octets.size());
+  void write_all(std::span<const std::byte> bytes) {
+    if (bytes.empty()) return;
+    std::byte* to = reserve(sizeof(T), bytes.size());
+    std::memcpy(to, bytes.data(), bytes.size());
     if constexpr (std::endian::native == std::endian::big && sizeof(T) > 1) {
-      for (std::size_t i = 0; i < octets.size(); i += sizeof(T)) std::reverse(to + i, to + i + sizeof(T));
+      for (std::size_t i = 0; i < bytes.size(); i += sizeof(T)) std::reverse(to + i, to + i + sizeof(T));
     }
   }
 

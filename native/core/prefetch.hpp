@@ -11,9 +11,9 @@ namespace tfloom {
 
 // A hint only: any address is valid, and the results of the program do not depend on it. A cache line holds 64 bytes
 // or more.
-inline void prefetch(const void* address, std::size_t octets = 1) {
+inline void prefetch(const void* address, std::size_t bytes = 1) {
   const char* const begin = static_cast<const char*>(address);
-  for (std::size_t at = 0; at < octets; at += 64) {
+  for (std::size_t at = 0; at < bytes; at += 64) {
 #if defined(__GNUC__) || defined(__clang__)
     __builtin_prefetch(begin + at);
 #elif defined(_MSC_VER) && (defined(_M_X64) || defined(_M_IX86))

@@ -44,7 +44,7 @@ using IoCount = int;
 #endif
 
 struct Guid {
-  std::uint8_t octets[16];
+  std::uint8_t bytes[16];
 };
 
 struct SampleState {

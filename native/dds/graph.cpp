@@ -13,9 +13,9 @@ namespace {
 constexpr std::uint32_t samples_per_take = 64;
 constexpr std::size_t max_early_node_lists = 256;  // bounded, because they come from the wire
 
-Gid to_gid(const void* octets) {
+Gid to_gid(const void* bytes) {
   Gid gid;
-  std::memcpy(gid.data(), octets, gid.size());
+  std::memcpy(gid.data(), bytes, gid.size());
   return gid;
 }
 
@@ -130,7 +130,7 @@ void Graph::update() {
 void Graph::update_participants() {
   take_all<DiscoveredParticipant>(library_, participant_reader_.get(), [this](const auto& sample, bool is_alive) {
     ++changes_;
-    const Gid gid = to_gid(sample.key.octets);
+    const Gid gid = to_gid(sample.key.bytes);
     if (!is_alive) {
       participants_.erase(gid);
       rtps::ServiceForms::of_process().forget(rtps::prefix_of(gid));  // it has said so, or its lease has ended
@@ -145,7 +145,7 @@ void Graph::update_participants() {
 void Graph::update_endpoints(Entity reader, bool is_writer) {
   take_all<DiscoveredEndpoint>(library_, reader, [this, is_writer](const auto& sample, bool is_alive) {
     ++changes_;
-    const Gid gid = to_gid(sample.key.octets);
+    const Gid gid = to_gid(sample.key.bytes);
     if (!is_alive) {
       endpoints_.erase(gid);
       return;
@@ -153,7 +153,7 @@ void Graph::update_endpoints(Entity reader, bool is_writer) {
     const auto [place, is_new] = endpoints_.try_emplace(gid);
     EndpointInfo& info = place->second;
     info = {gid,
-            to_gid(sample.participant_key.octets),
+            to_gid(sample.participant_key.bytes),
             is_writer,
             to_string(sample.topic_name),
             to_string(sample.type_name),

@@ -31,14 +31,14 @@ std::optional<rtps::Address> address_of(const msghdr& message) {
   if (message.msg_namelen >= sizeof(sockaddr_in) && static_cast<sockaddr*>(message.msg_name)->sa_family == AF_INET) {
     sockaddr_in v4{};
     std::memcpy(&v4, message.msg_name, sizeof(v4));
-    std::memcpy(address.octets.data() + 12, &v4.sin_addr, sizeof(v4.sin_addr));
+    std::memcpy(address.bytes.data() + 12, &v4.sin_addr, sizeof(v4.sin_addr));
     address.port = ntohs(v4.sin_port);
     return address;
   }
   if (message.msg_namelen >= sizeof(sockaddr_in6) && static_cast<sockaddr*>(message.msg_name)->sa_family == AF_INET6) {
     sockaddr_in6 v6{};
     std::memcpy(&v6, message.msg_name, sizeof(v6));
-    std::memcpy(address.octets.data(), &v6.sin6_addr, sizeof(v6.sin6_addr));
+    std::memcpy(address.bytes.data(), &v6.sin6_addr, sizeof(v6.sin6_addr));
     address.port = ntohs(v6.sin6_port);
     return address;
   }

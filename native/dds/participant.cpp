@@ -90,7 +90,7 @@ Gid gid_of(const Library& library, Entity entity) {
   Guid guid{};
   library.check(library.get_guid(entity, &guid), "cannot get a GUID");
   Gid gid;
-  std::memcpy(gid.data(), guid.octets, gid.size());
+  std::memcpy(gid.data(), guid.bytes, gid.size());
   return gid;
 }
 

@@ -47,7 +47,7 @@ const Peer* Peers::find(Entity entity, InstanceHandle handle) {
       library_.builtintopic_free_endpoint);
   if (endpoint == nullptr) return nullptr;
   Peer peer;
-  std::memcpy(peer.gid.data(), endpoint->key.octets, peer.gid.size());
+  std::memcpy(peer.gid.data(), endpoint->key.bytes, peer.gid.size());
   peer.user_data = read_user_data(library_, endpoint->qos);
   if (peers_by_handle_.size() >= max_known) peers_by_handle_.clear();
   return &peers_by_handle_.emplace(handle, std::move(peer)).first->second;

@@ -7,7 +7,7 @@
 namespace tfloom::robot {
 namespace {
 
-std::vector<std::byte> octets_of(const std::string& text) {
+std::vector<std::byte> bytes_of(const std::string& text) {
   const auto* begin = reinterpret_cast<const std::byte*>(text.data());
   return {begin, begin + text.size()};
 }
@@ -35,7 +35,7 @@ void StateSink::convert(std::span<const std::byte> data, std::int64_t now_ns) {
     emit_(OutputKind::refused, {data.begin(), data.end()});
     return;
   }
-  if (const std::string name = states_->left_out(); !name.empty()) emit_(OutputKind::left_out, octets_of(name));
+  if (const std::string name = states_->left_out(); !name.empty()) emit_(OutputKind::left_out, bytes_of(name));
   if (!message.empty()) emit_(OutputKind::transforms, std::move(message));
 }
 

@@ -15,11 +15,11 @@ constexpr std::int64_t ns_per_s = 1'000'000'000;
 constexpr std::size_t numbers_size = 4 + 4 + 4 + 4 + 7 * 8 + 3 * 8;  // of one transform, with padding
 
 // The storage of a Writer.
-struct Octets {
-  std::vector<std::byte>& octets;
+struct Bytes {
+  std::vector<std::byte>& bytes;
   std::span<std::byte> resize(std::size_t size) const {
-    octets.resize(size);
-    return octets;
+    bytes.resize(size);
+    return bytes;
   }
 };
 
@@ -101,8 +101,8 @@ void StateTransforms::follow() {
 
 std::vector<std::byte> StateTransforms::write() const {
   std::vector<std::byte> message;
-  const Octets octets{message};
-  cdr::Writer writer(octets, size_hint_);
+  const Bytes bytes{message};
+  cdr::Writer writer(bytes, size_hint_);
   writer.write(static_cast<std::uint32_t>(known_count_));
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     if (!is_known_[i]) continue;

@@ -31,7 +31,7 @@ constexpr std::size_t max_version_size = 32;
 
 // Return the parameters in the payload of a submessage, or nullopt if it has none.
 std::optional<Parameters> parameters_of(const Data& data) {
-  const Octets payload = data.payload;
+  const Bytes payload = data.payload;
   if (!data.is_sample || data.is_fragment || payload.size() < encapsulation_size) return std::nullopt;
   const bool is_little_endian = payload[1] == std::byte{3};
   if (payload[0] != std::byte{0} || (!is_little_endian && payload[1] != std::byte{2})) return std::nullopt;
@@ -42,22 +42,22 @@ std::optional<Parameters> parameters_of(const Data& data) {
 std::string_view text_of(const Fields& string) {
   const std::size_t size = string.u32(0);  // includes a zero at its end
   if (size == 0 || !string.has(4 + size)) return {};
-  return {reinterpret_cast<const char*>(string.octets().data()) + 4, size - 1};
+  return {reinterpret_cast<const char*>(string.bytes().data()) + 4, size - 1};
 }
 
 std::optional<Address> address_of(const Fields& locator) {
   if (!locator.has(locator_size)) return std::nullopt;
   const std::uint32_t kind = locator.u32(0);
   if (kind != udp_v4 && kind != udp_v6) return std::nullopt;  // shared memory, for instance
-  Address address{octets_at<16>(locator.octets(), 8), locator.u32(4)};
-  if (kind == udp_v4) std::fill_n(address.octets.begin(), 12, std::uint8_t{0});
+  Address address{bytes_at<16>(locator.bytes(), 8), locator.u32(4)};
+  if (kind == udp_v4) std::fill_n(address.bytes.begin(), 12, std::uint8_t{0});
   return address;
 }
 
 std::string version_of_fast_dds(const Fields& version) {
   if (!version.has(4)) return {};
   std::string text;
-  for (const std::uint8_t number : octets_at<4>(version.octets(), 0)) {
+  for (const std::uint8_t number : bytes_at<4>(version.bytes(), 0)) {
     if (!text.empty()) text += '.';
     text += std::to_string(number);
   }
@@ -67,7 +67,7 @@ std::string version_of_fast_dds(const Fields& version) {
 // Return the version in the text `host/version/system/processor`; empty if it is none that can be printed.
 std::string version_of_cyclone(const Fields& info) {
   if (!info.has(cyclone_text_at)) return {};
-  const std::string_view text = text_of(Fields(info.octets().subspan(cyclone_text_at), info.is_little_endian()));
+  const std::string_view text = text_of(Fields(info.bytes().subspan(cyclone_text_at), info.is_little_endian()));
   const std::size_t begin = text.find('/');
   if (begin == std::string_view::npos) return {};
   const std::string_view rest = text.substr(begin + 1);
@@ -154,7 +154,7 @@ std::optional<Gid> announced_service_writer(const Data& data) {
     if (parameter->id == topic_name_id) {
       has_service_topic = is_of_service(text_of(parameter->value));
     } else if (parameter->id == endpoint_guid_id && parameter->value.has(std::tuple_size_v<Gid>)) {
-      writer = octets_at<std::tuple_size_v<Gid>>(parameter->value.octets(), 0);
+      writer = bytes_at<std::tuple_size_v<Gid>>(parameter->value.bytes(), 0);
     }
   }
   return has_service_topic ? writer : std::nullopt;

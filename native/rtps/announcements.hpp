@@ -18,13 +18,13 @@ namespace tfloom::rtps {
 
 // An address of UDP: an IPv4 one is in the last four bytes, after zeros.
 struct Address {
-  std::array<std::uint8_t, 16> octets{};
+  std::array<std::uint8_t, 16> bytes{};
   std::uint32_t port = 0;
 
   // Not <=> by default, because std::array has it from libc++ 17 on.
   bool operator==(const Address&) const = default;
   bool operator<(const Address& other) const {
-    return octets != other.octets ? octets < other.octets : port < other.port;
+    return bytes != other.bytes ? bytes < other.bytes : port < other.port;
   }
 };
 

@@ -13,7 +13,7 @@
 
 namespace tfloom::rtps {
 
-using Octets = std::span<const std::byte>;
+using Bytes = std::span<const std::byte>;
 using GuidPrefix = std::array<std::uint8_t, 12>;
 using EntityId = std::array<std::uint8_t, 4>;
 
@@ -42,9 +42,9 @@ constexpr unsigned data_flag = 0x04;        // of data: the payload is a sample,
 constexpr std::uint16_t sentinel_id = 1;  // the last parameter of a list
 
 template <std::size_t size>
-std::array<std::uint8_t, size> octets_at(Octets octets, std::size_t at) {
+std::array<std::uint8_t, size> bytes_at(Bytes bytes, std::size_t at) {
   std::array<std::uint8_t, size> result{};
-  if (at + size <= octets.size()) std::memcpy(result.data(), octets.data() + at, size);
+  if (at + size <= bytes.size()) std::memcpy(result.data(), bytes.data() + at, size);
   return result;
 }
 
@@ -69,11 +69,11 @@ inline bool is_of_cyclone(const GuidPrefix& participant) { return participant[0]
 // Numbers in the byte order that a submessage, or a list of parameters, declares.
 class Fields {
  public:
-  Fields(Octets octets, bool is_little_endian) : octets_(octets), is_little_endian_(is_little_endian) {}
+  Fields(Bytes bytes, bool is_little_endian) : bytes_(bytes), is_little_endian_(is_little_endian) {}
 
-  [[nodiscard]] Octets octets() const { return octets_; }
+  [[nodiscard]] Bytes bytes() const { return bytes_; }
   [[nodiscard]] bool is_little_endian() const { return is_little_endian_; }
-  [[nodiscard]] bool has(std::size_t size) const { return octets_.size() >= size; }
+  [[nodiscard]] bool has(std::size_t size) const { return bytes_.size() >= size; }
 
   // Return the number at an offset; 0 beyond the end.
   [[nodiscard]] std::uint16_t u16(std::size_t at) const { return static_cast<std::uint16_t>(number(at, 2)); }
@@ -85,42 +85,42 @@ class Fields {
 
  private:
   [[nodiscard]] std::uint64_t number(std::size_t at, std::size_t size) const {
-    if (at + size > octets_.size()) return 0;
+    if (at + size > bytes_.size()) return 0;
     std::uint64_t result = 0;
     for (std::size_t i = 0; i < size; ++i) {
       const std::size_t place = is_little_endian_ ? size - 1 - i : i;
-      result = result << 8 | std::to_integer<std::uint64_t>(octets_[at + place]);
+      result = result << 8 | std::to_integer<std::uint64_t>(bytes_[at + place]);
     }
     return result;
   }
 
-  Octets octets_;
+  Bytes bytes_;
   bool is_little_endian_;
 };
 
 struct Submessage {
   Kind kind{};
   unsigned flags = 0;
-  Octets octets;  // includes its header
+  Bytes bytes;  // includes its header
 
-  [[nodiscard]] Fields fields() const { return {octets, (flags & little_endian_flag) != 0}; }
+  [[nodiscard]] Fields fields() const { return {bytes, (flags & little_endian_flag) != 0}; }
 };
 
 // The submessages of a datagram, in turn.
 class Message {
  public:
   // Return the view of a datagram, or nullopt if it is no RTPS message.
-  static std::optional<Message> of(Octets datagram) {
+  static std::optional<Message> of(Bytes datagram) {
     if (datagram.size() < message_header_size || std::memcmp(datagram.data(), "RTPS", 4) != 0) return std::nullopt;
     return Message(datagram);
   }
 
-  [[nodiscard]] Octets header() const { return datagram_.first(message_header_size); }
-  [[nodiscard]] GuidPrefix source() const { return octets_at<12>(datagram_, 8); }
+  [[nodiscard]] Bytes header() const { return datagram_.first(message_header_size); }
+  [[nodiscard]] GuidPrefix source() const { return bytes_at<12>(datagram_, 8); }
 
   // Return the next submessage, or nullopt at the end, and where the rest is none.
   std::optional<Submessage> next() {
-    const Octets left = datagram_.subspan(at_);
+    const Bytes left = datagram_.subspan(at_);
     if (left.size() < submessage_header_size) return std::nullopt;
     Submessage submessage{static_cast<Kind>(left[0]), std::to_integer<unsigned>(left[1]), {}};
     std::size_t size = Fields(left, (submessage.flags & little_endian_flag) != 0).u16(2);
@@ -128,15 +128,15 @@ class Message {
     const bool may_be_empty = submessage.kind == Kind::pad || submessage.kind == Kind::info_ts;
     if (size == 0 && !may_be_empty) size = left.size() - submessage_header_size;
     if (size > left.size() - submessage_header_size) return std::nullopt;
-    submessage.octets = left.first(submessage_header_size + size);
-    at_ += submessage.octets.size();
+    submessage.bytes = left.first(submessage_header_size + size);
+    at_ += submessage.bytes.size();
     return submessage;
   }
 
  private:
-  explicit Message(Octets datagram) : datagram_(datagram) {}
+  explicit Message(Bytes datagram) : datagram_(datagram) {}
 
-  Octets datagram_;
+  Bytes datagram_;
   std::size_t at_ = message_header_size;
 };
 
@@ -148,16 +148,16 @@ class Parameters {
     Fields value;
   };
 
-  Parameters(Octets octets, bool is_little_endian) : fields_(octets, is_little_endian) {}
+  Parameters(Bytes bytes, bool is_little_endian) : fields_(bytes, is_little_endian) {}
 
   // Return the next parameter, or nullopt at the sentinel, and where the rest is none.
   std::optional<Parameter> next() {
-    const Octets octets = fields_.octets();
-    if (octets.size() - at_ < 4) return std::nullopt;
+    const Bytes bytes = fields_.bytes();
+    if (bytes.size() - at_ < 4) return std::nullopt;
     const std::uint16_t id = fields_.u16(at_);
     const std::size_t size = fields_.u16(at_ + 2);
-    if (id == sentinel_id || size > octets.size() - at_ - 4) return std::nullopt;
-    const Parameter parameter{id, Fields(octets.subspan(at_ + 4, size), fields_.is_little_endian())};
+    if (id == sentinel_id || size > bytes.size() - at_ - 4) return std::nullopt;
+    const Parameter parameter{id, Fields(bytes.subspan(at_ + 4, size), fields_.is_little_endian())};
     at_ += 4 + size;
     return parameter;
   }
@@ -181,8 +181,8 @@ struct Data {
   bool is_little_endian = true;
   bool is_sample = false;      // and not the key of an instance
   std::size_t inline_qos_at = 0;  // the end of the fixed fields
-  Octets inline_qos;           // includes its sentinel; empty if there is none
-  Octets payload;
+  Bytes inline_qos;           // includes its sentinel; empty if there is none
+  Bytes payload;
 
   // Return the view of a submessage, or nullopt if it is no such one, or too short.
   static std::optional<Data> of(const Submessage& submessage) {
@@ -195,7 +195,7 @@ struct Data {
     data.is_little_endian = fields.is_little_endian();
     data.is_fragment = is_fragment;
     data.is_sample = is_fragment ? (submessage.flags & 0x04) == 0 : (submessage.flags & data_flag) != 0;
-    data.writer = octets_at<4>(submessage.octets, 12);
+    data.writer = bytes_at<4>(submessage.bytes, 12);
     data.sequence_number = fields.sequence_number(16);
     if (is_fragment) {
       data.first_fragment = fields.u32(24);
@@ -204,8 +204,8 @@ struct Data {
       data.sample_size = fields.u32(32);
     }
     data.inline_qos_at = 8 + std::size_t{fields.u16(6)};
-    if (data.inline_qos_at < fixed_size || data.inline_qos_at > submessage.octets.size()) return std::nullopt;
-    const Octets rest = submessage.octets.subspan(data.inline_qos_at);
+    if (data.inline_qos_at < fixed_size || data.inline_qos_at > submessage.bytes.size()) return std::nullopt;
+    const Bytes rest = submessage.bytes.subspan(data.inline_qos_at);
     std::size_t inline_qos_size = 0;
     if ((submessage.flags & inline_qos_flag) != 0) {
       Parameters parameters(rest, data.is_little_endian);

@@ -46,7 +46,7 @@ std::optional<Related> related_sample(const Data& data) {
   while (const auto parameter = parameters.next()) {
     if (parameter->id != related_sample_id && parameter->id != former_related_sample_id) continue;
     if (!parameter->value.has(related_sample_size)) return std::nullopt;
-    return Related{octets_at<16>(parameter->value.octets(), 0), parameter->value.sequence_number(16)};
+    return Related{bytes_at<16>(parameter->value.bytes(), 0), parameter->value.sequence_number(16)};
   }
   return std::nullopt;
 }
@@ -64,11 +64,11 @@ void store_sequence_number(std::byte* at, std::uint64_t number) {
   store(at + 4, static_cast<std::uint32_t>(number));
 }
 
-void append(std::vector<std::byte>& out, Octets octets) { out.insert(out.end(), octets.begin(), octets.end()); }
+void append(std::vector<std::byte>& out, Bytes bytes) { out.insert(out.end(), bytes.begin(), bytes.end()); }
 
-ServiceHeader read_header(Octets sample) {
+ServiceHeader read_header(Bytes sample) {
   ServiceHeader header;
-  header.client = octets_at<8>(sample, encapsulation_size);
+  header.client = bytes_at<8>(sample, encapsulation_size);
   const Fields fields(sample, true);
   header.number = static_cast<std::int64_t>(std::uint64_t{fields.u32(encapsulation_size + 12)} << 32 |
                                             fields.u32(encapsulation_size + 8));
@@ -76,7 +76,7 @@ ServiceHeader read_header(Octets sample) {
 }
 
 // Return the bytes of the fragments with the same numbers in inline form; empty if that form has no such fragments.
-std::vector<std::byte> inline_fragment(Octets sample, const Data& data) {
+std::vector<std::byte> inline_fragment(Bytes sample, const Data& data) {
   const std::size_t inline_size = sample.size() - ServiceHeader::size;
   const std::size_t begin = std::size_t{data.first_fragment - 1} * data.fragment_size;
   const std::size_t end = std::min(begin + std::size_t{data.fragment_count} * data.fragment_size, inline_size);
@@ -234,7 +234,7 @@ void ServiceForms::remove(ServiceEnd& end) {
 }
 
 std::size_t ServiceForms::receive(std::span<std::byte> buffer, std::size_t size) {
-  const Octets datagram = Octets(buffer).first(size);
+  const Bytes datagram = Bytes(buffer).first(size);
   auto message = Message::of(datagram);
   if (!message) return size;
   const GuidPrefix source = message->source();
@@ -261,7 +261,7 @@ std::size_t ServiceForms::receive(std::span<std::byte> buffer, std::size_t size)
     }
     if (!is_inline || !has_ends_) continue;
     // What its own endpoints send. A related sample in the inline QoS tells that the writer is one of a service.
-    const auto at = static_cast<std::size_t>(submessage->octets.data() - datagram.data());
+    const auto at = static_cast<std::size_t>(submessage->bytes.data() - datagram.data());
     if (data && is_user_endpoint(data->writer)) {
       const Gid writer = gid_of(source, data->writer);
       if (const auto related = related_sample(*data)) {
@@ -270,7 +270,7 @@ std::size_t ServiceForms::receive(std::span<std::byte> buffer, std::size_t size)
       }
       insert_heartbeats(writer, *submessage, at, inserted);
     } else if (submessage->kind == Kind::heartbeat && submessage->fields().has(28)) {
-      insert_heartbeats(gid_of(source, octets_at<4>(submessage->octets, 8)), *submessage, at, inserted);
+      insert_heartbeats(gid_of(source, bytes_at<4>(submessage->bytes, 8)), *submessage, at, inserted);
     }
   }
   // Without room for the heartbeats, the datagram passes as it has arrived.
@@ -293,8 +293,8 @@ void ServiceForms::insert_heartbeats(const Gid& writer, const Submessage& submes
   Beginning* const beginning = beginnings_.find(writer);
   if (beginning == nullptr || beginning->is_taken) return;
   const bool is_heartbeat = submessage.kind == Kind::heartbeat;
-  const EntityId reader = octets_at<4>(submessage.octets, is_heartbeat ? 4 : 8);
-  const EntityId entity = octets_at<4>(submessage.octets, is_heartbeat ? 8 : 12);
+  const EntityId reader = bytes_at<4>(submessage.bytes, is_heartbeat ? 4 : 8);
+  const EntityId entity = bytes_at<4>(submessage.bytes, is_heartbeat ? 8 : 12);
   const std::uint64_t number = submessage.fields().sequence_number(is_heartbeat ? 12 : 16);
   std::uint64_t first = number;
   if (is_heartbeat) {
@@ -463,7 +463,7 @@ ServiceEnd* ServiceForms::end_of(const EntityId& writer, const GuidPrefix& parti
   return end == ends_by_writer_.end() ? nullptr : end->second;
 }
 
-bool ServiceForms::rewrite(const Address& address, Octets datagram, std::vector<std::vector<std::byte>>& rewritten) {
+bool ServiceForms::rewrite(const Address& address, Bytes datagram, std::vector<std::vector<std::byte>>& rewritten) {
   auto message = Message::of(datagram);
   if (!message) return false;
   const GuidPrefix source = message->source();
@@ -472,8 +472,8 @@ bool ServiceForms::rewrite(const Address& address, Octets datagram, std::vector<
   if (!participant || !uses_inline_form(*participant)) return false;
 
   bool is_changed = false;
-  Octets destination;  // the last info_dst and info_ts, which hold for what follows
-  Octets stamp;
+  Bytes destination;  // the last info_dst and info_ts, which hold for what follows
+  Bytes stamp;
   std::vector<std::byte> out(message->header().begin(), message->header().end());
   std::size_t empty_size = out.size();  // without submessages of a writer
   // Rewritten submessages are larger, and may exceed what one datagram holds. Each further datagram starts with the
@@ -486,8 +486,8 @@ bool ServiceForms::rewrite(const Address& address, Octets datagram, std::vector<
     empty_size = out.size();
   };
   while (const auto submessage = message->next()) {
-    if (submessage->kind == Kind::info_dst) destination = submessage->octets;
-    if (submessage->kind == Kind::info_ts) stamp = submessage->octets;
+    if (submessage->kind == Kind::info_dst) destination = submessage->bytes;
+    if (submessage->kind == Kind::info_ts) stamp = submessage->bytes;
     const auto data = Data::of(*submessage);
     ServiceEnd* end = data ? end_of(data->writer, source) : nullptr;
     const std::size_t former_size = out.size();
@@ -496,9 +496,9 @@ bool ServiceForms::rewrite(const Address& address, Octets datagram, std::vector<
     } else if (submessage->kind == Kind::acknack && append_request(*participant, *submessage, out)) {
       is_changed = true;
     } else {
-      append(out, submessage->octets);
+      append(out, submessage->bytes);
       if (submessage->kind == Kind::info_dst || submessage->kind == Kind::info_ts) {
-        empty_size += former_size == empty_size ? submessage->octets.size() : 0;
+        empty_size += former_size == empty_size ? submessage->bytes.size() : 0;
       }
     }
     // Move this submessage to a new datagram, unless it is too large by itself.
@@ -524,15 +524,15 @@ bool ServiceForms::append_request(const GuidPrefix& participant, const Submessag
                                   std::vector<std::byte>& out) const {
   constexpr std::size_t bitmap_at = 24;  // after the ids, the base and the number of bits
   const Fields fields = acknack.fields();
-  if (!fields.is_little_endian() || acknack.octets.size() != bitmap_at + 4 || fields.u32(20) != 0) return false;
-  const Beginning* const beginning = beginnings_.find(gid_of(participant, octets_at<4>(acknack.octets, 8)));
+  if (!fields.is_little_endian() || acknack.bytes.size() != bitmap_at + 4 || fields.u32(20) != 0) return false;
+  const Beginning* const beginning = beginnings_.find(gid_of(participant, bytes_at<4>(acknack.bytes, 8)));
   if (beginning == nullptr || beginning->is_taken) return false;
   const std::uint64_t first = beginning->first;
   if (first == 0 || fields.sequence_number(12) > first) return false;
   const std::size_t start = out.size();
-  append(out, acknack.octets.first(bitmap_at));
+  append(out, acknack.bytes.first(bitmap_at));
   out.resize(out.size() + 4);
-  append(out, acknack.octets.subspan(bitmap_at));
+  append(out, acknack.bytes.subspan(bitmap_at));
   store(&out[start + 2], static_cast<std::uint16_t>(bitmap_at + 4));
   store_sequence_number(&out[start + 12], first);
   store(&out[start + 20], std::uint32_t{1});
@@ -560,16 +560,16 @@ const std::vector<std::byte>* ServiceEnd::kept_sample(const Data& fragment) {
 bool ServiceForms::append_rewritten(ServiceEnd& end, const GuidPrefix& participant, const Submessage& submessage,
                                     const Data& data, std::vector<std::byte>& out) {
   if (!data.is_little_endian || !data.is_sample) {
-    append(out, submessage.octets);
+    append(out, submessage.bytes);
     return false;
   }
   // First, the sample's header, which goes into the inline QoS, and its content without that header.
   ServiceHeader header;
   std::vector<std::byte> fragment;  // of the sample in inline form
-  Octets payload[2];
+  Bytes payload[2];
   if (!data.is_fragment) {
     if (data.payload.size() < header_end) {
-      append(out, submessage.octets);
+      append(out, submessage.bytes);
       return false;
     }
     header = read_header(data.payload);
@@ -591,7 +591,7 @@ bool ServiceForms::append_rewritten(ServiceEnd& end, const GuidPrefix& participa
   // and its call would never end.
   const auto related = related_to(end, participant, header);
   if (!related) {
-    append_gap(out, data, octets_at<4>(submessage.octets, 8));
+    append_gap(out, data, bytes_at<4>(submessage.bytes, 8));
     return true;
   }
   if (end.is_client_) {
@@ -602,7 +602,7 @@ bool ServiceForms::append_rewritten(ServiceEnd& end, const GuidPrefix& participa
 
   // Then the submessage: its fixed fields, its inline QoS with one more parameter before the sentinel, and the content.
   const std::size_t start = out.size();
-  append(out, submessage.octets.first(data.inline_qos_at));
+  append(out, submessage.bytes.first(data.inline_qos_at));
   if (!data.inline_qos.empty()) append(out, data.inline_qos.first(data.inline_qos.size() - 4));
   append(out, related_identity(*related));
   append(out, payload[0]);

@@ -137,7 +137,7 @@ class ServiceForms {
 
   // Rewrite a datagram for an address whose participant uses the inline form. Return false if it can be sent as it is;
   // otherwise `rewritten` holds the datagrams to send instead, none if nothing of it is for that address.
-  bool rewrite(const Address& address, Octets datagram, std::vector<std::vector<std::byte>>& rewritten);
+  bool rewrite(const Address& address, Bytes datagram, std::vector<std::vector<std::byte>>& rewritten);
 
   // Return whether a participant that uses the inline form receives at an address. Costs a comparison where there is no
   // such participant.

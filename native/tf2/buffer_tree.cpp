@@ -60,11 +60,11 @@ bool Buffer::remove_frame(std::string_view name) {
 
 std::size_t Buffer::memory() const {
   const ReadLock lock(frames_mutex_);
-  std::size_t octets = 0;
+  std::size_t bytes = 0;
   for (FrameId id = 1; id < frames_.size(); ++id) {
-    if (frames_[id].history) octets += frames_[id].history->memory();
+    if (frames_[id].history) bytes += frames_[id].history->memory();
   }
-  return octets;
+  return bytes;
 }
 
 }  // namespace tfloom::tf2

@@ -21,8 +21,8 @@ class Writer {
     put_bytes(&value, sizeof value);
   }
   void put_bytes(const void* from, std::size_t size) {
-    const auto* octets = static_cast<const std::byte*>(from);
-    out_.insert(out_.end(), octets, octets + size);
+    const auto* bytes = static_cast<const std::byte*>(from);
+    out_.insert(out_.end(), bytes, bytes + size);
   }
   void pad() { out_.resize((out_.size() + alignment - 1) / alignment * alignment); }
   [[nodiscard]] std::vector<std::byte> take() { return std::move(out_); }
@@ -64,7 +64,7 @@ FrozenFrame record_of(const Frame& frame) {
 // Reads the parts in order; each size is checked against the bytes that are left.
 class Reader {
  public:
-  explicit Reader(std::span<const std::byte> octets) : data_(octets) {}
+  explicit Reader(std::span<const std::byte> bytes) : data_(bytes) {}
 
   template <class T>
   std::span<const T> view(std::uint64_t count, std::string_view what) {
@@ -89,8 +89,8 @@ class Reader {
   std::size_t at_ = 0;
 };
 
-const FrozenHeader& read_header(Reader& in, std::span<const std::byte> octets) {
-  if (reinterpret_cast<std::uintptr_t>(octets.data()) % alignment != 0) in.fail("the memory isn't aligned to 8 bytes");
+const FrozenHeader& read_header(Reader& in, std::span<const std::byte> bytes) {
+  if (reinterpret_cast<std::uintptr_t>(bytes.data()) % alignment != 0) in.fail("the memory isn't aligned to 8 bytes");
   const auto& header = in.view<FrozenHeader>(1, "the header")[0];
   if (header.magic != FrozenHeader::expected_magic) in.fail("this is no frozen buffer");
   if (header.order != FrozenHeader::expected_order) {
@@ -100,9 +100,9 @@ const FrozenHeader& read_header(Reader& in, std::span<const std::byte> octets) {
     in.fail(join("its format is version ", std::to_string(header.version), ", and this program reads version ",
                  std::to_string(FrozenHeader::expected_version)));
   }
-  if (header.size != octets.size()) {
+  if (header.size != bytes.size()) {
     in.fail(join("it was ", std::to_string(header.size), " bytes long when it was written, and has ",
-                 std::to_string(octets.size()), " now"));
+                 std::to_string(bytes.size()), " now"));
   }
   if (header.cache_time < 0) in.fail("its cache time is negative");
   if (header.frame_count >= UINT32_MAX) in.fail("it has more frames than there are ids");
@@ -114,8 +114,8 @@ void read_names(Reader& in, std::span<const FrozenFrame> records, std::uint64_t 
   Reader texts(in.view<std::byte>(text_size, "the text"));
   in.skip_padding();
   const auto read = [&](std::uint32_t size, std::string_view what) {
-    const auto octets = texts.view<char>(size, what);
-    const std::string_view text(octets.data(), octets.size());
+    const auto bytes = texts.view<char>(size, what);
+    const std::string_view text(bytes.data(), bytes.size());
     if (!is_utf8(text)) texts.fail(join(what, " is not UTF-8"));
     return text;
   };

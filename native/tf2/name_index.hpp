@@ -78,8 +78,8 @@ class NameIndex {
     const char* const text = name.data();
     const std::size_t size = name.size();
     std::uint64_t hash = seed_ ^ size;
-    const auto take = [&hash](std::uint64_t octets) {
-      hash = (hash ^ octets) * 0x9e3779b97f4a7c15u;
+    const auto take = [&hash](std::uint64_t bytes) {
+      hash = (hash ^ bytes) * 0x9e3779b97f4a7c15u;
       hash ^= hash >> 29;
     };
     if (size >= 8) {
@@ -92,18 +92,18 @@ class NameIndex {
   }
 
   static std::uint64_t read(const char* text, std::size_t size) {
-    std::uint64_t octets = 0;
+    std::uint64_t bytes = 0;
     if (size >= 8) {
-      std::memcpy(&octets, text, 8);
+      std::memcpy(&bytes, text, 8);
     } else if (size >= 4) {
       std::uint32_t first = 0, last = 0;  // overlap
       std::memcpy(&first, text, 4);
       std::memcpy(&last, text + size - 4, 4);
-      octets = (std::uint64_t{first} << 32) | last;
+      bytes = (std::uint64_t{first} << 32) | last;
     } else {
-      for (std::size_t i = 0; i < size; ++i) octets = (octets << 8) | static_cast<unsigned char>(text[i]);
+      for (std::size_t i = 0; i < size; ++i) bytes = (bytes << 8) | static_cast<unsigned char>(text[i]);
     }
-    return octets;
+    return bytes;
   }
 
   std::uint64_t seed_ = seed();

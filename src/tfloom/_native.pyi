@@ -722,11 +722,11 @@ def move_points_float32(transform: Annotated[NDArray[numpy.float64], dict(shape=
     Apply `transform` (7,) to `points` (N, 3) and write them into `out`, which may be `points`.
     """
 
-def move_cloud_float32(transform: Annotated[NDArray[numpy.float64], dict(shape=(7), order='C', device='cpu', writable=False)], octets: Annotated[NDArray[numpy.uint8], dict(shape=(None,), order='C', device='cpu')], shape: Sequence[int], steps: Sequence[int], offsets: Sequence[int]) -> None:
+def move_cloud_float32(transform: Annotated[NDArray[numpy.float64], dict(shape=(7), order='C', device='cpu', writable=False)], bytes: Annotated[NDArray[numpy.uint8], dict(shape=(None,), order='C', device='cpu')], shape: Sequence[int], steps: Sequence[int], offsets: Sequence[int]) -> None:
     """
     Apply `transform` (7,) to the points of a cloud, in place. Point (row, column) of `shape` begins at row * steps[0] + column * steps[1], and has x, y and z at `offsets` from there, in this machine's byte order.
 
-    Raises ValueError if they are not all within `octets` (N,).
+    Raises ValueError if they are not all within `bytes` (N,).
     """
 
 def move_points_float64(transform: Annotated[NDArray[numpy.float64], dict(shape=(7), order='C', device='cpu', writable=False)], points: Annotated[NDArray[numpy.float64], dict(shape=(None, 3), order='C', device='cpu', writable=False)], out: Annotated[NDArray[numpy.float64], dict(shape=(None, 3), order='C', device='cpu')]) -> None:
@@ -734,11 +734,11 @@ def move_points_float64(transform: Annotated[NDArray[numpy.float64], dict(shape=
     Apply `transform` (7,) to `points` (N, 3) and write them into `out`, which may be `points`.
     """
 
-def move_cloud_float64(transform: Annotated[NDArray[numpy.float64], dict(shape=(7), order='C', device='cpu', writable=False)], octets: Annotated[NDArray[numpy.uint8], dict(shape=(None,), order='C', device='cpu')], shape: Sequence[int], steps: Sequence[int], offsets: Sequence[int]) -> None:
+def move_cloud_float64(transform: Annotated[NDArray[numpy.float64], dict(shape=(7), order='C', device='cpu', writable=False)], bytes: Annotated[NDArray[numpy.uint8], dict(shape=(None,), order='C', device='cpu')], shape: Sequence[int], steps: Sequence[int], offsets: Sequence[int]) -> None:
     """
     Apply `transform` (7,) to the points of a cloud, in place. Point (row, column) of `shape` begins at row * steps[0] + column * steps[1], and has x, y and z at `offsets` from there, in this machine's byte order.
 
-    Raises ValueError if they are not all within `octets` (N,).
+    Raises ValueError if they are not all within `bytes` (N,).
     """
 
 def use_wide_vectors(are_wide: bool) -> bool:
@@ -984,7 +984,7 @@ class TfTraffic:
 
     @property
     def bytes(self) -> int:
-        """Octets of the messages."""
+        """Bytes of the messages."""
 
     @property
     def unreadable(self) -> int:

@@ -112,7 +112,7 @@ Library make_library() {
   };
   l.get_guid = [](Entity entity, Guid* guid) -> Result {
     if (fails()) return failure;
-    std::memset(guid->octets, entity, sizeof guid->octets);
+    std::memset(guid->bytes, entity, sizeof guid->bytes);
     return 0;
   };
   l.get_entity_sertype = [](Entity, const Sertype_** type) -> Result {

@@ -14,7 +14,7 @@
 namespace {
 
 using namespace tfloom;
-using rtps::Octets;
+using rtps::Bytes;
 using rtps::ServiceEnd;
 using rtps::ServiceForms;
 using Datagram = std::vector<std::byte>;
@@ -42,11 +42,11 @@ void check(bool holds, const char* what) {
 class Builder {
  public:
   explicit Builder(const Gid& source) {
-    text("RTPS").octets({2, 3, source[0], source[1]});
-    for (std::size_t i = 0; i < 12; ++i) octets({source[i]});
+    text("RTPS").bytes({2, 3, source[0], source[1]});
+    for (std::size_t i = 0; i < 12; ++i) bytes({source[i]});
   }
 
-  Builder& octets(std::initializer_list<int> values) {
+  Builder& bytes(std::initializer_list<int> values) {
     for (const int value : values) bytes_.push_back(static_cast<std::byte>(value));
     return *this;
   }
@@ -54,16 +54,16 @@ class Builder {
     for (const char character : value) bytes_.push_back(static_cast<std::byte>(character));
     return *this;
   }
-  Builder& u16(unsigned value) { return octets({int(value & 0xff), int(value >> 8 & 0xff)}); }
+  Builder& u16(unsigned value) { return bytes({int(value & 0xff), int(value >> 8 & 0xff)}); }
   Builder& u32(std::uint32_t value) { return u16(value & 0xffff).u16(value >> 16); }
   Builder& gid(const Gid& value) {
-    for (const int octet : value) octets({octet});
+    for (const int octet : value) bytes({octet});
     return *this;
   }
-  Builder& stamp(std::uint32_t seconds) { return octets({9, 1}).u16(8).u32(seconds).u32(0); }
+  Builder& stamp(std::uint32_t seconds) { return bytes({9, 1}).u16(8).u32(seconds).u32(0); }
 
   Builder& begin(int kind, int flags) {
-    octets({kind, flags}).u16(0);
+    bytes({kind, flags}).u16(0);
     start_ = bytes_.size();
     return *this;
   }
@@ -75,19 +75,19 @@ class Builder {
   }
   Builder& data(const Gid& writer, std::uint32_t number, bool has_inline_qos) {
     begin(0x15, has_inline_qos ? 7 : 5).u16(0).u16(16).u32(0);
-    return octets({writer[12], writer[13], writer[14], writer[15]}).u32(0).u32(number);
+    return bytes({writer[12], writer[13], writer[14], writer[15]}).u32(0).u32(number);
   }
   Builder& related(const Gid& value, std::uint32_t high, std::uint32_t low) {
     return u16(0x83).u16(24).gid(value).u32(high).u32(low).u16(1).u16(0);
   }
   Builder& header(std::uint32_t number) {
-    for (const int octet : key) octets({octet});
+    for (const int octet : key) bytes({octet});
     return u32(number).u32(0);
   }
-  Builder& encapsulation() { return octets({0, 1, 0, 0}); }
+  Builder& encapsulation() { return bytes({0, 1, 0, 0}); }
 
   operator const Datagram&() const { return bytes_; }
-  operator Octets() const { return bytes_; }
+  operator Bytes() const { return bytes_; }
 
  private:
   Datagram bytes_;
@@ -96,31 +96,31 @@ class Builder {
 
 Builder announcement(const Gid& source, std::uint32_t port) {
   Builder message(source);
-  message.begin(0x15, 5).u16(0).u16(16).u32(0).octets({0, 1, 0, 0xc2}).u32(0).u32(1);
-  message.octets({0, 3, 0, 0}).u16(0x31).u16(24).u32(1).u32(port).u32(0).u32(0).u32(0).octets({127, 0, 0, 1});
+  message.begin(0x15, 5).u16(0).u16(16).u32(0).bytes({0, 1, 0, 0xc2}).u32(0).u32(1);
+  message.bytes({0, 3, 0, 0}).u16(0x31).u16(24).u32(1).u32(port).u32(0).u32(0).u32(0).bytes({127, 0, 0, 1});
   return message.u16(1).u16(0).end();
 }
 
 Builder writer_announcement(const Gid& writer) {
   Builder message(writer);
-  message.begin(0x15, 5).u16(0).u16(16).u32(0).octets({0, 0, 3, 0xc2}).u32(0).u32(1).octets({0, 3, 0, 0});
-  message.u16(5).u16(8).u32(4).text("rq/").octets({0}).u16(0x5a).u16(16).gid(writer);
+  message.begin(0x15, 5).u16(0).u16(16).u32(0).bytes({0, 0, 3, 0xc2}).u32(0).u32(1).bytes({0, 3, 0, 0});
+  message.u16(5).u16(8).u32(4).text("rq/").bytes({0}).u16(0x5a).u16(16).gid(writer);
   return message.u16(1).u16(0).end();
 }
 
 // A participant's announcement with a parameter of its vendor.
 Builder version_announcement(const Gid& source, unsigned id, const Datagram& value) {
   Builder message(source);
-  message.begin(0x15, 5).u16(0).u16(16).u32(0).octets({0, 1, 0, 0xc2}).u32(0).u32(1).octets({0, 3, 0, 0});
+  message.begin(0x15, 5).u16(0).u16(16).u32(0).bytes({0, 1, 0, 0xc2}).u32(0).u32(1).bytes({0, 3, 0, 0});
   message.u16(id).u16(static_cast<unsigned>(value.size()));
-  for (const std::byte octet : value) message.octets({std::to_integer<int>(octet)});
+  for (const std::byte octet : value) message.bytes({std::to_integer<int>(octet)});
   return message.u16(1).u16(0).end();
 }
 
 // The text of Cyclone DDS, after five numbers, as libddsc 11.0.1 sends it; its length counts a zero.
 Datagram cyclone_info(std::string_view text) {
   Builder info(our_writer);
-  info.u32(0).u32(0).u32(0).u32(0).u32(0).u32(static_cast<std::uint32_t>(text.size() + 1)).text(text).octets({0});
+  info.u32(0).u32(0).u32(0).u32(0).u32(0).u32(static_cast<std::uint32_t>(text.size() + 1)).text(text).bytes({0});
   const Datagram& bytes = info;
   return {bytes.begin() + rtps::message_header_size, bytes.end()};
 }
@@ -192,7 +192,7 @@ void check_known_answers() {
   sent.clear();
   // A gap of one sequence number: no reader of this participant awaits the sample.
   const Datagram gap =
-      tail(Builder(our_writer).begin(8, 1).u16(0).u16(0).octets({0, 0, 3, 3}).u32(0).u32(2).u32(0).u32(3).u32(0).end());
+      tail(Builder(our_writer).begin(8, 1).u16(0).u16(0).bytes({0, 0, 3, 3}).u32(0).u32(2).u32(0).u32(3).u32(0).end());
   check(forms.rewrite(fast_address, Builder(server_writer).data(server_writer, 2, false).encapsulation().header(9).end(), sent) &&
             sent.size() == 1 && tail(sent[0]) == gap,
         "a response to others is a gap");
@@ -208,7 +208,7 @@ void check_known_answers() {
   check(forms.rewrite(other_address, bytes, sent) && sent.size() == 1 && tail(sent[0]) == gap_of_first,
         "a response to a client of another participant is a gap");
 
-  // A sample in fragments of 32 octets: 20 + 60 in header form, so three; in inline form 64, so two.
+  // A sample in fragments of 32 bytes: 20 + 60 in header form, so three; in inline form 64, so two.
   Datagram sample = Builder(our_writer).encapsulation().header(12);
   sample.erase(sample.begin(), sample.begin() + rtps::message_header_size);
   for (int i = 0; i < 60; ++i) sample.push_back(static_cast<std::byte>(i));
@@ -216,10 +216,10 @@ void check_known_answers() {
   Datagram joined;
   for (std::size_t fragment = 0; fragment * 32 < sample.size(); ++fragment) {
     Builder message(our_writer);
-    message.begin(0x16, 1).u16(0).u16(28).u32(0).octets({0, 0, 1, 3}).u32(0).u32(4);
+    message.begin(0x16, 1).u16(0).u16(28).u32(0).bytes({0, 0, 1, 3}).u32(0).u32(4);
     message.u32(static_cast<std::uint32_t>(fragment + 1)).u16(1).u16(32).u32(static_cast<std::uint32_t>(sample.size()));
     for (std::size_t at = fragment * 32; at < std::min(sample.size(), fragment * 32 + 32); ++at) {
-      message.octets({std::to_integer<int>(sample[at])});
+      message.bytes({std::to_integer<int>(sample[at])});
     }
     sent.clear();
     check(forms.rewrite(fast_address, message.end(), sent), "a fragment is rewritten");
@@ -237,7 +237,7 @@ void check_known_answers() {
   check(target.client->kept_size() == 0, "kept samples are released");
 
   Builder unkept(our_writer);
-  unkept.begin(0x16, 1).u16(0).u16(28).u32(0).octets({0, 0, 1, 3}).u32(0).u32(5).u32(1).u16(1).u16(32).u32(80);
+  unkept.begin(0x16, 1).u16(0).u16(28).u32(0).bytes({0, 0, 1, 3}).u32(0).u32(5).u32(1).u16(1).u16(32).u32(80);
   sent.clear();
   check(forms.rewrite(fast_address, unkept.encapsulation().header(13).text("0123456789ab").end(), sent) && sent.empty(),
         "no fragment of a sample that was not kept is sent");
@@ -246,7 +246,7 @@ void check_known_answers() {
   Target fresh;
   received(fresh.forms, writer_announcement(fast_writer));
   const auto heartbeat = [](std::uint32_t first, std::uint32_t last, int flags) {
-    return tail(Builder(our_writer).begin(7, flags).u32(0).octets({0, 0, 5, 3}).u32(0).u32(first).u32(0).u32(last)
+    return tail(Builder(our_writer).begin(7, flags).u32(0).bytes({0, 0, 5, 3}).u32(0).u32(first).u32(0).u32(last)
                     .u32(last + 1).end());
   };
   check(received(fresh.forms, inline_request(4, 8)).size() == Datagram(inline_request(4, 8)).size() + 32 &&
@@ -254,7 +254,7 @@ void check_known_answers() {
         "a beginning");
   const auto acknowledgement = [](std::uint32_t base, bool requests) {
     Builder message(our_reader);
-    message.begin(6, 1).octets({0, 0, 4, 4, 0, 0, 5, 3}).u32(0).u32(base).u32(requests ? 1 : 0);
+    message.begin(6, 1).bytes({0, 0, 4, 4, 0, 0, 5, 3}).u32(0).u32(base).u32(requests ? 1 : 0);
     return (requests ? message.u32(0x80000000) : message).u32(77).end();
   };
   sent.clear();
@@ -274,11 +274,11 @@ void check_known_answers() {
   sent.clear();
   check(!fresh.forms.rewrite(fast_address, acknowledgement(1, false), sent), "nothing is requested later");
 
-  // An IPv4 locator whose unused octets are not zero; the name of a topic without its length, beside what follows.
+  // An IPv4 locator whose unused bytes are not zero; the name of a topic without its length, beside what follows.
   Datagram odd = announcement(fast_writer, other_address.port);
   odd[odd.size() - 20] = std::byte{1};
   received(fresh.forms, odd);
-  check(fresh.forms.is_of_inline_peer(other_address), "the unused octets of an IPv4 address count for nothing");
+  check(fresh.forms.is_of_inline_peer(other_address), "the unused bytes of an IPv4 address count for nothing");
   constexpr Gid late_writer = {1, 0x0f, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 0, 0, 9, 3};
   Datagram nameless = writer_announcement(late_writer);
   const std::array<std::byte, 4> length = {std::byte{4}, std::byte{0}, std::byte{0}, std::byte{0}};
@@ -311,7 +311,7 @@ void send_request(ServiceForms& forms) {
 
 void check_beginnings() {
   const auto heartbeat = [](std::uint32_t first, std::uint32_t last, int flags) {
-    return Builder(fast_writer).begin(7, flags).u32(0).octets({0, 0, 5, 3}).u32(0).u32(first).u32(0).u32(last)
+    return Builder(fast_writer).begin(7, flags).u32(0).bytes({0, 0, 5, 3}).u32(0).u32(first).u32(0).u32(last)
         .u32(last + 1).end();
   };
   Target target;
@@ -343,7 +343,7 @@ void check_beginnings() {
 
   // A relayed message has another source than its header says.
   Target relayed;
-  Datagram relay = Builder(fast_writer).begin(0x0c, 1).u32(0).octets({2, 3, 1, 15}).u32(9).u32(9).u32(9).end();
+  Datagram relay = Builder(fast_writer).begin(0x0c, 1).u32(0).bytes({2, 3, 1, 15}).u32(9).u32(9).u32(9).end();
   relay.insert(relay.end(), second.begin(), second.end());
   received(relayed.forms, relay);
   check(!relayed.server->take_header(fast_writer, 8 * second_ns), "a relayed sample is nobody's");
@@ -502,9 +502,9 @@ void check_large_datagrams() {
   for (const std::uint32_t number : {6U, 7U}) {
     const Datagram& whole = samples[number - 6];
     Builder message(our_writer);
-    message.begin(0x16, 1).u16(0).u16(28).u32(0).octets({0, 0, 1, 3}).u32(0).u32(number);
+    message.begin(0x16, 1).u16(0).u16(28).u32(0).bytes({0, 0, 1, 3}).u32(0).u32(number);
     message.u32(1).u16(1).u16(32).u32(static_cast<std::uint32_t>(whole.size()));
-    for (std::size_t at = 0; at < 32; ++at) message.octets({std::to_integer<int>(whole[at])});
+    for (std::size_t at = 0; at < 32; ++at) message.bytes({std::to_integer<int>(whole[at])});
     sent.clear();
     check(target.forms.rewrite(fast_address, message.end(), sent) && sent.size() == 1 &&
               sent[0].back() == std::byte{static_cast<unsigned char>(number == 6 ? 'a' : 'b')},
@@ -529,7 +529,7 @@ void check_versions() {
   cut.resize(24);
   check(announced(our_writer, of_cyclone, cut).empty(), "a text longer than its parameter");
   check(announced(our_writer, of_fast, four).empty(), "another vendor's parameter");
-  check(announced(fast_writer, of_fast, {four.begin(), four.begin() + 3}).empty(), "three octets of four");
+  check(announced(fast_writer, of_fast, {four.begin(), four.begin() + 3}).empty(), "three bytes of four");
   check(announced(our_writer, of_cyclone, cyclone_info("host/11.0.1/Linux/x86")) == "11.0.1", "Cyclone's version");
   check(announced(fast_writer, of_fast, four) == "3.2.10.0", "the version of Fast DDS");
   ServiceForms deaf;

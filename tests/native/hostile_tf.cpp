@@ -15,8 +15,8 @@ using Bytes = std::vector<std::byte>;
 template <class T>
 void append(Bytes& bytes, T value) {
   while ((bytes.size() - 4) % sizeof(T) != 0) bytes.push_back(std::byte{0});
-  const auto* octets = reinterpret_cast<const std::byte*>(&value);
-  bytes.insert(bytes.end(), octets, octets + sizeof(T));
+  const auto* of_value = reinterpret_cast<const std::byte*>(&value);
+  bytes.insert(bytes.end(), of_value, of_value + sizeof(T));
 }
 
 void append(Bytes& bytes, const std::string& text) {

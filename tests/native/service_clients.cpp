@@ -28,20 +28,20 @@ void check(bool is_right, const char* what) {
 
 class Datagram {
  public:
-  Datagram& octets(std::initializer_list<int> values) {
-    for (const int value : values) octets_.push_back(static_cast<std::byte>(value));
+  Datagram& bytes(std::initializer_list<int> values) {
+    for (const int value : values) bytes_.push_back(static_cast<std::byte>(value));
     return *this;
   }
   Datagram& u32(std::uint32_t value) {
-    for (int i = 0; i < 4; ++i) octets_.push_back(static_cast<std::byte>(value >> (8 * i) & 0xff));
+    for (int i = 0; i < 4; ++i) bytes_.push_back(static_cast<std::byte>(value >> (8 * i) & 0xff));
     return *this;
   }
   template <typename Range>
   Datagram& range(const Range& values) {
-    for (const auto value : values) octets_.push_back(static_cast<std::byte>(value));
+    for (const auto value : values) bytes_.push_back(static_cast<std::byte>(value));
     return *this;
   }
-  std::vector<std::byte> octets_;
+  std::vector<std::byte> bytes_;
 };
 
 Gid gid_of_client(std::uint32_t number, std::uint8_t entity_kind) {
@@ -53,15 +53,15 @@ Gid gid_of_client(std::uint32_t number, std::uint8_t entity_kind) {
 std::vector<std::byte> request(std::uint32_t client, std::uint32_t number) {
   const Gid writer = gid_of_client(client, 0x03);
   Datagram datagram;
-  datagram.range(std::string_view("RTPS")).octets({2, 3, 1, 15});
-  for (int i = 0; i < 12; ++i) datagram.octets({writer[static_cast<std::size_t>(i)]});
-  datagram.octets({9, 1, 8, 0}).u32(number).u32(0);
-  datagram.octets({0x15, 7, 56, 0, 0, 0, 16, 0}).u32(0);
-  for (std::size_t i = 12; i < 16; ++i) datagram.octets({writer[i]});
+  datagram.range(std::string_view("RTPS")).bytes({2, 3, 1, 15});
+  for (int i = 0; i < 12; ++i) datagram.bytes({writer[static_cast<std::size_t>(i)]});
+  datagram.bytes({9, 1, 8, 0}).u32(number).u32(0);
+  datagram.bytes({0x15, 7, 56, 0, 0, 0, 16, 0}).u32(0);
+  for (std::size_t i = 12; i < 16; ++i) datagram.bytes({writer[i]});
   datagram.u32(0).u32(number);
-  datagram.octets({0x83, 0, 24, 0}).range(gid_of_client(client, 0x04)).u32(0xffffffff).u32(0).octets({1, 0, 0, 0});
-  datagram.octets({0, 1, 0, 0});
-  return datagram.octets_;
+  datagram.bytes({0x83, 0, 24, 0}).range(gid_of_client(client, 0x04)).u32(0xffffffff).u32(0).bytes({1, 0, 0, 0});
+  datagram.bytes({0, 1, 0, 0});
+  return datagram.bytes_;
 }
 
 class Server {
@@ -185,29 +185,29 @@ void be_answered_without_end() {
   const auto client = forms.add_client("/s", writer, reader, {1, 2, 3, 4, 5, 6, 7, 8});
   std::array<std::byte, 4096> buffer{};
   const auto receive = [&](const Datagram& datagram) {
-    std::memcpy(buffer.data(), datagram.octets_.data(), datagram.octets_.size());
-    forms.receive(buffer, datagram.octets_.size());
+    std::memcpy(buffer.data(), datagram.bytes_.data(), datagram.bytes_.size());
+    forms.receive(buffer, datagram.bytes_.size());
   };
   const Gid server = gid_of_client(1, 0x03);
   const auto from = [](const Gid& source) {
     Datagram datagram;
-    datagram.range(std::string_view("RTPS")).octets({2, 3, source[0], source[1]});
-    for (std::size_t i = 0; i < 12; ++i) datagram.octets({source[i]});
+    datagram.range(std::string_view("RTPS")).bytes({2, 3, source[0], source[1]});
+    for (std::size_t i = 0; i < 12; ++i) datagram.bytes({source[i]});
     return datagram;
   };
   // Where the server receives; then a request, sample 3.
-  receive(from(server).octets({0x15, 5, 56, 0, 0, 0, 16, 0}).u32(0).octets({0, 1, 0, 0xc2}).u32(0).u32(1)
-              .octets({0, 3, 0, 0, 0x31, 0, 24, 0}).u32(1).u32(address.port).u32(0).u32(0).u32(0)
-              .octets({127, 0, 0, 1, 1, 0, 0, 0}));
+  receive(from(server).bytes({0x15, 5, 56, 0, 0, 0, 16, 0}).u32(0).bytes({0, 1, 0, 0xc2}).u32(0).u32(1)
+              .bytes({0, 3, 0, 0, 0x31, 0, 24, 0}).u32(1).u32(address.port).u32(0).u32(0).u32(0)
+              .bytes({127, 0, 0, 1, 1, 0, 0, 0}));
   std::vector<std::vector<std::byte>> sent;
-  const Datagram request = from(writer).octets({0x15, 5, 44, 0, 0, 0, 16, 0}).u32(0).octets({0, 0, 1, 3}).u32(0).u32(3)
-                               .octets({0, 1, 0, 0}).octets({1, 2, 3, 4, 5, 6, 7, 8}).u32(11).u32(0).u32(0);
-  check(forms.rewrite(address, request.octets_, sent), "a request was not rewritten");
+  const Datagram request = from(writer).bytes({0x15, 5, 44, 0, 0, 0, 16, 0}).u32(0).bytes({0, 0, 1, 3}).u32(0).u32(3)
+                               .bytes({0, 1, 0, 0}).bytes({1, 2, 3, 4, 5, 6, 7, 8}).u32(11).u32(0).u32(0);
+  check(forms.rewrite(address, request.bytes_, sent), "a request was not rewritten");
   constexpr std::uint32_t responses = 200'001;
   for (std::uint32_t number = 1; number <= responses; ++number) {
-    receive(from(server).octets({9, 1, 8, 0}).u32(number).u32(0).octets({0x15, 7, 56, 0, 0, 0, 16, 0}).u32(0)
-                .octets({server[12], server[13], server[14], server[15]}).u32(0).u32(number)
-                .octets({0x83, 0, 24, 0}).range(reader).u32(0).u32(3).octets({1, 0, 0, 0, 0, 1, 0, 0}));
+    receive(from(server).bytes({9, 1, 8, 0}).u32(number).u32(0).bytes({0x15, 7, 56, 0, 0, 0, 16, 0}).u32(0)
+                .bytes({server[12], server[13], server[14], server[15]}).u32(0).u32(number)
+                .bytes({0x83, 0, 24, 0}).range(reader).u32(0).u32(3).bytes({1, 0, 0, 0, 0, 1, 0, 0}));
   }
   const auto take = [&](std::uint32_t number) {
     const auto header = client->take_header(server, std::int64_t{number} * 1'000'000'000);

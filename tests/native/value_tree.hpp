@@ -14,9 +14,9 @@
 namespace tfloom::cdr {
 
 struct Tree {
-  using Octets = std::vector<std::byte>;  // numbers, in host order
+  using Bytes = std::vector<std::byte>;  // numbers, in host order
 
-  std::variant<bool, std::uint64_t, double, std::string, std::u32string, Octets, std::vector<Tree>> value;
+  std::variant<bool, std::uint64_t, double, std::string, std::u32string, Bytes, std::vector<Tree>> value;
 };
 
 class TreeBuilder {
@@ -44,7 +44,7 @@ class TreeBuilder {
     std::vector<T> numbers(length);
     in.read_into(std::span<T>(numbers));
     const auto* from = reinterpret_cast<const std::byte*>(numbers.data());
-    return {Tree::Octets(from, from + length * sizeof(T))};
+    return {Tree::Bytes(from, from + length * sizeof(T))};
   }
   Value list(std::uint32_t length) { return {std::vector<Tree>(length)}; }
   void set_item(Value& list, std::uint32_t index, Value value) {
@@ -70,7 +70,7 @@ class TreeReader {
   std::u32string wide(Value value) { return std::get<std::u32string>(value->value); }
   template <class T, class Visit>
   bool numbers(Value value, Visit&& visit) {
-    visit(std::span<const std::byte>(std::get<Tree::Octets>(value->value)));
+    visit(std::span<const std::byte>(std::get<Tree::Bytes>(value->value)));
     return true;
   }
   Held open_list(Value value) { return value; }

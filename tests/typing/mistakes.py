@@ -1,6 +1,7 @@
 """Each line that ends in `# mistake` is one for mypy and for pyright, and no other is."""
 
 from example_interfaces.action import Fibonacci
+from geometry_msgs.msg import Vector3
 from rclpy.action import ActionClient, ActionServer
 from rclpy.action.server import ServerGoalHandle
 from rclpy.node import Node
@@ -13,6 +14,10 @@ class Mistaken(Node):
         super().__init__("mistaken")
         self.client = self.create_client(SetBool, "switch")
         self.fibonacci = ActionClient(self, Fibonacci, "fibonacci")
+
+    def of_messages(self) -> None:
+        print(Vector3(x="one"))  # mistake
+        print(Vector3().nope)  # mistake
 
     def of_topics(self) -> None:
         self.create_subscription(String, "word", self.on_number, 10)  # mistake

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import datetime as dt
 from collections.abc import Collection
 from html import escape
 from itertools import islice
 
+from tfloom.dates import utc_text
 from tfloom.notebook_html import code, faint, shortened, table
 
 __all__ = ["error_html", "span_html", "topics_html"]
@@ -20,7 +20,8 @@ def span_html(path: str, message_count: int, span_ns: tuple[int, int]) -> str:
     about = f"{message_count} messages"
     if message_count:
         start_ns, end_ns = span_ns
-        about += f" in {(end_ns - start_ns) / 1e9:.3f} s, {_date(start_ns)} to {_date(end_ns)}"
+        start, end = (utc_text(stamp_ns // 1_000_000_000) for stamp_ns in span_ns)
+        about += f" in {(end_ns - start_ns) / 1e9:.3f} s, {start} to {end}"
     return f"<b>{escape(shortened(path))}</b> {faint(escape(about))}"
 
 
@@ -39,13 +40,3 @@ def topics_html(topics: Collection[tuple[str, str, int]]) -> str:
 def error_html(error: Exception) -> str:
     """Return why a recording can't be read."""
     return escape(shortened(str(error)))
-
-
-def _date(stamp_ns: int) -> str:
-    """Return a stamp as a time in UTC, and as a number where no date is so late."""
-    try:
-        return (
-            f"{dt.datetime.fromtimestamp(stamp_ns // 1_000_000_000, dt.timezone.utc):%Y-%m-%d %H:%M:%S} UTC"
-        )
-    except (OverflowError, ValueError, OSError):
-        return f"{stamp_ns / 1e9:.3f}"

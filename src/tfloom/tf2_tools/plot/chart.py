@@ -6,13 +6,13 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
+from tfloom.dates import utc_text
 from tfloom.tf2_tools.drawing.colors import FAINT, HAIRLINE, INK, SUBTITLE, TEXT, TITLE
 from tfloom.tf2_tools.drawing.fonts import elided, printable
 from tfloom.tf2_tools.drawing.shapes import Box, Group, Path, Pen, Picture, Point, Shape, Text
 from tfloom.tf2_tools.plot.axis import Axis, axis_of
 from tfloom.tf2_tools.plot.motion import Motion
 from tfloom.tf2_tools.text.counts import counted
-from tfloom.tf2_tools.text.times import utc_text
 
 if TYPE_CHECKING:
     import numpy as np

@@ -1,10 +1,8 @@
-"""Durations, ages and dates in words."""
+"""Durations and ages in words."""
 
 from __future__ import annotations
 
-from datetime import datetime, timezone
-
-__all__ = ["NS_PER_S", "ago", "seconds_text", "utc_text"]
+__all__ = ["NS_PER_S", "ago", "seconds_text"]
 
 NS_PER_S = 1e9
 
@@ -20,11 +18,3 @@ def ago(stamp_ns: int, now_ns: int) -> str:
     """Return how long ago a stamp is, or how far ahead."""
     age_s = (now_ns - stamp_ns) / NS_PER_S
     return f"{seconds_text(age_s)} ago" if age_s >= 0.0 else f"{seconds_text(-age_s)} ahead"
-
-
-def utc_text(stamp_s: float) -> str:
-    """Return a time as date and clock in UTC."""
-    try:
-        return datetime.fromtimestamp(stamp_s, timezone.utc).strftime("%Y-%m-%d %H:%M:%S UTC")
-    except (OverflowError, ValueError, OSError):
-        return f"{stamp_s} s"

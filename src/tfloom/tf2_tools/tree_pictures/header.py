@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from tfloom.dates import utc_text
 from tfloom.tf2_tools.drawing.colors import (
     FAINT,
     FRAME_STYLES,
@@ -17,7 +18,6 @@ from tfloom.tf2_tools.drawing.colors import (
 )
 from tfloom.tf2_tools.drawing.fonts import missing_letters
 from tfloom.tf2_tools.drawing.shapes import Box, Path, Pen, Shape, Text
-from tfloom.tf2_tools.text.times import utc_text
 from tfloom.tf2_tools.tree_pictures.records import NO_DATA
 from tfloom.tf2_tools.tree_pictures.tree import FrameTree
 

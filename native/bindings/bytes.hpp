@@ -1,4 +1,4 @@
-// Octets that Python passes as `bytes`.
+// Bytes that Python passes as `bytes`.
 #pragma once
 
 #include <nanobind/nanobind.h>
@@ -12,11 +12,11 @@ namespace tfloom::bindings {
 
 // Return the bytes of `bytes`; throw ValueError with `rule` if they are not as many.
 template <std::size_t size>
-std::array<std::uint8_t, size> octets_of(const nanobind::bytes& bytes, const char* rule) {
-  std::array<std::uint8_t, size> octets{};
+std::array<std::uint8_t, size> bytes_of(const nanobind::bytes& bytes, const char* rule) {
+  std::array<std::uint8_t, size> result{};
   if (bytes.size() != size) throw nanobind::value_error(rule);
-  std::memcpy(octets.data(), bytes.data(), size);
-  return octets;
+  std::memcpy(result.data(), bytes.data(), size);
+  return result;
 }
 
 }  // namespace tfloom::bindings
