@@ -41,8 +41,8 @@ MODULES = "import rclpy, std_msgs\nrclpy.time.Time().nanoseconds + 1\nstd_msgs.m
 
 def mypy(python: Path, programs: list[Path], folder: Path) -> list[str]:
     """Return the errors that mypy finds, as `file:line: text`."""
-    command = [sys.executable, "-m", "mypy", "--strict", "--config-file=", f"--cache-dir={folder}"]
-    command += [f"--python-executable={python}", *map(str, programs)]
+    command = [sys.executable, "-m", "mypy", "--strict", "--config-file=", "--show-absolute-path"]
+    command += [f"--cache-dir={folder}", f"--python-executable={python}", *map(str, programs)]
     done = subprocess.run(command, capture_output=True, text=True, timeout=300, cwd=folder, check=False)
     *lines, summary = done.stdout.splitlines()
     assert f"{len(programs)} source files" in summary, done.stdout + done.stderr

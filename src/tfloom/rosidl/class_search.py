@@ -23,11 +23,20 @@ def find_class(name: str) -> Any:
         LookupError: there is none; the text has the nearest name that exists.
         ParseError: its definition can't be parsed.
     """
-    interface_class = class_table.find(name)
+    interface_class = find_known_class(name)
     if interface_class is None:
-        interface_class = find_by_definition(name)
-        if interface_class is None:
-            raise UnknownTypeError(f"there is no {_kind_word(name)} type '{name}'{_nearest_name_hint(name)}")
+        raise UnknownTypeError(f"there is no {_kind_word(name)} type '{name}'{_nearest_name_hint(name)}")
+    return interface_class
+
+
+def find_known_class(name: str) -> Any:
+    """Return the class of a full name, or None where there is none; without the search for the nearest name.
+
+    Raises:
+        ParseError: its definition can't be parsed.
+    """
+    interface_class = class_table.find(name)
+    if interface_class is None and (interface_class := find_by_definition(name)) is not None:
         class_table.register(name, interface_class)
     return interface_class
 

@@ -12,7 +12,7 @@ from typing import Any
 
 from tfloom.rosidl import spec
 from tfloom.rosidl.class_factory import LOCK, load
-from tfloom.rosidl.class_search import UnknownTypeError, find_class, full_name
+from tfloom.rosidl.class_search import UnknownTypeError, find_class, find_known_class, full_name
 from tfloom.rosidl.class_table import forget
 from tfloom.rosidl.described import DescriptionError, check_size, definition_text, hash_of
 from tfloom.rosidl.parse import ParseError
@@ -63,7 +63,7 @@ def recorded_class(name: str, encoding: str, text: str, type_hash: str = "") -> 
 def _find_local_class(name: str) -> Any:
     """Return the class of a message that exists here, or None."""
     try:
-        return find_class(name)
+        return find_known_class(name)
     except (UnknownTypeError, ParseError):
         return None
 
