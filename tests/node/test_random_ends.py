@@ -98,9 +98,8 @@ def test_programs_that_end_at_a_random_moment_end_well(domain_id: int) -> None:
 
 
 @pytest.mark.slow
-def test_a_thousand_programs_that_end_at_a_random_moment_end_well(domain_id: int) -> None:
-    """As many of the thousand as end within four minutes."""
-    number, faults = faults_of(some_numbers(1000), domain_id, wait_s=220.0)
+def test_programs_that_end_at_a_random_moment_end_well_for_a_minute(domain_id: int) -> None:
+    number, faults = faults_of(some_numbers(None), domain_id, wait_s=60.0)
     assert number >= CYCLE
     assert not faults, "\n\n".join(faults)
 

@@ -19,6 +19,18 @@ PROGRAM = Path(__file__).with_name("frozen_robot.py")
 TIMEOUT_S = 600.0
 DESCRIBED = "{type_name: std_msgs/msg/String, type_hash: %s, include_type_sources: true}"
 
+SPEC = f"""\
+from PyInstaller.building.api import COLLECT, EXE, PYZ
+from PyInstaller.building.build_main import Analysis
+
+analysis = Analysis([{str(PROGRAM)!r}])
+pyz = PYZ(analysis.pure)
+files = [analysis.binaries, analysis.datas]
+EXE(pyz, analysis.scripts, *files, name="one_file")
+COLLECT(EXE(pyz, analysis.scripts, name="frozen_robot", exclude_binaries=True), *files, name="one_folder")
+"""
+"""What `pyinstaller --onefile` and `--onedir` write, in one: the search for modules takes longest, and is the same."""
+
 pytestmark = [
     pytest.mark.slow,
     pytest.mark.skipif(os.name != "posix", reason="the names of commands are POSIX's"),
@@ -52,22 +64,23 @@ def pyinstaller(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return commands / "pyinstaller"
 
 
-@pytest.mark.parametrize("kind", ["onedir", "onefile"])
-def test_frozen_program_runs_over_dds(
-    kind: str, pyinstaller: Path, tmp_path: Path, domain_id: int, start_program: Callable[..., Program]
-) -> None:
-    freeze = [pyinstaller, f"--{kind}", "--log-level", "WARN", "--distpath", tmp_path, "--specpath", tmp_path]
-    frozen = subprocess.run(
-        [*freeze, "--workpath", tmp_path / "work", PROGRAM],
-        capture_output=True,
-        text=True,
-        timeout=TIMEOUT_S,
-        check=False,
-    )
-    assert frozen.returncode == 0, frozen.stderr
-    program = tmp_path / "frozen_robot" if kind == "onefile" else tmp_path / "frozen_robot" / "frozen_robot"
+@pytest.fixture(scope="module")
+def frozen(pyinstaller: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Freeze the program as a file and as a folder, and return the folder of both."""
+    folder = tmp_path_factory.mktemp("frozen")
+    (folder / "robot.spec").write_text(SPEC, "utf-8")
+    options = ["--log-level", "WARN", "--distpath", folder, "--workpath", folder / "work"]
+    command = [pyinstaller, *options, folder / "robot.spec"]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=TIMEOUT_S, check=False)
+    assert done.returncode == 0, done.stderr
+    return folder
 
-    robot = start_program(program)
+
+@pytest.mark.parametrize("path", ["one_folder/frozen_robot", "one_file"])
+def test_frozen_program_runs_over_dds(
+    path: str, frozen: Path, domain_id: int, start_program: Callable[..., Program]
+) -> None:
+    robot = start_program(frozen / path)
     robot.wait_for("Odometry NavigateToPose")
     # The façade nav_msgs is not in the program, which imports none of its names.
     modules = "tfloom.interfaces.nav_msgs.msg std_msgs.msg._string nav2_msgs.action._navigate_to_pose"

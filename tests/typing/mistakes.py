@@ -1,12 +1,13 @@
 """Each line that ends in `# mistake` is one for mypy and for pyright, and no other is."""
 
 from example_interfaces.action import Fibonacci
-from geometry_msgs.msg import Vector3
+from geometry_msgs.msg import Twist, Vector3
 from rclpy.action import ActionClient, ActionServer
 from rclpy.action.server import ServerGoalHandle
 from rclpy.node import Node
 from std_msgs.msg import Int32, String
 from std_srvs.srv import SetBool, Trigger
+from turtlesim.srv import Spawn
 
 
 class Mistaken(Node):
@@ -16,8 +17,14 @@ class Mistaken(Node):
         self.fibonacci = ActionClient(self, Fibonacci, "fibonacci")
 
     def of_messages(self) -> None:
-        print(Vector3(x="one"))  # mistake
-        print(Vector3().nope)  # mistake
+        twist = Twist(linear=3)  # mistake
+        twist.linear.q = 1.0  # mistake
+        twist.linear.x = "abc"  # mistake
+        Vector3(1.0, 2.0, 3.0)  # mistake
+        String(dta="x")  # mistake
+        number: int = String().data  # mistake
+        print(number)
+        Spawn.Request(x="1")  # mistake
 
     def of_topics(self) -> None:
         self.create_subscription(String, "word", self.on_number, 10)  # mistake

@@ -29,6 +29,7 @@ def is_checked(path: Path) -> bool:
     return path.name != "setup.py" and "import numpy" not in path.read_text("utf-8")
 
 
+MESSAGES = Path(__file__).parent / "messages.py"
 MISTAKES = Path(__file__).parent / "mistakes.py"
 PROGRAMS = [
     *sorted((Path(__file__).parent / "programs").glob("*.py")),
@@ -110,7 +111,7 @@ def errors(
     folder = tmp_path_factory.mktemp(request.param)
     wrong = folder / "wrong.py"
     wrong.write_text(WRONG_NAMES)
-    programs = [*PROGRAMS, MISTAKES, public_names, wrong]
+    programs = [*PROGRAMS, MESSAGES, MISTAKES, public_names, wrong]
     result: dict[str, list[str]] = {str(program): [] for program in programs}
     for error in CHECKERS[request.param](Path(sys.executable), programs, folder):
         result[re.split(r":\d+:", error)[0]].append(error)
@@ -118,7 +119,7 @@ def errors(
 
 
 def test_programs_pass_against_the_editable_install(errors: dict[str, list[str]]) -> None:
-    assert [error for program in PROGRAMS for error in errors[str(program)]] == []
+    assert [error for program in (*PROGRAMS, MESSAGES) for error in errors[str(program)]] == []
 
 
 @pytest.mark.parametrize("checker", CHECKERS)
@@ -129,7 +130,7 @@ def test_programs_pass_against_a_wheel(checker: str, wheel_python: Path, tmp_pat
 def test_each_mistake_is_found_and_nothing_else(errors: dict[str, list[str]]) -> None:
     lines = MISTAKES.read_text("utf-8").splitlines()
     planted = [number for number, line in enumerate(lines, 1) if line.endswith("  # mistake")]
-    assert len(planted) == 14
+    assert len(planted) == 19
     reported = errors[str(MISTAKES)]
     assert sorted(int(error.split(":")[1]) for error in reported) == planted, "\n".join(reported)
 
