@@ -26,8 +26,14 @@ PYTEST = ("-m", "pytest", "-p", "no:hypothesispytest")
 """The Python's words for a pytest in a process; without the plugin, which takes as long to start as pytest itself."""
 LONG_FILES = {
     "test_sanitized_extension.py",
-    *("test_installers.py", "test_release.py", "test_sanitizers.py", "test_user_programs.py"),
-    "test_colcon.py",
+    *(
+        "test_sanitizers.py",
+        "test_on_zenoh.py",
+        "test_release.py",
+        "test_installers.py",
+        "test_pyinstaller.py",
+    ),
+    *("test_workspace.py", "test_colcon.py", "test_user_programs.py", "test_compilers.py", "test_site.py"),
 }
 """Files of both tiers that take longest; their tests run one after another."""
 DOMAIN_FIXTURES = {"domain_id", "module_domain_id"}
@@ -300,6 +306,19 @@ def module_domain_id(start_module_program: Callable[..., Program]) -> Iterator[i
 def _locks_go_along() -> dict[str, object]:
     """Return the options by which a program holds the locks of this process's domains too."""
     return {} if os.name == "nt" else {"pass_fds": domains.held_locks()}
+
+
+def run_to_end(
+    command: Sequence[object], *, timeout_s: float = 120.0, **options: object
+) -> subprocess.CompletedProcess[str]:
+    """Run a program; return its exit code and what it printed. Options are those of `subprocess.run`.
+
+    Raises:
+        subprocess.TimeoutExpired: it took longer, and was killed.
+    """
+    return subprocess.run(  # type: ignore[call-overload, no-any-return]
+        command, capture_output=True, text=True, timeout=timeout_s, check=False, **options
+    )
 
 
 class Program:

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from tests.conftest import Program
+from tests.conftest import Program, run_to_end
 
 SNIFF = Path(__file__).parent / "programs" / "sniff.py"
 LOSSY_LINK = Path(__file__).parent / "programs" / "lossy_link.py"
@@ -34,7 +34,7 @@ def why_impossible() -> str:
         if shutil.which(program) is None:
             return f"needs the program {program}"
     command = ["unshare", "-Urnm", "mount", "-t", "tmpfs", "tmpfs", "/dev/shm"]  # a mount point
-    tried = subprocess.run(command, capture_output=True, text=True, check=False)
+    tried = run_to_end(command)
     return f"namespaces aren't allowed here: {tried.stderr.strip()}" if tried.returncode else ""
 
 
@@ -61,9 +61,7 @@ class Host:
 
     def run(self, *command: str | Path) -> str:
         """Run a command on this host and return its output; fail the test if it fails."""
-        done = subprocess.run(
-            [*self.enter, *command], capture_output=True, text=True, check=False, timeout=60
-        )
+        done = run_to_end([*self.enter, *command])
         assert done.returncode == 0, done.stdout + done.stderr
         return done.stdout
 

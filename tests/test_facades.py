@@ -16,6 +16,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+from tests.conftest import run_to_end
 from tools.facades import rooms
 from tools.facades.generate import HOMES_PATH, Generator, generate_all
 from tools.facades.table import Facade, Package, TableError, read_table
@@ -36,14 +37,7 @@ def modules(folder: Path) -> list[Path]:
 
 
 def python(code: str, **environment: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-c", code],
-        capture_output=True,
-        text=True,
-        timeout=60,
-        check=False,
-        env=os.environ | environment,
-    )
+    return run_to_end([sys.executable, "-c", code], env=os.environ | environment)
 
 
 def not_typed_packages(folder: Path) -> Iterator[str]:
@@ -404,9 +398,7 @@ def test_use_ros_names_works_without_the_pth_file() -> None:
         "import geometry_msgs.msg, rclpy\n"
         "print(sys.path[-1].endswith('ros_names'), sys.path.count(sys.path[-1]))\n"
     )
-    result = subprocess.run(
-        [sys.executable, "-S", "-c", code], capture_output=True, text=True, timeout=60, check=False
-    )
+    result = run_to_end([sys.executable, "-S", "-c", code])
     assert result.stdout == "True 1\n", result.stderr
 
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import importlib
-import subprocess
 import sys
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import pytest
 from docs import rclpy_api
+from tests.conftest import run_to_end
 from tests.recorded_signatures import differences, signature_differences
 from tools.facades.recorded import Name, all_names, is_of, is_only_imported, missing, reason_for
 
@@ -128,14 +128,7 @@ def test_names_that_programs_import_from_elsewhere_are_there(module: str, name: 
 
 def test_page_of_the_site_is_made_without_tfloom() -> None:
     code = "import sys; sys.modules['tfloom'] = None\nfrom docs import rclpy_api; print(rclpy_api.page())"
-    result = subprocess.run(
-        [sys.executable, "-c", code],
-        capture_output=True,
-        text=True,
-        timeout=60,
-        check=False,
-        cwd=Path(__file__).parents[1],
-    )
+    result = run_to_end([sys.executable, "-c", code], cwd=Path(__file__).parents[1])
     assert result.returncode == 0, result.stderr
     lines = result.stdout.splitlines()
     assert (

@@ -7,14 +7,13 @@ import sys
 from pathlib import Path
 
 import pytest
+from tests.conftest import run_to_end
 
 from tfloom import ros1_names, use_ros_names
 
 
 def python(code: str, folder: Path) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=False, cwd=folder
-    )
+    return run_to_end([sys.executable, "-c", code], cwd=folder)
 
 
 @pytest.mark.parametrize(

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import os
-import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+from tests.conftest import run_to_end
 
 from tfloom.ros_environment import ROS_ENVIRONMENT
 
@@ -29,14 +29,7 @@ def generate_launch_description():
 
 def run(*command: object, **variables: str) -> str:
     environment = {name: value for name, value in os.environ.items() if name not in ROS_ENVIRONMENT}
-    done = subprocess.run(
-        list(map(str, command)),
-        env=environment | variables,
-        capture_output=True,
-        text=True,
-        timeout=120,
-        check=False,
-    )
+    done = run_to_end(list(map(str, command)), env=environment | variables)
     assert done.returncode == 0, done.stderr
     return done.stdout
 

@@ -12,7 +12,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from tests.conftest import COLCON_PYTHON
+from tests.conftest import COLCON_PYTHON, run_to_end
 
 pytestmark = [
     pytest.mark.skipif(os.name != "posix", reason="needs bash and a pseudo-terminal"),
@@ -30,14 +30,10 @@ def workspace(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Build the example package with colcon."""
     folder = tmp_path_factory.mktemp("workspace")
     shutil.copytree(ROOT / "examples" / "turtle_frames", folder / "src" / "turtle_frames")
-    result = subprocess.run(
+    result = run_to_end(
         [BIN / "colcon", "build", "--packages-select", "turtle_frames"],
         cwd=folder,
         env={**os.environ, "PATH": f"{BIN}{os.pathsep}{os.environ['PATH']}"},
-        capture_output=True,
-        text=True,
-        timeout=120,
-        check=False,
     )
     assert result.returncode == 0, result.stdout + result.stderr
     return folder

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-import subprocess
 import sys
 from importlib.metadata import metadata, version
 from pathlib import Path
 
 import pytest
+from tests.conftest import run_to_end
 
 import tfloom
 
@@ -28,9 +28,7 @@ def classifiers() -> list[str]:
     ],
 )
 def test_each_command_prints_the_version(command: list[str], name: str) -> None:
-    answer = subprocess.run(
-        [sys.executable, *command, "--version"], capture_output=True, text=True, timeout=60, check=False
-    )
+    answer = run_to_end([sys.executable, *command, "--version"])
     assert (answer.returncode, answer.stdout, answer.stderr) == (0, f"{name} {tfloom.__version__}\n", "")
 
 
@@ -41,9 +39,7 @@ def test_version_is_printed_without_loading_the_rooms() -> None:
         "try:\n    main(['--version'])\n"
         "finally:\n    print(*sys.modules, sep='\\n')\n"
     )
-    loaded = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=False
-    ).stdout
+    loaded = run_to_end([sys.executable, "-c", code]).stdout
     assert loaded.startswith(f"tfloom {tfloom.__version__}\n")
     ours = {name for name in loaded.splitlines() if name.startswith("tfloom.")}
     files = ("errors", "main", "parser", "quiet_imports")

@@ -10,6 +10,7 @@ import threading
 from pathlib import Path
 
 import pytest
+from tests.conftest import run_to_end
 
 from tfloom.whole_files import Replacement, write_file
 
@@ -29,7 +30,7 @@ IN_A_NAMESPACE = (
 def run_on_a_small_disk(folder: Path, program: str) -> list[str]:
     """Run a program in `folder`, a disk of 64 KiB of its own; return its lines. Skip the test where that can't be."""
     try:
-        trial = subprocess.run([*IN_A_NAMESPACE, folder, "true"], capture_output=True, text=True, check=False)
+        trial = run_to_end([*IN_A_NAMESPACE, folder, "true"])
     except FileNotFoundError:
         pytest.skip("a disk of its own needs the program unshare")
     if trial.returncode:
@@ -41,7 +42,7 @@ def run_on_a_small_disk(folder: Path, program: str) -> list[str]:
         "-c",
         f"import os\nos.chdir({str(folder)!r})\n{program}",
     ]
-    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=60)
+    done = run_to_end(command)
     assert done.returncode == 0, done.stderr
     return done.stdout.splitlines()
 

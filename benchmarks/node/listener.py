@@ -156,7 +156,7 @@ def cyclonedds(transforms: int, rate_hz: int) -> Taken:
     return taken(counted, spin)
 
 
-def compile_bare_reader(folder: str) -> str | None:
+def compile_bare_reader(folder: str, optimise: str = "-O2") -> str | None:
     """Return the path of the program; None without a compiler."""
     compiler = shutil.which("c++") or shutil.which("g++") or shutil.which("clang++")
     if compiler is None:
@@ -178,7 +178,7 @@ def compile_bare_reader(folder: str) -> str | None:
         )
     ]
     program = f"{folder}/bare_reader"
-    flags = ["-std=c++20", "-O2", f"-I{NATIVE}", "-pthread", "-o", program]
+    flags = ["-std=c++20", optimise, f"-I{NATIVE}", "-pthread", "-o", program]
     subprocess.run([compiler, *flags, HERE / "bare_reader.cpp", *sources, "-ldl"], check=True)
     return program
 

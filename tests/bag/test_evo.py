@@ -13,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from tests.conftest import run_to_end
 
 from tfloom.bag import frames
 
@@ -40,14 +41,8 @@ def programs(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def run(home: Path, *command: str | Path) -> str:
     """Run a program with a home folder of its own, without ROS; return its output."""
     environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
-    done = subprocess.run(
-        command,
-        cwd=home,
-        env=environment | {"HOME": str(home), "MPLBACKEND": "agg"},
-        capture_output=True,
-        text=True,
-        timeout=TIMEOUT_S,
-        check=False,
+    done = run_to_end(
+        command, cwd=home, env=environment | {"HOME": str(home), "MPLBACKEND": "agg"}, timeout_s=TIMEOUT_S
     )
     assert done.returncode == 0, f"{command}\n{done.stdout}{done.stderr}"
     return done.stdout

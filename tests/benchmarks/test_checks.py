@@ -79,7 +79,7 @@ def test_the_turn_of_timers_that_counts_is_complete_if_there_is_one() -> None:
 
 @pytest.mark.slow
 def test_the_reader_in_cpp_compiles(tmp_path: Path) -> None:
-    program = compile_bare_reader(str(tmp_path))
+    program = compile_bare_reader(str(tmp_path), "-O0")
     if program is None:
         pytest.skip("there is no compiler")
     assert Path(program).stat().st_size

@@ -11,6 +11,7 @@ from typing import Any
 
 import pytest
 from tests.cli.extensions import install
+from tests.conftest import run_to_end
 
 ENTRY_POINTS = {
     "ros2topic.verb": {"first": "my_extensions:FirstVerb", "echo": "my_extensions:FirstVerb"},
@@ -21,12 +22,8 @@ ENTRY_POINTS = {
 
 
 def run(folder: Path, *words: str, **environment: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
+    return run_to_end(
         [sys.executable, "-m", "tfloom.cli", *words],
-        capture_output=True,
-        text=True,
-        timeout=60,
-        check=False,
         env={**os.environ, "PYTHONPATH": str(folder), **environment},
     )
 

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 import transcript
+from tests.conftest import run_to_end
 from tests.each import for_each
 
 from tfloom.cli import main as cli
@@ -178,12 +179,12 @@ def test_closed_pipe_ends_without_output() -> None:
 @pytest.mark.skipif(os.name != "posix", reason="closes a file descriptor")
 def test_closed_output_gives_no_traceback() -> None:
     command = f"exec '{sys.executable}' -m tfloom.cli pkg list >&-"
-    done = subprocess.run(["sh", "-c", command], capture_output=True, text=True, timeout=30, check=False)
+    done = run_to_end(["sh", "-c", command], timeout_s=30)
     assert (done.returncode, done.stderr) == (0, "")
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
 def test_full_disk_gives_an_error_message() -> None:
     command = f"exec '{sys.executable}' -m tfloom.cli pkg list >/dev/full"
-    done = subprocess.run(["sh", "-c", command], capture_output=True, text=True, timeout=30, check=False)
+    done = run_to_end(["sh", "-c", command], timeout_s=30)
     assert (done.returncode, done.stderr) == (1, "tfloom: No space left on device\n")

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import json
 import os
-import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 import transcript
-from tests.conftest import COLCON_PYTHON
+from tests.conftest import COLCON_PYTHON, run_to_end
 
 from tfloom.distributions import INTERFACES, find_prefix
 from tfloom.workspace import index
@@ -150,9 +149,7 @@ def test_new_package_builds_and_runs(
     again = transcript.run(*words)
     assert (again.exit_code, again.text.endswith("exists; nothing was written")) == (1, True)
     binaries = Path(sys.executable).parent
-    built = subprocess.run(
-        [binaries / "colcon", "build"], cwd=tmp_path, capture_output=True, text=True, timeout=120, check=False
-    )
+    built = run_to_end([binaries / "colcon", "build"], cwd=tmp_path)
     assert built.returncode == 0, built.stderr
     line = f"source '{tmp_path}/install/setup.bash' && exec '{transcript.PROGRAM}' run my_pkg my_node"
     node = start_program("bash", "-c", line, env=os.environ | COLCON_PYTHON)

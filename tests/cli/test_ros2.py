@@ -7,20 +7,15 @@ import subprocess
 import sys
 from pathlib import Path
 
+from tests.conftest import run_to_end
+
 SOURCE = Path(__file__).parents[2] / "packages" / "tfloom-ros2" / "src"
 START = "import sys; from tfloom_ros2 import main; sys.exit(main())"
 
 
 def run(*words: str, path: Path | None = None, start: str = START) -> subprocess.CompletedProcess[str]:
     python_path = os.pathsep.join(map(str, [SOURCE, *([path] if path else [])]))
-    return subprocess.run(
-        [sys.executable, "-c", start, *words],
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=60,
-        env={**os.environ, "PYTHONPATH": python_path},
-    )
+    return run_to_end([sys.executable, "-c", start, *words], env={**os.environ, "PYTHONPATH": python_path})
 
 
 def test_ros2_command_is_tfloom_under_its_name() -> None:

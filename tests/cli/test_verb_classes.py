@@ -43,6 +43,7 @@ from ros2topic.verb.hz import ROSTopicHz
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Header, Int8
 from tests.cli.extensions import install
+from tests.conftest import run_to_end
 
 from tfloom.cli.main import COMMANDS
 from tfloom.cli.parser import Group
@@ -111,12 +112,8 @@ def test_derived_verb_runs_as_the_own_one_does(
     ).wait_for("publishing #1")
 
     def run(*words: str) -> subprocess.CompletedProcess[str]:
-        return subprocess.run(
+        return run_to_end(
             [sys.executable, "-m", "tfloom.cli", "topic", "bridged", *words],
-            capture_output=True,
-            text=True,
-            timeout=60,
-            check=False,
             env={**os.environ, "PYTHONPATH": str(tmp_path), "ROS_DOMAIN_ID": str(domain_id)},
         )
 

@@ -5,13 +5,12 @@ from __future__ import annotations
 import os
 import re
 import shutil
-import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from tests.conftest import COLCON_PYTHON, Program
+from tests.conftest import COLCON_PYTHON, Program, run_to_end
 from tests.docs import page
 from tests.docs.page import DOCS
 from tests.each import for_each
@@ -87,14 +86,8 @@ def test_commands_print_what_the_page_says(
 @pytest.mark.parametrize("path", WITH_PROGRAMS, ids=name_of)
 def test_programs_print_what_the_page_says(path: Path, tmp_path: Path) -> None:
     code, output = page.program(page.blocks(path))
-    done = subprocess.run(
-        [sys.executable, "-c", code],
-        capture_output=True,
-        text=True,
-        timeout=60,
-        check=False,
-        cwd=tmp_path,
-        env=os.environ | {"RMW_IMPLEMENTATION": "tfloom_local"},
+    done = run_to_end(
+        [sys.executable, "-c", code], cwd=tmp_path, env=os.environ | {"RMW_IMPLEMENTATION": "tfloom_local"}
     )
     assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout == output

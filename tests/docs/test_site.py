@@ -5,7 +5,6 @@ from __future__ import annotations
 import importlib
 import inspect
 import re
-import subprocess
 import sys
 import sysconfig
 from collections import Counter
@@ -13,6 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
+from tests.conftest import run_to_end
 from tests.docs.page import DOCS
 
 if TYPE_CHECKING:
@@ -84,13 +84,10 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Build the site, without a warning, and return its folder."""
     pytest.importorskip("sphinx", reason="sphinx is not installed: make setup")
     folder = tmp_path_factory.mktemp("site")
-    done = subprocess.run(
+    done = run_to_end(
         [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-b", "html", DOCS, folder],
-        capture_output=True,
-        text=True,
-        timeout=600,
-        check=False,
         cwd=ROOT,
+        timeout_s=600,
     )
     assert (done.returncode, done.stderr) == (0, "")
     return folder
@@ -105,12 +102,8 @@ def test_pages_are_read_from_the_sources_where_nothing_is_compiled() -> None:
         "import tfloom._native as native, tfloom.tf2.buffer, tfloom.tf2_ros.buffer, tfloom.robot.model, tfloom.bag\n"
         "print(native.__file__, native.Sink.push.__doc__.strip())\n"
     )
-    done = subprocess.run(
-        [sys.executable, "-I", "-S", "-c", code, str(ROOT), str(ROOT / "src"), sysconfig.get_path("purelib")],
-        capture_output=True,
-        text=True,
-        timeout=60,
-        check=False,
+    done = run_to_end(
+        [sys.executable, "-I", "-S", "-c", code, str(ROOT), str(ROOT / "src"), sysconfig.get_path("purelib")]
     )
     assert done.stderr == ""
     assert done.stdout.startswith(f"{ROOT / 'src' / 'tfloom' / '_native.pyi'} Push one sample")

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.conftest import run_to_end
 from tests.drop_in.conftest import Peer
 from tests.wheels import release_files, wheel_of
 from tools.ros_peer import RosPeer
@@ -42,13 +43,8 @@ print("passed")
 
 def run(peer: RosPeer, code: str, *, python: Path | None = None, domain_id: int = 0, **variables: str) -> Any:
     """Run code without a traffic of its own, or on a domain."""
-    return subprocess.run(
-        [python or peer.python, "-c", code],
-        env=peer.environment(domain_id, **variables),
-        capture_output=True,
-        text=True,
-        timeout=120,
-        check=False,
+    return run_to_end(
+        [python or peer.python, "-c", code], env=peer.environment(domain_id, **variables), timeout_s=120
     )
 
 

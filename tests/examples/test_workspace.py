@@ -11,7 +11,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from tests.conftest import COLCON_PYTHON
+from tests.conftest import COLCON_PYTHON, run_to_end
 from tests.launch.ros.user import expect_clean_end
 from tests.wheels import release_files, wheel_of
 from tests.workspace.conftest import BIN, colcon
@@ -88,9 +88,7 @@ def test_links_pick_up_an_edit(
     start_program("/bin/bash", "-c", script, cwd=tmp_path, env={**os.environ, **COLCON_PYTHON, "PATH": path})
 
     def nodes() -> str:
-        return subprocess.run(
-            [BIN / "tfloom", "node", "list"], capture_output=True, text=True, check=False
-        ).stdout
+        return run_to_end([BIN / "tfloom", "node", "list"]).stdout
 
     wait_until(lambda: "/frames_edited" in nodes())
 
@@ -115,21 +113,18 @@ def test_fresh_environment_builds_and_runs_it(
     venv = tmp_path / "venv"
     subprocess.run([sys.executable, "-m", "venv", venv], check=True, timeout=120)
     install = [venv / "bin" / "python", "-m", "pip", "install", "--quiet", f"{wheel}[workspace]"]
-    done = subprocess.run(install, capture_output=True, text=True, timeout=600, check=False)
+    done = run_to_end(install, timeout_s=600)
     assert done.returncode == 0, done.stderr
     workspace = copy_sources(tmp_path / "ws")
     begin = time.monotonic()
     clean = {
         name: value for name, value in os.environ.items() if name not in {"AMENT_PREFIX_PATH", "PYTHONPATH"}
     }
-    built = subprocess.run(
+    built = run_to_end(
         [venv / "bin" / "colcon", "build"],
         cwd=workspace,
         env={**clean, "PATH": f"{venv / 'bin'}{os.pathsep}/usr/bin{os.pathsep}/bin"},
-        capture_output=True,
-        text=True,
-        timeout=240,
-        check=False,
+        timeout_s=240,
     )
     print(f"colcon build: {time.monotonic() - begin:.1f} s")
     assert built.returncode == 0, built.stdout + built.stderr

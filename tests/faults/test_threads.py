@@ -23,7 +23,7 @@ from typing import Any
 
 import pytest
 from tests.bag.written_bags import START_NS, STEP_NS, text, topic
-from tests.conftest import wait_until
+from tests.conftest import run_to_end, wait_until
 from typing_extensions import Self
 
 import tfloom
@@ -323,17 +323,13 @@ def test_participant_without_a_thread(domain_id: int, tmp_path: Path) -> None:
     subprocess.run(["cc", "-shared", "-fPIC", PRELOADED, "-o", library, "-ldl"], check=True)
     answers = []
     for room in ROOMS:
-        done = subprocess.run(
+        done = run_to_end(
             [sys.executable, Path(__file__).with_name("few_threads.py"), str(room)],
             env={
                 **os.environ,
                 "LD_PRELOAD": f"{os.environ.get('LD_PRELOAD', '')} {library}",
                 "RMW_IMPLEMENTATION": "rmw_cyclonedds_cpp",
             },
-            capture_output=True,
-            text=True,
-            check=False,
-            timeout=60,
         )
         assert done.returncode == 0, (room, done.stdout + done.stderr)
         first, refused, second = done.stdout.splitlines()

@@ -7,13 +7,13 @@ from __future__ import annotations
 
 import os
 import re
-import subprocess
 import sys
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import NamedTuple
 
 import pytest
+from tests.conftest import run_to_end
 
 import tfloom
 
@@ -140,14 +140,11 @@ def test_answers_are_those_of_the_reference(
     if program == "launch_values":
         del environment["ROS_LOG_DIR"]  # which the program changes, and the reference's had none
     environment.pop("AMENT_PREFIX_PATH", None)
-    ran = subprocess.run(
+    ran = run_to_end(
         [sys.executable, ANSWERS / f"{program}.py"],
         cwd=tmp_path,
         env={**environment, "HOME": str(tmp_path)},
-        capture_output=True,
-        text=True,
-        timeout=TIMEOUT_S,
-        check=False,
+        timeout_s=TIMEOUT_S,
     )
     assert ran.returncode == 0, ran.stderr
     recorded = (ANSWERS / f"{program}.txt").read_text("utf-8").splitlines()

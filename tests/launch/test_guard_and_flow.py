@@ -12,6 +12,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from tests.conftest import run_to_end
 
 from tfloom.launch.processes.guard import Guard
 from tfloom.launch.processes.local_process import OUTPUT_S, LocalProcess
@@ -56,14 +57,7 @@ def test_a_folder_goes_with_a_launch_that_is_killed_before_its_first_process(
     tmp_path: Path, wait_until: Callable[..., None]
 ) -> None:
     environment = {**os.environ, "TMPDIR": str(tmp_path)}
-    killed = subprocess.run(
-        [sys.executable, "-c", KILLED_EARLY],
-        capture_output=True,
-        text=True,
-        timeout=60,
-        env=environment,
-        check=False,
-    )
+    killed = run_to_end([sys.executable, "-c", KILLED_EARLY], env=environment)
     assert killed.returncode == -signal.SIGKILL, killed.stderr
     assert Path(killed.stdout.strip()).parent == tmp_path
     wait_until(lambda: not any(tmp_path.iterdir()), what="the end of the folder")

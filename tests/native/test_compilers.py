@@ -18,6 +18,7 @@ from pathlib import Path
 
 import nanobind
 import pytest
+from tests.conftest import run_to_end
 from tests.shared_folders import shared_folder
 
 ROOT = Path(__file__).parents[2]
@@ -45,7 +46,7 @@ def clang() -> str | None:
             continue
         program = "#include <concepts>\n#include <span>\n"
         command = [name, "-stdlib=libc++", "-std=c++20", "-fsyntax-only", "-x", "c++", "-"]
-        if not subprocess.run(command, input=program, text=True, capture_output=True, check=False).returncode:
+        if not run_to_end(command, input=program).returncode:
             return name
     return None
 
@@ -58,7 +59,7 @@ def failures(compiler: list[str], sources: list[Path]) -> list[str]:
 
     def messages(source: Path) -> str:
         command = [*compiler, *WARNINGS, f"-I{NATIVE}", "-fsyntax-only", str(source)]
-        done = subprocess.run(command, capture_output=True, text=True, timeout=600, check=False)
+        done = run_to_end(command, timeout_s=600)
         return f"{source.relative_to(ROOT)}:\n{done.stderr}" if done.returncode else ""
 
     with ThreadPoolExecutor(os.cpu_count()) as threads:

@@ -20,6 +20,7 @@ import tempfile
 from pathlib import Path
 
 import pytest
+from tests.conftest import run_to_end
 from tests.native.test_sanitizers import build_programs
 from tests.shared_folders import shared_folder
 
@@ -125,13 +126,10 @@ def corpus_of(name: str, folder: Path) -> Path:
 
 
 def run(program: Path, folder: Path, amount: str, *seed: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
+    return run_to_end(
         [program, amount, corpus_of(program.name, folder), *seed],
-        capture_output=True,
-        text=True,
-        timeout=MAX_DURATION_S,
-        check=False,
         env={**os.environ, "UBSAN_OPTIONS": "halt_on_error=1:print_stacktrace=1"},
+        timeout_s=MAX_DURATION_S,
     )
 
 

@@ -11,13 +11,20 @@ import sys
 from pathlib import Path
 
 import pytest
+from tests.conftest import run_to_end
 from tests.native.test_sanitizers import build_extension
 from tests.shared_folders import shared_folder
 
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
 RUN_TIMEOUT_S = 1200
-EVERYWHERE = ["tests/rmw", "tests/tf2_ros/test_lifetime.py", "tests/tf2_ros/test_wire.py"]
+EVERYWHERE = [
+    "tests/rmw",
+    # What Zenoh has in Python; its data reach the extension in test_zenoh_wire.py.
+    "--ignore-glob=*/test_zenoh_[!w]*.py",
+    "tests/tf2_ros/test_lifetime.py",
+    "tests/tf2_ros/test_wire.py",
+]
 TESTS = {
     "address,undefined": [
         *EVERYWHERE,
@@ -65,15 +72,7 @@ def test_the_extension_under_sanitizers(
     variables = environment(extension, RUNTIMES[sanitize], tmp_path / "report")
 
     def run(*words: str) -> str:
-        done = subprocess.run(
-            [sys.executable, *words],
-            cwd=ROOT,
-            env=variables,
-            capture_output=True,
-            text=True,
-            timeout=RUN_TIMEOUT_S,
-            check=False,
-        )
+        done = run_to_end([sys.executable, *words], cwd=ROOT, env=variables, timeout_s=RUN_TIMEOUT_S)
         assert done.returncode == 0, done.stdout + done.stderr
         return done.stdout
 

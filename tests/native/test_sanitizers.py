@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from tests.conftest import run_to_end
 from tests.shared_folders import shared_folder
 
 ROOT = Path(__file__).parents[2]
@@ -59,7 +60,7 @@ def build(folder: Path, sanitize: str, targets: list[str]) -> None:
         [cmake(), "-S", ROOT, "-B", folder, *options],
         [cmake(), "--build", folder, "--parallel", parallel, "--target", *targets],
     ):
-        done = subprocess.run(command, capture_output=True, text=True, timeout=BUILD_TIMEOUT_S, check=False)
+        done = run_to_end(command, timeout_s=BUILD_TIMEOUT_S)
         assert done.returncode == 0, done.stdout + done.stderr
 
 
@@ -88,7 +89,5 @@ def test_core_passes_under_sanitizers(sanitize: str, tmp_path_factory: pytest.Te
         "ASAN_OPTIONS": "detect_leaks=0",
     }
     for program in programs:
-        done = subprocess.run(
-            [program], capture_output=True, text=True, timeout=RUN_TIMEOUT_S, check=False, env=environment
-        )
+        done = run_to_end([program], env=environment, timeout_s=RUN_TIMEOUT_S)
         assert done.returncode == 0, f"{program.name} under {sanitize}:\n{done.stdout}{done.stderr}"

@@ -10,6 +10,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from tests.conftest import run_to_end
 from tests.each import for_each
 from tools.facades import recorded
 
@@ -123,9 +124,7 @@ def test_errors_of_other_packages_say_where_they_come_from(error: str) -> None:
 
 
 def run(code: str, *options: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, *options, "-c", code], capture_output=True, text=True, timeout=60, check=False
-    )
+    return run_to_end([sys.executable, *options, "-c", code])
 
 
 def test_messages_are_available_after_importing_their_package_alone() -> None:

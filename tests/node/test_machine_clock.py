@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import shutil
-import subprocess
 import sys
 from collections.abc import Callable
 from types import SimpleNamespace
 
 import pytest
+from tests.conftest import run_to_end
 
 from tfloom.node.log import log_output
 from tfloom.node.node import Node
@@ -54,12 +54,6 @@ def test_before_1970_a_participant_on_dds_names_the_machines_clock(
 def test_on_a_machine_with_that_clock(date: str, domain_id: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("RMW_IMPLEMENTATION", "rmw_cyclonedds_cpp")
     monkeypatch.setenv("ROS_DOMAIN_ID", str(domain_id))
-    ended = subprocess.run(
-        ["faketime", date, sys.executable, "-c", MAKE_NODE],
-        capture_output=True,
-        text=True,
-        timeout=60,
-        check=False,
-    )
+    ended = run_to_end(["faketime", date, sys.executable, "-c", MAKE_NODE])
     assert ended.returncode == 1
     assert f"the machine's clock says {date[:10]} 00:00:0" in ended.stderr.splitlines()[-1]

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import subprocess
 import sys
 
 import pytest
+from tests.conftest import run_to_end
 from tests.zenoh_ports import hold_zenoh_port
 
 SPINNING = """
@@ -123,7 +123,7 @@ begun.wait()
 
 def run(code: str, *arguments: str) -> tuple[int, str, str]:
     command = [sys.executable, "-c", code, *arguments]
-    ended = subprocess.run(command, check=False, capture_output=True, text=True, timeout=60)
+    ended = run_to_end(command)
     return ended.returncode, ended.stdout, ended.stderr
 
 

@@ -13,6 +13,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from tests.conftest import run_to_end
 from tools.platforms import TESTS_ON_DDS_0_10
 
 ROOT = Path(__file__).parents[2]
@@ -39,9 +40,7 @@ def library(tmp_path_factory: pytest.TempPathFactory) -> Path:
     if shutil.which("apt-get") is None:
         pytest.skip("downloads packages by apt-get")
     folder = tmp_path_factory.mktemp("debian")
-    done = subprocess.run(
-        ["apt-get", "download", *PACKAGES], cwd=folder, capture_output=True, text=True, check=False
-    )
+    done = run_to_end(["apt-get", "download", *PACKAGES], cwd=folder)
     for package in folder.glob("*.deb"):
         subprocess.run(["dpkg", "--extract", package, folder], check=True)
     unpacked = folder / installed.relative_to("/")
@@ -53,15 +52,9 @@ def library(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_the_tests_of_the_wire_pass_with_it(library: Path) -> None:
     """It is found in the environment, and its own dependencies beside it."""
     environment = os.environ | {"TFLOOM_LIBDDSC": str(library), "LD_LIBRARY_PATH": str(library.parent)}
-    described = subprocess.run(
-        [sys.executable, "-m", "tfloom", "doctor"],
-        env=environment,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
+    described = run_to_end([sys.executable, "-m", "tfloom", "doctor"], env=environment)
     assert f"libddsc {VERSION} of TFLOOM_LIBDDSC" in described.stdout, described.stdout + described.stderr
-    done = subprocess.run(
+    done = run_to_end(
         [
             sys.executable,
             "-m",
@@ -76,10 +69,7 @@ def test_the_tests_of_the_wire_pass_with_it(library: Path) -> None:
         ],
         cwd=ROOT,
         env=environment,
-        capture_output=True,
-        text=True,
-        timeout=TIMEOUT_S,
-        check=False,
+        timeout_s=TIMEOUT_S,
     )
     assert done.returncode == 0, done.stdout + done.stderr
     passed = re.search(r"(\d+) passed", done.stdout)

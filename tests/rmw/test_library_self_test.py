@@ -10,6 +10,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from tests.conftest import run_to_end
 
 from tfloom import _native
 from tfloom.rmw import cyclone_library, cyclonedds
@@ -49,13 +50,7 @@ def build(tmp_path: Path) -> Callable[..., Path]:
 
 
 def open_in_a_process(library: Path, *words: str) -> tuple[int, str]:
-    done = subprocess.run(
-        [sys.executable, "-c", OPEN, str(library), *words],
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=60,
-    )
+    done = run_to_end([sys.executable, "-c", OPEN, str(library), *words])
     return done.returncode, done.stdout + done.stderr
 
 

@@ -14,6 +14,7 @@ from contextlib import suppress
 from pathlib import Path
 
 import pytest
+from tests.conftest import run_to_end
 
 from tfloom.rmw import cyclonedds
 from tfloom.rmw.cyclone_config import configuration
@@ -138,13 +139,8 @@ def test_a_kernel_that_refuses_is_reported_and_nothing_fails(domain_id: int, tmp
     library = tmp_path / "refusing_kernel.so"
     subprocess.run(["cc", "-shared", "-fPIC", REFUSING, "-o", library, "-ldl"], check=True)
     preloaded = f"{os.environ.get('LD_PRELOAD', '')} {library}"  # a sanitizer's runtime is before it
-    done = subprocess.run(
-        [sys.executable, "-m", "tfloom.cli", "doctor"],
-        env={**os.environ, "LD_PRELOAD": preloaded},
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=60,
+    done = run_to_end(
+        [sys.executable, "-m", "tfloom.cli", "doctor"], env={**os.environ, "LD_PRELOAD": preloaded}
     )
     assert done.returncode == 0, done.stdout + done.stderr
     lines = done.stdout.splitlines()

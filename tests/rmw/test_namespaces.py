@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.conftest import run_to_end
 
 from tfloom.rmw.cyclone_config import configuration_for
 
@@ -39,9 +40,7 @@ class Namespace:
         self.enter = ["nsenter", "--target", pid, "--user", "--net", "--preserve-credentials"]
 
     def run(self, *command: str | Path) -> str:
-        done = subprocess.run(
-            [*self.enter, *command], capture_output=True, text=True, check=False, timeout=60
-        )
+        done = run_to_end([*self.enter, *command])
         assert done.returncode == 0, done.stdout + done.stderr
         return done.stdout
 
@@ -62,7 +61,7 @@ def namespaces(
     for program in ("unshare", "nsenter", "ip"):
         if shutil.which(program) is None:
             pytest.skip(f"needs the program {program}")
-    tried = subprocess.run(["unshare", "-Urn", "true"], capture_output=True, text=True, check=False)
+    tried = run_to_end(["unshare", "-Urn", "true"])
     if tried.returncode != 0:
         pytest.skip(f"user namespaces aren't allowed here: {tried.stderr.strip()}")
     ours = Namespace(start_program, start_peer, ["unshare", "-Urn"])

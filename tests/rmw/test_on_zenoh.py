@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import os
-import subprocess
 import sys
 from pathlib import Path
 
 import pytest
-from tests.conftest import WIRE_VARIABLE
+from tests.conftest import WIRE_VARIABLE, run_to_end
 
 pytest.importorskip("zenoh", reason="eclipse-zenoh is not installed: pip install 'tfloom[zenoh]'")
 
@@ -28,7 +27,7 @@ pytestmark = [pytest.mark.slow, pytest.mark.wire]
 
 
 def test_what_runs_on_dds_runs_on_zenoh() -> None:
-    done = subprocess.run(
+    done = run_to_end(
         [
             *(
                 sys.executable,
@@ -37,16 +36,13 @@ def test_what_runs_on_dds_runs_on_zenoh() -> None:
                 "-q",
                 "-p",
                 "no:cacheprovider",
-                "--numprocesses=2",
+                "--numprocesses=4",
                 "--dist=loadfile",
             ),
             *("-m", "wire and not slow and not ros and not timing", *FOLDERS),
         ],
         cwd=ROOT,
         env={**os.environ, WIRE_VARIABLE: "rmw_zenoh_cpp"},
-        capture_output=True,
-        text=True,
-        timeout=TIMEOUT_S,
-        check=False,
+        timeout_s=TIMEOUT_S,
     )
     assert done.returncode == 0, done.stdout[-20_000:] + done.stderr

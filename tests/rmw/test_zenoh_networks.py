@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from tests.conftest import TIMEOUT_S, Program, wait_until
+from tests.conftest import TIMEOUT_S, Program, run_to_end, wait_until
 from tests.namespaces import CABLE, Host, hosts_on_a_subnet
 from tests.zenoh_ports import hold_zenoh_port
 
@@ -85,7 +85,7 @@ def test_nothing_is_lost_within_the_rate_of_the_link(sites: tuple[Site, Site]) -
     near, far = sites
     for site in sites:
         command = [*site.host.enter, "tc", "qdisc", "add", "dev", CABLE, "root", *SLOW]
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        done = run_to_end(command)
         if "kind is unknown" in done.stderr:
             pytest.skip("this kernel has no tbf")
         assert done.returncode == 0, done.stderr

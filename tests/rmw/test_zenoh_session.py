@@ -15,7 +15,7 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
-from tests.conftest import Program, wait_until
+from tests.conftest import Program, run_to_end, wait_until
 from tests.zenoh_ports import hold_zenoh_port
 
 from tfloom.cli.finding import Verdict
@@ -500,13 +500,7 @@ assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 3
 assert opened.router_links()
 opened.close()
 """
-    done = subprocess.run(
-        [sys.executable, "-W", "ignore::DeprecationWarning", "-c", code],
-        capture_output=True,
-        text=True,
-        timeout=60,
-        check=False,
-    )
+    done = run_to_end([sys.executable, "-W", "ignore::DeprecationWarning", "-c", code])
     assert (done.returncode, done.stderr) == (0, "")
 
 
@@ -541,9 +535,7 @@ def flood():
             opened.session.put("test/data/flood", bytes(1000))
 {body}
 """
-    done = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=False
-    )
+    done = run_to_end([sys.executable, "-c", code])
     assert done.returncode in {expected, -signal.SIGINT if end == "interrupt" else expected}, done.stderr
     assert "panicked" not in done.stderr
 

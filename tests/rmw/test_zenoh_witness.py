@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from tests.conftest import Program, wait_until
+from tests.conftest import Program, run_to_end, wait_until
 from tests.zenoh_ports import NEEDS_ZENOH, use_port_of
 
 from tfloom.interfaces.example_interfaces.srv import AddTwoInts
@@ -34,13 +34,7 @@ def witness_python() -> Path:
     probe = [python, "-c", "import zenoh_ros2_sdk"]
     if not python.exists() or subprocess.run(probe, capture_output=True, check=False).returncode:
         subprocess.run([sys.executable, "-m", "venv", ENVIRONMENT], check=True)
-        done = subprocess.run(
-            [python, "-m", "pip", "install", "-q", WITNESS],
-            capture_output=True,
-            text=True,
-            check=False,
-            timeout=INSTALL_S,
-        )
+        done = run_to_end([python, "-m", "pip", "install", "-q", WITNESS], timeout_s=INSTALL_S)
         if done.returncode:
             pytest.skip(f"{WITNESS} can't be installed here: {done.stderr.strip().splitlines()[-1]}")
     return python

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import json
 import os
-import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
 import pytest
-from tests.conftest import Program
+from tests.conftest import Program, run_to_end
 from tests.ros_peer.programs import idl_contents
 from tools.ros_peer import RosPeer
 
@@ -51,14 +50,10 @@ class Built(NamedTuple):
 
     def run(self, vendor: str, program: Path, *words: object, stdin: str = "") -> str:
         """Return what a program of that vendor prints."""
-        done = subprocess.run(
+        done = run_to_end(
             [self.python(vendor), program, *map(str, words)],
-            input=stdin,
-            capture_output=True,
-            text=True,
-            timeout=120,
-            check=False,
             env=self.environment(vendor),
+            input=stdin,
         )
         assert done.returncode == 0, done.stderr
         return done.stdout

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import json
-import subprocess
 import sys
 from typing import Any
 
 import pytest
+from tests.conftest import run_to_end
 
 from tfloom.rmw.cyclone_library import open_library
 
@@ -19,7 +19,7 @@ pytestmark = pytest.mark.ros
 def peers_of_doctor() -> dict[str, Any]:
     """Return the finding of `doctor` on peers."""
     command = [sys.executable, "-m", "tfloom", "doctor", "--json", "--exclude-packages"]
-    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=60)
+    done = run_to_end(command)
     return next(each for each in json.loads(done.stdout) if each["check"] == "peers")
 
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 import json
 import os
 import re
-import subprocess
 import sys
 from collections.abc import Callable
 from typing import Any
 
 import pytest
+from tests.conftest import run_to_end
 
 from tfloom.interfaces.rcl_interfaces.msg import ParameterEvent
 from tfloom.interfaces.std_msgs.msg import Int64, String, UInt8MultiArray
@@ -30,13 +30,7 @@ def ros2(*words: str) -> str:
 
     A listing that must wait says so on stderr, which is not checked here.
     """
-    done = subprocess.run(
-        [sys.executable, "-m", "tfloom.cli", *words],
-        capture_output=True,
-        text=True,
-        timeout=LISTING_S,
-        check=False,
-    )
+    done = run_to_end([sys.executable, "-m", "tfloom.cli", *words], timeout_s=LISTING_S)
     assert done.returncode == 0, done.stderr
     return done.stdout
 

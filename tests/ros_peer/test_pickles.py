@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import os
-import subprocess
 import sys
 
 import pytest
+from tests.conftest import run_to_end
 from tools.ros_peer import RosPeer
 
 from .conftest import THEIRS, vendors
@@ -42,14 +42,10 @@ READ = VALUES + "assert pickle.loads(bytes.fromhex(sys.stdin.read())) == values;
 
 def run(vendor: str, code: str, peer: RosPeer, protocol: int, pickled: str = "") -> str:
     python = peer.python if vendor == THEIRS else sys.executable
-    done = subprocess.run(
+    done = run_to_end(
         [python, "-c", code, str(protocol)],
         env=peer.environment(0) if vendor == THEIRS else os.environ,
         input=pickled,
-        capture_output=True,
-        text=True,
-        timeout=120,
-        check=False,
     )
     assert done.returncode == 0, done.stderr
     return done.stdout

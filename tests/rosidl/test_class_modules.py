@@ -9,7 +9,6 @@ import os
 import pickle
 import random
 import re
-import subprocess
 import sys
 import textwrap
 from importlib import import_module
@@ -17,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.conftest import run_to_end
 from tests.each import for_each
 
 from tfloom.distributions import INTERFACES, find_prefix
@@ -123,12 +123,8 @@ def test_pickles_of_others_are_read(writer: str) -> None:
 
 def run(code: str, *path: Path, **environment: object) -> str:
     variables = os.environ | {"PYTHONPATH": os.pathsep.join(map(str, path))}
-    done = subprocess.run(
+    done = run_to_end(
         [sys.executable, "-c", textwrap.dedent(code)],
-        capture_output=True,
-        text=True,
-        timeout=60,
-        check=False,
         env=variables | {name: str(value) for name, value in environment.items()},
     )
     assert done.returncode == 0, done.stderr

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import subprocess
 import sys
 
 import pytest
+from tests.conftest import run_to_end
 
 PROGRAM = """
 import sys, threading, time
@@ -42,5 +42,5 @@ def test_program_that_ends_while_a_thread_decodes_ends_well(moment: str) -> None
     # the native frames with it, which ends the process by a signal.
     for _ in range(3):
         command = [sys.executable, "-c", PROGRAM.format(moment=moment)]
-        ended = subprocess.run(command, check=False, capture_output=True, text=True, timeout=60)
+        ended = run_to_end(command)
         assert (ended.returncode, ended.stderr) == (0, "")

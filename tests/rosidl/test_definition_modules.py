@@ -11,6 +11,7 @@ import textwrap
 from pathlib import Path
 
 import pytest
+from tests.conftest import run_to_end
 
 from tfloom import ros_finder, use_ros_names
 from tfloom.interfaces.geometry_msgs.msg import Point
@@ -55,12 +56,8 @@ def sourced(workspace: Path, monkeypatch: pytest.MonkeyPatch, forget_interfaces:
 
 
 def python(code: str, cwd: Path, **environment: object) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
+    return run_to_end(
         [sys.executable, "-c", textwrap.dedent(code)],
-        capture_output=True,
-        text=True,
-        timeout=60,
-        check=False,
         cwd=cwd,
         env=os.environ | {name: str(value) for name, value in environment.items()},
     )

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import importlib
 import json
-import subprocess
 import sys
 from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.conftest import run_to_end
 from tests.ros_peer.programs import idl_contents
 
 from tfloom import use_ros_names
@@ -270,11 +270,5 @@ def test_show_prints_the_file(share: Path) -> None:
         "All": MESSAGE.splitlines(),
         "Holder": ["All all", *(f"\t{line}" for line in MESSAGE.splitlines())],
     }.items():
-        done = subprocess.run(
-            [sys.executable, "-m", "tfloom.cli", "interface", "show", f"my_msgs/msg/{name}"],
-            capture_output=True,
-            text=True,
-            timeout=60,
-            check=False,
-        )
+        done = run_to_end([sys.executable, "-m", "tfloom.cli", "interface", "show", f"my_msgs/msg/{name}"])
         assert (done.stdout.splitlines(), done.stderr) == (lines, "")

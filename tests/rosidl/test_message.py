@@ -18,6 +18,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tests.conftest import run_to_end
 from tests.each import for_each
 
 from tfloom.interfaces.action_msgs.msg import GoalStatus
@@ -273,13 +274,8 @@ def said_with_checks(code: str) -> str:
     imports = (
         "from tfloom.interfaces.std_msgs.msg import String\nfrom tfloom.rosidl.cdr import decode, encode\n"
     )
-    run = subprocess.run(
-        [sys.executable, "-c", imports + code],
-        env={**os.environ, "ROS_PYTHON_CHECK_FIELDS": "1"},
-        capture_output=True,
-        text=True,
-        timeout=60,
-        check=False,
+    run = run_to_end(
+        [sys.executable, "-c", imports + code], env={**os.environ, "ROS_PYTHON_CHECK_FIELDS": "1"}
     )
     return run.stderr.splitlines()[-1]
 

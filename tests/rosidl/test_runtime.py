@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import importlib
 import re
-import subprocess
 import sys
 from typing import Any
 
 import pytest
+from tests.conftest import run_to_end
 
 import tfloom
 from tfloom.distributions import INTERFACES
@@ -138,9 +138,7 @@ def test_facades_export_the_functions() -> None:
         "assert get_service('turtlesim/srv/Spawn') is Spawn\n"
         "print(message_to_yaml(twist.linear), end='')"
     )
-    run = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=False
-    )
+    run = run_to_end([sys.executable, "-c", code])
     assert (run.stdout, run.stderr) == ("x: 2.0\ny: 0.0\nz: 0.0\n", "")
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ast
-import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -11,6 +10,7 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
+from tests.conftest import run_to_end
 from tests.sensing.test_camera_models import pinhole, stereo
 
 import tfloom_sensing
@@ -67,9 +67,7 @@ def test_an_opencv_that_lacks_a_library_is_told(tmp_path: Path) -> None:
         "import cv_bridge\n"
         "cv_bridge.CvBridge().encoding_to_cvtype2('bgr8')"
     )
-    result = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=False
-    )
+    result = run_to_end([sys.executable, "-c", code])
     assert result.stderr.endswith(
         "ImportError: the installed OpenCV cannot be imported: libGL.so.1: cannot open shared object file; "
         "opencv-python-headless needs no libraries of a display\n"

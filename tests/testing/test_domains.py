@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import subprocess
 import sys
 
 import pytest
+from tests.conftest import run_to_end
 
 from tfloom.rmw import cyclonedds
 from tfloom.testing.domains import held_locks, hold_domain
@@ -20,9 +20,7 @@ def test_a_held_domain_is_given_to_nobody_else() -> None:
         ):
             pass
         code = f"from tfloom.testing.domains import hold_domain\nwith hold_domain([{domain}], 0.0): pass"
-        other = subprocess.run(
-            [sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=False
-        )
+        other = run_to_end([sys.executable, "-c", code])
         assert "TimeoutError" in other.stderr
     with hold_domain([domain], 60.0) as again:
         assert again == domain

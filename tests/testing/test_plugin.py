@@ -5,13 +5,12 @@ from __future__ import annotations
 import os
 import re
 import shutil
-import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from tests.conftest import PYTEST
+from tests.conftest import PYTEST, run_to_end
 
 from tfloom.testing import plugin
 
@@ -35,14 +34,8 @@ def run(tmp_path: Path) -> Run:
 def pytest_in(folder: Path, *words: str, **environment: str) -> str:
     (folder / "pytest.ini").write_text("[pytest]\naddopts = --strict-markers -p no:cacheprovider\n", "utf-8")
     options = ["-W", "ignore::pytest.PytestAssertRewriteWarning"]  # of an editable install
-    result = subprocess.run(
-        [sys.executable, *PYTEST, *options, *words],
-        cwd=folder,
-        env=os.environ | environment,
-        capture_output=True,
-        text=True,
-        timeout=120,
-        check=False,
+    result = run_to_end(
+        [sys.executable, *PYTEST, *options, *words], cwd=folder, env=os.environ | environment, timeout_s=120
     )
     return result.stdout + result.stderr
 
@@ -230,14 +223,6 @@ def test_the_example_under_colcon(workspace: Path) -> None:
     environment = {name: value for name, value in os.environ.items() if name != "AMENT_PREFIX_PATH"}
     environment["PATH"] = f"{BIN}{os.pathsep}{environment['PATH']}"
     for words in (["build"], ["test", "--event-handlers", "console_direct+"], ["test-result", "--verbose"]):
-        result = subprocess.run(
-            [BIN / "colcon", *words],
-            cwd=workspace,
-            env=environment,
-            capture_output=True,
-            text=True,
-            timeout=240,
-            check=False,
-        )
+        result = run_to_end([BIN / "colcon", *words], cwd=workspace, env=environment, timeout_s=240)
         assert result.returncode == 0, result.stdout + result.stderr
     assert "10 tests, 0 errors, 0 failures, 0 skipped" in result.stdout

@@ -9,6 +9,7 @@ import subprocess
 import sys
 
 import pytest
+from tests.conftest import run_to_end
 
 TIMEOUT_S = 60
 
@@ -85,7 +86,7 @@ print(all(buffer.can_transform("map", frame, LATEST, wait) for frame in frames))
 def run(case: str) -> None:
     command = [sys.executable, "-c", PROGRAM, case]
     try:
-        ended = subprocess.run(command, check=False, capture_output=True, text=True, timeout=TIMEOUT_S)
+        ended = run_to_end(command, timeout_s=TIMEOUT_S)
     except subprocess.TimeoutExpired as error:
         pytest.fail(f"{case} does not return: {error.stderr!r}")
     assert (ended.returncode, ended.stdout, ended.stderr) == (0, "True\n", "")

@@ -12,6 +12,7 @@ from types import ModuleType
 
 import pytest
 from packaging.requirements import Requirement
+from tests.conftest import run_to_end
 from tools.set_up import read_project
 
 from tfloom.rmw.cyclone_library import find_library
@@ -94,13 +95,9 @@ def test_stripped_library_is_smaller_and_works(backend: ModuleType, tmp_path: Pa
 
 
 def test_build_without_a_wheel_says_what_to_do(tmp_path: Path) -> None:
-    done = subprocess.run(
+    done = run_to_end(
         [sys.executable, PACKAGE / "build_backend.py", tmp_path],
         env=os.environ | {"PIP_NO_INDEX": "1", "PIP_FIND_LINKS": ""},
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=120,
     )
     assert done.returncode == 1
     assert "no wheel of cyclonedds 11.0.1 came for this platform" in done.stderr
@@ -149,14 +146,9 @@ def test_cyclonedds_is_required_only_where_it_has_a_wheel(
 def test_pip_builds_it_by_its_path(tmp_path: Path) -> None:
     """As README installs it; nodes of two processes then meet by it, without cyclonedds."""
     install = [sys.executable, "-m", "pip", "install", "--quiet", "--no-deps", "--target", tmp_path, PACKAGE]
-    done = subprocess.run(install, capture_output=True, text=True, check=False, timeout=300)
+    done = run_to_end(install, timeout_s=300)
     assert done.returncode == 0, done.stdout + done.stderr
-    done = subprocess.run(
-        [sys.executable, "-m", "tfloom", "doctor", "--report"],
-        env=os.environ | {"PYTHONPATH": str(tmp_path)},
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=60,
+    done = run_to_end(
+        [sys.executable, "-m", "tfloom", "doctor", "--report"], env=os.environ | {"PYTHONPATH": str(tmp_path)}
     )
     assert "libddsc 11.0.1 of tfloom-ddsc" in done.stdout, done.stdout + done.stderr

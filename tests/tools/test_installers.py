@@ -14,6 +14,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from tests.conftest import run_to_end
 from tests.wheels import copy_checkout, release_files, wheel_of
 
 ROOT = Path(__file__).parents[2]
@@ -70,7 +71,7 @@ def expect_working(ros2: Path) -> None:
         (["interface", "show", "geometry_msgs/msg/Vector3"], "float64 x"),
         (["pkg", "executables", "turtlesim"], "turtlesim turtlesim_node"),
     ):
-        done = subprocess.run([ros2, *arguments], capture_output=True, text=True, timeout=60, check=False)
+        done = run_to_end([ros2, *arguments])
         assert expected in done.stdout, done.stdout + done.stderr
 
 

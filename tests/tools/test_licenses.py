@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import subprocess
 import sys
 from email.message import Message
 from importlib.metadata import PackageMetadata
@@ -10,6 +9,7 @@ from pathlib import Path
 from typing import cast
 
 import pytest
+from tests.conftest import run_to_end
 from tools import licenses
 from tools.licenses import COMPILED_IN, DEVELOPMENT, REQUIRED, fault_of, stated_licence
 
@@ -25,14 +25,7 @@ def metadata_of(*fields: tuple[str, str]) -> PackageMetadata:
 
 
 def test_all_installed_requirements_have_an_accepted_licence() -> None:
-    done = subprocess.run(
-        [sys.executable, "-m", "tools.licenses"],
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-        timeout=60,
-        check=False,
-    )
+    done = run_to_end([sys.executable, "-m", "tools.licenses"], cwd=ROOT)
     assert done.returncode == 0, done.stderr
     uses = {line.split()[0]: line for line in done.stdout.splitlines()}
     assert COMPILED_IN in uses["nanobind"]

@@ -12,7 +12,7 @@ from contextlib import nullcontext, suppress
 from pathlib import Path
 
 import pytest
-from tests.conftest import Program, wait_until
+from tests.conftest import Program, run_to_end, wait_until
 from tools import platforms
 from tools.platforms import Chroot, Row, measured, total_counts
 from tools.set_up import SetUpError
@@ -341,7 +341,7 @@ def is_asked_for() -> bool:
 def test_short_checks_of_a_system(part: str) -> None:
     """The demonstration on Debian's newest Python, and on arm64 also a talk with this machine."""
     command = [sys.executable, "-m", "tools.platforms", "--short", part]
-    done = subprocess.run(command, cwd=platforms.ROOT, capture_output=True, text=True, check=False)
+    done = run_to_end(command, cwd=platforms.ROOT)
     if ": installed: mmdebstrap failed" in done.stdout:
         pytest.skip(f"Debian can't be installed here: {done.stdout}")
     assert done.returncode == 0, done.stdout + done.stderr

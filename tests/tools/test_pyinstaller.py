@@ -12,7 +12,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from tests.conftest import Program
+from tests.conftest import Program, run_to_end
 from tests.wheels import release_files, wheel_of
 
 PROGRAM = Path(__file__).with_name("frozen_robot.py")
@@ -56,9 +56,7 @@ def pyinstaller(tmp_path_factory: pytest.TempPathFactory) -> Path:
     ]
     requirements = [*map(str, wheels), "transforms3d"]
     subprocess.run([*pip, "install", *requirements], check=True, timeout=TIMEOUT_S)
-    done = subprocess.run(
-        [*pip, "install", "pyinstaller>=6"], capture_output=True, text=True, timeout=TIMEOUT_S, check=False
-    )
+    done = run_to_end([*pip, "install", "pyinstaller>=6"], timeout_s=TIMEOUT_S)
     if done.returncode:
         pytest.skip(f"PyInstaller can't be installed: {done.stderr.strip().splitlines()[-1]}")
     return commands / "pyinstaller"
@@ -71,7 +69,7 @@ def frozen(pyinstaller: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     (folder / "robot.spec").write_text(SPEC, "utf-8")
     options = ["--log-level", "WARN", "--distpath", folder, "--workpath", folder / "work"]
     command = [pyinstaller, *options, folder / "robot.spec"]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=TIMEOUT_S, check=False)
+    done = run_to_end(command, timeout_s=TIMEOUT_S)
     assert done.returncode == 0, done.stderr
     return folder
 

@@ -14,7 +14,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from tests.conftest import FIGURE
+from tests.conftest import FIGURE, run_to_end
 from tests.wheels import release_files, release_tools, wheel_of
 from tools import release
 from tools.release import MAX_WHEEL_SIZE, Tools
@@ -152,9 +152,7 @@ def test_wheel_runs_the_demo_without_a_compiler(
 
 def run(command: list[Path | str], cwd: Path, environment: dict[str, str]) -> str:
     """Run an installed command and return its output; fail with it."""
-    done = subprocess.run(
-        command, cwd=cwd, env=environment, capture_output=True, text=True, timeout=300, check=False
-    )
+    done = run_to_end(command, cwd=cwd, env=environment, timeout_s=300)
     assert done.returncode == 0, f"{command}\n{done.stdout}{done.stderr}"
     return done.stdout
 

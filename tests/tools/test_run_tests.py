@@ -9,6 +9,7 @@ from pathlib import Path
 
 import psutil
 import pytest
+from tests.conftest import run_to_end
 from tools import run_tests
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -17,9 +18,7 @@ ROOT = Path(__file__).resolve().parents[2]
 def run_tier(file: Path, text: str, *options: str) -> subprocess.CompletedProcess[str]:
     file.write_text(text)
     command = [sys.executable, "tools/run_tests.py", "-q", "-c", str(ROOT / "pyproject.toml"), *options]
-    return subprocess.run(
-        [*command, str(file)], cwd=ROOT, capture_output=True, text=True, timeout=120, check=False
-    )
+    return run_to_end([*command, str(file)], cwd=ROOT)
 
 
 def test_a_test_that_hangs_is_named_and_ends_the_run(tmp_path: Path) -> None:

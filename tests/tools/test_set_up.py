@@ -17,6 +17,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
+from tests.conftest import run_to_end
 from tools import set_up
 
 ROOT = Path(__file__).parents[2]
@@ -28,12 +29,8 @@ pytestmark = pytest.mark.skipif(os.name != "posix", reason="the Makefile's set-u
 
 
 def run_set_up(venv: Path, *options: str, **environment: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
+    return run_to_end(
         [sys.executable, ROOT / "tools" / "set_up.py", "--venv", venv, *options, "demo"],
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=120,
         env=os.environ | NO_INDEX | environment,
     )
 
@@ -207,13 +204,7 @@ def test_a_folder_without_permission_is_named() -> None:
         Path(folder).chmod(0o755)  # so that the other user can read the script
         venv = Path(folder) / "venv"
         script = shutil.copytree(ROOT / "tools", Path(folder) / "tools") / "set_up.py"
-        done = subprocess.run(
-            [*AS_NOBODY, "/usr/bin/python3", script, "--venv", venv, "demo"],
-            capture_output=True,
-            text=True,
-            check=False,
-            timeout=60,
-        )
+        done = run_to_end([*AS_NOBODY, "/usr/bin/python3", script, "--venv", venv, "demo"])
     assert done.returncode == 1
     assert f"set-up: can't make {venv}: " in done.stderr
     assert "Permission denied" in done.stderr
@@ -288,14 +279,7 @@ def test_python_below_3_10_is_rejected_in_one_line(tmp_path: Path) -> None:
         tmp_path / "python3", f'exec "{sys.executable}" -c "import sys; sys.version_info = (3, 9, 18); $2"'
     )
     for target in ("demo", "test"):
-        done = subprocess.run(
-            ["make", target, f"PYTHON={python}"],
-            capture_output=True,
-            text=True,
-            check=False,
-            timeout=60,
-            cwd=ROOT,
-        )
+        done = run_to_end(["make", target, f"PYTHON={python}"], cwd=ROOT)
         assert done.returncode == 2
         assert f"set-up: tfloom needs Python 3.10 or newer, and {python} is 3.9" in done.stderr
         assert "Traceback" not in done.stderr

@@ -17,6 +17,7 @@ from typing import Any
 
 import pytest
 from PIL import Image, ImageChops
+from tests.conftest import run_to_end
 
 from tfloom.interfaces.turtlesim.msg import Pose
 from tfloom.node.client_library import init
@@ -56,9 +57,7 @@ class Screen:
     def run(self, *command: str) -> str:
         """Return a tool's output; empty if it hangs because a window was closed meanwhile."""
         try:
-            done = subprocess.run(
-                command, env=self.environment, capture_output=True, text=True, check=False, timeout=5
-            )
+            done = run_to_end(command, env=self.environment, timeout_s=5)
         except subprocess.TimeoutExpired:
             return ""
         return done.stdout.strip()

@@ -16,6 +16,7 @@ import venv
 from pathlib import Path
 
 import pytest
+from tests.conftest import run_to_end
 from tests.wheels import release_files, wheel_of
 from tools.facades import recorded
 
@@ -44,7 +45,7 @@ def mypy(python: Path, programs: list[Path], folder: Path) -> list[str]:
     """Return the errors that mypy finds, as `file:line: text`."""
     command = [sys.executable, "-m", "mypy", "--strict", "--config-file=", "--show-absolute-path"]
     command += [f"--cache-dir={folder}", f"--python-executable={python}", *map(str, programs)]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=300, cwd=folder, check=False)
+    done = run_to_end(command, cwd=folder, timeout_s=300)
     *lines, summary = done.stdout.splitlines()
     assert f"{len(programs)} source files" in summary, done.stdout + done.stderr
     return [line for line in lines if ": note: " not in line]
@@ -59,9 +60,7 @@ def pyright(python: Path, programs: list[Path], folder: Path) -> list[str]:
     }
     (folder / "pyrightconfig.json").write_text(json.dumps(settings))
     command = [sys.executable, "-m", "basedpyright", "--outputjson", f"--pythonpath={python}"]
-    done = subprocess.run(
-        [*command, *map(str, programs)], capture_output=True, text=True, timeout=300, cwd=folder, check=False
-    )
+    done = run_to_end([*command, *map(str, programs)], cwd=folder, timeout_s=300)
     report = json.loads(done.stdout)
     assert report["summary"]["filesAnalyzed"] >= len(programs)
     return [

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 import socket
-import subprocess
 import sys
 import threading
 import urllib.request
@@ -15,7 +14,7 @@ from typing import Any
 
 import pytest
 from tests.bag.written_bags import START_NS, topic
-from tests.conftest import wait_until
+from tests.conftest import run_to_end, wait_until
 from tests.viewer.conftest import Page
 
 import tfloom
@@ -180,9 +179,7 @@ def test_viewer_that_fails_later_closes_its_page(monkeypatch: pytest.MonkeyPatch
 
 def test_page_that_nobody_closes_ends_quietly_with_the_program(bag: Path) -> None:
     program = f"import tfloom; print(tfloom.view({str(bag)!r}).is_open)"
-    done = subprocess.run(
-        [sys.executable, "-c", program], capture_output=True, text=True, timeout=60, check=False
-    )
+    done = run_to_end([sys.executable, "-c", program])
     assert (done.returncode, done.stdout, done.stderr) == (0, "True\n", "")
 
 

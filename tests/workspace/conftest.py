@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import os
 import re
-import subprocess
 import sys
 from pathlib import Path
 from typing import NamedTuple
 
-from tests.conftest import COLCON_PYTHON, PYTEST
+from tests.conftest import COLCON_PYTHON, PYTEST, run_to_end
 
 BIN = Path(sys.executable).parent
 MANIFEST = """\
@@ -93,7 +92,7 @@ def colcon(folder: Path, *words: str, **environment: str) -> Built:
     """Run colcon in a workspace; without AMENT_PREFIX_PATH unless it is given."""
     clean = {name: value for name, value in os.environ.items() if name != "AMENT_PREFIX_PATH"}
     path = f"{BIN}{os.pathsep}{clean['PATH']}"
-    result = subprocess.run(
+    result = run_to_end(
         [BIN / "colcon", *words],
         cwd=folder,
         env={
@@ -103,22 +102,15 @@ def colcon(folder: Path, *words: str, **environment: str) -> Built:
             "PYTEST_ADDOPTS": " ".join(PYTEST[2:]),
             **environment,
         },
-        capture_output=True,
-        text=True,
-        timeout=240,
-        check=False,
+        timeout_s=240,
     )
     return Built(folder, result.returncode, result.stdout + result.stderr)
 
 
 def in_shell(built: Path, line: str, shell: str = "bash", **environment: str) -> str:
     """Return the output of a line of shell script after a workspace's set-up script was sourced."""
-    result = subprocess.run(
+    result = run_to_end(
         [shell, "-c", f". '{built}/install/setup.{shell}' && {line}"],
         env={**os.environ, **COLCON_PYTHON, "PATH": f"{BIN}{os.pathsep}{os.environ['PATH']}", **environment},
-        capture_output=True,
-        text=True,
-        timeout=60,
-        check=False,
     )
     return re.sub(r"\n+$", "", result.stdout + result.stderr)

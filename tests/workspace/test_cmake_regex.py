@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import random
 import shutil
-import subprocess
 from pathlib import Path
 
 import pytest
+from tests.conftest import run_to_end
 
 from tfloom.workspace.cmake_regex import MAX_PATTERN, Expression, RegexError
 
@@ -111,7 +111,7 @@ def answers_of_cmake(pattern: str, texts: list[str], path: Path) -> str:
         for text in texts
     ]
     path.write_text("\n".join(["cmake_policy(VERSION 3.10)", *lines]), "utf-8")
-    done = subprocess.run(["cmake", "-P", path], capture_output=True, text=True, check=False)
+    done = run_to_end(["cmake", "-P", path])
     return "" if done.returncode else "".join(done.stderr.split())
 
 

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
+from tests.conftest import run_to_end
 
 from tfloom import use_ros_names
 from tfloom.rosidl import cdr, registry
@@ -98,12 +99,8 @@ def run(
     code: str, installed: Installed, prefix: Path | str, *options: str
 ) -> subprocess.CompletedProcess[str]:
     """Run code, or tfloom's command with its words after a -m, with a built package on the path."""
-    return subprocess.run(
+    return run_to_end(
         [sys.executable, *(options or ("-c", code))],
-        capture_output=True,
-        text=True,
-        timeout=60,
-        check=False,
         env=os.environ | {"PYTHONPATH": str(installed.python_folder), "AMENT_PREFIX_PATH": str(prefix)},
     )
 
@@ -353,14 +350,11 @@ def test_type_checkers_read_the_installed_modules(
         if checker == "mypy"
         else ["-m", "basedpyright", f"--pythonpath={sys.executable}", "user.py"]
     )
-    done = subprocess.run(
+    done = run_to_end(
         [sys.executable, *command],
-        capture_output=True,
-        text=True,
-        timeout=300,
-        check=False,
         cwd=project,
         env=os.environ | {"PYTHONPATH": str(installed.python_folder)},
+        timeout_s=300,
     )
     errors = [line for line in done.stdout.splitlines() if " error: " in line]
     mistakes = [number for number, line in enumerate(USER.splitlines(), 1) if line.endswith("  # mistake")]

@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from tests.conftest import run_to_end
 
 PROGRAM = Path(sys.executable).with_name("tfloom")
 FILES = {
@@ -54,13 +55,8 @@ def prefix(tmp_path: Path) -> Path:
 
 
 def stubs(folder: Path, prefix: object = "") -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [PROGRAM, "interfaces", "stubs", folder],
-        capture_output=True,
-        text=True,
-        timeout=60,
-        check=False,
-        env=os.environ | {"AMENT_PREFIX_PATH": str(prefix)},
+    return run_to_end(
+        [PROGRAM, "interfaces", "stubs", folder], env=os.environ | {"AMENT_PREFIX_PATH": str(prefix)}
     )
 
 
@@ -138,14 +134,8 @@ def test_type_checkers_follow_them(checker: str, prefix: Path, tmp_path: Path) -
         if checker == "mypy"
         else ["-m", "basedpyright", f"--pythonpath={sys.executable}", "user.py"]
     )
-    done = subprocess.run(
-        [sys.executable, *command],
-        capture_output=True,
-        text=True,
-        timeout=300,
-        check=False,
-        cwd=project,
-        env=os.environ | {"MYPYPATH": "typings"},
+    done = run_to_end(
+        [sys.executable, *command], cwd=project, env=os.environ | {"MYPYPATH": "typings"}, timeout_s=300
     )
     planted = [number for number, line in enumerate(USER.splitlines(), 1) if line.endswith("  # mistake")]
     errors = [line for line in done.stdout.splitlines() if " error: " in line]

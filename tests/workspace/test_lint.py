@@ -14,7 +14,7 @@ from ament_flake8.main import main_with_errors
 from ament_mypy.main import main as mypy_main
 from ament_pep257.main import main as pep257_main
 from ament_xmllint.main import main as xmllint_main
-from tests.conftest import PYTEST
+from tests.conftest import PYTEST, run_to_end
 from tests.workspace.conftest import BIN, colcon, write_files
 
 from tfloom.workspace.licenses import LICENSES, find_license
@@ -169,7 +169,7 @@ def test_it():
 """
     write_files(here, {"test_it.py": text})
     command = [sys.executable, *PYTEST, "-rs", "-p", "no:cacheprovider", "test_it.py"]
-    result = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
+    result = run_to_end(command)
     assert f"{library} is not installed: pip install {library}" in result.stdout
     assert "1 skipped" in result.stdout
 

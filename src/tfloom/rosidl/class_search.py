@@ -36,8 +36,10 @@ def find_known_class(name: str) -> Any:
         ParseError: its definition can't be parsed.
     """
     interface_class = class_table.find(name)
-    if interface_class is None and (interface_class := find_by_definition(name)) is not None:
-        class_table.register(name, interface_class)
+    if interface_class is None:
+        interface_class = find_by_definition(name)
+        if interface_class is not None:
+            class_table.register(name, interface_class)
     return interface_class
 
 

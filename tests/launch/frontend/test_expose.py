@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.conftest import run_to_end
 
 from tfloom.launch.frontend import expose, extensions
 from tfloom.launch.frontend.exposed import ACTION_MODULES, SUBSTITUTION_MODULES
@@ -270,7 +271,7 @@ def test_installed_package_extends_launch_files(tmp_path: Path) -> None:
 
     def run(name: str) -> subprocess.CompletedProcess[str]:
         command = [sys.executable, "-c", code, name]
-        return subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=60, check=False)
+        return run_to_end(command, cwd=tmp_path)
 
     result = run("a.launch.xml")
     assert result.stdout == "Greet HI HI  True\nGreet x False\n", result.stderr

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import signal
-import subprocess
 from collections.abc import Callable
 
-from tests.conftest import Program
+from tests.conftest import Program, run_to_end
 
 from tfloom.node.client_library import init
 from tfloom.node.context.utilities import try_shutdown
@@ -76,5 +75,5 @@ def expect_clean_end(program: Program, number: int = signal.SIGINT) -> None:
 
 def is_running(pid: int) -> bool:
     """Return whether a process runs; one that has ended and that its parent has not asked about does not."""
-    done = subprocess.run(["ps", "-o", "stat=", "-p", str(pid)], capture_output=True, text=True, check=False)
+    done = run_to_end(["ps", "-o", "stat=", "-p", str(pid)])
     return bool(done.stdout.strip()) and not done.stdout.startswith("Z")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import subprocess
 import sys
 import xml.etree.ElementTree as ET
 from collections.abc import Mapping
@@ -11,7 +10,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import pytest
-from tests.conftest import PYTEST
+from tests.conftest import PYTEST, run_to_end
 
 
 class Case(NamedTuple):
@@ -42,14 +41,8 @@ def run_pytest(folder: Path, files: Mapping[str, str], *words: str, **environmen
     results = folder / "results.xml"
     clean = {name: value for name, value in os.environ.items() if not name.startswith(("PYTEST_", "CI"))}
     command = [sys.executable, *PYTEST, "-p", "no:cacheprovider", f"--junit-xml={results}", *words]
-    result = subprocess.run(
-        command,
-        cwd=folder,
-        env={**clean, "ROS_LOG_DIR": str(folder / "log"), **environment},
-        capture_output=True,
-        text=True,
-        timeout=240,
-        check=False,
+    result = run_to_end(
+        command, cwd=folder, env={**clean, "ROS_LOG_DIR": str(folder / "log"), **environment}, timeout_s=240
     )
     return Run(
         result.returncode, result.stdout + result.stderr, dict(_cases(results)) if results.is_file() else {}

@@ -9,6 +9,7 @@ import xml.etree.ElementTree as ET
 from pathlib import Path
 
 import pytest
+from tests.conftest import run_to_end
 from tests.launch.testing.users import FAILING, LAUNCH, PASSING
 
 COMMAND = [sys.executable, "-m", "tfloom.launch.testing.launch_test"]
@@ -16,14 +17,10 @@ COMMAND = [sys.executable, "-m", "tfloom.launch.testing.launch_test"]
 
 def launch_test(folder: Path, text: str, *words: str) -> subprocess.CompletedProcess[str]:
     (folder / "some.launch.test.py").write_text(LAUNCH + text)
-    return subprocess.run(
+    return run_to_end(
         [*COMMAND, "some.launch.test.py", *words],
         cwd=folder,
         env={**os.environ, "ROS_LOG_DIR": str(folder / "log")},
-        capture_output=True,
-        text=True,
-        timeout=120,
-        check=False,
     )
 
 
@@ -84,7 +81,7 @@ def test_mistake_is_named_without_a_traceback(
 
 
 def test_missing_file_is_named(tmp_path: Path) -> None:
-    result = subprocess.run([*COMMAND, tmp_path / "none.py"], capture_output=True, text=True, check=False)
+    result = run_to_end([*COMMAND, tmp_path / "none.py"])
     assert result.returncode == 2
     assert f"launch test file '{tmp_path}/none.py' does not exist" in result.stderr
 
@@ -152,14 +149,10 @@ raise SystemExit(tests.run(service))
     ],
 )
 def test_older_service(tmp_path: Path, words: tuple[str, str], code: int, text: str) -> None:
-    result = subprocess.run(
+    result = run_to_end(
         [sys.executable, "-c", LEGACY, *words],
         cwd=tmp_path,
         env={**os.environ, "ROS_LOG_DIR": str(tmp_path)},
-        capture_output=True,
-        text=True,
-        timeout=120,
-        check=False,
     )
     assert result.returncode == code, result.stdout + result.stderr
     assert text in result.stdout

@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from tests.conftest import run_to_end
 from tests.launch.testing.conftest import Run, run_pytest
 from tests.launch.testing.users import FAILING, LAUNCH, PASSING
 
@@ -127,5 +128,5 @@ def test_import_of_launch_testing_is_light() -> None:
         "import launch_testing, launch_testing.actions, launch_testing.asserts, sys\n"
         "print([name for name in ('numpy', 'pytest', 'tfloom.node') if name in sys.modules])"
     )
-    result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    result = run_to_end([sys.executable, "-c", code])
     assert result.stdout == "[]\n", result.stderr

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import subprocess
 import sys
 
 import pytest
+from tests.conftest import run_to_end
 
 from tfloom.launch.utilities.plain_values import plain_value
 from tfloom.launch.utilities.type_utils import get_typed_value
@@ -113,7 +113,5 @@ def test_yaml_is_not_loaded_for_plain_values() -> None:
         "from tfloom.launch.utilities.type_utils import get_typed_value\n"
         "print(get_typed_value('2.0', None), get_typed_value('true', bool), 'yaml' in sys.modules)\n"
     )
-    result = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=False
-    )
+    result = run_to_end([sys.executable, "-c", code])
     assert result.stdout == "2.0 True False\n", result.stderr

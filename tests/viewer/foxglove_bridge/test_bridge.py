@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import base64
 import signal
-import subprocess
 import sys
 import threading
 from collections.abc import Callable
@@ -13,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from tests.conftest import Program, wait_until
+from tests.conftest import Program, run_to_end, wait_until
 from tests.viewer.foxglove_bridge.clients import SUBPROTOCOL, TIMEOUT_S, Client, bridging
 
 from tfloom.interfaces.std_msgs.msg import String
@@ -416,9 +415,7 @@ def test_missing_extra_is_one_sentence() -> None:
         "program.find_spec = lambda _: None\n"
         "raise SystemExit(program.main([]))"
     )
-    done = subprocess.run(
-        [sys.executable, "-c", program], capture_output=True, text=True, timeout=60, check=False
-    )
+    done = run_to_end([sys.executable, "-c", program])
     sentence = "foxglove_bridge needs foxglove-sdk, which is not installed: pip install 'tfloom[foxglove]'"
     assert (done.returncode, done.stdout) == (1, "")
     assert done.stderr == f"foxglove_bridge: {sentence}\n"

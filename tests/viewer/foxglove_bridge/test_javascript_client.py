@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pytest
-from tests.conftest import Program, wait_until
+from tests.conftest import Program, run_to_end, wait_until
 from tests.viewer.foxglove_bridge.clients import SUBPROTOCOL, TIMEOUT_S, bridging
 
 from tfloom.interfaces.std_msgs.msg import String
@@ -48,9 +48,7 @@ def node_modules(tmp_path_factory: pytest.TempPathFactory) -> Path:
         *PACKAGES,
     ]
     try:
-        done = subprocess.run(
-            command, capture_output=True, text=True, timeout=INSTALL_S, check=False, cwd=folder
-        )
+        done = run_to_end(command, cwd=folder, timeout_s=INSTALL_S)
     except subprocess.TimeoutExpired:
         pytest.skip(f"npm did not install {PACKAGES[0]} within {INSTALL_S:g} s")
     if done.returncode != 0:
