@@ -99,26 +99,26 @@ class Plain:
     """The objects without one optimisation."""
 
     def __init__(self, build: Build, folder: Path, objects: dict[str, str]) -> None:
-        self._build, self._folder, self._objects = build, folder, objects
+        self._build, self.folder, self.objects = build, folder, objects
 
     @property
     def module(self) -> Path:
         """The extension, linked like the shipped one, with this build's objects first."""
         build = self._build
-        module = self._folder / build.module.name
+        module = self.folder / build.module.name
         command = build.ninja("commands", build.module.name).strip().splitlines()[-1]
-        words = [self._objects.get(word, word) for word in shlex.split(command) if word not in {":", "&&"}]
+        words = [self.objects.get(word, word) for word in shlex.split(command) if word not in {":", "&&"}]
         words[words.index("-o") + 1] = str(module)
         archive = words.index("libtfloom_core.a")
-        words[archive:archive] = [one for made, one in self._objects.items() if "tfloom_core.dir" in made]
+        words[archive:archive] = [one for made, one in self.objects.items() if "tfloom_core.dir" in made]
         run(*words, folder=build.folder)
         return module
 
 
 def program(build: Build, plain: Plain | None = None) -> Path:
     """Return the path of `beside_writers`, linked with the shipped core or with that of `plain`."""
-    folder = plain._folder if plain else build.folder  # noqa: SLF001  # one module's classes
-    objects = list(plain._objects.values()) if plain else []  # noqa: SLF001  # as above
+    folder = plain.folder if plain else build.folder
+    objects = list(plain.objects.values()) if plain else []
     core = [one for one in objects if "/bindings_" not in one]
     words = next(words for made, (_, words) in build.commands.items() if made.endswith("/tf2/buffer.cpp.o"))
     flags = words[1 : words.index("-o")]

@@ -213,7 +213,7 @@ def _warning_of_undeclared(source: Any, file_name: str, given: Sequence[str]) ->
         # Two sources, because a file declares by its description, and by what a condition or function included
         # meanwhile.
         declared = source.get_launch_description(context).get_launch_arguments()
-        visited = context._declared_arguments  # noqa: SLF001  # launch's own
+        visited = context.declared_arguments
         names = list(dict.fromkeys([*(argument.name for argument in declared), *visited]))
         for name in given:
             if name not in names and name not in _OF_LAUNCH:

@@ -24,7 +24,7 @@ class Action(LaunchDescriptionEntity):
 
     def __init__(self, *, condition: Condition | None = None) -> None:
         self._condition = condition
-        self._launch_place = place_of_construction()
+        self.launch_place = place_of_construction()
 
     @staticmethod
     def parse(entity: Entity, parser: ParsesActions) -> tuple[type[Action], dict[str, Any]]:
@@ -67,7 +67,7 @@ class Action(LaunchDescriptionEntity):
                 return None
             following = self.execute(context)
         except Exception as error:
-            keep_place(error, getattr(self, "_launch_place", ""))
+            keep_place(error, getattr(self, "launch_place", ""))
             raise
         complete = ExecutionComplete(action=self)
         if context.would_handle_event(complete):

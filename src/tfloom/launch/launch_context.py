@@ -58,7 +58,7 @@ class LaunchContext:
         self._locals: dict[str, Any] = {}
         self._locals_stack: list[dict[str, Any]] = []
         self._launch_configurations: dict[str, str] = {}
-        self._declared_arguments: list[str] = []
+        self.declared_arguments: list[str] = []
         """Names of the arguments whose declaration has been visited."""
         self._launch_configurations_stack: list[dict[str, str]] = []
         self._initial_environment = dict(os.environ)
@@ -105,6 +105,10 @@ class LaunchContext:
     def extend_locals(self, extensions: dict[str, Any]) -> None:
         """Add variables that stay until `_pop_locals`."""
         self._locals.update(extensions)
+
+    def remove_local(self, name: str) -> None:
+        """Remove a variable that `extend_locals` has added, if it is there."""
+        self._locals.pop(name, None)
 
     def _push_locals(self) -> None:
         self._locals_stack.append(dict(self._locals))

@@ -54,6 +54,13 @@ class LaunchDescriptionSource:
             self._launch_description = self._get_launch_description(self._expanded_location)
         return self._launch_description
 
+    def location_without_context(self) -> str | None:
+        """Return the location, or None if it isn't known before the launch."""
+        try:
+            return perform_substitutions(LaunchContext(), self._location)
+        except Exception:  # noqa: BLE001  # any that a substitution raises without a context
+            return None
+
     def try_get_launch_description_without_context(self) -> LaunchDescription | None:
         """Return the description if no substitution is needed to find it; None: one is, or it can't be loaded."""
         if self._launch_description is None:

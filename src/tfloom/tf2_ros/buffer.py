@@ -76,8 +76,13 @@ class Buffer(BufferCore, BufferInterface):
         get_logger("tf2_buffer").warning("Detected jump back in time. Clearing tf buffer.")
         self.clear()
 
-    def _ignore_stragglers(self, jump_ns: int, now_ns: int) -> None:
-        """For a short time, ignore transforms sent before the jump, which have stamps near the old time."""
+    def ignore_stragglers(self, jump_ns: int, now_ns: int) -> None:
+        """Ignore transforms sent before a jump backward, which have stamps near the old time, for a short time.
+
+        Args:
+            jump_ns: The jump, which is negative.
+            now_ns: The time after it.
+        """
         margin_ns = min(-jump_ns // 2, MAX_MARGIN_NS)
         self.ignore_from(now_ns - jump_ns - margin_ns, margin_ns / 1e9)
 
@@ -284,7 +289,7 @@ def jump_callback(buffer: weakref.ref[Buffer], clock: weakref.ref[Any]) -> Calla
         alive.time_jump_callback(time_jump)
         jump_ns = time_jump.delta.nanoseconds
         if jump_ns < 0 and int(time_jump.clock_change) == ClockChange.ROS_TIME_NO_CHANGE:
-            alive._ignore_stragglers(jump_ns, source.now().nanoseconds)  # noqa: SLF001  # part of the class
+            alive.ignore_stragglers(jump_ns, source.now().nanoseconds)
 
     return jumped
 

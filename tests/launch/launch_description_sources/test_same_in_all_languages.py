@@ -130,7 +130,7 @@ def described(value: Any) -> Any:
     if isinstance(value, TextSubstitution):
         return value.text
     if type(value).__module__.startswith("tfloom.launch"):
-        held = [(name, member) for name, member in vars(value).items() if name != "_launch_place"]
+        held = [(name, member) for name, member in vars(value).items() if name != "launch_place"]
         return type(value).__name__, {
             name: described(member) for name, member in sorted(held) if "log" not in name
         }

@@ -55,7 +55,7 @@ class DirectNode(Node):
         except BaseException:
             self._leave_context()
             raise
-        participant = self.context._participant  # noqa: SLF001  # a node offers queries, not the graph itself
+        participant = self.context.participant
         if participant is not None:
             wait_until_quiet(participant.graph, getattr(args, "spin_time", MAX_WAIT_S))
 

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 __all__ = ["add_installed_words", "add_subparsers", "add_subparsers_on_demand"]
 
-_Words: TypeAlias = "argparse._SubParsersAction[VerbParser]"  # noqa: SLF001
+_Words: TypeAlias = "argparse._SubParsersAction[VerbParser]"  # noqa: SLF001  # what argparse returns
 
 
 def add_installed_words(parser: VerbParser, words: _Words, group: str) -> Callable[[], None]:
@@ -129,7 +129,8 @@ def _add_help_lines(words: _Words, entry_points: Sequence[EntryPoint]) -> None:
         except CommandError as error:
             print(f"WARNING: {error}", file=sys.stderr)
             continue
-        # argparse adds it when the parser is created, which would import the extension for any other word, too.
+        # argparse adds it when the parser is created, which would import the extension for any other word, too. Nothing
+        # public adds a line alone.
         words._choices_actions.append(words._ChoicesPseudoAction(entry_point.name, (), summary))  # noqa: SLF001
 
 

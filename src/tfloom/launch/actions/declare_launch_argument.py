@@ -110,7 +110,7 @@ class DeclareLaunchArgument(Action):
         Raises:
             RuntimeError: no value was given and there is no default, or the value isn't one of the choices.
         """
-        context._declared_arguments.append(self.__name)  # noqa: SLF001  # of this room
+        context.declared_arguments.append(self.__name)
         configurations = context.launch_configurations
         if self.__name not in configurations:
             if self.__default_value is None:

@@ -142,7 +142,7 @@ class PushEnvironment(Action):
 
     def execute(self, context: LaunchContext) -> None:
         """Save a copy of the variables."""
-        context._push_environment()  # noqa: SLF001  # of this room
+        context._push_environment()  # noqa: SLF001  # launch's name, which actions of others call
 
 
 class PopEnvironment(Action):
@@ -150,7 +150,7 @@ class PopEnvironment(Action):
 
     def execute(self, context: LaunchContext) -> None:
         """Restore the variables."""
-        context._pop_environment()  # noqa: SLF001  # of this room
+        context._pop_environment()  # noqa: SLF001  # launch's name, which actions of others call
 
 
 @expose_action("reset_env")
@@ -165,4 +165,4 @@ class ResetEnvironment(Action):
 
     def execute(self, context: LaunchContext) -> None:
         """Restore the variables that the launch began with."""
-        context._reset_environment()  # noqa: SLF001  # of this room
+        context._reset_environment()  # noqa: SLF001  # launch's name, which actions of others call

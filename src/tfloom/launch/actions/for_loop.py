@@ -204,10 +204,10 @@ class _Actions:
         variables = {ForEachVar.get_local_arg_name(name): str(value) for name, value in values.items()}
 
         def push(context: LaunchContext) -> None:
-            context._push_locals()  # noqa: SLF001  # of this room
+            context._push_locals()  # noqa: SLF001  # launch's name, which actions of others call
             context.extend_locals(variables)
 
         def pop(context: LaunchContext) -> None:
-            context._pop_locals()  # noqa: SLF001  # of this room
+            context._pop_locals()  # noqa: SLF001  # launch's name, which actions of others call
 
         return [OpaqueFunction(function=push), *self._make_actions(), OpaqueFunction(function=pop)]

@@ -22,7 +22,7 @@ from tfloom.launch.launch_description_source import LaunchDescriptionSource
 from tfloom.launch.launch_description_sources.sources import AnyLaunchDescriptionSource
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 from tfloom.launch.utilities.argument_errors import substitutions_error
-from tfloom.launch.utilities.perform_substitutions import perform_some_substitutions, perform_substitutions
+from tfloom.launch.utilities.perform_substitutions import perform_some_substitutions
 
 __all__ = ["IncludeLaunchDescription"]
 
@@ -103,12 +103,8 @@ class IncludeLaunchDescription(Action):
 
     def location_without_context(self) -> str | None:
         """Return the absolute path of the file, or None if it isn't known before the launch, or there is no file."""
-        source = self.__source
-        try:
-            location = perform_substitutions(LaunchContext(), source._location)  # noqa: SLF001  # of this room
-        except Exception:  # noqa: BLE001  # any that a substitution raises without a context
-            return None
-        return _absolute(location) if Path(location).exists() else None
+        location = self.__source.location_without_context()
+        return _absolute(location) if location is not None and Path(location).exists() else None
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
         """Return the description, if it can be loaded before the launch; else nothing."""
@@ -135,7 +131,7 @@ class IncludeLaunchDescription(Action):
 
         def return_to_this_file(context: LaunchContext) -> None:
             for name in (_FILE, _FOLDER):
-                context._locals.pop(name, None)  # noqa: SLF001  # of this room
+                context.remove_local(name)
                 if name in before:
                     context.extend_locals({name: before[name]})
 
@@ -150,7 +146,7 @@ class IncludeLaunchDescription(Action):
         given_names = [perform_some_substitutions(context, name) for name, _ in self.__arguments]
         declarations = description.get_launch_arguments_with_include_launch_description_actions()
         for argument, inclusions in declarations:
-            is_optional = argument._conditionally_included  # noqa: SLF001  # of this room
+            is_optional = argument._conditionally_included  # noqa: SLF001  # launch's name
             is_set = argument.name in context.launch_configurations
             if is_set or is_optional or argument.default_value is not None:
                 continue

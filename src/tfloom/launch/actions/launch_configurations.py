@@ -72,7 +72,7 @@ class PushLaunchConfigurations(Action):
 
     def execute(self, context: LaunchContext) -> None:
         """Save a copy of the configurations."""
-        context._push_launch_configurations()  # noqa: SLF001  # of this room
+        context._push_launch_configurations()  # noqa: SLF001  # launch's name, which actions of others call
 
 
 class PopLaunchConfigurations(Action):
@@ -80,7 +80,7 @@ class PopLaunchConfigurations(Action):
 
     def execute(self, context: LaunchContext) -> None:
         """Restore the configurations."""
-        context._pop_launch_configurations()  # noqa: SLF001  # of this room
+        context._pop_launch_configurations()  # noqa: SLF001  # launch's name, which actions of others call
 
 
 def parse_kept(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, Any, cast
 
 from tfloom.launch.action import Action
@@ -126,7 +126,7 @@ class TimerAction(Action):
         self._variables = context.get_locals_as_dict()
         self._canceled_future = loop.create_future()
         self._completed_future = loop.create_future()
-        self._handlers = [_OnTimer(self)]
+        self._handlers = [_OnTimer(self, self._complete)]
         if perform_typed_substitution(context, self._cancel_on_shutdown, bool):
             self._handlers.append(OnShutdown(on_shutdown=lambda *_: self.cancel()))
         for handler in self._handlers:
@@ -160,15 +160,15 @@ class TimerAction(Action):
 class _OnTimer(BaseEventHandler):
     """Handles the end of a timer's wait."""
 
-    def __init__(self, timer: TimerAction) -> None:
+    def __init__(self, timer: TimerAction, complete: Callable[[LaunchContext], None]) -> None:
         super().__init__(matcher=lambda event: isinstance(event, TimerEvent) and event.timer_action is timer)
-        self._timer = timer
+        self._timer, self._complete = timer, complete
 
     def handle(self, event: Event, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         super().handle(event, context)
         # The launch looks for open futures after the visit of what is returned here. So it can't take itself for idle
         # between the end of the timer and the begin of its actions.
-        self._timer._complete(context)  # noqa: SLF001  # its handler
+        self._complete(context)
         return self._timer.handle(context)
 
 

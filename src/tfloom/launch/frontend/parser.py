@@ -84,7 +84,7 @@ class Parser:
         except Exception as error:
             place_error(error, _place(entity))
             raise
-        action._launch_place = _place(entity)  # noqa: SLF001  # of this room
+        action.launch_place = _place(entity)
         return action
 
     def parse_condition(self, entity: Entity) -> Condition | None:

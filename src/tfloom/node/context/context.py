@@ -363,6 +363,11 @@ class Context:
         """
         self._abandoned.append(node)
 
+    @property
+    def participant(self) -> Participant | None:
+        """The participant of this context's nodes on the wire, and None while there are none."""
+        return self._participant
+
     def _destroy_abandoned(self) -> None:
         while self._abandoned:
             self._abandoned.popleft().destroy_node()
