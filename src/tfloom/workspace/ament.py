@@ -82,7 +82,7 @@ def get_package_share_path(package_name: str, print_warning: bool = True) -> Pat
     path = _share_folder(package_name)
     if isinstance(path, Exception):
         raise path
-    if print_warning and not path.exists():
+    if print_warning and not _exists_or_stands_in(path):
         warnings.warn(f"Share path for {package_name} ({path}) does not exist.", stacklevel=2)
     return path
 
@@ -92,9 +92,14 @@ def get_package_share_directory(package_name: str, print_warning: bool = True) -
     path = _share_folder(package_name)
     if isinstance(path, Exception):
         raise path
-    if print_warning and not path.exists():
+    if print_warning and not _exists_or_stands_in(path):
         warnings.warn(f"Share directory for {package_name} ({path}) does not exist.", stacklevel=2)
     return str(path)
+
+
+def _exists_or_stands_in(path: Path) -> bool:
+    """Return whether there is nothing to warn of: the launch that skips a package has logged that it does so."""
+    return path.exists() or path.parent == STAND_IN
 
 
 def get_resource(resource_type: str, resource_name: str) -> tuple[str, str]:
