@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import os
 
 import pytest
@@ -118,3 +119,15 @@ def test_instances_are_told_from_classes() -> None:
     assert is_a_subclass(bool, int)
     assert is_a_subclass(True, int)
     assert not is_a_subclass("a", int)
+
+
+def test_tests_may_set_what_the_service_sets() -> None:
+    context = LaunchContext()
+    context._set_is_shutdown(True)
+    assert context.is_shutdown
+    loop = asyncio.new_event_loop()
+    context._set_asyncio_loop(loop)
+    assert context.asyncio_loop is loop
+    context._set_asyncio_loop(None)
+    loop.close()
+    assert context.asyncio_loop is None

@@ -230,3 +230,45 @@ def test_private_names_that_programs_use(tmp_path: Path, monkeypatch: pytest.Mon
     assert made.is_dir()
     assert made.parent == tmp_path / "here"
     assert launch.logging._make_unique_log_dir(base_path=str(tmp_path / "here")) != str(made)
+
+
+def test_the_link_latest_leads_to_the_last_launchs_folder() -> None:
+    link = Path(os.environ["ROS_LOG_DIR"], "latest")
+    folder = launch_config.log_dir
+    assert link.is_symlink()
+    assert link.resolve() == Path(folder).resolve()
+    launch_config.reset()
+    assert launch_config.log_dir != folder
+    assert link.resolve() == Path(launch_config.log_dir).resolve()
+    assert sorted(path.name for path in link.parent.iterdir()) == sorted(
+        [Path(folder).name, Path(launch_config.log_dir).name, "latest"]
+    )
+
+
+@pytest.mark.parametrize("kind", ["file", "folder"])
+def test_what_is_called_latest_and_is_no_link_stays(kind: str, tmp_path: Path) -> None:
+    folder, latest = tmp_path / "log", tmp_path / "latest"
+    folder.mkdir()
+    if kind == "file":
+        latest.write_text("mine")
+    else:
+        latest.mkdir()
+    assert not launch_logging._renew_latest_log_dir(log_dir=str(folder))
+    assert not latest.is_symlink()
+    latest.rename(tmp_path / "mine")
+    assert launch_logging._renew_latest_log_dir(log_dir=str(folder))
+    assert latest.resolve() == folder.resolve()
+
+
+def test_a_link_that_can_not_be_created_ends_nothing(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    def refuse(*args: object, **kwargs: object) -> None:
+        raise OSError(errno.EPERM, "a required privilege is not held by the client")
+
+    monkeypatch.setattr(Path, "symlink_to", refuse)
+    folder = launch_config.log_dir
+    assert Path(folder).is_dir()
+    assert [path.name for path in Path(folder).parent.iterdir()] == [Path(folder).name]
+    monkeypatch.undo()
+    monkeypatch.setattr(Path, "replace", refuse)
+    assert not launch_logging._renew_latest_log_dir(log_dir=folder)
+    assert [path.name for path in Path(folder).parent.iterdir()] == [Path(folder).name]

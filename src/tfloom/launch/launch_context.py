@@ -85,6 +85,14 @@ class LaunchContext:
         """Loop that runs the launch; None while it doesn't run."""
         return self.run_state.loop
 
+    def _set_is_shutdown(self, state: bool) -> None:
+        """Set `is_shutdown`; tests of actions call this."""
+        self.run_state.is_shutdown = state
+
+    def _set_asyncio_loop(self, loop: AbstractEventLoop | None) -> None:
+        """Set `asyncio_loop`; tests of actions call this."""
+        self.run_state.loop = loop
+
     def add_completion_future(self, completion_future: Future[Any]) -> None:
         """Keep the launch running until a future is done."""
         self.run_state.add_future(completion_future)

@@ -141,6 +141,7 @@ class LaunchConfig:
         """
         if self._log_dir is None:
             self._log_dir = _make_unique_log_dir(base_path=_get_logging_directory())
+            _renew_latest_log_dir(log_dir=self._log_dir)
         return self._log_dir
 
     @log_dir.setter
@@ -383,3 +384,27 @@ def _make_unique_log_dir(*, base_path: str) -> str:
         else:
             return str(folder)
     raise FileExistsError(f"no new log folder could be created in {root}")
+
+
+def _renew_latest_log_dir(*, log_dir: str) -> bool:
+    """Let the symbolic link `latest`, beside a log folder, lead to it.
+
+    Returns:
+        Whether it does; False where `latest` is no link, or links can't be created.
+    """
+    folder = Path(log_dir)
+    link = folder.parent / "latest"
+    if link.exists() and not link.is_symlink():
+        return False
+    # Another launch may do the same now: the link is created beside, and takes the other's place in one step.
+    new_link = folder.parent / f".latest-{folder.name}"
+    try:
+        new_link.symlink_to(folder, target_is_directory=True)
+    except OSError:
+        return False
+    try:
+        new_link.replace(link)
+    except OSError:
+        new_link.unlink(missing_ok=True)
+        return False
+    return True

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from launch.logging import handlers as handlers
     from tfloom.launch.logging import _get_logging_directory as _get_logging_directory
     from tfloom.launch.logging import _make_unique_log_dir as _make_unique_log_dir
+    from tfloom.launch.logging import _renew_latest_log_dir as _renew_latest_log_dir
     from tfloom.launch.logging import launch_config as launch_config
 else:
     from tfloom.ros_modules import deferred
@@ -21,6 +22,7 @@ else:
         __name__,
         _get_logging_directory="tfloom.launch.logging",
         _make_unique_log_dir="tfloom.launch.logging",
+        _renew_latest_log_dir="tfloom.launch.logging",
         handlers="launch.logging",
         launch_config="tfloom.launch.logging",
     )
