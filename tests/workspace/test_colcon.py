@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import shutil
+import sys
 from pathlib import Path
 
 import pytest
@@ -181,6 +182,18 @@ def test_program_runs_in_the_sourced_workspace(shell: str, built: Built) -> None
         "ball_msgs/msg/Ball",
         "ball_msgs/srv/Throw",
     ]
+
+
+@pytest.mark.parametrize("shell", ["bash", "sh"])
+def test_workspace_is_sourced_where_the_path_of_python_has_a_space(
+    shell: str, built: Built, tmp_path: Path
+) -> None:
+    python = tmp_path / "my robots" / "python"
+    python.parent.mkdir()
+    python.write_text(f'#!/bin/sh\nexec "{sys.executable}" "$@"\n')
+    python.chmod(0o755)
+    python_of_scripts = {"COLCON_PYTHON_EXECUTABLE": str(python)}
+    assert in_shell(built.folder, "tfloom run ball_description bounce", shell, **python_of_scripts) == "boing"
 
 
 @pytest.mark.parametrize("shell", ["bash", "zsh", "sh"])
