@@ -95,9 +95,11 @@ def test_buffer_prints_its_frames_and_its_span(buffer: Buffer) -> None:
 def test_buffer_shows_its_tree(buffer: Buffer) -> None:
     buffer.set("map", EVIL, 0, ORIGIN, IDENTITY, static=True)
     buffer.set("map", "n" * 1000, 0, ORIGIN, IDENTITY, static=True)
+    buffer.set("map", "seen_once", 10 * 10**9, ORIGIN, IDENTITY)
     shown = buffer._repr_html_()
     assert_shown(shown)
     assert "21 samples, 10.0 Hz, 100.000 to 102.000" in shown
+    assert "1 sample, at 10.000" in shown
     assert "&lt;script&gt;" in shown
     assert "n" * 501 not in shown
     assert_shown(RosBuffer()._repr_html_())

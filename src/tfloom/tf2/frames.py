@@ -182,7 +182,8 @@ def _span(edge: Edge) -> str:
     length_s = (edge.newest_ns - edge.oldest_ns) / 1e9
     rate = f", {edge.sample_count / length_s:.1f} Hz" if length_s > 0 else ""
     span = f"{edge.oldest_ns / 1e9:.6f} to {edge.newest_ns / 1e9:.6f}"
-    return f"{span}, {edge.sample_count} samples{rate}{by}"
+    samples = "1 sample" if edge.sample_count == 1 else f"{edge.sample_count} samples"
+    return f"{span}, {samples}{rate}{by}"
 
 
 def _remedy(

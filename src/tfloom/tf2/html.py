@@ -61,8 +61,10 @@ def tree_html(buffer: Buffer) -> str:
 def _history(edge: Edge) -> str:
     if edge.is_static:
         return "static"
+    if edge.sample_count == 1:
+        return f"1 sample, at {_stamp(edge.newest_ns)}"
     seconds = (edge.newest_ns - edge.oldest_ns) / 1e9
-    rate = f", {(edge.sample_count - 1) / seconds:.1f} Hz" if seconds > 0 and edge.sample_count > 1 else ""
+    rate = f", {(edge.sample_count - 1) / seconds:.1f} Hz" if seconds > 0 else ""
     return f"{edge.sample_count} samples{rate}, {_stamp(edge.oldest_ns)} to {_stamp(edge.newest_ns)}"
 
 
