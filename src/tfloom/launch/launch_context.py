@@ -132,7 +132,7 @@ class LaunchContext:
 
     @property
     def locals(self) -> Locals:
-        """Variables, as attributes."""
+        """Variables of the place that is executed, as attributes."""
         return Locals(self.get_locals_as_dict())
 
     # Launch configurations

@@ -100,5 +100,5 @@ class Question:
         return None
 
     def close(self) -> None:
-        """Leave the service."""
+        """Remove the client from the service; an answer that is still to come is dropped."""
         self._requester.close()

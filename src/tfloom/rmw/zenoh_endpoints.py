@@ -97,7 +97,7 @@ class ZenohEndpoint(ZenohEnd):
         return None
 
     def _unmatched(self, peer: Peer) -> None:
-        """Forget it."""
+        """Note that a compatible peer has left."""
 
     def _left(self, _peer: Peer) -> None:
         """Note that a peer, compatible or not, has left."""
@@ -554,7 +554,7 @@ class _Lease:
         self._number = timers.add(self._renewed_s + lease_s, self._check)
 
     def renew(self) -> None:
-        """Note a sample."""
+        """Note that a sample has arrived: its writer is alive, for another lease."""
         with self._lock:
             self._renewed_s = time.monotonic()
             if self._is_alive or self._is_ended:

@@ -140,7 +140,7 @@ class ZenohRequester(_ServiceEnd):
         self._post_ready()
 
     def add_peer(self, peer: Peer) -> None:
-        """Note a server."""
+        """Note a server that was discovered, or why it is none for this client."""
         if self._is_same_type(peer):
             self._servers = self._servers | {peer.gid.hex()}
         else:
@@ -348,7 +348,7 @@ class ZenohResponder(_ServiceEnd):
         )
 
     def add_peer(self, peer: Peer) -> None:
-        """Note a client."""
+        """Note a client that was discovered, if it is none for this server."""
         if not self._is_same_type(peer):
             self._others = {**self._others, peer.gid: self._difference(peer, "a client")}
 

@@ -83,7 +83,7 @@ class _OwnToken:
         self._graph = graph
 
     def undeclare(self) -> None:
-        """Leave the graph."""
+        """Remove the entity from the graph, here and for the others."""
         self._graph.remove_own(self._key)
         self._token.undeclare()
 

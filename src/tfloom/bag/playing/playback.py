@@ -148,7 +148,7 @@ class Playback:
             return self._stepped - before
 
     def stop(self) -> None:
-        """End `run`."""
+        """Have `run` return, on whatever thread it waits or publishes."""
         with self._changed:
             self._is_stopped = True
             self._changed.notify_all()

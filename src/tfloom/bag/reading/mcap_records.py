@@ -75,7 +75,7 @@ class Fields:
         return layout.unpack(self.take(layout.size))
 
     def number(self, form: str) -> int:
-        """Return one integer."""
+        """Return the next integer, in a form of `struct`."""
         return self.numbers(form)[0]
 
     def data(self) -> bytes:
@@ -146,7 +146,7 @@ class Footer(NamedTuple):
 
 
 class Schema(NamedTuple):
-    """A type's definition."""
+    """A record of the file that defines a type."""
 
     id: int
     name: str
@@ -161,7 +161,7 @@ class Schema(NamedTuple):
 
 
 class Channel(NamedTuple):
-    """A topic."""
+    """A record of the file that defines a topic; messages refer to it by its number."""
 
     id: int
     schema_id: int

@@ -35,7 +35,7 @@ class ServiceRequestsSource(IntEnum):
 
 
 class RecordOptions:
-    """What is recorded."""
+    """What a `Recorder` records: topics, services, and how."""
 
     def __init__(self) -> None:
         self.all_topics = False

@@ -75,7 +75,7 @@ class ActionTypeCompleter:
         self.action_name_key = argument_key(action_name_key, "action_name")
 
     def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:  # noqa: ARG002
-        """Return the types."""
+        """Return the words that may follow on the command line."""
         with NodeStrategy(parsed_args) as node:
             actions = dict(get_action_names_and_types(node=node))
         return actions.get(full_name(getattr(parsed_args, self.action_name_key))) or action_type_completer()

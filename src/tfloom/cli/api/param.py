@@ -157,7 +157,7 @@ class ParameterNameCompleter:
     """Lists the parameters of the node that a command line names."""
 
     def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:  # noqa: ARG002
-        """Return their names."""
+        """Return the words that may follow on the command line."""
         with DirectNode(parsed_args) as node:
             future = call_list_parameters(node=node, node_name=parsed_args.node_name)
             response = future and future.result()

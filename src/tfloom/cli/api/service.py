@@ -78,7 +78,7 @@ class ServiceNameCompleter:
         )
 
     def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:  # noqa: ARG002
-        """Return their names."""
+        """Return the words that may follow on the command line."""
         with NodeStrategy(parsed_args) as node:
             hidden = getattr(parsed_args, self.include_hidden_services_key, False)
             return get_service_names(node=node, include_hidden_services=hidden)
@@ -95,7 +95,7 @@ class ServiceTypeCompleter:
         self.service_name_key = argument_key(service_name_key, "service_name")
 
     def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:  # noqa: ARG002
-        """Return the types."""
+        """Return the words that may follow on the command line."""
         with NodeStrategy(parsed_args) as node:
             services = dict(get_service_names_and_types(node=node, include_hidden_services=True))
         return (

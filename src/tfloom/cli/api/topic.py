@@ -211,7 +211,7 @@ class TopicNameCompleter:
         self.include_hidden_topics_key = include_hidden_topics_key
 
     def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:  # noqa: ARG002
-        """Return their names."""
+        """Return the words that may follow on the command line."""
         with NodeStrategy(parsed_args) as node:
             return get_topic_names(
                 node=node,
@@ -232,7 +232,7 @@ class TopicTypeCompleter:
         self.topic_name_key = argument_key(topic_name_key, "topic_name")
 
     def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:  # noqa: ARG002
-        """Return the types."""
+        """Return the words that may follow on the command line."""
         with NodeStrategy(parsed_args) as node:
             types = _types(node, full_name(getattr(parsed_args, self.topic_name_key)), True)
         return types or message_type_completer()

@@ -38,7 +38,7 @@ class NodeStrategy:
 
     @property
     def direct_node(self) -> DirectNode:
-        """The node."""
+        """The node that asks the graph itself; created at the first access."""
         if self._direct_node is None:
             self._direct_node = DirectNode(self.args, node_name=self.node_name)
         return self._direct_node

@@ -23,7 +23,7 @@ class Shutdown(Event):
 
     @property
     def reason(self) -> str:
-        """Why, for people."""
+        """Why the launch is to end, as its log says it."""
         return self._reason
 
     @property

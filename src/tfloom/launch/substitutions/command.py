@@ -49,7 +49,7 @@ class Command(Substitution):
 
     @property
     def command(self) -> list[Substitution]:
-        """Command's line."""
+        """The program and its arguments, as a shell takes them."""
         return self._command
 
     @property

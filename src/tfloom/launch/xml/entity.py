@@ -44,7 +44,7 @@ class Entity(BaseEntity):
 
     @property
     def type_name(self) -> str:
-        """Tag."""
+        """Name of the tag."""
         return self._element.tag
 
     @property

@@ -401,7 +401,7 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
     # Dropping goals
 
     def forget(self, goal_handle: ServerGoalHandle) -> None:
-        """Drop a goal."""
+        """Drop a goal and its result: later requests for it are those for an unknown goal."""
         key = key_of(goal_handle.goal_id)
         with self._lock:
             self._goal_handles.pop(key, None)

@@ -73,7 +73,7 @@ class UnknownROSArgsError(RuntimeError):
 
 
 class RemapRule(NamedTuple):
-    """`[node:]match:=replacement`."""
+    """A rule `[node:]match:=replacement` of the command line, which gives a name another one."""
 
     node: str | None
     """Name of the node that the rule applies to; None: all nodes."""

@@ -270,7 +270,7 @@ class Rate:
             raise ROSInterruptException
 
     def destroy(self) -> None:
-        """End every `sleep`."""
+        """Destroy the timer; each `sleep` that waits for it returns."""
         self._destroyed = True
         self._context.remove_shutdown_hook(self._ticked.set)
         self._timer.destroy()

@@ -30,7 +30,7 @@ class ManagedEntity:
     """Base of managed entities. Each transition calls a method with the state before it; by default, it succeeds."""
 
     def on_configure(self, state: Any) -> TransitionCallbackReturn:  # noqa: ARG002
-        """Prepare."""
+        """Prepare what the node needs to be activated; derived classes do it."""
         return TransitionCallbackReturn.SUCCESS
 
     def on_cleanup(self, state: Any) -> TransitionCallbackReturn:  # noqa: ARG002

@@ -71,7 +71,7 @@ Shape: TypeAlias = "Box | Path | Curve | Text | Group"
 
 
 class Picture(NamedTuple):
-    """A page."""
+    """Shapes on a page, which each format draws alike [points]."""
 
     width: float
     height: float

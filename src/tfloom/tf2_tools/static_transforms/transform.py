@@ -9,7 +9,7 @@ __all__ = ["StaticTransform", "quaternion_from_rpy"]
 
 
 class StaticTransform(NamedTuple):
-    """frame_from_child."""
+    """A transform that never changes: frame_from_child."""
 
     frame_id: str
     child_frame_id: str

@@ -40,7 +40,7 @@ DASH = (2.0, 1.5)
 
 
 class Row(NamedTuple):
-    """One frame's row."""
+    """The row of a frame, with the lines that lead to its parent."""
 
     frame: str
     level: int
