@@ -131,12 +131,17 @@ def check_domain() -> Finding:
             Verdict.OK, f"domain {domain}, discovery as configured by CYCLONEDDS_URI", details=details
         )
     # Only now the range: it has no effect where CYCLONEDDS_URI configures discovery.
-    asked = discovery_range()
+    summary, advice = _about_range(domain, discovery_range())
+    return Finding(Verdict.OK, summary, advice, details)
+
+
+def _about_range(domain: int, asked: str) -> tuple[str, str]:
+    """Return what a discovery range means, and what to do where a stock ROS is not discovered."""
     if asked == "OFF":
         advice = (
             "discovery is off, on this machine too: export ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST or SUBNET"
         )
-        return Finding(Verdict.OK, f"domain {domain}, discovery range OFF", advice, details)
+        return f"domain {domain}, discovery range OFF", advice
     advice = (
         "a stock ROS is discovered only with the same range on both sides: "
         f"export ROS_AUTOMATIC_DISCOVERY_RANGE={'SUBNET' if asked == 'LOCALHOST' else asked} "
@@ -144,7 +149,7 @@ def check_domain() -> Finding:
     )
     if is_zenoh_selected():  # where others need not have the same range
         advice = ""
-    return Finding(Verdict.OK, f"domain {domain}, discovery range {asked}", advice, details)
+    return f"domain {domain}, discovery range {asked}", advice
 
 
 def check_network() -> Finding:

@@ -335,6 +335,18 @@ class PageServer:
                 await connection.send(f'{{"log": [{", ".join(lines)}]}}')
             await page.news.wait()
 
+    async def _connect_to_viser(self) -> socket.socket:
+        """Return a connection to viser's port, with a small buffer, whose size is fixed when it connects."""
+        from_viser = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
+        try:
+            from_viser.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, MAX_WAITING_BYTES)
+            from_viser.setblocking(False)
+            await self._loop.sock_connect(from_viser, ("127.0.0.1", self._scene.port))
+        except BaseException:
+            from_viser.close()
+            raise
+        return from_viser
+
     async def _relay(self, connection: ServerConnection, page: str) -> None:
         """Pass messages between a page's scene and viser; a page has one scene, the newest.
 
@@ -346,20 +358,14 @@ class PageServer:
             return
         opened.drop_scene()
         opened.scene = connection
+        # Small buffers in the kernel on both sides, or megabytes of states that are no longer the newest wait there for
+        # a page that takes nothing.
         connection.transport.get_extra_info("socket").setsockopt(
             socket.SOL_SOCKET, socket.SO_SNDBUF, MAX_WAITING_BYTES
         )
-        from_viser = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
-        try:
-            from_viser.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, MAX_WAITING_BYTES)
-            from_viser.setblocking(False)
-            await self._loop.sock_connect(from_viser, ("127.0.0.1", self._scene.port))
-        except BaseException:
-            from_viser.close()
-            raise
         async with connect(
             f"ws://127.0.0.1:{self._scene.port}",
-            sock=from_viser,
+            sock=await self._connect_to_viser(),
             subprotocols=[connection.subprotocol] if connection.subprotocol else None,
             additional_headers={KEY_HEADER: self._scene.key, PAGE_HEADER: page},
             max_size=None,
@@ -377,6 +383,7 @@ class PageServer:
                 async for message in upstream:
                     await connection.send(message)
 
+            # Whichever side closes first ends both ways. What the other raises then tells nothing more.
             tasks = [asyncio.create_task(up()), asyncio.create_task(down())]
             _, pending = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
             for task in pending:
