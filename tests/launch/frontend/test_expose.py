@@ -121,6 +121,23 @@ def test_what_cannot_be_exposed(decorator: Any) -> None:
         decorator("good")(Other)
 
 
+def test_a_dictionary_of_its_own_can_be_exposed_in() -> None:
+    from launch.frontend.expose import __expose_impl as expose_in
+
+    methods: dict[str, Any] = {}
+
+    @expose_in("mine", methods, "substitution")
+    def mine(data: Any) -> Any:
+        return str, {"object": data}
+
+    assert methods == {"mine": mine}
+    assert "mine" not in expose.substitution_parse_methods
+    with pytest.raises(RuntimeError, match=r"Two substitution parsing methods .* same name: \[mine\]"):
+        expose_in("mine", methods, "substitution")(lambda _: None)
+    with pytest.raises(RuntimeError, match="Did not find a class method called 'parse'"):
+        expose_in("plain", methods, "action")(Plain)
+
+
 def test_names_of_tfloom_cannot_be_exposed_again() -> None:
     with pytest.raises(RuntimeError, match="Two action parsing methods exposed with the same name"):
         expose.expose_action("node")(Good)

@@ -112,6 +112,19 @@ def expose_action(name: str) -> Callable[[_Exposed], _Exposed]:
     return _expose(name, action_parse_methods, ACTION_MODULES, "action")
 
 
+def __expose_impl(
+    name: str, parse_methods_map: dict[str, Any], exposed_type: str
+) -> Callable[[_Exposed], _Exposed]:
+    """Return a decorator that exposes in a dictionary of the caller's own; tests of other parsers use it.
+
+    Args:
+        name: The tag, or the name after `$(`.
+        parse_methods_map: Gets the method.
+        exposed_type: "action" or "substitution".
+    """
+    return _expose(name, parse_methods_map, {}, exposed_type)
+
+
 def _parse_method(name: str, methods: Mapping[str, Any], modules: Mapping[str, str]) -> Any:
     """Return the method of a name, or None; modules are imported if it has not been exposed yet."""
     if name not in methods:
