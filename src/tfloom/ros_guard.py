@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import sys
 
-__all__ = ["claim", "is_elsewhere", "is_facade", "ros_home", "ros_repr", "serves_rclpy"]
+__all__ = ["claim", "is_elsewhere", "is_facade", "ros_class_repr", "ros_home", "ros_repr", "serves_rclpy"]
 
 _ROS_NAMES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "ros_names") + os.sep  # noqa: PTH100, PTH118, PTH120  # pathlib takes longer to import than all the rest here
 
@@ -84,13 +84,21 @@ def ros_repr(instance: object) -> str:
 
     A class that ROS doesn't have, and all classes where ROS's name leads to other ones, keep their own name.
     """
+    return f"<{_ros_name(type(instance))} object at {id(instance):#x}>"
+
+
+def ros_class_repr(cls: type) -> str:
+    """Return a class's repr with its name in ROS: `<class 'launch.action.Action'>`; otherwise as `ros_repr`."""
+    name = _ros_name(cls)
+    return repr(cls) if name == f"{cls.__module__}.{cls.__qualname__}" else f"<class '{name}'>"
+
+
+def _ros_name(cls: type) -> str:
     from tfloom.ros_homes import HOMES  # a table that few programs read
 
-    cls = type(instance)
     own = f"{cls.__module__}.{cls.__qualname__}"
     home = HOMES.get(own)
-    name = own if home is None or ros_home(home, "") == "" else f"{home}.{cls.__qualname__}"
-    return f"<{name} object at {id(instance):#x}>"
+    return own if home is None or ros_home(home, "") == "" else f"{home}.{cls.__qualname__}"
 
 
 def is_facade(package: str, file: str) -> bool:

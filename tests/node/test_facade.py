@@ -103,6 +103,56 @@ def test_objects_show_the_names_that_ros_shows() -> None:
     assert result.stdout.endswith(" True\n")
 
 
+def test_what_nodes_create_shows_the_names_that_ros_shows() -> None:
+    result = run(
+        "import rclpy, launch, rclpy.action, rclpy.executors, rclpy.task, rclpy.time_source\n"
+        "from std_msgs.msg import String; from std_srvs.srv import Empty\n"
+        "from example_interfaces.action import Fibonacci\n"
+        "rclpy.init(); node = rclpy.create_node('a')\n"
+        "print(node.create_publisher(String, 'a', 1), node.create_subscription(String, 'a', print, 1))\n"
+        "print(node.create_client(Empty, 'b'), node.create_service(Empty, 'b', print))\n"
+        "print(node.create_timer(1, print), node.create_guard_condition(print), node.create_rate(1))\n"
+        "print(rclpy.action.ActionClient(node, Fibonacci, 'c'))\n"
+        "print(rclpy.action.ActionServer(node, Fibonacci, 'c', print))\n"
+        "print(node.context, node.default_callback_group, rclpy.executors.SingleThreadedExecutor())\n"
+        "print(rclpy.task.Future(), rclpy.time_source.TimeSource(), launch.LaunchContext(), launch.LaunchService())\n"
+        "print([*node.get_publishers_info_by_topic('/a'), rclpy.executors.MultiThreadedExecutor()])"
+    )
+    assert re.findall(r"<(\S+) object at 0x[0-9a-f]+>", result.stdout) == [
+        "rclpy.publisher.Publisher",
+        "rclpy.subscription.Subscription",
+        "rclpy.client.Client",
+        "rclpy.service.Service",
+        "rclpy.timer.Timer",
+        "rclpy.guard_condition.GuardCondition",
+        "rclpy.timer.Rate",
+        "rclpy.action.client.ActionClient",
+        "rclpy.action.server.ActionServer",
+        "rclpy.context.Context",
+        "rclpy.callback_groups.MutuallyExclusiveCallbackGroup",
+        "rclpy.executors.SingleThreadedExecutor",
+        "rclpy.task.Future",
+        "rclpy.time_source.TimeSource",
+        "launch.launch_context.LaunchContext",
+        "launch.launch_service.LaunchService",
+        "rclpy.topic_endpoint_info.TopicEndpointInfo",
+        "rclpy.executors.MultiThreadedExecutor",
+    ], result.stderr
+
+
+def test_an_error_of_a_types_argument_shows_the_names_that_ros_shows() -> None:
+    result = run(
+        "from launch.actions import LogInfo; from launch.action import Action\n"
+        "from launch.utilities import ensure_argument_type\n"
+        "ensure_argument_type(LogInfo(msg=''), [str, Action, int][::2], 'x')"
+    )
+    assert (
+        "to be one of [<class 'str'>, <class 'int'>], but got '<launch.actions.log_info.LogInfo"
+        in result.stderr
+    )
+    assert "of type '<class 'launch.actions.log_info.LogInfo'>'" in result.stderr
+
+
 LAUNCH_ERRORS = [
     "launch.substitutions.substitution_failure.SubstitutionFailure",
     "launch.conditions.invalid_condition_expression_error.InvalidConditionExpressionError",

@@ -15,8 +15,8 @@ __all__ = ["HOMES_PATH", "Generator", "generate_all"]
 
 HOMES_PATH = "src/tfloom/ros_homes.py"
 """The table of the modules that define classes in ROS, within the repository."""
-_SHOWN = {"launch", "launch_ros"}
-"""The packages whose objects show their class's name in ROS, beside `rclpy.node`."""
+_SHOWN = {"launch", "launch_ros", "rclpy"}
+"""The packages whose objects show their class's name in ROS."""
 _MESSAGES = re.compile(r"(\w+)\.(msg|srv|action)(\._.*)?")
 
 
@@ -67,7 +67,7 @@ class Generator:
         return {
             f"{room}.{name}": module
             for module in self._facades
-            if _top_package(module) in _SHOWN or module == "rclpy.node"
+            if _top_package(module) in _SHOWN
             for name, home in imported_from(module).items()
             if home == module and name[0].isupper() and not is_missing(f"{module}.{name}")
             for room, attribute in [self._home(module, name)]

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 from tfloom.launch.event import Event
 from tfloom.launch.logging import get_logger
 from tfloom.launch.run_state import HandlesEvents, RunState
+from tfloom.ros_guard import ros_repr
 
 if TYPE_CHECKING:
     from asyncio import AbstractEventLoop, Future
@@ -64,6 +65,9 @@ class LaunchContext:
         self._initial_environment = dict(os.environ)
         self._environment_stack: list[dict[str, str]] = []
         self._logger = get_logger("launch.launch_context")
+
+    def __repr__(self) -> str:
+        return ros_repr(self)
 
     @property
     def argv(self) -> list[str]:

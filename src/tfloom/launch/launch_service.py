@@ -40,6 +40,7 @@ from tfloom.launch.utilities.error_places import describe_failure
 from tfloom.launch.utilities.normalize_to_list_of_entities import normalize_to_list_of_entities
 from tfloom.launch.utilities.signal_management import AsyncSafeSignalManager
 from tfloom.launch.utilities.visit_all_entities_and_collect_futures import visit_all_entities
+from tfloom.ros_guard import ros_repr
 
 __all__ = ["LaunchService"]
 
@@ -80,6 +81,9 @@ class LaunchService:
         self._loop: asyncio.AbstractEventLoop | None = None
         self._task: asyncio.Task[Any] | None = None
         self._thread: int | None = None
+
+    def __repr__(self) -> str:
+        return ros_repr(self)
 
     @property
     def context(self) -> LaunchContext:

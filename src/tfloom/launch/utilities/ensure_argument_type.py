@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
+from tfloom.ros_guard import ros_class_repr
+
 __all__ = ["ensure_argument_type"]
 
 
@@ -29,8 +31,9 @@ def ensure_argument_type(
             raise TypeError(f"'{kind!r}' in 'types' is not a type")
         if isinstance(argument, origin) or (isinstance(argument, type) and issubclass(argument, origin)):
             return
-    named = ", ".join(map(repr, allowed))
+    named = ", ".join(ros_class_repr(kind) if isinstance(kind, type) else repr(kind) for kind in allowed)
     start = f"'{caller}' expected" if caller else "Expected"
     raise TypeError(
-        f"{start} '{argument_name}' to be one of [{named}], but got '{argument}' of type '{type(argument)}'"
+        f"{start} '{argument_name}' to be one of [{named}], but got '{argument}' of type "
+        f"'{ros_class_repr(type(argument))}'"
     )

@@ -40,6 +40,7 @@ from tfloom.rmw.action_names import (
     key_of,
     new_goal_id,
 )
+from tfloom.ros_guard import ros_repr
 from tfloom.rosidl.service import Action
 
 if TYPE_CHECKING:
@@ -72,6 +73,9 @@ class ClientGoalHandle(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, Resu
         self._response = goal_response
         self.status: int = GoalStatus.STATUS_UNKNOWN
         """The last state received, a constant of `action_msgs/msg/GoalStatus`."""
+
+    def __repr__(self) -> str:
+        return ros_repr(self)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, ClientGoalHandle) and key_of(self.goal_id) == key_of(other.goal_id)
@@ -190,6 +194,9 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
             status_sub_qos_profile,
             callback_group=callback_group,
         )
+
+    def __repr__(self) -> str:
+        return ros_repr(self)
 
     def server_is_ready(self) -> bool:
         """Return whether a server is matched by all services and topics, so that it receives a goal sent now."""

@@ -35,6 +35,7 @@ from tfloom.rmw.action_names import (
     STATUS,
     key_of,
 )
+from tfloom.ros_guard import ros_repr
 from tfloom.rosidl.service import Action
 
 if TYPE_CHECKING:
@@ -190,6 +191,9 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
             )
             for srv_type, suffix, callback, qos in services
         ]
+
+    def __repr__(self) -> str:
+        return ros_repr(self)
 
     @property
     def action_type(self) -> type[Action[GoalT, ResultT, FeedbackT]]:

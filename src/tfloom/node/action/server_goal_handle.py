@@ -12,6 +12,7 @@ from tfloom.node.action.goal_states import ACTIVE, GoalEvent, next_state
 from tfloom.node.endpoints.type_variables import FeedbackT, GoalT, ResultT
 from tfloom.node.executing.task import Future
 from tfloom.rmw.action_names import key_of
+from tfloom.ros_guard import ros_repr
 
 __all__ = ["GoalServer", "ServerGoalHandle"]
 
@@ -52,6 +53,9 @@ class ServerGoalHandle(Generic[GoalT, ResultT, FeedbackT]):
         """Future of the response to requests for the result."""
         self.cancel_future: Future[None] = Future()
         """Done once cancelling is accepted, so that an execute callback can wait for it."""
+
+    def __repr__(self) -> str:
+        return ros_repr(self)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, ServerGoalHandle) and key_of(self.goal_id) == key_of(other.goal_id)

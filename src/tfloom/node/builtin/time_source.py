@@ -15,6 +15,7 @@ from tfloom.node.qos.qos import QoSProfile, ReliabilityPolicy
 from tfloom.node.values.callback_errors import call_all
 from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.time import Time
+from tfloom.ros_guard import ros_repr
 
 if TYPE_CHECKING:
     from tfloom.node.base.node_base import NodeBase
@@ -44,6 +45,9 @@ class TimeSource:
         self._warning: ThrottledWarning | None = None
         if node is not None:
             self.attach_node(node)
+
+    def __repr__(self) -> str:
+        return ros_repr(self)
 
     @property
     def _node_weak_ref(self) -> weakref.ref[NodeBase] | None:

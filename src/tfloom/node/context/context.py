@@ -29,6 +29,7 @@ from tfloom.node.values.exceptions import (
 )
 from tfloom.node.values.handle import Handle
 from tfloom.rmw.errors import ClosedError
+from tfloom.ros_guard import ros_repr
 
 if TYPE_CHECKING:
     from typing_extensions import Self
@@ -101,6 +102,9 @@ class Context:
         self._arguments = Arguments()
         self.topic_types = TopicTypes()
         """The types of its nodes' topics."""
+
+    def __repr__(self) -> str:
+        return ros_repr(self)
 
     def init(
         self, args: list[str] | None = None, *, initialize_logging: bool = True, domain_id: int | None = None

@@ -8,6 +8,7 @@ from tfloom.node.executing.entity import Entity
 from tfloom.node.log.throttled_warning import ThrottledWarning
 from tfloom.node.values.exceptions import InvalidHandle
 from tfloom.node.values.handle import Handle
+from tfloom.ros_guard import ros_repr
 from tfloom.rosidl import cdr
 
 if TYPE_CHECKING:
@@ -67,6 +68,9 @@ class Endpoint(Generic[WireEndpoint]):
         self._endpoint = endpoint
         self._name = name
         self._destroyed = False
+
+    def __repr__(self) -> str:
+        return ros_repr(self)
 
     @property
     def handle(self) -> Handle:

@@ -7,6 +7,8 @@ import threading
 import weakref
 from typing import TYPE_CHECKING, Any
 
+from tfloom.ros_guard import ros_repr
+
 if TYPE_CHECKING:
     from collections.abc import Callable
 
@@ -25,6 +27,9 @@ class CallbackGroup:
         self._parked: list[tuple[Any, Callable[[], None]]] = []
         self._parked_lock = threading.Lock()
         """Guards `_parked`."""
+
+    def __repr__(self) -> str:
+        return ros_repr(self)
 
     def add_entity(self, entity: Any) -> None:
         """Add an entity to the group."""

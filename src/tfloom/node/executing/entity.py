@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from tfloom.ros_guard import ros_repr
+
 if TYPE_CHECKING:
     from tfloom._native import ReadyQueue
     from tfloom.node.executing.callback_groups import CallbackGroup
@@ -41,6 +43,9 @@ class Entity:
 
     owner: Any = None
     """The node. It is referenced, because a reference to the entity keeps it alive."""
+
+    def __repr__(self) -> str:
+        return ros_repr(self)
 
     def attach(self, queue: ReadyQueue, token: int) -> None:
         """Post `token` to `queue` when there may be something to take, at once if there already is."""

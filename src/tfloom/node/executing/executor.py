@@ -26,6 +26,7 @@ from tfloom.node.values.callback_errors import report_exception
 from tfloom.node.values.exceptions import ExternalShutdownException
 from tfloom.node.values.node_errors import node_error
 from tfloom.node.values.numbers import timeout_error
+from tfloom.ros_guard import ros_repr
 
 if TYPE_CHECKING:
     from typing_extensions import Self
@@ -122,6 +123,9 @@ class Executor(WorkQueue):
         self._endless_since_ns: int | None = None
         """When the present wait of a callback that spins without a limit began."""
         self._has_hinted = False
+
+    def __repr__(self) -> str:
+        return ros_repr(self)
 
     @property
     def context(self) -> Context:

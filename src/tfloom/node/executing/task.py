@@ -11,6 +11,7 @@ from typing import Any, Generic, Protocol, TypeVar, cast
 
 from tfloom.node.executing.asyncio_wait import is_driven_by_asyncio, step, wait_in_asyncio
 from tfloom.node.values.callback_errors import call_all
+from tfloom.ros_guard import ros_repr
 
 __all__ = ["Future", "Task", "TaskRunner", "future_error"]
 
@@ -54,6 +55,9 @@ class Future(Generic[T]):
         """Guards the outcome and the lists of callbacks; the outcome is read without it."""
         self._executor: weakref.ref[TaskRunner] | None = None
         self.set_executor(executor)
+
+    def __repr__(self) -> str:
+        return ros_repr(self)
 
     def __del__(self) -> None:
         if self._exception is not None and not self._exception_fetched:

@@ -12,6 +12,7 @@ from tfloom.node.clock.time_jump import ANY_JUMP, SOURCE_CHANGES, TimeJump
 from tfloom.node.executing.entity import Entity
 from tfloom.node.values.exceptions import InvalidHandle, ROSInterruptException
 from tfloom.node.values.handle import Handle
+from tfloom.ros_guard import ros_repr
 
 if TYPE_CHECKING:
     from typing_extensions import Self
@@ -242,6 +243,9 @@ class Rate:
         self._destroyed = False
         timer.callback = self._ticked.set
         context.add_shutdown_hook(self._ticked.set)
+
+    def __repr__(self) -> str:
+        return ros_repr(self)
 
     @property
     def timer(self) -> Timer:

@@ -9,6 +9,7 @@ from tfloom.node.qos.qos import QoSProfile, qos_profile_unknown
 from tfloom.node.values.type_hash import TypeHash
 from tfloom.rmw.base import NodeName
 from tfloom.rmw.endpoint_text import UNKNOWN_NODE, endpoint_text
+from tfloom.ros_guard import ros_repr
 
 if TYPE_CHECKING:
     from typing_extensions import Self
@@ -75,6 +76,9 @@ class TopicEndpointInfo:
                     f"'{name}' is no property of an endpoint; known are {', '.join(self.__slots__)}"
                 )
             setattr(self, name, TopicEndpointTypeEnum(value) if name == "endpoint_type" else value)
+
+    def __repr__(self) -> str:
+        return ros_repr(self)
 
     @classmethod
     def from_graph(cls, info: EndpointInfo) -> Self:
