@@ -341,3 +341,11 @@ def test_topics_are_printed_without_their_definitions(tmp_path: Path) -> None:
     assert tf.definition is not None
     assert repr(tf.definition) == f"<Definition ros2msg, {len(tf.definition.text)} characters>"
     assert repr(tf._replace(name="/a\x1b[2J")).startswith("<Topic /a\\x1b[2J: ")
+
+
+def test_folder_of_recordings_names_one(tmp_path: Path) -> None:
+    for name in ("second", "first"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "metadata.yaml").touch()
+    with pytest.raises(BagError, match=f"has recordings, and is none: open one, as {tmp_path / 'first'}"):
+        open_bag(tmp_path)

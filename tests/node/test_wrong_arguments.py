@@ -163,9 +163,9 @@ ROWS = {
     "node.resolve_topic_name('a b')": "InvalidTopicNameException: Invalid topic name",
     "node.resolve_service_name('a b')": "InvalidServiceNameException: Invalid service name",
     "node.count_publishers(None)": "TypeError: a topic name must be a str, not None",
-    "node.count_subscribers('a b')": "InvalidTopicNameException: Invalid topic name",
-    "node.count_services(None)": "TypeError: a service name must be a str, not None",
-    "node.count_clients('a b')": "InvalidServiceNameException: Invalid service name",
+    "node.count_subscribers('a b')": "InvalidTopicNameException: topic name 'a b' is invalid: ",
+    "node.count_services(None)": "TypeError: a topic name must be a str, not None",
+    "node.count_clients('a b')": "InvalidTopicNameException: topic name 'a b' is invalid: ",
     "node.get_publishers_info_by_topic(None)": "TypeError: a topic name must be a str, not None",
     "node.get_subscriptions_info_by_topic(None)": "TypeError: a topic name must be a str, not None",
     "node.wait_for_node(None, 1.0)": "TypeError: the full name of a node, as '/turtlesim', got None",
@@ -250,6 +250,13 @@ ROWS = {
     "SequentialWriter().open('a_bag', 'cdr')": "TypeError: got str and str",
     "SequentialWriter().write('a', b'', 0)": "BagError: no bag is open: call open() before",
     "bag.open_bag('/no/such')": "BagError: there is no such file or folder",
+    "bag.frames('/no/such')": "BagError: there is no such file or folder",
+    "NumpyBuffer(1.5)": "TypeError: an int of nanoseconds, as int(seconds * 1e9) or a Duration's nanoseconds, not 1.5",
+    "NumpyBuffer().set('a', 'b', 1, (0, 0), (0, 0, 0, 1))": "TypeError: three numbers, x, y, z, not (0, 0)",
+    "NumpyBuffer().lookup('a', 'b', 1.5)": "TypeError: a stamp must be an int of nanoseconds, as int(seconds * 1e9)",
+    "NumpyBuffer().lookup_many('a', 'b', [1.5])": "TypeError: nanoseconds since the epoch, not float64",
+    "NumpyBuffer().trajectory('a', 'b', rate_hz='x')": "TypeError: must be a number, as 20, not 'x' of class str",
+    "NumpyBuffer().trajectory('a', 'b', rate_hz=0)": "ValueError: rate_hz must be above 0 and below 1e9, not 0",
     # Launch files
     "LaunchDescription(LogInfo(msg='a'))": "TypeError: LaunchDescription needs a list, write [LogInfo(…)]",
     "LaunchDescription([None])": "TypeError: got None: does the function that creates it return it?",
@@ -314,6 +321,7 @@ def _names(node: Node) -> _Names:
         LaunchNode=import_module("launch_ros.actions").Node,
         LaunchParameterValue=import_module("launch_ros.parameter_descriptions").ParameterValue,
         bag=import_module("tfloom.bag"),
+        NumpyBuffer=import_module("tfloom.tf2.buffer").Buffer,
     )
 
 

@@ -129,9 +129,12 @@ class Bag:
             BagError: there is none of this name.
         """
         if name not in self.topics:
-            topics = ", ".join(sorted(self.topics)) or "none"
-            raise BagError(self.path, f"there is no topic '{name}'; the topics are: {topics}")
+            raise self._no_topic(name)
         return self.topics[name]
+
+    def _no_topic(self, name: str) -> BagError:
+        topics = ", ".join(sorted(self.topics)) or "none"
+        return BagError(self.path, f"there is no topic '{name}'; the topics are: {topics}")
 
     def messages(
         self,
@@ -148,9 +151,17 @@ class Bag:
 
         Raises:
             BagError: there is no such topic; while they are read: a file can't be read.
+            TypeError: a bound is no int.
         """
         names = [topics] if isinstance(topics, str) else topics
-        full_names = None if names is None else {self.topic(name).name for name in names}
+        unknown_names = [] if names is None else [name for name in names if name not in self.topics]
+        if unknown_names:
+            raise self._no_topic(unknown_names[0])
+        for name, bound in (("start_ns", start_ns), ("end_ns", end_ns)):
+            if bound is not None and not hasattr(bound, "__index__"):
+                given = f"{bound!r} of class {type(bound).__name__}"
+                raise TypeError(f"{name} must be an int of nanoseconds, as int(seconds * 1e9), not {given}")
+        full_names = None if names is None else {self.topics[name].name for name in names}
         return self._messages(full_names, *bounded(start_ns, end_ns))
 
     def _messages(self, topics: Collection[str] | None, start_ns: int, end_ns: int) -> Iterator[RawMessage]:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from tfloom.bag.bag import Bag
 from tfloom.bag.errors import BagError
-from tfloom.bag.metadata import FileInformation, Metadata, read_metadata
+from tfloom.bag.metadata import METADATA_FILE, FileInformation, Metadata, read_metadata
 from tfloom.bag.reading.bag_file import BagFile
 
 __all__ = ["open_bag"]
@@ -29,6 +29,8 @@ def open_bag(path: str | os.PathLike[str]) -> Bag:
     place = Path(path)
     try:
         if place.is_dir():
+            if recordings := _recordings_in(place):
+                raise BagError(path, f"this folder has recordings, and is none: open one, as {recordings[0]}")
             return _open_folder(place)
         if not place.exists():
             raise BagError(path, "there is no such file or folder")
@@ -37,6 +39,13 @@ def open_bag(path: str | os.PathLike[str]) -> Bag:
     except OSError as error:
         raise BagError(path, f"it can't be read: {error.strerror}") from None
     return bag
+
+
+def _recordings_in(folder: Path) -> list[Path]:
+    """Return the recordings in a folder that is no recording, in the order of their names."""
+    if (folder / METADATA_FILE).exists():
+        return []
+    return sorted(child for child in folder.iterdir() if (child / METADATA_FILE).is_file())
 
 
 def _open_folder(folder: Path) -> Bag:

@@ -117,8 +117,10 @@ class Arrays(Frames):
             TransformException: as `lookup`, for the first stamp that fails if `strict`.
             ValueError: both stamps and a rate are given, or the rate isn't positive.
         """
-        from tfloom.tf2.trajectory import Trajectory, chosen_stamps
+        from tfloom.tf2.trajectory import Trajectory, chosen_stamps, rate_error
 
+        if (error := rate_error(rate_hz)) is not None:
+            raise error
         chain = self.explain(target_frame, source_frame)
         if chain.error is not None:
             raise chain.error

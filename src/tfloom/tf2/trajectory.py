@@ -139,6 +139,18 @@ def stored_stamps(buffer: Buffer, edges: list[Edge]) -> NDArray[np.int64]:
     return together[(together >= span[0]) & (together <= span[1])]
 
 
+def rate_error(rate_hz: object) -> Exception | None:
+    """Return the error of a rate [Hz] that is neither None nor usable, for callers whose tracebacks shall be short."""
+    if rate_hz is None:
+        return None
+    if not hasattr(rate_hz, "__float__"):
+        return TypeError(
+            f"rate_hz must be a number, as 20, not {rate_hz!r} of class {type(rate_hz).__name__}"
+        )
+    is_usable = 0 < float(rate_hz) < 1e9
+    return None if is_usable else ValueError(f"rate_hz must be above 0 and below 1e9, not {rate_hz}")
+
+
 def regular_stamps(rate_hz: float, start_ns: int, end_ns: int) -> NDArray[np.int64]:
     """Return stamps from start to end, both included, at a rate; each is rounded to whole nanoseconds by itself.
 
@@ -147,8 +159,8 @@ def regular_stamps(rate_hz: float, start_ns: int, end_ns: int) -> NDArray[np.int
     """
     import numpy as np
 
-    if not 0 < rate_hz < 1e9:
-        raise ValueError(f"rate_hz must be above 0 and below 1e9, not {rate_hz}")
+    if (error := rate_error(rate_hz)) is not None:
+        raise error
     count = max(0.0, (end_ns - start_ns) * rate_hz / 1e9)
     if count > 1e8:
         raise ValueError(f"{rate_hz} Hz from {start_ns} to {end_ns} ns are more than 100 million stamps")

@@ -42,7 +42,7 @@ from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.exceptions import InvalidHandle
 from tfloom.node.values.handle import Handle
-from tfloom.node.values.names import name_error
+from tfloom.node.values.names import expansion_error, name_error
 from tfloom.node.values.numbers import not_a_number
 from tfloom.node.values.time import check_fits_stamp
 from tfloom.node.values.type_support import (
@@ -382,13 +382,13 @@ class NodeBase:
 
     def count_services(self, service_name: str) -> int:
         """Return how many servers a service has; the name is expanded and remapped."""
-        if (error := name_error(service_name, is_service=True)) is not None:
+        if (error := expansion_error(service_name)) is not None:
             raise error
         return self.__graph.count_services(service_name)
 
     def count_clients(self, service_name: str) -> int:
         """Return how many clients a service has; the name is expanded and remapped."""
-        if (error := name_error(service_name, is_service=True)) is not None:
+        if (error := expansion_error(service_name)) is not None:
             raise error
         return self.__graph.count_clients(service_name)
 
@@ -398,7 +398,7 @@ class NodeBase:
         Raises:
             InvalidTopicNameException: the name isn't valid.
         """
-        if (error := name_error(topic_name)) is not None:
+        if (error := expansion_error(topic_name)) is not None:
             raise error
         return self.__graph.count_publishers(topic_name)
 
@@ -408,7 +408,7 @@ class NodeBase:
         Raises:
             InvalidTopicNameException: the name isn't valid.
         """
-        if (error := name_error(topic_name)) is not None:
+        if (error := expansion_error(topic_name)) is not None:
             raise error
         return self.__graph.count_subscribers(topic_name)
 
@@ -424,7 +424,7 @@ class NodeBase:
         Raises:
             InvalidTopicNameException: the name isn't valid.
         """
-        if not no_mangle and (error := name_error(topic_name)) is not None:
+        if not no_mangle and (error := expansion_error(topic_name)) is not None:
             raise error
         return self.__graph.get_publishers_info_by_topic(topic_name, no_mangle)
 
@@ -440,7 +440,7 @@ class NodeBase:
         Raises:
             InvalidTopicNameException: the name isn't valid.
         """
-        if not no_mangle and (error := name_error(topic_name)) is not None:
+        if not no_mangle and (error := expansion_error(topic_name)) is not None:
             raise error
         return self.__graph.get_subscriptions_info_by_topic(topic_name, no_mangle)
 

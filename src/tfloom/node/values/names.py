@@ -20,6 +20,7 @@ __all__ = [
     "InvalidTopicNameException",
     "NameValidationException",
     "expand_topic_name",
+    "expansion_error",
     "full_node_name",
     "name_error",
     "namespace_error",
@@ -306,9 +307,21 @@ def _errors_of_expansion() -> Iterator[None]:
     try:
         yield
     except NameValidationException as error:
-        kind = "node namespace" if isinstance(error, InvalidNamespaceException) else error.name_type
-        error.args = (f"{kind} '{error.name}' is invalid: {error.error_msg}",)
+        _give_text_of_expansion(error)
         raise
+
+
+def _give_text_of_expansion(error: NameValidationException) -> None:
+    kind = "node namespace" if isinstance(error, InvalidNamespaceException) else error.name_type
+    error.args = (f"{kind} '{error.name}' is invalid: {error.error_msg}",)
+
+
+def expansion_error(topic_name: object) -> Exception | None:
+    """Return what `expand_topic_name` raises of a topic's name, or None, for callers whose tracebacks are short."""
+    error = name_error(topic_name)
+    if isinstance(error, NameValidationException):
+        _give_text_of_expansion(error)
+    return error
 
 
 def _expand(topic_name: str, node_name: str, node_namespace: str) -> str:
