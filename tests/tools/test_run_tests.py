@@ -9,16 +9,19 @@ from pathlib import Path
 
 import psutil
 import pytest
-from tests.conftest import run_to_end
+from tests.conftest import python_with, run_to_end
 from tools import run_tests
 
 ROOT = Path(__file__).resolve().parents[2]
 
 
 def run_tier(file: Path, text: str, *options: str) -> subprocess.CompletedProcess[str]:
+    """Run a tier of one file, with one worker, where processes that tests leave have a second to end."""
     file.write_text(text)
-    command = [sys.executable, "tools/run_tests.py", "-q", "-c", str(ROOT / "pyproject.toml"), *options]
-    return run_to_end([*command, str(file)], cwd=ROOT)
+    options = ("-q", "-c", str(ROOT / "pyproject.toml"), "--numprocesses=1", *options)
+    main = "import sys; from tools import run_tests; sys.exit(run_tests.main())"
+    command = python_with({"tools.run_tests.MAX_END_S": 1.0}, main, *options, file)
+    return run_to_end([sys.executable, *command], cwd=ROOT)
 
 
 def test_a_test_that_hangs_is_named_and_ends_the_run(tmp_path: Path) -> None:
