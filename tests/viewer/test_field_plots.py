@@ -100,7 +100,7 @@ def test_late_numbers_stand_at_their_time() -> None:
     series = Series(None)
     for second in (1, 4, 2, 3):
         series.add(second * S, float(second))
-    assert series.reduced(0, 4 * S, 10) == ([-3.0, -2.0, -1.0, 0.0], [1.0, 2.0, 3.0, 4.0])
+    assert series.reduced_points(0, 4 * S, 10) == ([-3.0, -2.0, -1.0, 0.0], [1.0, 2.0, 3.0, 4.0])
     assert series.at(2 * S + 1) == 2.0
     assert series.at(0) is None
 
@@ -113,7 +113,7 @@ def test_page_gets_few_numbers_and_every_peak_among_many(monkeypatch: pytest.Mon
     for number, value in enumerate(values.tolist()):
         series.add(number * S, value)
     assert len(series) <= 10_000
-    seconds, shown = series.reduced(0, 34_999 * S, 100)
+    seconds, shown = series.reduced_points(0, 34_999 * S, 100)
     assert len(shown) <= 200
     assert (max(shown), min(shown)) == (9.0, -9.0)
     assert seconds == sorted(seconds)
@@ -125,13 +125,13 @@ def test_what_is_not_finite_is_a_gap() -> None:
     series = Series(None)
     for second, value in enumerate((1.0, math.inf, math.nan, -1e308, 2.0)):
         series.add(second * S, value)
-    _, shown = series.reduced(0, 4 * S, 10)
+    _, shown = series.reduced_points(0, 4 * S, 10)
     assert shown == [1.0, None, None, None, 2.0]
     json.dumps(shown, allow_nan=False)
     gaps = Series(None)
     for second in range(100):
         gaps.add(second * S, math.nan)
-    assert set(gaps.reduced(0, 100 * S, 5)[1]) == {None}
+    assert set(gaps.reduced_points(0, 100 * S, 5)[1]) == {None}
 
 
 # On a graph.

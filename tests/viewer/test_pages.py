@@ -274,8 +274,8 @@ def test_end_of_a_page_is_taken_among_too_many_commands(
     ended: list[str] = []
     monkeypatch.setattr(viewer._live.forms, "forget", ended.append)
     monkeypatch.setattr(program, "MAX_COMMANDS", 0)
-    viewer._put("a", {"op": "closed"})  # a page's own words
-    viewer._put("b", page_server.CLOSED)
+    viewer._queue_command("a", {"op": "closed"})  # a page's own words
+    viewer._queue_command("b", page_server.CLOSED)
     wait_until(lambda: ended, what="the page's end")
     assert ended == ["b"]
 

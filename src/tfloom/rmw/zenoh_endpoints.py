@@ -83,23 +83,23 @@ class ZenohEndpoint(ZenohEnd):
             return None
         self._peers[peer.gid] = theirs.qos
         self.events.add_match(1)
-        return self._matched(peer)
+        return self._peer_matched(peer)
 
     def remove_peer(self, peer: Peer) -> None:
         """Note a peer that has left."""
         if self._peers.pop(peer.gid, None) is not None:
             self.events.add_match(-1)
-            self._unmatched(peer)
-        self._left(peer)
+            self._peer_unmatched(peer)
+        self._peer_left(peer)
 
-    def _matched(self, _peer: Peer) -> Callable[[], None] | None:
+    def _peer_matched(self, _peer: Peer) -> Callable[[], None] | None:
         """Note more of a compatible peer; return what is to be done without a lock."""
         return None
 
-    def _unmatched(self, peer: Peer) -> None:
+    def _peer_unmatched(self, peer: Peer) -> None:
         """Note that a compatible peer has left."""
 
-    def _left(self, _peer: Peer) -> None:
+    def _peer_left(self, _peer: Peer) -> None:
         """Note that a peer, compatible or not, has left."""
 
     def matched_count(self) -> int:
@@ -445,7 +445,7 @@ class ZenohReader(ZenohEndpoint):
         lifespan_ns = self._lifespans_ns.get(gid) if self._lifespans_ns else None
         return lifespan_ns is not None and stamp_ns + lifespan_ns < now_ns
 
-    def _matched(self, peer: Peer) -> Callable[[], None] | None:
+    def _peer_matched(self, peer: Peer) -> Callable[[], None] | None:
         qos = peer.end.qos
         self.events.change_liveliness(1, 0)
         if qos.lifespan_ns < INFINITE_NS:
@@ -459,14 +459,14 @@ class ZenohReader(ZenohEndpoint):
             self._leases = {**self._leases, peer.gid: lease}
         return None
 
-    def _unmatched(self, peer: Peer) -> None:
+    def _peer_unmatched(self, peer: Peer) -> None:
         lease = self._leases.get(peer.gid)
         is_alive = lease is None or lease.end()
         self.events.change_liveliness(-1 if is_alive else 0, 0 if is_alive else -1)
         self._lifespans_ns = {gid: entry for gid, entry in self._lifespans_ns.items() if gid != peer.gid}
         self._leases = {gid: entry for gid, entry in self._leases.items() if gid != peer.gid}
 
-    def _left(self, peer: Peer) -> None:
+    def _peer_left(self, peer: Peer) -> None:
         # What it has sent stays known: a peer whose router ends leaves, and comes back with the same gid.
         with self._lock:
             if self._feeder is not None:

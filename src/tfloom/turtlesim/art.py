@@ -193,4 +193,4 @@ def _sprite(kind: int, heading: int, length_px: int) -> Picture:
             for x, y in shape.points
         ]
         ink.polygon(points, shape.fill)
-    return ink.reduced(SMOOTHING)
+    return ink.reduced_picture(SMOOTHING)

@@ -84,7 +84,7 @@ class Ink:
         red, green, blue, _ = pixel
         return red, green, blue
 
-    def reduced(self, factor: int) -> Picture:
+    def reduced_picture(self, factor: int) -> Picture:
         """Return the picture, reduced by an integer factor."""
         return self._image.reduce(factor)
 

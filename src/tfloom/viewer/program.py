@@ -79,11 +79,13 @@ class Viewer:
         self._topics = topics
         self._commands: queue.SimpleQueue[tuple[str, dict[str, Any]]] = queue.SimpleQueue()
         self._server = SceneServer()
-        scene = Scene(self._server.scene, lambda frame: self._put("", {"op": "select", "frame": frame}))
+        scene = Scene(
+            self._server.scene, lambda frame: self._queue_command("", {"op": "select", "frame": frame})
+        )
         self.view = View(
             source, topics, scene, is_live=live is not None, history_ns=history_ns, fixed_frame=fixed_frame
         )
-        self.pages = PageServer(self._server, self._put, self._image_of)
+        self.pages = PageServer(self._server, self._queue_command, self._image_of)
         self._image_lock = threading.Lock()
         self._images: dict[str, tuple[Any, tuple[str, bytes] | None]] = {}
         """The last picture of each topic, with what it was made of."""
@@ -107,7 +109,7 @@ class Viewer:
         self.pages.stop()
         self._server.stop()
 
-    def _put(self, page: str, command: dict[str, Any]) -> None:
+    def _queue_command(self, page: str, command: dict[str, Any]) -> None:
         """Let the loop take a command; on any thread."""
         # The end of a page is taken in any case, because what the page has begun would go on for ever. It is compared
         # as an object: a page that sends the same words gets no place by that.
@@ -249,7 +251,7 @@ class Viewer:
         """Return from where a new page looks; None: from where the page itself says. On a thread of the server."""
         placed = self.view.placed(self._layout)
         if placed is None and self._layout.camera is not None:
-            self._put(page, {"op": "place"})
+            self._queue_command(page, {"op": "place"})
         return placed or self._layout.camera
 
     def _place_cameras(self) -> None:
@@ -318,7 +320,7 @@ class Viewer:
                     made = entry, picture_of(decode(entry.data))
                 except (DisplayError, DecodeError) as error:
                     made = entry, None
-                    self._put("", {"op": "image_fault", "topic": topic, "fault": str(error)})
+                    self._queue_command("", {"op": "image_fault", "topic": topic, "fault": str(error)})
                 self._images = {name: kept for name, kept in self._images.items() if name in self._entries}
                 self._images[topic] = made
         return made[1]

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from tfloom.bag.qos_profiles import profiles_text
 from tfloom.bag.recording.record_options import RecordOptions
-from tfloom.bag.recording.requested_qos import adapted, refused, warnings_of
+from tfloom.bag.recording.requested_qos import adapted, unmet_policies, warnings_of
 from tfloom.bag.topic_choice import is_service_event
 from tfloom.bag.values import Topic
 from tfloom.bag.writing.bag_writer import BagWriter
@@ -194,7 +194,7 @@ class RecordedTopics:
         for end in topic_info.writers:
             if end.gid in recorded.refused:
                 continue
-            if policies := refused(end.qos, recorded.qos):
+            if policies := unmet_policies(end.qos, recorded.qos):
                 recorded.refused.add(end.gid)
                 kinds = ", ".join(policy.name for policy in policies)
                 self._node.get_logger().warning(

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from tfloom.rmw.compatibility import incompatible_policies
 from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, QoS, QoSPolicyKind, ReliabilityPolicy
 
-__all__ = ["adapted", "refused", "warnings_of"]
+__all__ = ["adapted", "unmet_policies", "warnings_of"]
 
 
 def adapted(offers: Sequence[QoS]) -> QoS:
@@ -40,6 +40,6 @@ def warnings_of(topic: str, offers: Sequence[QoS]) -> list[str]:
     return texts
 
 
-def refused(offer: QoS, requested: QoS) -> list[QoSPolicyKind]:
+def unmet_policies(offer: QoS, requested: QoS) -> list[QoSPolicyKind]:
     """Return the policies for which nothing is received from a publisher."""
     return incompatible_policies(offer.resolved(), requested.resolved())

@@ -285,7 +285,7 @@ class Sending:
         if len(self._tasks) >= MAX_OPEN:
             raise PageError(f"{MAX_OPEN} calls and goals are under way already")
 
-    def _known(self, what: str) -> dict[str, str]:
+    def _known_types(self, what: str) -> dict[str, str]:
         """Return the types of the topics, services or actions of the graph by their names."""
         graph = self._participant.graph
         if what == "topic":
@@ -301,7 +301,7 @@ class Sending:
         return {name: type_name for name, type_name in servers.items() if "/_action/" not in name}
 
     def _names(self, what: str) -> dict[str, Any]:
-        known = {name: type_name for name, type_name in self._known(what).items() if "/_" not in name}
+        known = {name: type_name for name, type_name in self._known_types(what).items() if "/_" not in name}
         types = sorted({*interface_names(KINDS[what][0]), *known.values()})
         return {
             "what": what,
@@ -322,7 +322,7 @@ class Sending:
             validate_full_topic_name(full, is_service=what != "topic")
         except NameValidationException as error:
             raise PageError(" ".join(str(error).split())) from None
-        known = self._known(what).get(full)
+        known = self._known_types(what).get(full)
         kind = KINDS[what][0]
         if type_name.count("/") == 1:
             type_name = type_name.replace("/", f"/{kind}/")

@@ -266,15 +266,17 @@ class _Listener(ServerListener):
 
     def on_client_advertise(self, client: Client, channel: ClientChannel) -> None:
         topic = ClientTopic(channel.topic, channel.schema_name, channel.encoding)
-        self._put(partial(self._bridge.client_topics.advertise, client.id, channel.id, topic))
+        self._queue_command(partial(self._bridge.client_topics.advertise, client.id, channel.id, topic))
 
     def on_client_unadvertise(self, client: Client, client_channel_id: int) -> None:
-        self._put(partial(self._bridge.client_topics.unadvertise, client.id, client_channel_id))
+        self._queue_command(partial(self._bridge.client_topics.unadvertise, client.id, client_channel_id))
 
     def on_message_data(self, client: Client, client_channel_id: int, data: bytes) -> None:
-        self._put(partial(self._bridge.client_topics.publish, client.id, client_channel_id, bytes(data)))
+        self._queue_command(
+            partial(self._bridge.client_topics.publish, client.id, client_channel_id, bytes(data))
+        )
 
-    def _put(self, command: partial[None]) -> None:
+    def _queue_command(self, command: partial[None]) -> None:
         def run() -> None:
             try:
                 command()

@@ -181,7 +181,7 @@ class Plots:
         return [self._values(plot, start_ns, end_ns, held_ns) for plot in self._plots.values()]
 
     def _values(self, plot: _Plot, start_ns: int, end_ns: int, held_ns: int | None) -> dict[str, Any]:
-        seconds, values = plot.series.reduced(start_ns, end_ns, PARTS)
+        seconds, values = plot.series.reduced_points(start_ns, end_ns, PARTS)
         status = plot.status
         if not status and values and all(value is None for value in values):
             status = "there is no number at this field: an array is shorter, or the numbers are not finite"

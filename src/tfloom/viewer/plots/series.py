@@ -74,7 +74,9 @@ class Series:
         value = self._values[count - 1] if count else math.nan
         return None if math.isnan(value) else value
 
-    def reduced(self, start_ns: int, end_ns: int, count: int) -> tuple[list[float], list[float | None]]:
+    def reduced_points(
+        self, start_ns: int, end_ns: int, count: int
+    ) -> tuple[list[float], list[float | None]]:
         """Return numbers of a time: seconds before its end, and values; None for a gap.
 
         Args:
