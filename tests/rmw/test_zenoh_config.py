@@ -39,7 +39,9 @@ def test_a_session_stays_on_this_machine(port: int) -> None:
     assert value(config, "mode") == "peer"
     assert value(config, "scouting/multicast/enabled") is False
     assert value(config, "transport/shared_memory/enabled") is False
-    assert value(config, "transport/link/tx/queue/congestion_control/drop/wait_before_drop") == 50_000
+    drop = "transport/link/tx/queue/congestion_control/drop"
+    assert value(config, f"{drop}/wait_before_drop") == 50_000
+    assert value(config, f"{drop}/max_wait_before_drop_fragments") == 5_000_000
     assert value(config, "transport/link/tx/lease") == 60_000
     assert value(config, "timestamping/enabled") == {"router": True, "peer": True, "client": True}
 

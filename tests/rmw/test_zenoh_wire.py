@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import argparse
+import math
 import os
+import socket
 import struct
 import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager, suppress
 from typing import Any
 
 import pytest
@@ -797,6 +800,57 @@ def test_a_graph_beside_others_is_whole_when_one_has_told_of_itself(
     wait_until(graph.is_whole)
     other.undeclare()
     graph.close()
+
+
+@contextmanager
+def slow_link(port: int, bytes_per_s: float) -> Iterator[int]:
+    """Yield a port that leads to another one of this machine, and carries no more than so many bytes a second back."""
+
+    def carry(source: socket.socket, destination: socket.socket, rate: float) -> None:
+        with suppress(OSError):
+            while data := source.recv(1 << 16):
+                destination.sendall(data)
+                time.sleep(len(data) / rate)
+
+    with socket.create_server(("127.0.0.1", 0)) as server, ExitStack() as opened:
+
+        def serve() -> None:
+            here = opened.enter_context(server.accept()[0])
+            there = opened.enter_context(socket.create_connection(("127.0.0.1", port)))
+            there.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 1 << 16)
+            backward = threading.Thread(target=carry, args=(there, here, bytes_per_s))
+            backward.start()
+            carry(here, there, math.inf)
+            here.shutdown(socket.SHUT_RDWR)
+            backward.join()
+
+        thread = threading.Thread(target=serve)
+        thread.start()
+        yield server.getsockname()[1]
+        thread.join()
+
+
+def test_large_messages_pass_a_link_that_is_slower_than_their_writer(
+    participant: Participant, domain_id: int
+) -> None:
+    """Their parts wait for room together, one after the other, at the writer and at the router."""
+    from tests.oracles.compare_rmw_zenoh import client_session
+
+    large = HEADER + bytes(10_000_000)
+    received: list[int] = []
+    with (
+        slow_link(int(os.environ["TFLOOM_ZENOH_PORT"]), 100e6) as port,
+        client_session(port) as session,
+    ):
+        session.declare_subscriber(
+            key_of(TOPIC, domain_id),
+            zenoh.handlers.Callback(lambda sample: received.append(len(sample.payload)), indirect=False),
+        )
+        writer = participant.create_writer(NODE, TOPIC, QoS())
+        wait_until(lambda: writer.write(HEADER + b"small") or received)
+        for number in range(1, 4):
+            writer.write(large)
+            wait_until(lambda number=number: received.count(len(large)) == number)
 
 
 def test_many_threads_write_and_close_at_once(participant: Participant) -> None:
