@@ -7,16 +7,22 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
+from importlib import import_module
 from itertools import count
 from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.zenoh_ports import NEEDS_ZENOH, use_port_of
 
 from tfloom.rmw.base import NodeName, Participant, Reader, Topic
 from tfloom.rmw.cyclonedds import open_participant
 
 PROGRAMS = Path(__file__).parent / "programs"
+NODES = NodeName("/", "client"), NodeName("/a", "server")
+WIRES = {"local": "local", "cyclonedds": "cyclonedds", "zenoh": "zenoh_wire"}
+
+Wires = tuple[Participant, Participant]
 
 
 class Peer:
@@ -62,6 +68,25 @@ def start_peer(domain_id: int, start_program: Callable[..., Any]) -> Iterator[Ca
     yield start
     for peer in peers:
         peer.program.process.stdin.close()
+
+
+@pytest.fixture(
+    params=[
+        "local",
+        pytest.param("cyclonedds", marks=pytest.mark.wire),
+        pytest.param("zenoh", marks=NEEDS_ZENOH),
+    ]
+)
+def wires(request: pytest.FixtureRequest, domain_id: int) -> Iterator[Wires]:
+    """Yield two participants that discover each other, each with a node of `NODES`, on each wire."""
+    module = import_module(f"tfloom.rmw.{WIRES[request.param]}")
+    with use_port_of(domain_id):
+        here, there = module.open_participant(domain_id), module.open_participant(domain_id)
+        here.add_node(NODES[0])
+        there.add_node(NODES[1])
+        yield here, there
+        here.close()
+        there.close()
 
 
 @pytest.fixture

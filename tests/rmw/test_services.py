@@ -5,16 +5,15 @@ from __future__ import annotations
 import struct
 import threading
 from collections.abc import Callable, Iterator
-from importlib import import_module
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
-from tests.zenoh_ports import NEEDS_ZENOH, use_port_of
+from tests.rmw.conftest import NODES, Wires
 
 from tfloom._native import DdsParticipant, DdsReader, DdsWriter, ReadyQueue
 from tfloom.rmw import cyclone_services, cyclonedds, services
-from tfloom.rmw.base import NodeName, Participant, RequestId, Sample, Service
+from tfloom.rmw.base import RequestId, Sample, Service
 from tfloom.rmw.cyclone_config import configuration
 from tfloom.rmw.cyclone_library import find_library
 from tfloom.rmw.cyclone_services import CycloneClients, CycloneServers, Vendors, end_id
@@ -23,33 +22,8 @@ from tfloom.rmw.qos import QoS
 from tfloom.rmw.services import HeaderRequester, HeaderResponder, RequestsInFlight
 
 KILL = Service("/kill", "turtlesim/srv/Kill", *(f"RIHS01_{digit * 64}" for digit in "123"))
-CLIENT = NodeName("/", "client")
-SERVER = NodeName("/a", "server")
+CLIENT, SERVER = NODES
 HEADER = b"\0\1\0\0"
-
-Wires = tuple[Participant, Participant]
-
-
-WIRES = {"local": "local", "cyclonedds": "cyclonedds", "zenoh": "zenoh_wire"}
-
-
-@pytest.fixture(
-    params=[
-        "local",
-        pytest.param("cyclonedds", marks=pytest.mark.wire),
-        pytest.param("zenoh", marks=NEEDS_ZENOH),
-    ]
-)
-def wires(request: pytest.FixtureRequest, domain_id: int) -> Iterator[Wires]:
-    """Yield two participants that discover each other."""
-    module = import_module(f"tfloom.rmw.{WIRES[request.param]}")
-    with use_port_of(domain_id):
-        here, there = module.open_participant(domain_id), module.open_participant(domain_id)
-        here.add_node(CLIENT)
-        there.add_node(SERVER)
-        yield here, there
-        here.close()
-        there.close()
 
 
 @pytest.fixture
