@@ -4,38 +4,16 @@ from __future__ import annotations
 
 import io
 import os
-import pty
 import subprocess
 import sys
 
 import pytest
+from tests.terminals import on_a_terminal
 
 from tfloom.terminal_text import TerminalOutput, shown, shown_in_colors, shown_on_terminals, unescaped
 
 HOSTILE = "a\x1b[2J\x07\r\x7f\x9b1m\u202eb\u2066c\td\nä\u200f漢"
 SHOWN = "a\\x1b[2J\\x07\\x0d\\x7f\\x9b1m\\u202eb\\u2066c\td\nä\u200f漢"
-
-
-def on_a_terminal(program: str, **environment: str) -> str:
-    """Run a Python program with a terminal for its output and its errors, and return what reaches the terminal."""
-    ours, theirs = pty.openpty()
-    env = (
-        os.environ | {"RMW_IMPLEMENTATION": "tfloom_local", "PYTHONUTF8": "1", "TERM": "xterm"} | environment
-    )
-    process = subprocess.Popen(
-        [sys.executable, "-c", program], stdin=theirs, stdout=theirs, stderr=theirs, env=env
-    )
-    os.close(theirs)
-    read = b""
-    try:
-        while part := os.read(ours, 65536):
-            read += part
-    except OSError:  # the terminal's other end is closed
-        pass
-    finally:
-        os.close(ours)
-        process.wait(timeout=60)
-    return read.decode().replace("\r\n", "\n")
 
 
 def test_what_a_terminal_obeys_is_shown() -> None:

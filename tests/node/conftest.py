@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 from tests.zenoh_ports import NEEDS_ZENOH, hold_zenoh_port, leave_out
 
 from tfloom.node.context.context import Context
 from tfloom.node.executing.executors import SingleThreadedExecutor
+from tfloom.node.executing.task import Future
 from tfloom.node.log import log_output
 from tfloom.node.node import Node
 
@@ -108,3 +110,15 @@ def spin_until(executor: SingleThreadedExecutor) -> Callable[..., None]:
             executor.spin_once(timeout_sec=0.1)
 
     return spin
+
+
+@pytest.fixture
+def finish(executor: SingleThreadedExecutor) -> Callable[[Future[Any]], Any]:
+    """Return a function that spins until a future is done, and returns its result."""
+
+    def wait(future: Future[Any]) -> Any:
+        executor.spin_until_future_complete(future, timeout_sec=5)
+        assert future.done()
+        return future.result()
+
+    return wait

@@ -37,16 +37,6 @@ Finish = Callable[[Future[Any]], Any]
 
 
 @pytest.fixture
-def finish(executor: SingleThreadedExecutor) -> Finish:
-    def wait(future: Future[Any]) -> Any:
-        executor.spin_until_future_complete(future, timeout_sec=5)
-        assert future.done()
-        return future.result()
-
-    return wait
-
-
-@pytest.fixture
 def server_node(make_node: Callable[..., Node], executor: SingleThreadedExecutor) -> Node:
     node = make_node("server")
     executor.add_node(node)

@@ -25,16 +25,6 @@ Finish = Callable[[Future[Any]], Any]
 
 
 @pytest.fixture
-def finish(executor: SingleThreadedExecutor) -> Finish:
-    def wait(future: Future[Any]) -> Any:
-        executor.spin_until_future_complete(future, timeout_sec=5)
-        assert future.done()
-        return future.result()
-
-    return wait
-
-
-@pytest.fixture
 def remote(make_node: MakeNode, executor: SingleThreadedExecutor) -> Node:
     remote = make_node("remote", namespace="/ns")
     limits = ParameterDescriptor(integer_range=[IntegerRange(from_value=0, to_value=10, step=1)])
