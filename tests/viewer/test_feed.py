@@ -95,6 +95,15 @@ def test_scan_whose_transform_stays_away_is_shown_all_the_same(buffer: Buffer) -
     assert scanner.shown() == (float(late), float(late))
 
 
+def test_scan_in_the_fixed_frame_waits_for_nothing(buffer: Buffer) -> None:
+    scanner = Scanner(buffer)
+    scanner.turn(0)
+    for number in range(5):
+        scanner.scan(number)
+        ((shape, _),) = scanner.feed.draw(buffer, "laser", None, 0)
+        assert shape.positions[0, 0] == number + 1.0
+
+
 def test_time_that_is_held_shows_the_scan_of_then(buffer: Buffer) -> None:
     scanner = Scanner(buffer)
     for number in range(5):

@@ -6,7 +6,7 @@ import json
 import random
 import time
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import pytest
@@ -27,8 +27,11 @@ from tfloom.node.action.server import ActionServer, CancelResponse, GoalResponse
 from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
-from tfloom.rmw.base import NodeName
+from tfloom.rmw import peer_types
+from tfloom.rmw.backends import open_participant
+from tfloom.rmw.base import NodeName, Topic
 from tfloom.rmw.errors import WireError
+from tfloom.rmw.qos import QoS
 from tfloom.rmw.question import Question
 from tfloom.rosidl.class_search import find_class
 from tfloom.rosidl.definition_files import interface_names
@@ -568,3 +571,41 @@ def test_description_that_was_not_announced_is_an_error_of_the_form(
     said = sent(page, "error")
     assert "there is no message type 'lab_msgs/msg/Sample'" in said
     assert "; the description from /lab can't be used: " in said
+
+
+@pytest.fixture
+def mute(domain_id: int) -> Iterator[None]:
+    """A node with a topic of an unknown type, which describes nothing."""
+    wire = open_participant(domain_id)
+    node = NodeName("/", "mute")
+    wire.add_node(node)
+    wire.create_writer(node, Topic("/plan", "secret_msgs/msg/Plan", f"RIHS01_{64 * '0'}"), QoS())
+    yield
+    wire.close()
+
+
+@pytest.mark.usefixtures("mute")
+def test_node_that_describes_nothing_is_an_error_in_time_and_nobody_else_waits_for_it(
+    spun: Node, viewer: Viewer, open_page: OpenPage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    spun.create_service(SetBool, "/set", lambda _, response: response)
+    monkeypatch.setattr(peer_types, "CALL_S", 0.3)
+    page, other = open_page(viewer), open_page(viewer)
+    wait_for_name(page, "topic", "/plan")
+    page.send(op="form", what="topic", name="/plan", type="", key="form")
+    said = sent(page, "error")
+    assert said.endswith("; there is no server of /mute/get_type_description: waited 0.3 s for it")
+    monkeypatch.setattr(peer_types, "CALL_S", 600.0)
+    tasks = viewer._live.forms._tasks
+    page.answers.clear()
+    page.send(op="form", what="topic", name="/plan", type="", key="form")
+    wait_until(lambda: len(tasks) == 1, what="the search")
+    wait_for_name(other, "service", "/set")
+    send(other, "service", "/set", {})
+    assert "success: false" in sent(other, "done")
+    page.send(op="cancel", key="form")
+    assert sent(page, "error") == "it was given up"
+    page.send(op="form", what="topic", name="/plan", type="", key="form")
+    wait_until(lambda: len(tasks) == 1, what="the next search")
+    page.socket.close()
+    wait_until(lambda: not tasks, what="its end with the page")

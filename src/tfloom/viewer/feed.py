@@ -108,7 +108,7 @@ class Feed:
         come: a scan of a robot that turns would be turned. If they stay away, the newest one is shown all the same.
         """
         newest = self.messages.newest(held_ns)
-        if newest is None or newest == self._last or held_ns is not None or not self._frame:
+        if newest is None or newest == self._last or held_ns is not None or self._frame in {"", fixed_frame}:
             return newest
         try:
             reached_ns = buffer.lookup(fixed_frame, self._frame).stamp_ns  # 0: nothing moves between them
