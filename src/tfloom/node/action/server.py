@@ -165,7 +165,7 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         """Whether a thread publishes the states."""
         self._goal_handles: dict[bytes, ServerGoalHandle[GoalT, ResultT, FeedbackT]] = {}
         self._ended_ns: dict[bytes, int] = {}
-        self._execute_callback = _checked_callable(execute_callback, "execute")
+        self._execute_callback = _checked_callable(execute_callback, "goal execution")
         self._goal_callback = _checked_callable(goal_callback, "goal", default_goal_callback)
         self._handle_accepted_callback = _checked_callable(
             handle_accepted_callback, "handle accepted", default_handle_accepted_callback
@@ -202,7 +202,7 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
 
     def register_execute_callback(self, execute_callback: ExecuteCallback[GoalT, ResultT, FeedbackT]) -> None:
         """Set the callback that executes goals; TypeError if it isn't callable."""
-        self._execute_callback = _checked_callable(execute_callback, "execute")
+        self._execute_callback = _checked_callable(execute_callback, "goal execution")
 
     def register_goal_callback(self, goal_callback: GoalCallback[GoalT] | None) -> None:
         """Set the callback that accepts or rejects goals; None: accept all."""
@@ -257,7 +257,7 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
     ) -> None:
         """Execute a goal; goal handles call this."""
         callback = execute_callback if execute_callback is not None else self._execute_callback
-        self._start(self._execute, _checked_callable(callback, "execute"), goal_handle)
+        self._start(self._execute, _checked_callable(callback, "goal execution"), goal_handle)
 
     async def _execute(self, callback: Callable[[ServerGoalHandle], Any], handle: ServerGoalHandle) -> None:
         try:
