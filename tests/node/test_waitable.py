@@ -13,6 +13,7 @@ from tfloom.interfaces.example_interfaces.srv import AddTwoInts
 from tfloom.interfaces.std_msgs.msg import Int32
 from tfloom.node.context.context import Context
 from tfloom.node.executing.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
+from tfloom.node.executing.event_types import QoSPublisherEventType
 from tfloom.node.executing.events_executor import EventsExecutor
 from tfloom.node.executing.executor import Executor
 from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
@@ -21,7 +22,8 @@ from tfloom.node.executing.waitable import NumberOfEntities, Waitable
 from tfloom.node.implementation_singleton import rclpy_implementation as _rclpy
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import QoSProfile
-from tfloom.node.values.exceptions import TimerCancelledError
+from tfloom.node.values.exceptions import InvalidHandle, TimerCancelledError
+from tfloom.rmw.events import Matched
 
 MakeNode = Callable[..., Node]
 
@@ -275,3 +277,62 @@ def test_numbers_of_entities_are_added() -> None:
     assert (total.num_subscriptions, total.num_guard_conditions, total.num_timers) == (2, 2, 5)
     assert (total.num_clients, total.num_services, total.num_events) == (4, 5, 7)
     assert "num_timers=5" in repr(total)
+
+
+# Wait sets of programs
+
+
+def test_a_program_waits_for_events_with_a_wait_set_of_its_own(node: Node) -> None:
+    publisher = node.create_publisher(Int32, "numbers", 1)
+    with node.context.handle:
+        wait_set = _rclpy.WaitSet(0, 0, 0, 0, 0, 1, node.context.handle)
+    with publisher.handle:
+        event = _rclpy.EventHandle(publisher.handle, QoSPublisherEventType.RCL_PUBLISHER_MATCHED)
+    with event:
+        index = wait_set.add_event(event)
+    wait_set.wait(0)
+    assert not wait_set.is_ready("event", index)
+    assert event.take_event() == Matched(0, 0, 0, 0)
+    node.create_subscription(Int32, "numbers", print, 1)
+    wait_set.wait(-1)
+    assert wait_set.is_ready("event", index)
+    assert event.take_event() == Matched(1, 1, 1, 1)
+    wait_set.wait(1000)
+    assert not wait_set.is_ready("event", index)
+    wait_set.clear_entities()
+    with pytest.raises(IndexError):
+        wait_set.is_ready("event", index)
+    event.destroy_when_not_in_use()
+    with pytest.raises(InvalidHandle, match="was destroyed"), event:
+        pass
+
+
+def test_a_wait_of_a_program_ends_with_a_timer_or_another_threads_trigger(node: Node) -> None:
+    wait_set = _rclpy.WaitSet()
+    timer = _rclpy.Timer(node.get_clock(), node.context, 1_000_000, True)
+    timer_index = wait_set.add_timer(timer)
+    wait_set.wait(-1)
+    assert wait_set.is_ready("timer", timer_index)
+    timer.cancel_timer()
+    guard = _rclpy.GuardCondition(node.context)
+    guard_index = wait_set.add_guard_condition(guard)
+    wait_set.wait(1_000_000)
+    assert not wait_set.is_ready("timer", timer_index)
+    assert not wait_set.is_ready("guard_condition", guard_index)
+    threading.Timer(0.01, guard.trigger).start()
+    wait_set.wait(-1)
+    assert wait_set.is_ready("guard_condition", guard_index)
+
+
+def test_an_event_that_the_wire_does_not_report_is_an_error(node: Node) -> None:
+    publisher = node.create_publisher(Int32, "numbers", 1)
+    for kind in (
+        QoSPublisherEventType.RCL_PUBLISHER_INCOMPATIBLE_TYPE,
+        QoSPublisherEventType.RCL_PUBLISHER_OFFERED_DEADLINE_MISSED,  # not on the wire within a process
+    ):
+        with pytest.raises(_rclpy.UnsupportedEventTypeError):
+            _rclpy.EventHandle(publisher.handle, kind)
+    handle = publisher.handle
+    node.destroy_publisher(publisher)
+    with pytest.raises(InvalidHandle, match="was destroyed"):
+        _rclpy.EventHandle(handle, QoSPublisherEventType.RCL_PUBLISHER_MATCHED)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from tfloom.node.base.node_base import NodeBase, open_endpoint
 from tfloom.node.context.arguments import RCLInvalidROSArgsError, UnknownROSArgsError
 from tfloom.node.endpoints.endpoint import ReceivingEndpoint, TakingEndpoint
-from tfloom.node.executing import guard_condition, timer
+from tfloom.node.executing import event_types, guard_condition, timer
 from tfloom.node.executing.event_handler import UnsupportedEventTypeError
 from tfloom.node.executing.signals import SignalHandlerOptions
 from tfloom.node.executing.wait_set import WaitSet
@@ -26,10 +26,14 @@ from tfloom.node.values.type_support import (
     check_is_valid_srv_type,
 )
 from tfloom.rmw.base import Reader, Requester, Responder
+from tfloom.rmw.events import AT_FIRST, Status
 from tfloom.rmw.typed_names import service_of, topic_of
 from tfloom.rosidl import cdr
 
 if TYPE_CHECKING:
+    from typing_extensions import Self
+
+    from tfloom._native import ReadyQueue
     from tfloom.node.clock.clock import Clock
     from tfloom.node.context.context import Context
     from tfloom.rmw.base import RequestId
@@ -39,6 +43,7 @@ if TYPE_CHECKING:
 __all__ = [
     "Client",
     "ClockType",
+    "EventHandle",
     "GuardCondition",
     "InvalidHandle",
     "NodeNameNonExistentError",
@@ -116,6 +121,70 @@ class Timer(timer.Timer):
     def destroy_when_not_in_use(self) -> None:
         """Stop becoming ready, permanently."""
         self.destroy()
+
+
+class EventHandle:
+    """An event of a publisher or subscription, for a wait set.
+
+    Args:
+        parent: The `handle` of the publisher or subscription.
+        event_type: A QoSPublisherEventType or QoSSubscriptionEventType.
+
+    Raises:
+        UnsupportedEventTypeError: the endpoint has no such event, or the wire does not report it.
+        InvalidHandle: the publisher or subscription was destroyed.
+    """
+
+    def __init__(
+        self,
+        parent: Handle,
+        event_type: event_types.QoSPublisherEventType | event_types.QoSSubscriptionEventType,
+    ) -> None:
+        self._event = event_types.wire_event(event_type)
+        self._endpoint: Any = unwrap_handle(parent).wire_endpoint
+        self._destroyed = False
+        self._next_status: Status | None = None
+        self._endpoint.notify_event(self._event, None)  # raises if there is no such event
+
+    def __enter__(self) -> Self:
+        if self._destroyed:
+            raise InvalidHandle("cannot use the handle of an event that was destroyed")
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Do nothing."""
+
+    def attach(self, queue: ReadyQueue, token: int) -> None:
+        """Post `token` when the status may have changed."""
+        if not self._destroyed:
+            self._endpoint.notify_event(self._event, queue, token)
+
+    def detach(self) -> None:
+        """Stop posting the token."""
+        if not self._destroyed:
+            self._endpoint.notify_event(self._event, None)
+
+    def deadline_ns(self) -> int | None:
+        """Return None, because a change of the status posts the token."""
+        return None
+
+    def becomes_ready(self) -> bool:
+        """Return whether the status has changed."""
+        # The endpoint tells by handing the status out, so that is kept here for the program to take.
+        if self._next_status is None and not self._destroyed:
+            self._next_status = self._endpoint.take_event(self._event)
+        return self._next_status is not None
+
+    def take_event(self) -> Status:
+        """Return the status if it has changed, else one of zeros."""
+        self.becomes_ready()
+        status, self._next_status = self._next_status, None
+        return AT_FIRST[self._event] if status is None else status
+
+    def destroy_when_not_in_use(self) -> None:
+        """Take no more changes of the status."""
+        self.detach()
+        self._destroyed = True
 
 
 class _WaitedEndpoint(ReceivingEndpoint[TakingEndpoint]):

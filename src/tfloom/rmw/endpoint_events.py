@@ -7,7 +7,7 @@ from typing import Any
 
 from tfloom._native import ReadyQueue
 from tfloom.rmw.errors import UnsupportedEventError
-from tfloom.rmw.events import Count, Event, IncompatibleQoS, LivelinessChanged, Matched, Status
+from tfloom.rmw.events import AT_FIRST, Event, Status
 from tfloom.rmw.qos import QoSPolicyKind
 
 __all__ = ["MATCH_EVENTS", "READER_EVENTS", "WRITER_EVENTS", "EndpointEvents"]
@@ -18,15 +18,6 @@ WRITER_EVENTS = (*MATCH_EVENTS, Event.DEADLINE_MISSED, Event.LIVELINESS_LOST)
 READER_EVENTS = (*MATCH_EVENTS, Event.DEADLINE_MISSED, Event.LIVELINESS_CHANGED, Event.MESSAGE_LOST)
 MAX_COUNT = 0x7FFF_FFFF
 """The largest number of a status: ROS has 32 bits for it."""
-
-_AT_FIRST: dict[Event, Status] = {
-    Event.MATCHED: Matched(0, 0, 0, 0),
-    Event.INCOMPATIBLE_QOS: IncompatibleQoS(0, 0, QoSPolicyKind.INVALID),
-    Event.DEADLINE_MISSED: Count(0, 0),
-    Event.LIVELINESS_LOST: Count(0, 0),
-    Event.LIVELINESS_CHANGED: LivelinessChanged(0, 0, 0, 0),
-    Event.MESSAGE_LOST: Count(0, 0),
-}
 
 
 class EndpointEvents:
@@ -40,7 +31,7 @@ class EndpointEvents:
     def __init__(self, known: tuple[Event, ...], refusal: str) -> None:
         self._refusal = refusal
         self._lock = threading.Lock()
-        self._statuses: dict[Event, Any] = {event: _AT_FIRST[event] for event in known}
+        self._statuses: dict[Event, Any] = {event: AT_FIRST[event] for event in known}
         self._listeners: dict[Event, tuple[ReadyQueue, int]] = {}
         self._matched_count = 0
 

@@ -59,3 +59,13 @@ class Count(NamedTuple):
 
 
 Status: TypeAlias = Union[Matched, IncompatibleQoS, LivelinessChanged, Count]  # noqa: UP007 - evaluated on 3.10
+
+AT_FIRST: dict[Event, Status] = {
+    Event.MATCHED: Matched(0, 0, 0, 0),
+    Event.INCOMPATIBLE_QOS: IncompatibleQoS(0, 0, QoSPolicyKind.INVALID),
+    Event.DEADLINE_MISSED: Count(0, 0),
+    Event.LIVELINESS_LOST: Count(0, 0),
+    Event.LIVELINESS_CHANGED: LivelinessChanged(0, 0, 0, 0),
+    Event.MESSAGE_LOST: Count(0, 0),
+}
+"""The status of each event before it has occurred."""

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Protocol
+import time
+from typing import Protocol
 
+from tfloom._native import ReadyQueue
 from tfloom.node.values.handle import unwrap_handle
-
-if TYPE_CHECKING:
-    from tfloom._native import ReadyQueue
 
 __all__ = ["KINDS", "WaitSet", "Waited"]
 
@@ -31,9 +30,18 @@ class Waited(Protocol):
 
 
 class WaitSet:
-    """The items that one waitable waits for, by kind, and which of them are ready."""
+    """The items that one waitable, or a program itself, waits for, by kind, and which of them are ready.
 
-    def __init__(self) -> None:
+    Args:
+        sizes: Unused, because a wait set grows; kept for rclpy's signature: the numbers of items of each kind, and the
+            context's handle.
+    """
+
+    def __init__(self, *sizes: object) -> None:  # noqa: ARG002
+        self.clear_entities()
+
+    def clear_entities(self) -> None:
+        """Remove all items."""
         self._waited: dict[str, list[Waited]] = {kind: [] for kind in KINDS}
         self._ready: dict[str, set[int]] = {kind: set() for kind in KINDS}
 
@@ -95,6 +103,32 @@ class WaitSet:
     def everything(self) -> list[Waited]:
         """Return the items of all kinds."""
         return [item for kind in KINDS for item in self._waited[kind]]
+
+    def wait(self, timeout_nsec: int) -> None:
+        """Wait until an item is ready; a program that has a wait set of its own calls this.
+
+        Args:
+            timeout_nsec: The longest wait [ns]; negative: no limit.
+        """
+        end_ns = None if timeout_nsec < 0 else time.monotonic_ns() + timeout_nsec
+        queue = ReadyQueue()
+        items = self.everything()
+        for item in items:
+            item.attach(queue, 1)
+        try:
+            while True:
+                self.update()
+                if any(self._ready.values()):
+                    return
+                ends_ns = [
+                    end for end in (end_ns, *(item.deadline_ns() for item in items)) if end is not None
+                ]
+                if end_ns is not None and time.monotonic_ns() >= end_ns:
+                    return
+                queue.wait(max(0, min(ends_ns) - time.monotonic_ns()) if ends_ns else -1)
+        finally:
+            for item in items:
+                item.detach()
 
     def update(self) -> None:
         """Update which items are ready."""

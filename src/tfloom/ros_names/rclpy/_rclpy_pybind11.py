@@ -3,6 +3,7 @@
 
 from tfloom.node.implementation import Client as Client
 from tfloom.node.implementation import ClockType as ClockType
+from tfloom.node.implementation import EventHandle as EventHandle
 from tfloom.node.implementation import GuardCondition as GuardCondition
 from tfloom.node.implementation import InvalidHandle as InvalidHandle
 from tfloom.node.implementation import NodeNameNonExistentError as NodeNameNonExistentError
