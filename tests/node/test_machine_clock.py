@@ -56,4 +56,5 @@ def test_on_a_machine_with_that_clock(date: str, domain_id: int, monkeypatch: py
     monkeypatch.setenv("ROS_DOMAIN_ID", str(domain_id))
     ended = run_to_end(["faketime", date, sys.executable, "-c", MAKE_NODE])
     assert ended.returncode == 1
-    assert f"the machine's clock says {date[:10]} 00:00:0" in ended.stderr.splitlines()[-1]
+    # It goes on from there while the program starts.
+    assert f"the machine's clock says {date[:10]} 00:0" in ended.stderr.splitlines()[-1]
