@@ -598,7 +598,7 @@ def run_arm64(*, is_short: bool) -> list[Row]:
     with arm64_programs():
         system = f"Debian 13, arm64, {chroot_output(chroot, 'python3 --version')}"
         # Two workers, because an emulated program computes where a native one would wait. The random cases of one test
-        # take minutes there, so the limit for a test that hangs is longer, and Hypothesis's profile has no limits of time.
+        # take minutes there, so the limit for a test that hangs is longer, and Hypothesis's profile has none.
         tests = "python3 tools/run_tests.py --quiet -n2 --hypothesis-profile=ci -o faulthandler_timeout=1800"
         checks = [
             Check("its wheel, unpacked", lambda: install_for_arm64(chroot)),
