@@ -11,6 +11,7 @@ from pathlib import Path
 
 import psutil
 import pytest
+from tests.conftest import TIMEOUT_S
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="SIGKILL and a POSIX shell are needed")
 
@@ -37,11 +38,13 @@ def generate_launch_description():
 """
 
 
-def alive(mark: str) -> list[str]:
+def alive(marks: list[str]) -> list[psutil.Process]:
+    """Return the processes with one of these words on their command lines; it reads those of the whole machine."""
     return [
-        " ".join(process.info["cmdline"])
+        process
         for process in psutil.process_iter(["cmdline", "status"])
-        if process.info["status"] != psutil.STATUS_ZOMBIE and mark in (process.info["cmdline"] or [])
+        if process.info["status"] != psutil.STATUS_ZOMBIE
+        and not set(marks).isdisjoint(process.info["cmdline"] or [])
     ]
 
 
@@ -49,7 +52,6 @@ def kill_launchers(
     count: int, folder: Path, start_program: Callable[..., object], wait_until: Callable[..., None]
 ) -> int:
     """Kill that many launchers at random moments, and return how many processes they had then."""
-    had = 0
     marks = [f"mark-{os.getpid()}-{random.randrange(10**9)}" for _ in range(count)]
     launchers = []
     for mark in marks:
@@ -59,13 +61,15 @@ def kill_launchers(
     for launcher in launchers:
         launcher.wait_for("process started")
         time.sleep(random.uniform(0.0, MAX_DURATION_S))
-    had = sum(len(alive(mark)) for mark in marks)
+    processes = alive(marks)
     for launcher in launchers:
         launcher.process.kill()
-    for launcher, mark in zip(launchers, marks, strict=True):
+    for launcher in launchers:
         launcher.process.wait(30)
-        wait_until(lambda mark=mark: not alive(mark), what=f"the end of {alive(mark)}")
-    return had
+    psutil.wait_procs(processes, timeout=TIMEOUT_S)
+    # One that was started in the meantime is not among them.
+    wait_until(lambda: not alive(marks), what=f"the end of {alive(marks)}")
+    return len(processes)
 
 
 def test_a_killed_launcher_leaves_nothing(
