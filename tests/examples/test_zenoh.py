@@ -244,6 +244,16 @@ def test_client_and_doctor_say_why_there_is_no_link(
     assert finding.advice.startswith("start a router there")
 
 
+def test_a_router_says_that_another_refuses_its_certificate(
+    folder: Path, start_program: Callable[..., Program]
+) -> None:
+    start_program("tfloom", "zenoh", "router", "-c", "robot_router.json5").wait_for("listening on")
+    file = folder / "base_router.json5"
+    file.write_text(file.read_text().replace("certificates/base", "of_others/laptop"))
+    base = start_program("tfloom", "zenoh", "router", "-c", "base_router.json5")
+    base.wait_for(f"no link to tls/127.0.0.1:{zenoh_config.port() + 1} yet, which refuses the certificate ")
+
+
 def test_doctor_names_the_router_and_the_transport(
     folder: Path, start_program: Callable[..., Program], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -16,7 +16,13 @@ from tests.conftest import Program, wait_until
 from tests.zenoh_ports import hold_zenoh_port
 
 from tfloom.rmw import zenoh_meeting_point
-from tfloom.rmw.zenoh_config import default_configuration, router_settings, session_configuration
+from tfloom.rmw.zenoh_config import (
+    default_configuration,
+    router_configuration,
+    router_settings,
+    session_configuration,
+)
+from tfloom.rmw.zenoh_links import unlinked_endpoints
 from tfloom.rmw.zenoh_meeting_point import LINK_GAP_S, MeetingPoint, open_lone_router
 from tfloom.rmw.zenoh_router import open_router
 from tfloom.rmw.zenoh_session import open_session
@@ -85,6 +91,37 @@ def test_routers_are_joined(port: int, start_program: Callable[..., Program]) ->
     with zenoh.open(session_configuration()) as session:
         # The session is linked to the first alone, which knows the second by the routers' own protocol.
         wait_until(lambda: len(session.info.routers_zid()) == 1)
+
+
+def test_a_router_says_why_it_is_not_linked_to_another_and_when_it_is(
+    port: int, start_program: Callable[..., Program]
+) -> None:
+    other = f"tcp/127.0.0.1:{port + 1}"
+    router = start_program("tfloom", "zenoh", "router", "-e", other)
+    why = f"no link to {other} yet, which refuses: nothing listens there. It is sought again"
+    router.wait_for(why)
+    words = "tfloom", "zenoh", "router", "-l", other
+    neighbour = start_program(*words)
+    wait_until(lambda: f"linked to {other}" in router.lines)
+    neighbour.signal(signal.SIGKILL)
+    wait_until(lambda: router.lines.count(why) == 2)
+    start_program(*words).wait_for("listening on")
+    wait_until(lambda: router.lines.count(f"linked to {other}") == 2)
+    assert router.lines.count(why) == 2
+
+
+def test_endpoints_without_a_link(port: int) -> None:
+    """A host's name stands for its addresses; of two routers that seek each other, one makes the link of both."""
+    elsewhere = "tcp/127.0.0.2:1"
+    first = router_configuration({"connect/endpoints": [f"tcp/localhost:{port + 1}", elsewhere]})
+    second = router_configuration(
+        {"listen/endpoints": [f"tcp/127.0.0.1:{port + 1}"], "connect/endpoints": [f"tcp/127.0.0.1:{port}"]}
+    )
+    with open_router(first) as here:
+        assert len(unlinked_endpoints(here, first)) == 2
+        with open_router(second) as there:
+            wait_until(lambda: unlinked_endpoints(here, first) == [elsewhere])
+            wait_until(lambda: unlinked_endpoints(there, second) == [])
 
 
 @pytest.mark.parametrize(

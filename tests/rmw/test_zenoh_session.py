@@ -18,7 +18,9 @@ import pytest
 from tests.conftest import Program, run_to_end, wait_until
 from tests.zenoh_ports import hold_zenoh_port
 
+from tfloom.cli import health
 from tfloom.cli.finding import Verdict
+from tfloom.cli.health import check_round_trip
 from tfloom.cli.zenoh_health import check_router
 from tfloom.rmw import zenoh_meeting_point, zenoh_router, zenoh_session
 from tfloom.rmw.errors import ClosedError, ConfigurationError, WireError
@@ -123,7 +125,9 @@ def test_another_takes_over_within_two_seconds(end: str, start: Callable[..., Pr
     assert float(ask(second, "count", "first")[3]) < 1.0
 
 
-def test_a_stopped_owner_is_named(start: Callable[..., Program], port: int) -> None:
+def test_a_stopped_owner_is_named(
+    start: Callable[..., Program], port: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
     owner = start("owner")
     owner.pause()
     late = start("late", wait=False)
@@ -137,6 +141,9 @@ def test_a_stopped_owner_is_named(start: Callable[..., Program], port: int) -> N
         assert finding.verdict is Verdict.FAILED
         assert f"held by process {owner.process.pid} (" in finding.summary
         assert finding.advice == "end that process, or let it go on (fg, kill -CONT)"
+        monkeypatch.setenv("RMW_IMPLEMENTATION", "rmw_zenoh_cpp")
+        monkeypatch.setattr(health, "TRIP_TIMEOUT_S", 0.1)
+        assert check_round_trip().advice == "see the row of the router"
     owner.signal(signal.SIGCONT)
     wait_until(lambda: sees(late, "late", "owner") and sees(owner, "late", "owner"))
     assert late.output.count("no answer") == 1

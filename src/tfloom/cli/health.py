@@ -348,7 +348,9 @@ def check_round_trip() -> Finding:
                 return Finding(
                     Verdict.FAILED,
                     f"two participants did not discover each other within {TRIP_TIMEOUT_S:g} s",
-                    "a firewall may block UDP on this interface, or the domain may be full",
+                    "see the row of the router"
+                    if is_zenoh_selected()
+                    else "a firewall may block UDP on this interface, or the domain may be full",
                 )
             time.sleep(0.002)
         found_s = time.monotonic() - start

@@ -8,7 +8,7 @@ from typing import Any
 
 from tfloom.rmw.zenoh_config import endpoints_of
 
-__all__ = ["why_no_link", "why_no_links"]
+__all__ = ["unlinked_endpoints", "why_no_link", "why_no_links"]
 
 CONNECT_TIMEOUT_S = 2.0
 ALERT_TIMEOUT_S = 0.5
@@ -34,17 +34,48 @@ def why_no_link(endpoint: str, config: Any) -> str:
         endpoint: As `tls/robot:7448`.
         config: The `zenoh.Config` of the session.
     """
-    protocol, _, address = endpoint.partition("/")
-    host, _, port_text = address.partition("?")[0].partition("#")[0].rpartition(":")
+    protocol, host, port_text = _parts(endpoint)
     if protocol not in {"tcp", "tls"} or not port_text.isdigit():
         return "isn't linked"
     try:
-        with socket.create_connection((host.strip("[]"), int(port_text)), CONNECT_TIMEOUT_S) as connection:
+        with socket.create_connection((host, int(port_text)), CONNECT_TIMEOUT_S) as connection:
             if protocol == "tls":
-                return _why_no_handshake(connection, host.strip("[]"), config)
+                return _why_no_handshake(connection, host, config)
             return "is open, but doesn't answer as a router: is it stopped, or does it want TLS (tls/…)?"
     except (OSError, OverflowError) as error:
         return _why_no_connection(error)
+
+
+def unlinked_endpoints(session: Any, config: Any) -> list[str]:
+    """Return those endpoints of a router's configuration at whose hosts there is no router that it is linked to.
+
+    Two routers that are to connect to each other have one link, whose end at the other host may have any port.
+
+    Args:
+        session: The `zenoh.Session` of a router.
+        config: Its `zenoh.Config`.
+    """
+    routers = {str(zid) for zid in session.info.routers_zid()}
+    linked = {_parts(str(link.dst))[1] for link in session.info.links() if str(link.zid) in routers}
+    return [
+        endpoint
+        for endpoint in endpoints_of(config, "connect/endpoints")
+        if linked.isdisjoint(_addresses(_parts(endpoint)[1]))
+    ]
+
+
+def _addresses(host: str) -> set[str]:
+    try:
+        return {str(entry[4][0]) for entry in socket.getaddrinfo(host, None)}
+    except OSError:
+        return {host}
+
+
+def _parts(endpoint: str) -> tuple[str, str, str]:
+    """Return protocol, host and port of an endpoint."""
+    protocol, _, address = endpoint.partition("/")
+    host, _, port_text = address.partition("?")[0].partition("#")[0].rpartition(":")
+    return protocol, host.strip("[]"), port_text
 
 
 def _why_no_connection(error: Exception) -> str:

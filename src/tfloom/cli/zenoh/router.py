@@ -4,9 +4,14 @@ from __future__ import annotations
 
 import argparse
 import sys
+import time
+from typing import Any, NoReturn
 
-from tfloom.cli.ctrl_c import wait_for_ctrl_c
+from tfloom.cli.ctrl_c import LOOK_S, wait_for_ctrl_c
 from tfloom.cli.errors import CommandError
+
+NO_LINK_S = 3.0
+"""How long the lack of a link to another router is no cause for a message [s]."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -49,12 +54,42 @@ def main(args: argparse.Namespace) -> int:
         connect = ", ".join(endpoints_of(config, "connect/endpoints"))
         linked = f", linked to {connect} as soon as it answers" if connect else ""
         print(f"Started Zenoh router with id {session.zid()}, listening on {listen}{linked}", flush=True)
+        if connect:
+            _watch_links(session, config)
         wait_for_ctrl_c()
     except KeyboardInterrupt:
         print("Zenoh router ends", file=sys.stderr)
     finally:
         session.close()
     return 0
+
+
+def _watch_links(session: Any, config: Any) -> NoReturn:
+    """Print why there is no link to another router, once until it is made, and when it is made then.
+
+    Zenoh seeks it without end, and tells nobody: a refused certificate would look like a slow start.
+
+    Raises:
+        KeyboardInterrupt: Ctrl-C.
+    """
+    from tfloom.rmw.zenoh_links import unlinked_endpoints, why_no_link
+
+    lacking_since_s: dict[str, float] = {}
+    told: set[str] = set()
+    while True:
+        time.sleep(LOOK_S)
+        now_s = time.monotonic()
+        unlinked = unlinked_endpoints(session, config)
+        for endpoint in [endpoint for endpoint in lacking_since_s if endpoint not in unlinked]:
+            del lacking_since_s[endpoint]
+            if endpoint in told:
+                told.remove(endpoint)
+                print(f"linked to {endpoint}", flush=True)
+        for endpoint in unlinked:
+            if now_s - lacking_since_s.setdefault(endpoint, now_s) > NO_LINK_S and endpoint not in told:
+                told.add(endpoint)
+                why = why_no_link(endpoint, config)
+                print(f"no link to {endpoint} yet, which {why}. It is sought again", file=sys.stderr)
 
 
 def run_daemon(args: list[str] | None = None) -> int:
