@@ -92,6 +92,8 @@ class Node(NodeBase):
         if (error := no_parameter_error(parameter_overrides or ())) is not None:
             raise error
         context = context or get_default_context()
+        if (error := context.joining_error()) is not None:
+            raise error
         arguments = parse_arguments(cli_args or []).over(
             context.arguments if use_global_arguments else Arguments()
         )

@@ -154,6 +154,7 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
             error := node_error("ActionClient", node) or name_error(action_name, is_service=True)
         ) is not None:
             raise error
+        node.resolve_service_name(action_name + SEND_GOAL)  # raises here, near the program's line
         self._node = node
         self._action_type: type[Any] = action_type
         self._action_name = action_name

@@ -153,6 +153,7 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
             error := node_error("ActionServer", node) or name_error(action_name, is_service=True)
         ) is not None:
             raise error
+        node.resolve_service_name(action_name + SEND_GOAL)  # raises here, near the program's line
         self._node = node
         self._action_type: type[Any] = action_type
         self._result_timeout_ns = int(result_timeout * S_TO_NS)

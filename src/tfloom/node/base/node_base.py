@@ -42,7 +42,7 @@ from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.exceptions import InvalidHandle
 from tfloom.node.values.handle import Handle
-from tfloom.node.values.names import expansion_error, name_error
+from tfloom.node.values.names import name_error
 from tfloom.node.values.numbers import not_a_number
 from tfloom.node.values.time import check_fits_stamp
 from tfloom.node.values.type_support import (
@@ -298,9 +298,10 @@ class NodeBase:
         Raises:
             InvalidTopicNameException: the name isn't valid.
         """
-        if (error := name_error(topic)) is not None:
-            raise error
-        return self.__graph.resolve_topic_name(topic, only_expand=only_expand)
+        name = self.__graph.resolved(topic, only_expand=only_expand, is_service=False)
+        if isinstance(name, Exception):
+            raise name
+        return name
 
     def resolve_service_name(self, service: str, *, only_expand: bool = False) -> str:
         """Return a service's full name, remapped unless `only_expand`.
@@ -308,9 +309,10 @@ class NodeBase:
         Raises:
             InvalidServiceNameException: the name isn't valid.
         """
-        if (error := name_error(service, is_service=True)) is not None:
-            raise error
-        return self.__graph.resolve_service_name(service, only_expand=only_expand)
+        name = self.__graph.resolved(service, only_expand=only_expand, is_service=True)
+        if isinstance(name, Exception):
+            raise name
+        return name
 
     def get_node_names(self) -> list[str]:
         """Return the names of all nodes, without their namespaces."""
@@ -382,13 +384,13 @@ class NodeBase:
 
     def count_services(self, service_name: str) -> int:
         """Return how many servers a service has; the name is expanded and remapped."""
-        if (error := expansion_error(service_name)) is not None:
+        if (error := self.__graph.query_error(service_name, is_service=True)) is not None:
             raise error
         return self.__graph.count_services(service_name)
 
     def count_clients(self, service_name: str) -> int:
         """Return how many clients a service has; the name is expanded and remapped."""
-        if (error := expansion_error(service_name)) is not None:
+        if (error := self.__graph.query_error(service_name, is_service=True)) is not None:
             raise error
         return self.__graph.count_clients(service_name)
 
@@ -398,7 +400,7 @@ class NodeBase:
         Raises:
             InvalidTopicNameException: the name isn't valid.
         """
-        if (error := expansion_error(topic_name)) is not None:
+        if (error := self.__graph.query_error(topic_name)) is not None:
             raise error
         return self.__graph.count_publishers(topic_name)
 
@@ -408,7 +410,7 @@ class NodeBase:
         Raises:
             InvalidTopicNameException: the name isn't valid.
         """
-        if (error := expansion_error(topic_name)) is not None:
+        if (error := self.__graph.query_error(topic_name)) is not None:
             raise error
         return self.__graph.count_subscribers(topic_name)
 
@@ -424,7 +426,7 @@ class NodeBase:
         Raises:
             InvalidTopicNameException: the name isn't valid.
         """
-        if not no_mangle and (error := expansion_error(topic_name)) is not None:
+        if not no_mangle and (error := self.__graph.query_error(topic_name)) is not None:
             raise error
         return self.__graph.get_publishers_info_by_topic(topic_name, no_mangle)
 
@@ -440,7 +442,7 @@ class NodeBase:
         Raises:
             InvalidTopicNameException: the name isn't valid.
         """
-        if not no_mangle and (error := expansion_error(topic_name)) is not None:
+        if not no_mangle and (error := self.__graph.query_error(topic_name)) is not None:
             raise error
         return self.__graph.get_subscriptions_info_by_topic(topic_name, no_mangle)
 

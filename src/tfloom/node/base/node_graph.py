@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from tfloom.node.qos.topic_endpoint_info import TopicEndpointInfo
 from tfloom.node.values.exceptions import NodeNameNonExistentError
+from tfloom.node.values.names import expansion_error
 from tfloom.rmw.base import NodeName
 
 if TYPE_CHECKING:
@@ -44,13 +45,16 @@ class NodeGraph:
         """Return namespace and name."""
         return self._names.node.full
 
-    def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
-        """Return a topic's full name, remapped unless `only_expand`."""
-        return self._names.resolve(topic, only_expand=only_expand, is_service=False)
+    def resolved(self, name: str, *, only_expand: bool, is_service: bool) -> str | Exception:
+        """Return a topic's or a service's full name, remapped unless `only_expand`, or the error of the name."""
+        return self._names.resolved(name, only_expand=only_expand, is_service=is_service)
 
-    def resolve_service_name(self, service: str, *, only_expand: bool = False) -> str:
-        """Return a service's full name, remapped unless `only_expand`."""
-        return self._names.resolve(service, only_expand=only_expand, is_service=True)
+    def query_error(self, name: object, *, is_service: bool = False) -> Exception | None:
+        """Return the error of a name in a query, or None."""
+        if (error := expansion_error(name)) is not None:
+            return error
+        resolved = self._names.resolved(str(name), only_expand=False, is_service=is_service)
+        return resolved if isinstance(resolved, Exception) else None
 
     def get_node_names(self) -> list[str]:
         """Return the names of all nodes, without their namespaces."""
@@ -136,7 +140,7 @@ class NodeGraph:
 
     def _count_service_ends(self, service_name: str, is_server: bool) -> int:
         self._names.expand(service_name)  # a name that isn't valid has rclpy's error of an expansion
-        name = self.resolve_service_name(service_name)
+        name = self._names.resolve(service_name, is_service=True)
         ends = self._graph.service_ends()
         return sum(info.name == name and info.is_server == is_server for info in ends)
 
@@ -185,7 +189,7 @@ class NodeGraph:
 
     def _full_topic_name(self, topic_name: str) -> str:
         self._names.expand(topic_name)  # a name that isn't valid has rclpy's error of an expansion
-        return self.resolve_topic_name(topic_name)
+        return self._names.resolve(topic_name, is_service=False)
 
     def _endpoints_of(self, name: str, is_writer: bool, no_mangle: bool = False) -> list[EndpointInfo]:
         return [

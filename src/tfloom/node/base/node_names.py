@@ -5,10 +5,11 @@ from __future__ import annotations
 from tfloom.node.context.arguments import Arguments
 from tfloom.node.values.names import (
     expand_topic_name,
-    validate_full_topic_name,
+    expansion_error,
+    full_name_error,
+    name_error,
     validate_namespace,
     validate_node_name,
-    validate_topic_name,
 )
 from tfloom.rmw.base import NodeName
 
@@ -46,20 +47,33 @@ class NodeNames:
         """
         return expand_topic_name(name, self.node.name, self.node.namespace)
 
-    def resolve(self, name: str, *, only_expand: bool, is_service: bool) -> str:
+    def resolved(self, name: str, *, only_expand: bool, is_service: bool) -> str | Exception:
         """Return the full name of a topic or service: expanded, checked, and remapped unless `only_expand`.
 
-        Raises:
-            NameValidationException: the name isn't valid, before or after expansion.
+        The error of a name that isn't valid, before or after expansion, is returned, for callers whose tracebacks shall
+        be short.
         """
         node = self.node
-        validate_topic_name(name, is_service=is_service)
+        error = name_error(name, is_service=is_service) or expansion_error(name)
+        if error is not None:
+            return error
         full_name = self.expand(name)
-        validate_full_topic_name(full_name, is_service=is_service)
+        if (error := full_name_error(full_name, is_service=is_service)) is not None:
+            return error
         if only_expand:
             return full_name
         remapped = self._arguments.remap(full_name, node.name, node.namespace, is_service=is_service)
         if remapped is None:
             return full_name
-        validate_full_topic_name(remapped, is_service=is_service)
-        return remapped
+        return full_name_error(remapped, is_service=is_service) or remapped
+
+    def resolve(self, name: str, *, is_service: bool) -> str:
+        """Return the full name of a topic or service, remapped.
+
+        Raises:
+            NameValidationException: the name isn't valid, before or after expansion.
+        """
+        full_name = self.resolved(name, only_expand=False, is_service=is_service)
+        if isinstance(full_name, Exception):
+            raise full_name
+        return full_name

@@ -50,6 +50,8 @@ single operation: a WeakSet raises RuntimeError, and a lock may be held by the t
 """
 _context_numbers = count()
 
+_NO_NODE = "cannot create node"
+
 
 class StoppedException(NotInitializedException, ExternalShutdownException):
     """A signal has shut the context down, so no node can be created on it.
@@ -350,7 +352,7 @@ class Context:
             self.check_not_from_parent_process("cannot create node")
             if not self._valid:
                 if not self._interrupted:
-                    raise NotInitializedException("cannot create node")
+                    raise NotInitializedException(_NO_NODE)
                 postponed.take()  # this exception takes its place
                 raise StoppedException
             if self._participant is None:
@@ -359,6 +361,10 @@ class Context:
             self._participant.add_node(node)
             self._nodes += 1
             return self._participant
+
+    def joining_error(self) -> NotInitializedException | None:
+        """Return what `join` raises before `init` and after a shutdown, for callers whose tracebacks shall be short."""
+        return None if self._valid or self._interrupted else NotInitializedException(_NO_NODE)
 
     def abandon(self, node: DestroyableNode) -> None:
         """Destroy an unreferenced node later: when another joins, or at shutdown.

@@ -21,6 +21,7 @@ __all__ = [
     "NameValidationException",
     "expand_topic_name",
     "expansion_error",
+    "full_name_error",
     "full_node_name",
     "name_error",
     "namespace_error",
@@ -41,6 +42,7 @@ NAMESPACE_LIMIT = 245
 NODE_NAME_LIMIT = 255
 
 _Finding = tuple[str, int]
+_SUBSTITUTED = ("node", "ns", "namespace")
 _SUBSTITUTION = re.compile(r"\{([^{}]*)\}")
 
 
@@ -267,7 +269,15 @@ def name_error(name: object, *, is_service: bool = False) -> Exception | None:
     """Return what `validate_topic_name` raises, or None, for callers whose tracebacks shall be short."""
     if not isinstance(name, str):
         return _text_error("service name" if is_service else "topic name", name)
-    finding = _check_topic_name(name)
+    return _error_of(_check_topic_name(name), name, is_service)
+
+
+def full_name_error(name: str, *, is_service: bool = False) -> Exception | None:
+    """Return what `validate_full_topic_name` raises of a text, or None, for callers whose tracebacks shall be short."""
+    return _error_of(_check_full_topic_name(name), name, is_service)
+
+
+def _error_of(finding: _Finding | None, name: str, is_service: bool) -> NameValidationException | None:
     if finding is None:
         return None
     return (InvalidServiceNameException if is_service else InvalidTopicNameException)(name, *finding)
@@ -275,10 +285,9 @@ def name_error(name: object, *, is_service: bool = False) -> Exception | None:
 
 def _validate(check: Callable[[str], _Finding | None], name: str, is_service: bool) -> bool:
     _check_is_text("service name" if is_service else "topic name", name)
-    finding = check(name)
-    if finding is None:
-        return True
-    raise (InvalidServiceNameException if is_service else InvalidTopicNameException)(name, *finding)
+    if (error := _error_of(check(name), name, is_service)) is not None:
+        raise error
+    return True
 
 
 def expand_topic_name(topic_name: str, node_name: str, node_namespace: str) -> str:
@@ -318,7 +327,7 @@ def _give_text_of_expansion(error: NameValidationException) -> None:
 
 def expansion_error(topic_name: object) -> Exception | None:
     """Return what `expand_topic_name` raises of a topic's name, or None, for callers whose tracebacks are short."""
-    error = name_error(topic_name)
+    error = name_error(topic_name) or _unknown_substitution(str(topic_name))
     if isinstance(error, NameValidationException):
         _give_text_of_expansion(error)
     return error
@@ -326,19 +335,22 @@ def expansion_error(topic_name: object) -> Exception | None:
 
 def _expand(topic_name: str, node_name: str, node_namespace: str) -> str:
     below = "" if node_namespace == "/" else node_namespace
-    values = {"node": node_name, "ns": node_namespace, "namespace": node_namespace}
-
-    def substitute(match: re.Match[str]) -> str:
-        if match.group(1) not in values:
-            raise InvalidTopicNameException(
-                topic_name, f"unknown substitution: {match.group()}", match.start()
-            )
-        return values[match.group(1)]
-
-    name = _SUBSTITUTION.sub(substitute, topic_name)
+    values = dict(zip(_SUBSTITUTED, (node_name, node_namespace, node_namespace), strict=True))
+    if (error := _unknown_substitution(topic_name)) is not None:
+        raise error
+    name = _SUBSTITUTION.sub(lambda match: values[match.group(1)], topic_name)
     if name.startswith("~"):
         return f"{below}/{node_name}{name[1:]}"
     return name if name.startswith("/") else f"{below}/{name}"
+
+
+def _unknown_substitution(topic_name: str) -> InvalidTopicNameException | None:
+    for match in _SUBSTITUTION.finditer(topic_name):
+        if match.group(1) not in _SUBSTITUTED:
+            return InvalidTopicNameException(
+                topic_name, f"unknown substitution: {match.group()}", match.start()
+            )
+    return None
 
 
 def full_node_name(namespace: str, name: str) -> str:
