@@ -151,7 +151,7 @@ function setText(node, text) {
 }
 
 function makeRow(frame) {
-  const name = element("td", { className: "name", onclick: () => send({ op: "select", frame }) });
+  const name = element("td", { className: "name", title: frame, onclick: () => send({ op: "select", frame }) });
   const rate = element("td", { className: "number" });
   const age = element("td", { className: "number" });
   const publisher = element("td", { className: "publisher" });
