@@ -127,7 +127,7 @@ class Navigator(Node):
         while not client.wait_for_service(timeout_sec=1.0):
             if not rclpy.ok():
                 raise ExternalShutdownException
-            self.get_logger().info(f"Waiting for {client.srv_name}")
+            self.get_logger().info(f"Waiting for {client.service_name}")
         answering = client.call_async(request)
         rclpy.spin_until_future_complete(self, answering)
         return answering.result()
