@@ -156,10 +156,10 @@ def table(rows: Iterable[Row]) -> str:
 
 def main() -> int:
     """Print the table; return 1 if a licence is not accepted."""
-    found = uses(roots_of_project())
-    rows = [row for name, use in found.items() if (row := row_of(name, use)) is not None]
+    use_of = uses(roots_of_project())
+    rows = [row for name, use in use_of.items() if (row := row_of(name, use)) is not None]
     print(table(rows))
-    missing = sorted(found.keys() - {row.name for row in rows} - set(PACKAGES))
+    missing = sorted(use_of.keys() - {row.name for row in rows} - set(PACKAGES))
     faults = [row for row in rows if row.fault]
     print(f"{len(rows)} packages, {len(faults)} with a licence that is not accepted", end="")
     print(f"; not installed here: {', '.join(missing)}" if missing else "")

@@ -55,9 +55,9 @@ def _dds_beside_zenoh() -> Finding:
     if bound is None:
         return Finding(Verdict.OK, "programs on DDS are not looked for on this system")
     searched = [discovery_port(domain, index) for index in range(local_participants(domain))]
-    found = [number for number in searched if number in bound]
-    if not found:
+    occupied = [number for number in searched if number in bound]
+    if not occupied:
         return Finding(Verdict.OK, f"no program on DDS on this machine, in domain {domain}")
     summary = f"programs on DDS are on this machine, in domain {domain}: they aren't heard on Zenoh"
-    details: dict[str, Any] = {"UDP ports of discovery": ", ".join(map(str, found))}
+    details: dict[str, Any] = {"UDP ports of discovery": ", ".join(map(str, occupied))}
     return Finding(Verdict.WARNING, summary, _ADVICE, details)

@@ -57,9 +57,9 @@ class DefinitionModule(ModuleType):
             return vars(self).setdefault(name, metaclass)
         if not name.startswith("__"):
             __import__(self._home)
-            found = getattr(sys.modules[self._home], name, None)
-            if isinstance(found, type) and found.__module__ == self.__name__:
-                return found
+            value = getattr(sys.modules[self._home], name, None)
+            if isinstance(value, type) and value.__module__ == self.__name__:
+                return value
         raise AttributeError(f"module {self.__name__!r} has no attribute {name!r}")
 
     def __dir__(self) -> list[str]:
@@ -68,10 +68,10 @@ class DefinitionModule(ModuleType):
 
     def _class_names(self) -> list[str]:
         __import__(self._home)
-        found = {*dir(sys.modules[self._home]), *vars(self)}
+        names = {*dir(sys.modules[self._home]), *vars(self)}
         leaf = self.__name__.rpartition(".")[2]
         return sorted(
-            name for name in found if name[:1].isupper() and module_leaf(name.partition("_")[0]) == leaf
+            name for name in names if name[:1].isupper() and module_leaf(name.partition("_")[0]) == leaf
         )
 
 

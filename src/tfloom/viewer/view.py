@@ -473,10 +473,10 @@ class View:
             return {"frames": frames, "text": "", "plot": None}
         first, second = self._selected
         try:
-            found = self.buffer.lookup(first, second, LATEST if held_ns is None else held_ns)
+            transform = self.buffer.lookup(first, second, LATEST if held_ns is None else held_ns)
         except TransformException as error:
             return {"frames": frames, "text": shown_text(str(error).rstrip(), 1000), "plot": None}
-        echo = transform_text(found.stamp_ns, found.translation, found.rotation_xyzw)
+        echo = transform_text(transform.stamp_ns, transform.translation, transform.rotation_xyzw)
         return {"frames": frames, "text": echo, "plot": self._plot(first, second)}
 
     def _plot(self, first: str, second: str) -> dict[str, Any] | None:

@@ -176,19 +176,19 @@ class TimeStampStatus(DiagnosticTask):
 
     def _judge(self) -> tuple[bytes, str]:
         """Count each kind of violation, and return the summary of the last kind."""
-        found = (DiagnosticStatus.OK, "Timestamps are reasonable.")
+        summary = (DiagnosticStatus.OK, "Timestamps are reasonable.")
         if not self.deltas_valid:
             return DiagnosticStatus.WARN, "No data since last update."
         if self.min_delta < self.params.min_acceptable:
-            found = (DiagnosticStatus.ERROR, "Timestamps too far in future seen.")
+            summary = (DiagnosticStatus.ERROR, "Timestamps too far in future seen.")
             self.early_count += 1
         if self.max_delta > self.params.max_acceptable:
-            found = (DiagnosticStatus.ERROR, "Timestamps too far in past seen.")
+            summary = (DiagnosticStatus.ERROR, "Timestamps too far in past seen.")
             self.late_count += 1
         if self.zero_seen:
-            found = (DiagnosticStatus.ERROR, "Zero timestamp seen.")
+            summary = (DiagnosticStatus.ERROR, "Zero timestamp seen.")
             self.zero_count += 1
-        return found
+        return summary
 
 
 class Heartbeat(DiagnosticTask):
