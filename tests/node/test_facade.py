@@ -140,6 +140,12 @@ def test_what_nodes_create_shows_the_names_that_ros_shows() -> None:
     ], result.stderr
 
 
+def test_an_error_of_missing_arguments_shows_the_name_that_ros_shows() -> None:
+    result = run("import rclpy; rclpy.init(); rclpy.create_node('a').create_publisher('a')")
+    error = result.stderr.splitlines()[-1]
+    assert error.startswith("TypeError: Node.create_publisher() missing 2 required positional arguments: ")
+
+
 def test_an_error_of_a_types_argument_shows_the_names_that_ros_shows() -> None:
     result = run(
         "from launch.actions import LogInfo; from launch.action import Action\n"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from types import FunctionType
 from typing import TYPE_CHECKING
 
 from tfloom.node.base.node_base import NodeBase
@@ -133,3 +134,9 @@ class Node(NodeBase):
         if time_source is not None:
             time_source.detach_node()
         NodeBase.destroy_node(self)
+
+
+# The errors of Python about missing and unexpected arguments have this name.
+for _method in vars(NodeBase).values():
+    if isinstance(_method, FunctionType):
+        _method.__qualname__ = f"Node.{_method.__name__}"
