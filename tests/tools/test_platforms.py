@@ -341,7 +341,7 @@ def is_asked_for() -> bool:
 def test_short_checks_of_a_system(part: str) -> None:
     """The demonstration on Debian's newest Python, and on arm64 also a talk with this machine."""
     command = [sys.executable, "-m", "tools.platforms", "--short", part]
-    done = run_to_end(command, cwd=platforms.ROOT)
+    done = run_to_end(command, cwd=platforms.ROOT, timeout_s=2000.0)
     if ": installed: mmdebstrap failed" in done.stdout:
         pytest.skip(f"Debian can't be installed here: {done.stdout}")
     assert done.returncode == 0, done.stdout + done.stderr
