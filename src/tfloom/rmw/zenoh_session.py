@@ -28,6 +28,11 @@ __all__ = ["FORK_ADVICE", "ZenohSession", "open_session", "refuse_fork"]
 CHECK_PERIOD_S = 1.0
 """How long one look for a router takes at most [s]."""
 POLL_S = 0.005
+FLUSH_S = 0.05
+"""How long a session that closes lets its links take what was written last [s].
+
+Zenoh's word of the end of a link overtakes the samples in its queue, and nothing tells when that is empty.
+"""
 CLOSE_LIMIT_S = 1.0
 """How long the close of a session that is linked to no router is waited for [s]."""
 
@@ -123,6 +128,7 @@ class ZenohSession:
         self._is_closed = True
         try:
             if self._session.info.routers_zid():
+                time.sleep(FLUSH_S)
                 self._session.close()
             else:
                 self._close_unlinked()
