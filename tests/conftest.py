@@ -203,16 +203,30 @@ def forget_interfaces() -> Iterator[None]:
             del sys.modules[name]
 
 
-@pytest.fixture
-def forgotten_types() -> Iterator[None]:
-    """Forget, after a test, the types that it has defined."""
+@contextmanager
+def forgetting_types() -> Iterator[None]:
+    """Forget, after the block, the types that it has defined: from texts, from other nodes, and from recordings."""
     from tfloom.rosidl import class_table, sources
 
-    before = dict(sources._defined)
-    yield
-    for name in sources._defined.keys() - before.keys():
-        sources.replace(name, None)
-        class_table.forget(name)
+    texts, classes = dict(sources._defined), dict(class_table._classes)
+    try:
+        yield
+    finally:
+        names = texts.keys() | sources._defined.keys()
+        changed = {name for name in names if texts.get(name) is not sources._defined.get(name)}
+        for name in changed:
+            sources.replace(name, texts.get(name))
+            class_table.forget(name)
+        for name in classes.keys() - class_table._classes.keys():
+            if sources.definition_name(name) in changed:
+                class_table.register(name, classes[name])
+
+
+@pytest.fixture(autouse=True)
+def _defined_types() -> Iterator[None]:
+    """Forget the test's types, because a later one in this process may expect that it doesn't know them."""
+    with forgetting_types():
+        yield
 
 
 @pytest.fixture(scope="session", autouse=True)

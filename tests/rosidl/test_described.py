@@ -30,9 +30,6 @@ OF_ALL = ("unique_identifier_msgs/", "builtin_interfaces/", "service_msgs/")
 """The packages of what services and actions contain by themselves."""
 
 
-pytestmark = pytest.mark.usefixtures("forgotten_types")
-
-
 def sent(description: dict[str, Any]) -> Any:
     """Return a description as the objects of a message."""
     return json.loads(json.dumps(description), object_hook=lambda fields: SimpleNamespace(**fields))

@@ -227,7 +227,6 @@ def test_damaged_message_is_a_sentence_and_the_next_one_counts(
     page.wait_for(lambda: plot_of(page, "data")["shown"] == 1.5 and not plot_of(page, "data")["status"])
 
 
-@pytest.mark.usefixtures("forgotten_types")
 def test_field_of_a_type_that_another_process_alone_has(
     viewer: Viewer, open_page: OpenPage, start_program: Callable[..., Program]
 ) -> None:
@@ -239,7 +238,6 @@ def test_field_of_a_type_that_another_process_alone_has(
     assert page.answer("plot_fields")["fields"][-1] == "at[0]"
 
 
-@pytest.mark.usefixtures("forgotten_types")
 def test_fields_come_when_the_type_is_known_and_a_wrong_description_is_a_sentence(
     viewer: Viewer, open_page: OpenPage, start_program: Callable[..., Program]
 ) -> None:

@@ -521,7 +521,6 @@ def test_odd_values_of_any_type_are_a_sentence_or_a_message() -> None:
 # Types that another process alone has.
 
 
-@pytest.mark.usefixtures("forgotten_types")
 @pytest.mark.parametrize(
     ("what", "name", "values", "answer"),
     [
@@ -560,7 +559,6 @@ def wait_for_name(page: Page, what: str, name: str) -> dict[str, str]:
             return names
 
 
-@pytest.mark.usefixtures("forgotten_types")
 def test_description_that_was_not_announced_is_an_error_of_the_form(
     viewer: Viewer, open_page: OpenPage, start_program: Callable[..., Program]
 ) -> None:

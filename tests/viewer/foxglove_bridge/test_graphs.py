@@ -110,7 +110,6 @@ def test_topic_of_an_unknown_type_is_said_once(
     wire.close()
 
 
-@pytest.mark.usefixtures("forgotten_types")
 def test_types_that_another_process_alone_has(
     domain_id: int, client_of: ClientOf, start_program: Callable[..., Program]
 ) -> None:
