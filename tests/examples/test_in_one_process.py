@@ -230,7 +230,7 @@ def test_example_sets_and_watches_parameters(
         r"Its parameters: .*serial, side, .*thrust",
         r"thrust, in newton: 0\.0 to 10\.0",
         r"thrust = 7\.5: done",
-        r"thrust = 70\.5: Parameter thrust out of range\. Min: 0\.0, Max: 10\.0",
+        r"thrust = 70\.5: Parameter thrust out of range Min: 0\.0, Max: 10\.0",
         r"serial = 1: Trying to set a read-only parameter: serial",
         r"side = up: there is no side up",
         r"side = right: done",

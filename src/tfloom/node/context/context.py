@@ -363,8 +363,13 @@ class Context:
             return self._participant
 
     def joining_error(self) -> NotInitializedException | None:
-        """Return what `join` raises before `init` and after a shutdown, for callers whose tracebacks shall be short."""
-        return None if self._valid or self._interrupted else NotInitializedException(_NO_NODE)
+        """Return what `join` raises before `init` and after a shutdown, for callers whose tracebacks shall be short.
+
+        In a forked child it is None: `join` has another error there.
+        """
+        if self._valid or self._interrupted or self._is_from_parent_process:
+            return None
+        return NotInitializedException(_NO_NODE)
 
     def abandon(self, node: DestroyableNode) -> None:
         """Destroy an unreferenced node later: when another joins, or at shutdown.
