@@ -13,6 +13,7 @@ from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
+import psutil
 import pytest
 
 from tfloom.node.context.context import Context
@@ -146,6 +147,16 @@ def wait_until(condition: Callable[[], object], timeout_s: float = TIMEOUT_S, wh
         if time.monotonic() > end:
             pytest.fail(f"gave up after {timeout_s} s waiting for {what or condition}")
         time.sleep(0.01)
+
+
+def has_ended(pid: int) -> bool:
+    """Return whether a process has ended, though its parent may not yet have asked for its exit code.
+
+    The run of all tests is the parent of what tests leave, and asks only at its end.
+    """
+    with suppress(psutil.NoSuchProcess):
+        return bool(psutil.Process(pid).status() == psutil.STATUS_ZOMBIE)
+    return True
 
 
 @pytest.fixture(name="wait_until")

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 import transcript
+from tests.conftest import has_ended
 from tests.each import for_each
 
 from tfloom.cli import main as cli
@@ -243,7 +244,7 @@ def test_kill_of_the_command_kills_the_program(
     program.wait_for("ready")
     pid = int(program.lines[0])
     program.signal(signal.SIGKILL)
-    wait_until(lambda: not Path(f"/proc/{pid}").exists() or " Z " in Path(f"/proc/{pid}/stat").read_text())
+    wait_until(lambda: has_ended(pid))
 
 
 @pytest.mark.parametrize(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shlex
 import shutil
 import subprocess
 import sys
@@ -19,19 +20,23 @@ pytestmark = pytest.mark.skipif(
 )
 
 
-def chosen(folder: Path, usual: str, there: Sequence[str], *names: str) -> list[str]:
-    """Return what the script prints on a machine with these Pythons, where `python3` is `usual`."""
+def chosen(
+    folder: Path, usual: str, there: Sequence[str], *names: str, default: str = "python3"
+) -> list[str]:
+    """Return what the script prints on a machine with these Pythons, where the program `default` is `usual`."""
     programs = folder / "bin"
     programs.mkdir()
     for command in NEEDED:
         (programs / command).symlink_to(str(shutil.which(command)))
     # A Python of another version is not needed: the script asks them only whether they are free-threaded.
-    scripts = {f"python{version}": f'exec {sys.executable} "$@"' for version in there}
-    scripts["python3"] = f'case "$1" in --version) echo Python {usual}.1 ;; *) echo {usual} ;; esac'
+    scripts = {f"python{version}": f'exec {shlex.quote(sys.executable)} "$@"' for version in there}
+    scripts[default] = f'case "$1" in --version) echo Python {usual}.1 ;; *) echo {usual} ;; esac'
     for name, text in scripts.items():
         (programs / name).write_text(f"#!/bin/sh\n{text}\n")
         (programs / name).chmod(0o755)
     environment = {"PATH": str(programs), "PYENV_ROOT": str(folder), "NAME_ONLY": "1", "HOME": str(folder)}
+    if default != "python3":
+        environment["PYTHON"] = str(programs / default)
     # The clone may belong to somebody else.
     environment |= {"GIT_CONFIG_COUNT": "1", "GIT_CONFIG_KEY_0": "safe.directory", "GIT_CONFIG_VALUE_0": "*"}
     environment |= {name: os.environ[name] for name in ("LD_LIBRARY_PATH",) if name in os.environ}
@@ -62,6 +67,11 @@ def test_newest_and_another(
     expected = {f"other is {version}" for version in others} or {f"== There is no other Python {missing}"}
     assert lines[1] in expected
     assert len(lines) == 2
+
+
+def test_default_python_may_have_a_space_in_its_path(tmp_path: Path) -> None:
+    lines = chosen(tmp_path, "3.11", ["3.14"], "newest", "other", default="my python")
+    assert lines == ["newest is 3.14", "== There is no other Python on this machine, beside Python 3.11.1"]
 
 
 def test_no_name_is_all_versions(tmp_path: Path) -> None:

@@ -12,7 +12,7 @@ from contextlib import nullcontext, suppress
 from pathlib import Path
 
 import pytest
-from tests.conftest import Program, run_to_end, wait_until
+from tests.conftest import Program, has_ended, run_to_end, wait_until
 from tools import platforms
 from tools.platforms import Chroot, Row, measured, total_counts
 from tools.set_up import SetUpError
@@ -261,7 +261,7 @@ def test_interrupted_run_leaves_nothing(
         program.signal(number)
         assert program.wait() in {128 + signal.SIGTERM, 130, -signal.SIGINT}, program.output
         assert state() == (before, [])
-        wait_until(lambda: not Path(f"/proc/{sleeper}").exists())
+        wait_until(lambda: has_ended(sleeper))
     finally:
         with suppress(ProcessLookupError):
             os.killpg(os.getpgid(sleeper), signal.SIGKILL)
