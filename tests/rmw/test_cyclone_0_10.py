@@ -40,7 +40,7 @@ def library(tmp_path_factory: pytest.TempPathFactory) -> Path:
     if shutil.which("apt-get") is None:
         pytest.skip("downloads packages by apt-get")
     folder = tmp_path_factory.mktemp("debian")
-    done = run_to_end(["apt-get", "download", *PACKAGES], cwd=folder)
+    done = run_to_end(["apt-get", "download", *PACKAGES], cwd=folder, timeout_s=TIMEOUT_S)
     for package in folder.glob("*.deb"):
         subprocess.run(["dpkg", "--extract", package, folder], check=True)
     unpacked = folder / installed.relative_to("/")

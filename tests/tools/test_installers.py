@@ -132,7 +132,7 @@ def test_pipx_installs_and_injects(
     """The lines of docs/install.md, in a clone whose path has a space, with a wheel that is there."""
     wheel = wheel_of(release_files(tmp_path_factory), "tfloom")
     built = clone / "build" / "wheel"
-    built.mkdir(parents=True)
+    built.mkdir(parents=True, exist_ok=True)  # a second try has the same clone
     shutil.copy(wheel, built)
     assert " " in str(clone)
     lines = [
