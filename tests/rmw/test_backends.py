@@ -23,6 +23,7 @@ def test_the_local_wire_by_its_name(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.parametrize("value", ["", None])
 def test_cyclone_is_the_default(monkeypatch: pytest.MonkeyPatch, value: str | None) -> None:
+    monkeypatch.setattr(backends, "is_installed", lambda name: True)
     monkeypatch.delenv("RMW_IMPLEMENTATION", raising=False)
     if value is not None:
         monkeypatch.setenv("RMW_IMPLEMENTATION", value)
