@@ -1,6 +1,7 @@
 """A node of stock rclpy with faulty transforms, which asks a buffer server for a frame that nobody publishes.
 
-Prints `asked` after each answer, and `absent` for each time that it takes the server for absent once it was there.
+Prints `asked` after each answer, and `absent` when it takes the server for absent `MAX_LOOKS` times in a row once it was
+there. For a moment it may: a reader and a writer that come or go together are discovered one after the other.
 """
 
 from __future__ import annotations
@@ -13,6 +14,8 @@ from geometry_msgs.msg import TransformStamped
 from rclpy.action import ActionClient
 from tf2_msgs.action import LookupTransform
 from tf2_msgs.msg import TFMessage
+
+MAX_LOOKS = 10
 
 rclpy.init()
 node = rclpy.create_node("stock")
@@ -31,11 +34,13 @@ def send(publisher, parent, child, x):
 
 asking = None
 was_there = False
+looks_without = 0
 while True:
     send(moving, "world", "stock", math.nan)
     send(fixed, "world", "mast", 1.0)
     is_there = client.server_is_ready()
-    if was_there and not is_there:
+    looks_without = 0 if is_there else looks_without + 1
+    if was_there and looks_without == MAX_LOOKS:
         print("absent", flush=True)
     was_there = was_there or is_there
     if is_there and (asking is None or asking.done()):

@@ -14,12 +14,15 @@ from tfloom.interfaces.geometry_msgs.msg import PointStamped
 from tfloom.interfaces.sensor_msgs.msg import Image
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.interfaces.tf2_msgs.action import LookupTransform
+from tfloom.rmw.action_names import SEND_GOAL_TYPE
 from tfloom.rmw.backends import open_participant
-from tfloom.rmw.base import Participant, Sample
+from tfloom.rmw.base import Participant, Sample, Service
+from tfloom.rmw.qos import QoS
+from tfloom.rmw.topic_names import request_topic, response_topic
 from tfloom.rosidl import cdr
 from tfloom.tf2_tools.doctor.diagnosis import diagnose
 from tfloom.tf2_tools.doctor.headers import begins_with_header
-from tfloom.tf2_tools.doctor.live import listen
+from tfloom.tf2_tools.doctor.live import LOOKUP_TYPE, listen
 from tfloom.tf2_tools.doctor.requests import requested_frames
 from tfloom.tf2_tools.doctor.subject import Subject
 
@@ -36,11 +39,13 @@ def read_topics(participant: Participant) -> set[str]:
     return {end.topic.name for end in participant.graph.endpoints() if not end.is_writer}
 
 
-def listen_while(participant: Participant, act: Callable[[], None], *, with_topics: bool = False) -> Subject:
+def listen_while(
+    participant: Participant, act: Callable[[], None], *, with_topics: bool = False, seconds: float = 0.3
+) -> Subject:
     """Listen for a short time, and act once both topics are read."""
     heard: list[Subject] = []
     thread = threading.Thread(
-        target=lambda: heard.append(listen(participant, 0.3, with_topics=with_topics)), daemon=True
+        target=lambda: heard.append(listen(participant, seconds, with_topics=with_topics)), daemon=True
     )
     thread.start()
     wait_until(lambda: "/tf_static" in read_topics(participant))
@@ -100,6 +105,26 @@ def test_headers_are_read_on_request(participant: Participant) -> None:
     ]
     assert [finding.code for finding in diagnose(subject)] == ["TF601"]
     assert listen(participant, 0.0).headers == []
+
+
+def test_it_stands_beside_a_server_for_as_long_as_that_is_there(participant: Participant) -> None:
+    node = Node(participant, "buffer")
+    service = Service("/lookup/_action/send_goal", LOOKUP_TYPE + SEND_GOAL_TYPE)
+    server = participant.create_responder(node.name, service, QoS())
+
+    def ends() -> list[str]:
+        names = {request_topic(service).name, response_topic(service).name}
+        return [end.topic.name for end in participant.graph.raw_endpoints() if end.topic.name in names]
+
+    alone = ends()
+
+    def leave() -> None:
+        wait_until(lambda: len(ends()) == len(alone) + 2)
+        server.close()
+        wait_until(lambda: ends() == [])
+        assert "/tf_static" in read_topics(participant), "the listening has ended"
+
+    listen_while(participant, leave, seconds=2.0)
 
 
 def test_nothing_of_the_doctor_stays(participant: Participant) -> None:

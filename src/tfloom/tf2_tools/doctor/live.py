@@ -10,7 +10,6 @@ from contextlib import contextmanager, suppress
 from tfloom._native import HeaderSink
 from tfloom.rmw.action_names import SEND_GOAL, SEND_GOAL_TYPE
 from tfloom.rmw.base import NodeName, Participant, Reader, Sample, Service, Writer
-from tfloom.rmw.cyclone_graph import FAST_DDS
 from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, QoS, ReliabilityPolicy
 from tfloom.rmw.topic_names import request_topic, response_topic
 from tfloom.tf2_tools.doctor.finding import Source
@@ -81,8 +80,8 @@ class _Readers:
         self._topics = topics
         self._skipped = set(topics)
         self._headers: dict[str, tuple[Reader, HeaderSink]] = {}
-        self._requests: dict[str, Reader] = {}
-        self._responses: dict[str, Writer] = {}
+        self._services: dict[str, tuple[Reader, Writer]] = {}
+        """The readers of requests to the servers that are there, by name; `_open_services` explains the writers."""
         self._asked: dict[tuple[bytes, str, str], int] = {}
         """Numbers of requests by the client's gid, the name of the server, and the frame."""
         self._is_simulated = any(
@@ -103,10 +102,11 @@ class _Readers:
                 # endpoints, because the gid of a request is that of a client's writer, which is on no ROS topic.
                 if end.node is not None:
                     self._nodes[end.gid] = end.node.full
-            self._open_requests()
+            self._open_services()
             if with_topics:
                 self._open_headers()
-        self._take_requests()
+        for name in self._services:
+            self._take_requests(name)
 
     def _open_headers(self) -> None:
         for end in self._participant.graph.endpoints():
@@ -121,27 +121,37 @@ class _Readers:
                 reader.feed(sink)
                 self._headers[name] = reader, sink
 
-    def _open_requests(self) -> None:
-        """Read the requests to each server, and stand beside it as a writer of responses for clients of Fast DDS.
+    def _open_services(self) -> None:
+        """Read the requests to each server, for as long as the server is there.
 
-        These take a service for absent while the numbers of its readers and its writers differ.
+        Fast DDS takes a service for absent while the numbers of its readers of requests and its writers of responses
+        differ. So each reader has a writer beside it, which is opened and closed with it, also where no client of
+        Fast DDS is known yet. A moment remains in which a client knows of one of the two only.
         """
-        for end in self._participant.graph.service_ends():
-            if end.type_name != LOOKUP_TYPE + SEND_GOAL_TYPE:
-                continue
-            if end.is_server and end.name not in self._requests:
-                topic = request_topic(Service(end.name, end.type_name))._replace(is_native=True)
-                self._requests[end.name] = self._participant.create_reader(self._node, topic, _ALL_REQUESTS)
-            if end.gid.startswith(FAST_DDS) and not end.is_server and end.name not in self._responses:
-                topic = response_topic(Service(end.name, end.type_name))._replace(is_native=True)
-                self._responses[end.name] = self._participant.create_writer(self._node, topic, QoS())
+        own = {reader.gid for reader, _ in self._services.values()}
+        servers = {
+            end.name: Service(end.name, end.type_name)
+            for end in self._participant.graph.service_ends()
+            if end.is_server and end.type_name == LOOKUP_TYPE + SEND_GOAL_TYPE and end.gid not in own
+        }
+        for name in self._services.keys() - servers:
+            self._take_requests(name)
+            self._close_service(name)
+        for name in servers.keys() - self._services:
+            requests = request_topic(servers[name])._replace(is_native=True)
+            responses = response_topic(servers[name])._replace(is_native=True)
+            reader = self._participant.create_reader(self._node, requests, _ALL_REQUESTS)
+            self._services[name] = reader, self._participant.create_writer(self._node, responses, QoS())
 
-    def _take_requests(self) -> None:
-        for name, reader in self._requests.items():
-            for sample in _take_all(reader):
-                for frame in requested_frames(sample):
-                    key = sample.publisher_gid, name.removesuffix(SEND_GOAL), frame
-                    self._asked[key] = self._asked.get(key, 0) + 1
+    def _close_service(self, name: str) -> None:
+        for end in self._services.pop(name):
+            end.close()
+
+    def _take_requests(self, name: str) -> None:
+        for sample in _take_all(self._services[name][0]):
+            for frame in requested_frames(sample):
+                key = sample.publisher_gid, name.removesuffix(SEND_GOAL), frame
+                self._asked[key] = self._asked.get(key, 0) + 1
 
     def subject(self) -> Subject:
         """Return what was seen."""
@@ -181,9 +191,9 @@ class _Readers:
     def close(self) -> None:
         """Close the watch, all readers, and the writers of responses."""
         self._watch.close()
-        headers = [reader for reader, _ in self._headers.values()]
-        readers = [*self._requests.values(), *self._responses.values(), *headers]
-        for reader in readers:
+        for name in list(self._services):
+            self._close_service(name)
+        for reader, _ in self._headers.values():
             reader.close()
 
 
