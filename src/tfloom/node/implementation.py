@@ -8,7 +8,7 @@ from tfloom.node.base.node_base import NodeBase, open_endpoint
 from tfloom.node.context.arguments import RCLInvalidROSArgsError, UnknownROSArgsError
 from tfloom.node.endpoints.endpoint import ReceivingEndpoint, TakingEndpoint
 from tfloom.node.executing import event_types, guard_condition, timer
-from tfloom.node.executing.event_handler import UnsupportedEventTypeError
+from tfloom.node.executing.event_handler import UnsupportedEventTypeError, Watched, WatchedEvent
 from tfloom.node.executing.signals import SignalHandlerOptions
 from tfloom.node.executing.wait_set import WaitSet
 from tfloom.node.log.throttled_warning import ThrottledWarning
@@ -33,7 +33,6 @@ from tfloom.rosidl import cdr
 if TYPE_CHECKING:
     from typing_extensions import Self
 
-    from tfloom._native import ReadyQueue
     from tfloom.node.clock.clock import Clock
     from tfloom.node.context.context import Context
     from tfloom.rmw.base import RequestId
@@ -123,7 +122,7 @@ class Timer(timer.Timer):
         self.destroy()
 
 
-class EventHandle:
+class EventHandle(WatchedEvent):
     """An event of a publisher or subscription, for a wait set.
 
     Args:
@@ -140,11 +139,9 @@ class EventHandle:
         parent: Handle,
         event_type: event_types.QoSPublisherEventType | event_types.QoSSubscriptionEventType,
     ) -> None:
-        self._event = event_types.wire_event(event_type)
-        self._endpoint: Any = unwrap_handle(parent).wire_endpoint
-        self._destroyed = False
+        endpoint: Watched = unwrap_handle(parent).wire_endpoint
+        super().__init__(endpoint, event_type)
         self._next_status: Status | None = None
-        self._endpoint.notify_event(self._event, None)  # raises if there is no such event
 
     def __enter__(self) -> Self:
         if self._destroyed:
@@ -154,16 +151,6 @@ class EventHandle:
     def __exit__(self, *_: object) -> None:
         """Do nothing."""
 
-    def attach(self, queue: ReadyQueue, token: int) -> None:
-        """Post `token` when the status may have changed."""
-        if not self._destroyed:
-            self._endpoint.notify_event(self._event, queue, token)
-
-    def detach(self) -> None:
-        """Stop posting the token."""
-        if not self._destroyed:
-            self._endpoint.notify_event(self._event, None)
-
     def deadline_ns(self) -> int | None:
         """Return None, because a change of the status posts the token."""
         return None
@@ -171,8 +158,8 @@ class EventHandle:
     def becomes_ready(self) -> bool:
         """Return whether the status has changed."""
         # The endpoint tells by handing the status out, so that is kept here for the program to take.
-        if self._next_status is None and not self._destroyed:
-            self._next_status = self._endpoint.take_event(self._event)
+        if self._next_status is None:
+            self._next_status = self.take()
         return self._next_status is not None
 
     def take_event(self) -> Status:

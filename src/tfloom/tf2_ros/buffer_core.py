@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import reprlib
 from typing import Any
 
+from tfloom.given_text import given_text
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
 from tfloom.node.log.logging import get_logger
 from tfloom.node.values.clock_type import ClockType
@@ -229,7 +229,7 @@ def frame_error(frame_id: object) -> TypeError | None:
     """Return the native buffer's error of a frame's name that is no text, or None if it is one."""
     if isinstance(frame_id, str):
         return None
-    given = f"{reprlib.repr(frame_id)} of class {type(frame_id).__name__}"
+    given = given_text(frame_id)
     return TypeError(f"the name of a frame or a publisher must be a str, not {given}")
 
 
@@ -271,7 +271,7 @@ def _note_time(error: TypeError, *times: Any) -> None:
 def _meant(given: object, kind: str) -> str:
     is_number = isinstance(given, (int, float)) and not isinstance(given, bool)
     seconds = f"(seconds={given!r})" if is_number else "(seconds=…)"
-    text = f"got {reprlib.repr(given)} of class {type(given).__name__}: write rclpy.{kind}.{kind.title()}{seconds}"
+    text = f"got {given_text(given)}: write rclpy.{kind}.{kind.title()}{seconds}"
     return f"{text}, or Time() for the latest transform" if kind == "time" else text
 
 

@@ -6,6 +6,7 @@ import reprlib
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
+from tfloom.given_text import given_text
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.node.qos.qos import QoSProfile
 
@@ -51,7 +52,7 @@ def as_list(transform: TransformStamped | Iterable[TransformStamped]) -> list[Tr
     transforms = list(transform) if isinstance(transform, Iterable) else [transform]
     for stamped in transforms:
         if not hasattr(stamped, "child_frame_id"):
-            given = f"{reprlib.repr(stamped)} of class {type(stamped).__name__}"
+            given = given_text(stamped)
             raise TypeError(
                 f"sendTransform() needs a geometry_msgs.msg.TransformStamped, or several, got {given}"
             )

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import inspect
-import reprlib
 from collections.abc import Collection, Iterable, Mapping
 from difflib import get_close_matches
 from functools import cache
 from pathlib import Path
 from typing import Any
 
+from tfloom.given_text import given_text
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.substitution import Substitution
 
@@ -77,4 +77,4 @@ def entity_error(what: str, entity: Any) -> TypeError | None:
 
 
 def _given(value: object) -> str:
-    return "None" if value is None else f"{reprlib.repr(value)} of class {type(value).__name__}"
+    return "None" if value is None else given_text(value)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import reprlib
 import threading
 import weakref
 from typing import TYPE_CHECKING, Any
 
+from tfloom.given_text import given_text
 from tfloom.ros_guard import ros_repr
 
 if TYPE_CHECKING:
@@ -130,5 +130,5 @@ def group_error(group: object) -> AttributeError | None:
         )
     if group is None or hasattr(group, "add_entity"):
         return None
-    given = f"{reprlib.repr(group)} of class {type(group).__name__}"
+    given = given_text(group)
     return AttributeError(f"expected a callback group, as ReentrantCallbackGroup(), got {given}")

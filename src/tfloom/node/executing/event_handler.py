@@ -66,7 +66,46 @@ class Watched(Protocol):
         """Return the status of `event` if it has changed, else None."""
 
 
-class EventHandler(Entity):
+class WatchedEvent:
+    """An event of a publisher or subscription, which posts a token when its status may have changed.
+
+    Args:
+        parent: The `handle` of a publisher or subscription, or its endpoint on the wire.
+        event_type: The event.
+
+    Raises:
+        UnsupportedEventTypeError: the endpoint has no such event, or the wire does not report it.
+        InvalidHandle: the endpoint was destroyed.
+    """
+
+    def __init__(
+        self,
+        parent: Watched | Handle,
+        event_type: Event | QoSPublisherEventType | QoSSubscriptionEventType,
+    ) -> None:
+        self._event = event_type if isinstance(event_type, Event) else _wire_event(event_type)
+        self._endpoint: Watched = (
+            unwrap_handle(parent).wire_endpoint if isinstance(parent, Handle) else parent
+        )
+        self._destroyed = False
+        self._endpoint.notify_event(self._event, None)  # raises if there is no such event
+
+    def attach(self, queue: ReadyQueue, token: int) -> None:
+        """Post `token` when the status has changed."""
+        if not self._destroyed:
+            self._endpoint.notify_event(self._event, queue, token)
+
+    def detach(self) -> None:
+        """Stop posting the token."""
+        if not self._destroyed:
+            self._endpoint.notify_event(self._event, None)
+
+    def take(self) -> Any:
+        """Return the status if it has changed, else None."""
+        return None if self._destroyed else self._endpoint.take_event(self._event)
+
+
+class EventHandler(WatchedEvent, Entity):
     """Calls a callback with the status of one event each time that it changes.
 
     Args:
@@ -93,28 +132,7 @@ class EventHandler(Entity):
         self.callback_group = callback_group
         self.callback = callback
         self.event_type = event_type
-        self._event = event_type if isinstance(event_type, Event) else _wire_event(event_type)
-        self._endpoint: Watched = (
-            unwrap_handle(parent_impl).wire_endpoint if isinstance(parent_impl, Handle) else parent_impl
-        )
-        self._destroyed = False
-        self._endpoint.notify_event(
-            self._event, None
-        )  # raises UnsupportedEventTypeError if the wire has no such event
-
-    def attach(self, queue: ReadyQueue, token: int) -> None:
-        """Post `token` when the status has changed."""
-        if not self._destroyed:
-            self._endpoint.notify_event(self._event, queue, token)
-
-    def detach(self) -> None:
-        """Stop posting the token."""
-        if not self._destroyed:
-            self._endpoint.notify_event(self._event, None)
-
-    def take(self) -> Any:
-        """Return the status if it has changed, else None."""
-        return None if self._destroyed else self._endpoint.take_event(self._event)
+        super().__init__(parent_impl, event_type)
 
     def run(self, taken: Any) -> Any:
         """Call the callback with the status."""

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import reprlib
 import sys
 import threading
 import weakref
 from collections.abc import Callable, Coroutine, Generator, Iterable, Mapping
 from typing import Any, Generic, Protocol, TypeVar, cast
 
+from tfloom.given_text import given_text
 from tfloom.node.executing.asyncio_wait import is_driven_by_asyncio, step, wait_in_asyncio
 from tfloom.node.values.callback_errors import call_all
 from tfloom.ros_guard import ros_repr
@@ -29,7 +29,7 @@ def future_error(future: object) -> TypeError | None:
     """Return the error of what `spin_until_future_complete` got in place of a future, or None if it is one."""
     if hasattr(future, "when_complete") and not isinstance(future, type):
         return None
-    given = "None" if future is None else f"{reprlib.repr(future)} of class {type(future).__name__}"
+    given = "None" if future is None else given_text(future)
     return TypeError(f"spin_until_future_complete() needs a future, as `call_async` returns it, got {given}")
 
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import reprlib
 from collections.abc import Callable, Iterable, Sequence
 from enum import Enum
 from typing import TYPE_CHECKING, Any
 
+from tfloom.given_text import given_text
 from tfloom.interfaces.rcl_interfaces import msg as rcl_msg
 from tfloom.node.parameters.parameter_file import EVERY_NODE, ParameterRule, read_parameter_file
 from tfloom.node.values.names import full_node_name
@@ -71,7 +71,7 @@ def no_parameter_error(parameters: Any) -> TypeError | None:
         return TypeError("'Parameter' object is not iterable: put it in brackets, [Parameter(…)]")
     for parameter in parameters:
         if not isinstance(parameter, Parameter):
-            given = f"{reprlib.repr(parameter)} of class {type(parameter).__name__}"
+            given = given_text(parameter)
             return TypeError(
                 f"parameter must be instance of type 'rclpy.parameter.Parameter', got {given}: "
                 "write [Parameter('name', value=1.0)]"
@@ -81,7 +81,7 @@ def no_parameter_error(parameters: Any) -> TypeError | None:
 
 def _no_type(value: Any) -> TypeError:
     names = ", ".join(kind.name for kind in ParameterType)
-    given = f"{reprlib.repr(value)} of class {type(value).__name__}"
+    given = given_text(value)
     return TypeError(f"The given value is not one of the allowed types '{names}'. It is {given}.")
 
 

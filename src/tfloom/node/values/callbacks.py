@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-import reprlib
 from typing import Any
+
+from tfloom.given_text import given_text
 
 __all__ = ["not_callable"]
 
@@ -14,4 +15,4 @@ def not_callable(callback: Any) -> str:
         return (
             "got None: if it is the result of a call, as of `callback()`, write `callback`, without brackets"
         )
-    return f"got {reprlib.repr(callback)} of class {type(callback).__name__}, which can't be called"
+    return f"got {given_text(callback)}, which can't be called"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import reprlib
+from tfloom.given_text import given_text
 
 __all__ = ["node_error"]
 
@@ -15,4 +15,4 @@ def node_error(call: str, node: object) -> TypeError | None:
         return None
     if node is None:
         return TypeError(f"{call}() needs a node, got None: does the function that creates it return it?")
-    return TypeError(f"{call}() needs a node, got {reprlib.repr(node)} of class {type(node).__name__}")
+    return TypeError(f"{call}() needs a node, got {given_text(node)}")

@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
-import reprlib
+from tfloom.given_text import given_text
 
 __all__ = ["given_time", "no_time_of", "not_a_number", "timeout_error"]
 
 
 def not_a_number(what: str, given: object) -> str:
     """Return what is needed, as `a period in seconds`, and what a program gave."""
-    return f"needs {what}, as 0.5, got {reprlib.repr(given)} of class {type(given).__name__}"
+    return f"needs {what}, as 0.5, got {given_text(given)}"
 
 
 def no_time_of(name: str, seconds: object, nanoseconds: object) -> str:
     """Return which of the arguments of a Time or a Duration is no number."""
     if not hasattr(seconds, "__float__"):
         return f"{name} {not_a_number('seconds', seconds)}"
-    given = f"{reprlib.repr(nanoseconds)} of class {type(nanoseconds).__name__}"
+    given = given_text(nanoseconds)
     return f"{name} needs nanoseconds, as 500, got {given}"
 
 
@@ -24,7 +24,7 @@ def given_time(given: object) -> str:
     """Return the end of an error's text: what was given in place of a time's or a duration's message."""
     has_message = hasattr(given, "to_msg") and not isinstance(given, type)
     hint = ", which is one of rclpy: use it as it is" if has_message else ""
-    return f", got {reprlib.repr(given)} of class {type(given).__name__}{hint}"
+    return f", got {given_text(given)}{hint}"
 
 
 def timeout_error(call: str, timeout_sec: object) -> TypeError | None:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import reprlib
 from typing import TypeVar
 
+from tfloom.given_text import given_text
 from tfloom.node.values.type_support import msg_type_error
 from tfloom.rosidl import cdr
 from tfloom.rosidl.message import Message
@@ -22,7 +22,7 @@ def serialize_message(message: Message) -> bytes:
         EncodeError: a field's value doesn't fit its type; the text names the field.
     """
     if not isinstance(message, Message):
-        given = f"{reprlib.repr(message)} of class {type(message).__name__}"
+        given = given_text(message)
         meant = f": write {message.__name__}(…)" if isinstance(message, type) else ""
         needs = "a message, as String(data='hello')"
         raise AttributeError(f"serialize_message() needs {needs}, got {given}{meant}")  # noqa: TRY004  # ROS's kind
@@ -43,7 +43,7 @@ def deserialize_message(serialized_message: bytes, message_type: type[M]) -> M:
     try:
         memoryview(serialized_message)
     except TypeError:
-        given = f"{reprlib.repr(serialized_message)} of class {type(serialized_message).__name__}"
+        given = given_text(serialized_message)
         raise TypeError(
             f"deserialize_message() needs bytes, as serialize_message() returns them, got {given}"
         ) from None

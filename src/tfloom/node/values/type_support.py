@@ -5,6 +5,7 @@ from __future__ import annotations
 import reprlib
 from typing import Any
 
+from tfloom.given_text import given_text
 from tfloom.rosidl.message import Message
 from tfloom.rosidl.service import Action
 from tfloom.rosidl.service import Service as ServiceType
@@ -129,6 +130,6 @@ def _is_subclass(candidate: Any, bases: tuple[type, ...]) -> bool:
 def _describe(candidate: Any) -> str:
     if isinstance(candidate, type):
         return f"the class {candidate.__module__}.{candidate.__qualname__}"
-    given = f"{reprlib.repr(candidate)} of class {type(candidate).__name__}"
+    given = given_text(candidate)
     is_object = isinstance(candidate, _TYPES)
     return f"{given}: give the class, {type(candidate).__name__}, without brackets" if is_object else given

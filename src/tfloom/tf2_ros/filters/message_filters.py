@@ -10,6 +10,7 @@ from functools import partial
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
+from tfloom.given_text import given_text
 from tfloom.node.values.callback_errors import call_all
 from tfloom.node.values.callbacks import not_callable
 from tfloom.node.values.clock_type import ClockType
@@ -251,11 +252,11 @@ def _filters_error(filters: Any) -> TypeError | AttributeError | None:
     """Return the error of what a synchronizer got in place of filters, or None if it got some."""
     meant = "write [Subscriber(node, Image, 'image'), …]"
     if not isinstance(filters, Iterable):
-        given = f"{reprlib.repr(filters)} of class {type(filters).__name__}"
+        given = given_text(filters)
         return TypeError(f"a synchronizer needs a list of filters, got {given}: {meant}")
     for given_filter in filters:
         if not hasattr(given_filter, "registerCallback"):
-            given = f"{reprlib.repr(given_filter)} of class {type(given_filter).__name__}"
+            given = given_text(given_filter)
             return AttributeError(
                 f"a synchronizer needs filters, which have registerCallback, got {given}: {meant}"
             )

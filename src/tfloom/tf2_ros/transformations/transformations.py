@@ -9,12 +9,12 @@ The other functions of tf_transformations are in `projections` and `arcball`.
 from __future__ import annotations
 
 import math
-import reprlib
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tfloom.given_text import given_text
 from tfloom.tf2.transform import Transform
 
 if TYPE_CHECKING:
@@ -365,7 +365,7 @@ def _four(quaternion: ArrayLike) -> tuple[float, float, float, float]:
         x, y, z, w = np.asarray(quaternion, np.float64).tolist()
     except (TypeError, ValueError) as error:
         meant = ": write [q.x, q.y, q.z, q.w]" if hasattr(quaternion, "w") else ""
-        given = f"{reprlib.repr(quaternion)} of class {type(quaternion).__name__}"
+        given = given_text(quaternion)
         raise type(error)(f"a quaternion is four numbers x, y, z, w, got {given}{meant}") from None
     return x, y, z, w
 
