@@ -1,7 +1,7 @@
 """A node of stock rclpy with faulty transforms, which asks a buffer server for a frame that nobody publishes.
 
-Prints `asked` after each answer, and `absent` when it takes the server for absent `MAX_LOOKS` times in a row once it was
-there. For a moment it may: a reader and a writer that come or go together are discovered one after the other.
+Prints `asked` after each answer, and `absent` when it takes the server for absent `MAX_LOOKS` times in a row once it
+was there. For a moment it may: a reader and a writer that come or go together are discovered one after the other.
 """
 
 from __future__ import annotations
