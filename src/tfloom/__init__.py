@@ -34,13 +34,13 @@ def use_ros_names() -> None:
     --target`, or in a notebook whose kernel has been running since before the install. Calling it again does
     nothing.
     """
-    from tfloom import ros1_names, ros_finder
+    from tfloom import absent_modules, ros_finder
     from tfloom.distributions import installed_prefixes
 
     folders = [_ROS_NAMES, *(str(prefix / "ros_names") for prefix in installed_prefixes())]
     sys.path += [folder for folder in folders if folder not in sys.path]
     ros_finder.install()
-    ros1_names.install()
+    absent_modules.install()
 
 
 def view(

@@ -1,8 +1,9 @@
-"""ROS 1's `rospy` and `tf`: their import ends with a ModuleNotFoundError that names what ROS 2 has in their place.
+"""Modules that tfloom has nothing of, as ROS 1's: their import ends with an error that names what to do instead.
 
-`tfloom.pth` adds a finder to the end of `sys.meta_path` that imports this module when a program imports one of the two
-and nobody has it; `tfloom.use_ros_names()` does the same. Names of ROS 1 in any folder of `sys.path` take precedence.
-A program that only asks whether there is such a module, by `importlib.util.find_spec`, is told that there is none.
+`tfloom.pth` adds a finder to the end of `sys.meta_path` that imports this module when a program imports one of them
+and nobody has it; `tfloom.use_ros_names()` does the same. Modules of these names in any folder of `sys.path` take
+precedence. A program that only asks whether there is such a module, by `importlib.util.find_spec`, is told that there
+is none.
 """
 
 from __future__ import annotations
@@ -22,14 +23,17 @@ else:
 __all__ = ["INSTEAD", "install", "spec_of"]
 
 INSTEAD = {
-    "rospy": "write `import rclpy`, and a node as a class that derives from `rclpy.node.Node`",
-    "tf": "write `import tf2_ros`, and `import tf_transformations` for `tf.transformations`",
+    "rospy": "it is ROS 1's. In ROS 2, write `import rclpy`, and a node as a class that derives from `rclpy.node.Node`",
+    "tf": "it is ROS 1's. In ROS 2, write `import tf2_ros`, and `import tf_transformations` for `tf.transformations`",
+    "urdf_parser_py": "PyPI has it: pip install urdf-parser-py",
+    "image_transport_py": "it is compiled from C++, and tfloom has none of it. Subscribe to the topic of "
+    "`sensor_msgs/msg/Image` or `CompressedImage` itself, with `cv_bridge` of tfloom-sensing",
 }
-"""The names, and what a program writes instead."""
+"""The names, which the finder in CMakeLists.txt has, too, and the rest of the error's text."""
 
 
 def spec_of(name: str) -> ModuleSpec | None:
-    """Return the spec of a name of ROS 1, whose import raises the error.
+    """Return the spec of such a module, whose import raises the error.
 
     None for any other name, and where the name is only looked for: a spec would tell `importlib.util.find_spec` that
     the module is there.
@@ -39,7 +43,7 @@ def spec_of(name: str) -> ModuleSpec | None:
 
 def install() -> None:
     """Add the finder to the end of `sys.meta_path`, unless one is there, as `tfloom.pth` has done."""
-    if not any(getattr(finder, "finds_ros1", False) for finder in sys.meta_path):
+    if not any(getattr(finder, "finds_absent", False) for finder in sys.meta_path):
         sys.meta_path.append(_Finder())
 
 
@@ -62,7 +66,7 @@ def _is_of_import_system(frame: FrameType, function: str) -> bool:
 
 
 class _Finder:
-    finds_ros1 = True
+    finds_absent = True
 
     def find_spec(
         self, fullname: str, _path: Sequence[str] | None = None, _target: ModuleType | None = None
@@ -72,9 +76,7 @@ class _Finder:
 
 class _Refusal(Loader):
     def create_module(self, spec: ModuleSpec) -> NoReturn:
-        raise ModuleNotFoundError(
-            f"No module named {spec.name!r}: it is ROS 1's. In ROS 2, {INSTEAD[spec.name]}", name=spec.name
-        )
+        raise ModuleNotFoundError(f"No module named {spec.name!r}: {INSTEAD[spec.name]}", name=spec.name)
 
     def exec_module(self, module: ModuleType) -> None:
         """Do nothing; Python asks for this method."""

@@ -1,4 +1,4 @@
-"""`import rospy` and `import tf` name what ROS 2 has in their place, unless somebody has such a module."""
+"""The import of a module that tfloom has nothing of names what to do instead, unless somebody has such a module."""
 
 from __future__ import annotations
 
@@ -9,7 +9,8 @@ from pathlib import Path
 import pytest
 from tests.conftest import run_to_end
 
-from tfloom import ros1_names, use_ros_names
+from tfloom import use_ros_names
+from tfloom.absent_modules import INSTEAD
 
 
 def python(code: str, folder: Path) -> subprocess.CompletedProcess[str]:
@@ -18,13 +19,11 @@ def python(code: str, folder: Path) -> subprocess.CompletedProcess[str]:
 
 @pytest.mark.parametrize(
     ("line", "name"),
-    [("import rospy", "rospy"), ("from tf.transformations import quaternion_from_euler", "tf")],
+    [("from tf.transformations import euler_matrix", "tf"), *((f"import {name}", name) for name in INSTEAD)],
 )
-def test_import_names_what_ros_2_has(line: str, name: str, tmp_path: Path) -> None:
+def test_import_names_what_to_do_instead(line: str, name: str, tmp_path: Path) -> None:
     run = python(line, tmp_path)
-    text = (
-        f"ModuleNotFoundError: No module named {name!r}: it is ROS 1's. In ROS 2, {ros1_names.INSTEAD[name]}"
-    )
+    text = f"ModuleNotFoundError: No module named {name!r}: {INSTEAD[name]}"
     assert run.stderr.splitlines()[-1] == text
     assert run.stderr.count("  File ") == 2  # the program's, and ours
 
@@ -64,7 +63,7 @@ for name in ("tf", "rospy"):
 
 def test_a_module_of_the_name_takes_precedence(tmp_path: Path) -> None:
     (tmp_path / "tf.py").write_text("here = True\n")
-    run = python("import tf, sys; print(tf.here, 'tfloom.ros1_names' in sys.modules)", tmp_path)
+    run = python("import tf, sys; print(tf.here, 'tfloom.absent_modules' in sys.modules)", tmp_path)
     assert run.stdout == "True False\n"
 
 
@@ -73,10 +72,10 @@ def test_nothing_is_loaded_before_it_is_needed(tmp_path: Path) -> None:
 
 
 def test_use_ros_names_does_so_where_no_pth_file_was_read(monkeypatch: pytest.MonkeyPatch) -> None:
-    finders = [finder for finder in sys.meta_path if not getattr(finder, "finds_ros1", False)]
+    finders = [finder for finder in sys.meta_path if not getattr(finder, "finds_absent", False)]
     monkeypatch.setattr(sys, "meta_path", finders)
     use_ros_names()
     use_ros_names()
-    assert len([finder for finder in sys.meta_path if getattr(finder, "finds_ros1", False)]) == 1
+    assert len([finder for finder in sys.meta_path if getattr(finder, "finds_absent", False)]) == 1
     with pytest.raises(ModuleNotFoundError, match="import rclpy"):
         import rospy  # type: ignore[import-not-found]  # noqa: F401
