@@ -206,6 +206,7 @@ ROWS = {
     "TransformBroadcaster(node, qos='x')": "TypeError: a depth is a number, as 10",
     "TransformBroadcaster(node).sendTransform(Transform())": "TypeError: or several, got geometry_msgs",
     "TransformBroadcaster(node).sendTransform([1])": "TypeError: or several, got 1 of class int",
+    "TransformBroadcaster(node).sendTransform(TransformStamped(child_frame_id=1))": "EncodeError: must be a str, got 1",
     "StaticTransformBroadcaster(Node)": "TypeError: needs the node that publishes, got <class",
     "BufferClient(node, None)": "TypeError: a service name must be a str, not None",
     "BufferClient('x', 'a')": "TypeError: BufferClient() needs a node, got 'x' of class str",
