@@ -59,10 +59,10 @@ def busy_machine(start_program: Callable[..., Program]) -> Iterator[None]:
 
 
 def count_outcomes(
-    number: int, batch: int, start: Start, node: Node, executor: SingleThreadedExecutor
+    number: int, batch: int, start: Start, node: Node, executor: SingleThreadedExecutor, seed: int = 7
 ) -> Counter[str]:
     """Send `number` calls and goals in batches, and count how they end."""
-    source = random.Random(7)
+    source = random.Random(seed)
     servers = start("passing_servers", 0)
     adding = node.create_client(AddTwoInts, "add")
     fibonacci = ActionClient(node, Fibonacci, "fibonacci")
@@ -72,13 +72,15 @@ def count_outcomes(
             servers.signal(signal.SIGKILL)
             servers.wait()
             servers = start("passing_servers", begun)
-        assert fibonacci.wait_for_server(timeout_sec=30)
+        assert fibonacci.wait_for_server(timeout_sec=30), servers.output
         futures = [adding.call_async(AddTwoInts.Request(a=number, b=1)) for number in range(batch)]
         futures += [follow(fibonacci.send_goal_async(Fibonacci.Goal(order=order))) for order in range(batch)]
         for future in futures:
             executor.spin_until_future_complete(future, timeout_sec=30)
         outcomes.update(map(outcome, futures))
     assert not adding._pending
+    servers.signal(signal.SIGKILL)
+    servers.wait()
     return outcomes
 
 
@@ -103,16 +105,18 @@ def test_calls_and_goals_are_answered_or_fail_while_servers_come_and_go(
 
 
 @pytest.mark.slow
-def test_10000_calls_and_goals_on_a_busy_machine(
+def test_10000_calls_and_goals_at_first_on_a_busy_machine(
     short_lease: float,
     start: Start,
     start_program: Callable[..., Program],
     node: Node,
     executor: SingleThreadedExecutor,
 ) -> None:
-    with busy_machine(start_program):
-        outcomes = count_outcomes(10_000, 50, start, node, executor)
+    with busy_machine(start_program):  # not for all of them, because other tests run at the same time
+        outcomes = count_outcomes(1000, 50, start, node, executor)
+    outcomes += count_outcomes(9000, 50, start, node, executor, seed=8)
     assert outcomes["open"] == 0
+    assert outcomes.total() == 10_000
     assert outcomes["answered"] > 0
     assert outcomes["failed"] > 0
 
