@@ -25,6 +25,10 @@ __all__ = ["INSTEAD", "install", "spec_of"]
 INSTEAD = {
     "rospy": "it is ROS 1's. In ROS 2, write `import rclpy`, and a node as a class that derives from `rclpy.node.Node`",
     "tf": "it is ROS 1's. In ROS 2, write `import tf2_ros`, and `import tf_transformations` for `tf.transformations`",
+    "roslib": "it is ROS 1's, and ROS 2 needs nothing in its place: delete the lines with `roslib`",
+    "rosbag": "it is ROS 1's. `from tfloom.bag import frames` reads the transforms of its recordings, and "
+    "`import rosbag2_py` the recordings of ROS 2",
+    "actionlib": "it is ROS 1's. In ROS 2, write `from rclpy.action import ActionClient, ActionServer`",
     "urdf_parser_py": "PyPI has it: pip install urdf-parser-py",
     "image_transport_py": "it is compiled from C++, and tfloom has none of it. Subscribe to the topic of "
     "`sensor_msgs/msg/Image` or `CompressedImage` itself, with `cv_bridge` of tfloom-sensing",
