@@ -29,6 +29,8 @@ WITH_PROGRAMS = [
     for path in sorted({*DOCS.glob("*.md"), *PAGES})
     if page.program(page.blocks(path))[1] and path.stem not in QUOTING
 ]
+MAX_COLUMNS = 92
+"""What the site's column for text holds of a program, which it does not wrap."""
 PLACEHOLDER = re.compile(r"(?<!<)<[a-z][\w ]*>")
 BIN = Path(sys.executable).parent
 
@@ -111,6 +113,18 @@ def test_commands_can_be_pasted(path: Path) -> None:
     lines = [line for block in found if block.kind == "bash" for line in block.text.splitlines()]
     lines += [command.words for command in page.commands(found)]
     assert not [line for line in lines if PLACEHOLDER.search(line)]
+
+
+@for_each(PAGES, name=name_of)
+def test_programs_fit_the_column_of_the_site(path: Path) -> None:
+    wide = {
+        block.line + number: text
+        for block in page.blocks(path)
+        if block.kind.startswith("python")
+        for number, text in enumerate(block.text.splitlines(), 1)
+        if len(text) > MAX_COLUMNS
+    }
+    assert not wide, "a window of 1280 pixels cuts these lines"
 
 
 def test_a_difference_is_found() -> None:
