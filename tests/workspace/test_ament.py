@@ -62,7 +62,7 @@ def test_unknown_package_raises(prefix: Path) -> None:
 def test_resources_are_found(prefix: Path) -> None:
     assert resources.get_resource("plugins", "my_pkg") == ("a;b", str(prefix))
     assert resources.get_resources("plugins") == {"my_pkg": str(prefix)}
-    assert resources.get_resource_types() == {"packages", "plugins"}
+    assert resources.get_resource_types() == {"packages", "plugins", "rosidl_interfaces"}
     assert resources.has_resource("plugins", "nope") is False
     with pytest.raises(LookupError, match="Could not find the resource 'nope' of type 'plugins'"):
         resources.get_resource("plugins", "nope")
@@ -70,3 +70,41 @@ def test_resources_are_found(prefix: Path) -> None:
         resources.has_resource("plugins", "a/b")
     with pytest.raises(ament_index_python.InvalidResourceTypeNameError):
         resources.get_resources("../packages")
+
+
+def test_own_packages_are_resources_without_a_workspace(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv(index.PREFIX_PATH_VARIABLE, raising=False)
+    own = str(index.OWN_PREFIX)
+    assert resources.get_resource_types() == {"packages", "rosidl_interfaces"}
+    assert resources.get_resources("packages") == packages.get_packages_with_prefixes()
+    assert resources.get_resource("packages", "turtlesim") == ("", own)
+    assert resources.has_resource("packages", "nope") is False
+    text, prefix = resources.get_resource("rosidl_interfaces", "tf2_msgs")
+    assert prefix == own
+    assert text.splitlines() == [
+        "msg/TF2Error.msg",
+        "msg/TFMessage.msg",
+        "srv/FrameGraph.srv",
+        "action/LookupTransform.action",
+    ]
+    assert resources.has_resource("rosidl_interfaces", "turtlesim") == own
+    assert resources.has_resource("rosidl_interfaces", "rclpy") is False
+    assert resources.get_resources("plugins") == {}
+    assert resources.has_resource("plugins", "turtlesim") is False
+    for package in resources.get_resources("rosidl_interfaces"):
+        share = packages.get_package_share_path(package)
+        missing = [
+            line
+            for line in resources.get_resource("rosidl_interfaces", package)[0].splitlines()
+            if not (share / line).is_file()
+        ]
+        assert not missing, package
+
+
+def test_a_workspace_precedes_own_resources(prefix: Path) -> None:
+    for kind, text in (("packages", ""), ("rosidl_interfaces", "msg/Mine.msg")):
+        marker = prefix / index.RESOURCE_INDEX / kind / "tf2_msgs"
+        marker.parent.mkdir(exist_ok=True)
+        marker.write_text(text)
+        assert resources.get_resource(kind, "tf2_msgs") == (text, str(prefix))
+        assert resources.get_resources(kind)["tf2_msgs"] == str(prefix)

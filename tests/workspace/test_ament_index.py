@@ -8,6 +8,8 @@ from pathlib import Path
 import pytest
 from ament_index_python.cli import main, resource_name_completer, resource_type_completer
 
+from tfloom.workspace.index import OWN_PREFIX
+
 
 @pytest.fixture
 def prefix(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
@@ -21,9 +23,11 @@ def prefix(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 def test_types_names_and_content_are_printed(prefix: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main([]) is None
-    assert capsys.readouterr().out == "packages\nplugins\n"
+    assert capsys.readouterr().out == "packages\nplugins\nrosidl_interfaces\n"
     assert main(["packages"]) is None
-    assert capsys.readouterr().out == f"a\t{prefix}\nb\t{prefix}\n"
+    lines = capsys.readouterr().out.splitlines()
+    assert lines == sorted(lines)
+    assert {f"a\t{prefix}", f"b\t{prefix}", f"turtlesim\t{OWN_PREFIX}"} <= set(lines)
     assert main(["plugins", "a"]) is None
     assert capsys.readouterr().out == f"{prefix}\none;two\n"
     assert main(["packages", "a"]) is None
@@ -45,5 +49,10 @@ def test_what_is_not_there_is_an_error(prefix: Path, argv: list[str], error: str
 
 def test_completers(prefix: Path) -> None:
     assert resource_type_completer("pa") == ["packages"]
-    assert resource_name_completer("", argparse.Namespace(resource_type="packages")) == ["a", "b"]
+    assert resource_name_completer("", argparse.Namespace(resource_type="plugins")) == ["a"]
+    assert resource_name_completer("turtle", argparse.Namespace(resource_type="packages")) == [
+        "turtle_tf2_py",
+        "turtlesim",
+        "turtlesim_msgs",
+    ]
     assert resource_name_completer("", argparse.Namespace()) == []

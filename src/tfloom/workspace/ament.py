@@ -1,7 +1,8 @@
 """The functions of `ament_index_python`: paths of packages and their files.
 
 Packages of a sourced workspace precede tfloom's own, so that code can look up `turtlesim` or `geometry_msgs` without a
-ROS. Without AMENT_PREFIX_PATH there is no workspace, which is not an error.
+ROS. They are resources of the types `packages` and `rosidl_interfaces`, too, as installed ones are. Without
+AMENT_PREFIX_PATH there is no workspace, which is not an error.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from typing import Literal
 
 from tfloom.node.values.exceptions import add_note
 from tfloom.ros_guard import ros_home
+from tfloom.rosidl.definition_files import KINDS, interfaces_of
 from tfloom.workspace import index
 from tfloom.workspace.unsourced import how_to_find
 
@@ -22,6 +24,8 @@ AMENT_PREFIX_PATH_ENV_VAR = index.PREFIX_PATH_VARIABLE
 RESOURCE_INDEX_SUBFOLDER = index.RESOURCE_INDEX
 STAND_IN = Path(os.path.abspath(os.sep), "not-installed", "share")  # noqa: PTH100  # the root, on Windows with its drive
 """A folder that doesn't exist, for the share folders of packages that aren't there, if a launch skips these."""
+_PACKAGES, _INTERFACES = "packages", "rosidl_interfaces"
+"""The types of the resources that tfloom's own packages have, too."""
 on_stand_in: Callable[[str], None] | None = None
 """Called with the name of each package that gets one; None: such a package is an error."""
 
@@ -55,8 +59,7 @@ def get_search_paths() -> list[str]:
 
 def get_packages_with_prefixes() -> dict[str, str]:
     """Return the prefix of each package by its name."""
-    own = {name: str(prefix) for name, prefix in index.own_packages().items()}
-    return own | index.workspace_packages()
+    return get_resources("packages")
 
 
 def get_package_prefix(package_name: str) -> str:
@@ -113,21 +116,22 @@ def get_resource(resource_type: str, resource_name: str) -> tuple[str, str]:
     prefix = has_resource(resource_type, resource_name)
     if not prefix:
         raise LookupError(f"Could not find the resource '{resource_name}' of type '{resource_type}'")
-    return (Path(prefix) / RESOURCE_INDEX_SUBFOLDER / resource_type / resource_name).read_text(
-        "utf-8"
-    ), prefix
+    if not index.find_resource(resource_type, resource_name):
+        return _own_text(resource_type, resource_name), prefix
+    return Path(prefix, RESOURCE_INDEX_SUBFOLDER, resource_type, resource_name).read_text("utf-8"), prefix
 
 
 def get_resources(resource_type: str) -> dict[str, str]:
     """Return the prefix of each resource of a type by the resource's name."""
     _check_type(resource_type)
-    return index.resources(resource_type)
+    return _own_resources(resource_type) | index.resources(resource_type)
 
 
 def get_resource_types() -> set[str]:
     """Return the types of all resources in any prefix."""
     folders = [Path(prefix, RESOURCE_INDEX_SUBFOLDER) for prefix in index.search_paths()]
-    return {path.name for folder in folders if folder.is_dir() for path in folder.iterdir() if path.is_dir()}
+    found = {path.name for folder in folders if folder.is_dir() for path in folder.iterdir() if path.is_dir()}
+    return found | {_PACKAGES, _INTERFACES}
 
 
 def has_resource(resource_type: str, resource_name: str) -> str | Literal[False]:
@@ -139,7 +143,27 @@ def has_resource(resource_type: str, resource_name: str) -> str | Literal[False]
     _check_type(resource_type)
     if not resource_name or set(resource_name) & set("/\\"):
         raise InvalidResourceNameError(f"Resource name '{resource_name}' is invalid")
-    return index.find_resource(resource_type, resource_name) or False
+    found = index.find_resource(resource_type, resource_name)
+    return found or _own_resources(resource_type).get(resource_name) or False
+
+
+def _own_resources(resource_type: str) -> dict[str, str]:
+    """Return the prefix of each resource of tfloom's own packages, which have no marker files, by its name."""
+    if resource_type not in {_PACKAGES, _INTERFACES}:
+        return {}
+    return {
+        name: str(prefix)
+        for name, prefix in index.own_packages().items()
+        if resource_type == _PACKAGES or _own_text(_INTERFACES, name)
+    }
+
+
+def _own_text(resource_type: str, package: str) -> str:
+    """Return what the marker file of one of tfloom's own packages would hold: its definitions, a line for each."""
+    if resource_type == _PACKAGES:
+        return ""
+    folder = index.share_folder(package, None)
+    return "\n".join(f"{kind}/{name}.{kind}" for kind in KINDS for name in interfaces_of(folder, kind))
 
 
 def _check_type(resource_type: str) -> None:
