@@ -11,10 +11,13 @@ from typing import Any, cast
 import pytest
 
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped, Twist
-from tfloom.interfaces.std_msgs.msg import Empty, String
+from tfloom.interfaces.sensor_msgs.msg import LaserScan
+from tfloom.interfaces.std_msgs.msg import Empty, Header, String
 from tfloom.interfaces.std_srvs.srv import SetBool
 from tfloom.node.base.node_base import NodeBase
 from tfloom.node.client_library import spin, spin_once, spin_until_future_complete
+from tfloom.node.executing.executors import SingleThreadedExecutor
+from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
 from tfloom.node.parameters.parameter import Parameter
 from tfloom.node.values.duration import Duration
@@ -46,6 +49,23 @@ CASES: dict[str, tuple[Callable[[Node], object], type[Exception], str]] = {
         lambda node: node.create_publisher(String, "a", 1).publish(cast("Any", String)),
         TypeError,
         ": publish a message, String(…), not its class",
+    ),
+    "time of rclpy": (
+        lambda node: node.create_publisher(Header, "a", 1).publish(
+            Header(stamp=cast("Any", Time(seconds=1)))
+        ),
+        ValueError,
+        "got Time(nanoseconds=1000000000, clock_type=SYSTEM_TIME) (Time): append .to_msg()",
+    ),
+    "array of texts": (
+        lambda _node: LaserScan(ranges=cast("Any", ["far"])),
+        TypeError,
+        "must be real number, not str: LaserScan.ranges is float32[], got ['far'] of class list",
+    ),
+    "no array": (
+        lambda _node: LaserScan(ranges=ANY),
+        TypeError,
+        "LaserScan.ranges is float32[], got None of class NoneType",
     ),
     "other message": (
         lambda node: node.create_publisher(String, "a", 1).publish(cast("Any", Twist())),
@@ -103,6 +123,21 @@ CASES: dict[str, tuple[Callable[[Node], object], type[Exception], str]] = {
         "DOUBLE_ARRAY, STRING_ARRAY'. It is {'a': 1} of class dict.",
     ),
     "spin": (lambda _node: spin(ANY), TypeError, "spin() needs a node, got None: does the function"),
+    "spin for seconds": (
+        lambda node: spin(node, cast("Any", 5)),
+        TypeError,
+        "spin() needs an executor, got 5 of class int",
+    ),
+    "spin by a class": (
+        lambda node: spin_once(node, executor=cast("Any", SingleThreadedExecutor)),
+        TypeError,
+        "spin_once() needs an executor, got the class SingleThreadedExecutor: write SingleThreadedExecutor()",
+    ),
+    "spin until, for seconds": (
+        lambda node: spin_until_future_complete(node, Future(), cast("Any", 5)),
+        TypeError,
+        "spin_until_future_complete() needs an executor, got 5 of class int",
+    ),
     "spin once": (lambda _node: spin_once(ANY), TypeError, "spin_once() needs a node"),
     "future": (
         lambda node: spin_until_future_complete(node, ANY),

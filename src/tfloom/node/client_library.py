@@ -23,7 +23,7 @@ from tfloom.node.executing.signals import (
 )
 from tfloom.node.executing.task import Future, future_error
 from tfloom.node.parameters.parameter import Parameter
-from tfloom.node.values.node_errors import node_error
+from tfloom.node.values.node_errors import executor_error, node_error
 from tfloom.node.values.numbers import timeout_error
 from tfloom.ros_environment import set_ros_environment
 
@@ -213,7 +213,7 @@ def spin(node: Node, executor: Executor | None = None) -> None:
         Exception: raised by a callback.
         TypeError: there is no node.
     """
-    if (error := node_error("spin", node)) is not None:
+    if (error := node_error("spin", node) or executor_error("spin", executor)) is not None:
         raise error
     executor = executor or get_global_executor()
     with _TemporarilyAdded(node, executor):
@@ -222,7 +222,8 @@ def spin(node: Node, executor: Executor | None = None) -> None:
 
 def spin_once(node: Node, *, executor: Executor | None = None, timeout_sec: float | None = None) -> None:
     """Wait for one callback and run it; after `timeout_sec` [s] (None: no limit), return without one."""
-    if (error := node_error("spin_once", node) or timeout_error("spin_once", timeout_sec)) is not None:
+    error = node_error("spin_once", node) or executor_error("spin_once", executor)
+    if (error := error or timeout_error("spin_once", timeout_sec)) is not None:
         raise error
     executor = executor or get_global_executor()
     with _TemporarilyAdded(node, executor):
@@ -234,9 +235,9 @@ def spin_until_future_complete(
 ) -> None:
     """Run a node's callbacks until a future is done, or for `timeout_sec` [s] (None: no limit)."""
     name = "spin_until_future_complete"
-    if (
-        error := node_error(name, node) or timeout_error(name, timeout_sec) or future_error(future)
-    ) is not None:
+    error = node_error(name, node) or future_error(future)
+    error = error or executor_error(name, executor) or timeout_error(name, timeout_sec)
+    if error is not None:
         raise error
     executor = executor or get_global_executor()
     with _TemporarilyAdded(node, executor):

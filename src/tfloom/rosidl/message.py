@@ -166,7 +166,19 @@ def _field_repr(value: object) -> str:
 def _convert(cls: type[Message], name: str, value: object) -> object:
     from tfloom.rosidl.arrays import convert
 
-    return convert(cls._FIELDS[name], value)
+    kind = cls._FIELDS[name]
+    try:
+        return convert(kind, value)
+    except (TypeError, ValueError, OverflowError) as error:
+        if type(error) not in {
+            TypeError,
+            ValueError,
+            OverflowError,
+        }:  # one of the value's own, or a UnicodeError
+            raise
+        from tfloom.given_text import given_text
+
+        raise type(error)(f"{error}: {cls.__name__}.{name} is {kind}, got {given_text(value)}") from None
 
 
 def _compile(cls: type[Message]) -> Plan:

@@ -1,10 +1,10 @@
-"""What is said of something that is given in place of a node."""
+"""What is said of something that is given in place of a node, or of an executor."""
 
 from __future__ import annotations
 
 from tfloom.given_text import given_text
 
-__all__ = ["node_error"]
+__all__ = ["executor_error", "node_error"]
 
 
 def node_error(call: str, node: object) -> TypeError | None:
@@ -16,3 +16,13 @@ def node_error(call: str, node: object) -> TypeError | None:
     if node is None:
         return TypeError(f"{call}() needs a node, got None: does the function that creates it return it?")
     return TypeError(f"{call}() needs a node, got {given_text(node)}")
+
+
+def executor_error(call: str, executor: object) -> TypeError | None:
+    """Return the error of what `call` got in place of an executor, or None if it is one, or None."""
+    if executor is None or (hasattr(executor, "add_node") and not isinstance(executor, type)):
+        return None
+    given = (
+        f"the class {executor.__name__}: write {executor.__name__}()" if isinstance(executor, type) else None
+    )
+    return TypeError(f"{call}() needs an executor, got {given or given_text(executor)}")
