@@ -13,6 +13,7 @@ import pytest
 
 from tfloom.interfaces.rcl_interfaces.msg import Log
 from tfloom.interfaces.std_msgs.msg import Int32, String
+from tfloom.interfaces.std_srvs.srv import Trigger
 from tfloom.node import client_library as rclpy
 from tfloom.node.context.context import Context
 from tfloom.node.executing import executor as executor_module
@@ -44,6 +45,9 @@ class TooLate(Node):
 USES: dict[str, Callable[[Any], object]] = {
     "create_publisher": lambda node: node.create_publisher(String, "x", 1),
     "create_subscription": lambda node: node.create_subscription(String, "x", print, 1),
+    "create_service": lambda node: node.create_service(Trigger, "x", print),
+    "create_client": lambda node: node.create_client(Trigger, "x"),
+    "create_rate": lambda node: node.create_rate(1.0),
     "create_timer": lambda node: node.create_timer(1.0, print),
     "create_guard_condition": lambda node: node.create_guard_condition(print),
     "declare_parameter": lambda node: node.declare_parameter("x", 1),
@@ -70,6 +74,9 @@ def test_a_node_whose_init_was_never_called_says_so(use: str) -> None:
     ) as raised:
         USES[use](Forgetful())
     assert WHAT_TO_DO in str(raised.value)
+    in_tfloom = [place for place in raised.traceback if "tfloom" in place.path.parts]
+    # A subclass's `destroy_node` calls that of its base.
+    assert len(in_tfloom) <= (3 if use == "destroy_node" else 2)
 
 
 def test_a_lifecycle_node_says_so(context: Context) -> None:

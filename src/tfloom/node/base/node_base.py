@@ -78,7 +78,11 @@ _PostCallback = Callable[[list[Parameter]], None]
 
 
 class _SetByInit:
-    """An attribute that `__init__` sets; until then, reading it raises an AttributeError that says what to call."""
+    """An attribute that `__init__` sets; until then, reading it raises an AttributeError that says what to call.
+
+    A public method reads such an attribute itself, before it calls others that do, so that the error ends close to the
+    program's line.
+    """
 
     def __get__(self, instance: object, owner: type | None = None) -> NoReturn:
         name = type(instance).__name__
@@ -713,24 +717,23 @@ class NodeBase:
         error = error or group_error(callback_group)
         if error is not None:
             raise error
+        entities = self.__entities
         name = self.resolve_topic_name(topic)
         profile = self.__profile("publisher", name, qos_profile, qos_overriding_options)
         wire_topic = topic_of(msg_type, name, is_native=profile.avoid_ros_namespace_conventions)
-        writer = self.__entities.participant().create_writer(
-            self.__entities.node_name, wire_topic, profile.to_wire()
-        )
+        writer = entities.participant().create_writer(entities.node_name, wire_topic, profile.to_wire())
         group = callback_group or self.default_callback_group
         publisher = publisher_class(writer, msg_type, name, profile, None, group, context=self.context)
         publisher.topic = topic
-        self.__entities.add_publisher(publisher)
+        entities.add_publisher(publisher)
         try:
-            publisher.event_handlers = self.__entities.watch(
+            publisher.event_handlers = entities.watch(
                 event_callbacks or PublisherEventCallbacks(), group, writer, name
             )
         except BaseException:
             self.destroy_publisher(publisher)
             raise
-        self.__entities.warn_of_other_type(wire_topic, publisher)
+        entities.warn_of_other_type(wire_topic, publisher)
         return publisher
 
     @overload
@@ -797,12 +800,11 @@ class NodeBase:
         error = msg_type_error(msg_type) or name_error(topic) or _profile_error(qos_profile)
         if (error := error or callback_error(callback) or group_error(callback_group)) is not None:
             raise error
+        entities = self.__entities
         name = self.resolve_topic_name(topic)
         profile = self.__profile("subscription", name, qos_profile, qos_overriding_options)
         wire_topic = topic_of(msg_type, name, is_native=profile.avoid_ros_namespace_conventions)
-        reader = self.__entities.participant().create_reader(
-            self.__entities.node_name, wire_topic, profile.to_wire()
-        )
+        reader = entities.participant().create_reader(entities.node_name, wire_topic, profile.to_wire())
         group = callback_group or self.default_callback_group
         try:
             subscription = Subscription(
@@ -812,15 +814,15 @@ class NodeBase:
             reader.close()
             raise
         subscription.topic = topic
-        self.__entities.add(subscription)
+        entities.add(subscription)
         try:
-            subscription.event_handlers = self.__entities.watch(
+            subscription.event_handlers = entities.watch(
                 event_callbacks or SubscriptionEventCallbacks(), group, reader, name
             )
         except BaseException:
             self.destroy_subscription(subscription)
             raise
-        self.__entities.warn_of_other_type(wire_topic, subscription)
+        entities.warn_of_other_type(wire_topic, subscription)
         return subscription
 
     def __profile(
@@ -861,9 +863,10 @@ class NodeBase:
             raise error
         if not callable(callback):
             raise TypeError(f"create_service() needs a callback, {not_callable(callback)}")
+        entities = self.__entities
         name = self.resolve_service_name(srv_name)
-        responder = self.__entities.participant().create_responder(
-            self.__entities.node_name, service_of(srv_type, name), qos_profile.to_wire()
+        responder = entities.participant().create_responder(
+            entities.node_name, service_of(srv_type, name), qos_profile.to_wire()
         )
         group = callback_group or self.default_callback_group
         service = Service(
@@ -877,7 +880,7 @@ class NodeBase:
             logger=self.get_logger(),
         )
         service.srv_name = srv_name
-        return self.__entities.add(service)
+        return entities.add(service)
 
     def create_client(
         self,
@@ -903,9 +906,10 @@ class NodeBase:
         check_is_valid_srv_type(srv_type)
         if (error := name_error(srv_name, is_service=True)) is not None:
             raise error
+        entities = self.__entities
         name = self.resolve_service_name(srv_name)
-        requester = self.__entities.participant().create_requester(
-            self.__entities.node_name, service_of(srv_type, name), qos_profile.to_wire()
+        requester = entities.participant().create_requester(
+            entities.node_name, service_of(srv_type, name), qos_profile.to_wire()
         )
         client = Client(
             self.context,
@@ -914,14 +918,14 @@ class NodeBase:
             name,
             qos_profile,
             callback_group or self.default_callback_group,
-            executor=lambda: self.__entities.executor,
+            executor=lambda: entities.executor,
             start_timer=self.__start_internal_timer,
             introspection=self.__introspection(srv_type, name),
             logger=self.get_logger(),
         )
         client.srv_name = srv_name
-        self.__entities.add(client)
-        self.__entities.add(client.server_watch)
+        entities.add(client)
+        entities.add(client.server_watch)
         return client
 
     def __start_internal_timer(self, period_s: float, callback: Callable[[], None]) -> Timer:
@@ -969,9 +973,11 @@ class NodeBase:
             raise ValueError(f"timer period must be non-negative, not {period_s} s")
         if (wrong_group := group_error(callback_group)) is not None:
             raise wrong_group
-        return self.__create_timer(period_s, callback, callback_group, clock, autostart=autostart)
+        return self.__entities.add(
+            self.__timer(period_s, callback, callback_group, clock, autostart=autostart)
+        )
 
-    def __create_timer(
+    def __timer(
         self,
         timer_period_sec: float,
         callback: Callable[[], Any] | None,
@@ -982,10 +988,9 @@ class NodeBase:
     ) -> Timer:
         period_ns = int(timer_period_sec * S_TO_NS)
         group = callback_group or self.default_callback_group
-        timer = Timer(
+        return Timer(
             callback, group, period_ns, clock or self.get_clock(), context=self.context, autostart=autostart
         )
-        return self.__entities.add(timer)
 
     def create_guard_condition(
         self, callback: Callable[[], Any], callback_group: CallbackGroup | None = None
@@ -993,8 +998,9 @@ class NodeBase:
         """Create a guard condition, whose callback runs after each trigger."""
         if (error := group_error(callback_group)) is not None:
             raise error
+        entities = self.__entities
         group = callback_group or self.default_callback_group
-        return self.__entities.add(GuardCondition(callback, group, context=self.context))
+        return entities.add(GuardCondition(callback, group, context=self.context))
 
     def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:
         """Create a rate for a loop on a thread that doesn't spin the node.
@@ -1011,7 +1017,9 @@ class NodeBase:
             raise TypeError(f"create_rate() {not_a_number('a frequency in Hz', frequency)}")
         if frequency <= 0:
             raise ValueError("frequency must be > 0")
-        timer = self.__create_timer(1.0 / frequency, None, MutuallyExclusiveCallbackGroup(), clock)
+        timer = self.__entities.add(
+            self.__timer(1.0 / frequency, None, MutuallyExclusiveCallbackGroup(), clock)
+        )
         rate = Rate(timer, context=self.context)
         self.__entities.add_rate(rate)
         return rate
