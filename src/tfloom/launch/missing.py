@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -41,6 +42,14 @@ def skip_text(error: Exception) -> str:
     """Return the line about an entity that is skipped because of an error: its place, and what isn't here."""
     # The folders that were searched for a package are many, and the same each time.
     text = re.sub(r", (searching: \[[^\]]*\]|no workspace is sourced[^)]*\))", "", describe_failure(error))
+    # A user never gave the path of a folder that stands in: the package and the file in it say the same.
+    folder = re.escape(repr(str(ament.STAND_IN) + os.sep)[1:-1])
+    separator = re.escape(repr(os.sep)[1:-1])
+    text = re.sub(
+        rf"\[Errno 2\] No such file or directory: '{folder}(.+?){separator}([^']*)'( \(there is no folder .*\))?",
+        r"package '\1' not found: it has \2",
+        text,
+    )
     return f"skipped: {text.splitlines()[0]}"
 
 
