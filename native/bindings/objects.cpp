@@ -126,8 +126,9 @@ std::string got(PyObject* value) {
 
 [[noreturn]] void throw_mismatch(const std::string& expected, PyObject* value) {
   // A time of rclpy prints as `Time`, too, and has a method that gives the message.
-  const bool can_be_message = expected.find("/msg/") != std::string::npos && PyObject_HasAttrString(value, "to_msg") == 1;
-  throw EncodeError("must be " + expected + got(value) + (can_be_message ? ": append .to_msg()" : ""));
+  const bool is_of_rclpy =
+      expected.find("/msg/") != std::string::npos && PyObject_HasAttrString(value, "to_msg") == 1;
+  throw EncodeError("must be " + expected + got(value) + (is_of_rclpy ? ": append .to_msg()" : ""));
 }
 
 // Clear TypeError and OverflowError, which the caller replaces by an EncodeError. Rethrow errors of the value's own
