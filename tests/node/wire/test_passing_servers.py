@@ -48,8 +48,9 @@ def follow(goal: Future[Any]) -> Future[Any]:
 
 @contextmanager
 def busy_machine(start_program: Callable[..., Program]) -> Iterator[None]:
-    """Keep all processors busy."""
-    busy = [start_program("python", "-c", "while True: pass") for _ in range((os.cpu_count() or 1) + 1)]
+    """Keep all processors busy, until this process ends at the latest."""
+    loop = "import os\nparent = os.getppid()\nwhile os.getppid() == parent: pass"
+    busy = [start_program("python", "-c", loop) for _ in range((os.cpu_count() or 1) + 1)]
     try:
         yield
     finally:
@@ -72,7 +73,7 @@ def count_outcomes(
             servers.signal(signal.SIGKILL)
             servers.wait()
             servers = start("passing_servers", begun)
-        assert fibonacci.wait_for_server(timeout_sec=30), servers.output
+        assert fibonacci.wait_for_server(timeout_sec=120), servers.output
         futures = [adding.call_async(AddTwoInts.Request(a=number, b=1)) for number in range(batch)]
         futures += [follow(fibonacci.send_goal_async(Fibonacci.Goal(order=order))) for order in range(batch)]
         for future in futures:
