@@ -52,9 +52,24 @@ def test_message() -> None:
     assert (str(x), x.default_value, str(bar.type)) == ("float32 x 1.5", 1.5, "other/Bar")
 
 
+def test_text_of_a_message() -> None:
+    text = 'int32[<=3] a [1,2] # x\nstring<=5 b "q"\nfloat64 K=1.5\nstring S="x y"\nstd_msgs/Header h\nbool c true\n'
+    assert str(parse_message_string("pkg", "Foo", text)).splitlines() == [
+        "# pkg/Foo",
+        "float64 K=1.5",
+        "string S='x y'",
+        "int32[<=3] a [1, 2]",
+        "string<=5 b 'q'",
+        "std_msgs/Header h",
+        "bool c True",
+    ]
+    assert str(parse_message_string("pkg", "Foo", "")) == "# pkg/Foo"
+
+
 def test_service_and_action() -> None:
     service = parse_service_string("pkg", "Ask", "int8 a\n---\nbool b\n")
-    assert (str(service), service.srv_name, service.pkg_name) == ("pkg/Ask", "Ask", "pkg")
+    assert (service.srv_name, service.pkg_name) == ("Ask", "pkg")
+    assert str(service) == "# pkg/Ask\n# pkg/Ask_Request\nint8 a\n---\n# pkg/Ask_Response\nbool b"
     assert str(service.request.base_type) == "pkg/Ask_Request"
     assert service.response.fields == [Field(Type("bool"), "b")]
     action = parse_action_string("pkg", "Go", "int8 a\n---\nbool b\n---\nstring c\n")

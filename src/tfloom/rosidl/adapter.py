@@ -381,6 +381,10 @@ class MessageSpecification:
     def __hash__(self) -> int:
         return hash(self.base_type)
 
+    def __str__(self) -> str:
+        """Return the definition: the name as a comment, the constants, the fields."""
+        return "\n".join([f"# {self.base_type}", *map(str, self.constants), *map(str, self.fields)])
+
 
 class ServiceSpecification:
     """A service: the messages of request and response.
@@ -401,8 +405,8 @@ class ServiceSpecification:
         self.response = response
 
     def __str__(self) -> str:
-        """Return the service's name."""
-        return f"{self.pkg_name}/{self.srv_name}"
+        """Return the definition: the name as a comment, the request, the response."""
+        return f"# {self.pkg_name}/{self.srv_name}\n{self.request}\n---\n{self.response}"
 
 
 class ActionSpecification:
