@@ -298,6 +298,15 @@ def test_packages_and_programs(tmp_path: Path) -> None:
     assert get_prefix_path("nope") is None
     with pytest.raises(PackageNotFound):
         get_executable_paths(package_name="nope")
+    assert get_executable_paths(package_name="rclpy") == []
+    paths = get_executable_paths(package_name="turtlesim")
+    assert [Path(path).name for path in paths] == [
+        "draw_square",
+        "mimic",
+        "turtle_teleop_key",
+        "turtlesim_node",
+    ]
+    assert all(os.access(path, os.X_OK) for path in paths)
     path = get_executable_path(package_name="demo_nodes_py", executable_name="talker")
     assert path is not None
     assert Path(path).name == "talker"

@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+import atexit
+import shutil
+import tempfile
+from functools import cache
+from pathlib import Path
 from typing import Any
 
 from tfloom.workspace import index
 from tfloom.workspace.ament import PackageNotFoundError, get_package_prefix, get_packages_with_prefixes
+from tfloom.workspace.program_scripts import write_script
 
 __all__ = [
     "PackageNotFound",
@@ -42,7 +48,7 @@ def get_prefix_path(package_name: str) -> str | None:
 
 
 def get_executable_paths(*, package_name: str) -> list[str]:
-    """Return the paths of a package's programs; tfloom's own have none, see `ros2run.api.get_executable_path`.
+    """Return the paths of a package's programs; for one of tfloom's own, those of scripts that start them.
 
     Raises:
         PackageNotFound: there is no such package.
@@ -50,7 +56,18 @@ def get_executable_paths(*, package_name: str) -> list[str]:
     prefix = get_prefix_path(package_name)
     if prefix is None:
         raise PackageNotFound(package_name)
+    if index.find_package(package_name) is None:
+        own = index.PROGRAMS.get(package_name, {})
+        return [str(write_script(_scripts(), package_name, name, own[name])) for name in sorted(own)]
     return [str(path) for path in index.package_programs(package_name, prefix)]
+
+
+@cache
+def _scripts() -> Path:
+    """Return the folder of this process's scripts, which is removed when Python ends."""
+    folder = tempfile.mkdtemp(prefix="tfloom_programs_")
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    return Path(folder)
 
 
 def package_name_completer(**_: Any) -> list[str]:

@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-import atexit
-import shutil
 import sys
-import tempfile
 from collections.abc import Sequence
-from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +12,6 @@ from tfloom.cli.api.values import argument_key
 from tfloom.cli.child import run_child
 from tfloom.cli.run import how_it_ended, package_programs
 from tfloom.workspace import index
-from tfloom.workspace.program_scripts import write_script
 
 __all__ = [
     "ROS2RUN_MSG_PREFIX",
@@ -51,10 +46,6 @@ def get_executable_path(*, package_name: str, executable_name: str) -> str | Non
         PackageNotFound: there is no such package.
         MultipleExecutables: it has several of this name.
     """
-    if index.find_package(package_name) is None:
-        own = index.PROGRAMS.get(package_name, {})
-        if executable_name in own:
-            return str(write_script(_scripts(), package_name, executable_name, own[executable_name]))
     paths = [
         path
         for path in get_executable_paths(package_name=package_name)
@@ -63,14 +54,6 @@ def get_executable_path(*, package_name: str, executable_name: str) -> str | Non
     if len(paths) > 1:
         raise MultipleExecutables(paths)
     return paths[0] if paths else None
-
-
-@cache
-def _scripts() -> Path:
-    """Return the folder of this process's scripts, which is removed when Python ends."""
-    folder = tempfile.mkdtemp(prefix="tfloom_programs_")
-    atexit.register(shutil.rmtree, folder, ignore_errors=True)
-    return Path(folder)
 
 
 def run_executable(*, path: str, argv: Sequence[str], prefix: Sequence[str] | None = None) -> int:
