@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from tfloom.viewer.page_command import MAX_TEXT, PageError, flag, number, stamp, text
+from tfloom.viewer.page_command import MAX_TEXT, MAX_TEXTS, PageError, flag, number, stamp, text, texts
 
 
 def test_values_that_are_right() -> None:
@@ -15,6 +15,7 @@ def test_values_that_are_right() -> None:
     assert flag({"a": False}, "a") is False
     assert stamp({"a": "1700000000000000001"}, "a") == 1_700_000_000_000_000_001
     assert stamp({"a": None}, "a") is None
+    assert texts({"a": ["b", ""]}, "a") == ["b", ""]
 
 
 @pytest.mark.parametrize(
@@ -35,6 +36,9 @@ def test_values_that_are_right() -> None:
         (stamp, "-5"),
         (stamp, "²"),
         (stamp, "9" * 20),
+        (texts, "ab"),
+        (texts, ["a", 1]),
+        (texts, ["a"] * (MAX_TEXTS + 1)),
         (stamp, ""),
     ],
 )

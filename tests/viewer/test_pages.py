@@ -91,6 +91,45 @@ def test_page_shows_frames_their_publisher_and_the_transform_as_tf2_echo_says_it
     assert selection["plot"]["x"] == pytest.approx([x + 0.5 for x in range(11)])
 
 
+def test_a_click_on_a_finding_marks_its_frames_as_long_as_it_is_there(
+    node: Node, viewer: Viewer, open_page: OpenPage
+) -> None:
+    def boxes() -> Any:
+        handle = viewer._server.scene.get_handle_by_name("/marks")
+        return None if handle is None else handle.points.reshape(-1, 24, 3).mean(axis=1).round(3).tolist()
+
+    page = open_page(viewer)
+    others = [Node(name, context=node.context) for name in ("first", "second")]
+    try:
+        broadcasters = [TransformBroadcaster(other) for other in others]
+        stamped = TransformStamped(child_frame_id="base")
+        stamped.header.frame_id = "map"
+        stamped.transform.translation.x = 2.0
+
+        def send() -> bool:
+            for broadcaster in broadcasters:  # two nodes that publish one edge
+                stamped.header.stamp = node.get_clock().now().to_msg()
+                broadcaster.sendTransform(stamped)
+            return bool(page.state.get("findings"))
+
+        page.wait_for(send)
+        frames = page.state["findings"][0]["frames"]
+        assert "base" in frames
+        page.send(op="mark", frames=frames)
+        page.wait_for(lambda: send() and page.state["marked"] == frames)
+        wait_until(lambda: send() and [2.0, 0.0, 0.0] in (boxes() or []), what="a box around base")
+        page.send(op="mark", frames=frames)
+        page.wait_for(lambda: send() and page.state["marked"] == [])
+        wait_until(lambda: boxes() is None, what="no box")
+        page.send(op="mark", frames=["map"])  # no finding concerns it alone
+        page.send(op="names", on=False)
+        page.wait_for(lambda: not page.state["with_names"])
+        page.wait_for(lambda: send() and page.state["marked"] == [])
+    finally:
+        for other in others:
+            other.destroy_node()
+
+
 def test_time_is_turned_back_and_live_again(node: Node, viewer: Viewer, open_page: OpenPage) -> None:
     page = open_page(viewer)
     feed(node, viewer)
@@ -236,6 +275,7 @@ WRONG = [
     ({"op": ["select"]}, "op has to be a text"),
     ({"op": "select", "frame": "nowhere"}, "there is no frame"),
     ({"op": "select", "frame": 3}, "frame has to be a text"),
+    ({"op": "mark", "frames": "map"}, "frames has to be a list"),
     ({"op": "hold", "stamp_ns": 5}, "stamp_ns has to be"),
     ({"op": "display", "topic": "/nothing", "on": True}, "there is no topic"),
     ({"op": "display", "topic": "/rosout", "on": True}, "no display shows rcl_interfaces/msg/Log"),

@@ -6,10 +6,12 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-__all__ = ["PageError", "flag", "number", "stamp", "text"]
+__all__ = ["PageError", "flag", "number", "stamp", "text", "texts"]
 
 MAX_TEXT = 4096
 """Number of characters of a text that a page may send."""
+MAX_TEXTS = 20
+"""Number of texts in a list that a page may send."""
 
 
 class PageError(Exception):
@@ -26,6 +28,18 @@ def text(command: Mapping[str, Any], name: str) -> str:
     if not isinstance(value, str) or len(value) > MAX_TEXT:
         raise PageError(f"{name} has to be a text of at most {MAX_TEXT} characters")
     return value
+
+
+def texts(command: Mapping[str, Any], name: str) -> list[str]:
+    """Return a list of texts of a command.
+
+    Raises:
+        PageError: it is absent, no list of texts, or one is too long, or there are too many.
+    """
+    values = command.get(name)
+    if not isinstance(values, list) or len(values) > MAX_TEXTS:
+        raise PageError(f"{name} has to be a list of at most {MAX_TEXTS} texts")
+    return [text({name: value}, name) for value in values]
 
 
 def number(command: Mapping[str, Any], name: str) -> float:

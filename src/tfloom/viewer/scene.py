@@ -26,6 +26,12 @@ MOVED_M = 1e-6
 YELLOW = (255, 205, 60)
 GREY = (120, 120, 125)
 CYAN = np.array((80, 230, 255), np.uint8)
+ORANGE = np.array((255, 140, 0), np.uint8)
+_CORNERS = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], np.float64)
+BOX_EDGES = np.array(
+    [(a, b) for a in _CORNERS for b in _CORNERS if tuple(a) < tuple(b) and np.count_nonzero(a != b) == 1]
+)
+"""Start and end of the edges of a cube from -1 to 1: (12, 2, 3)."""
 TRAIL_COLORS = ((255, 90, 200), (90, 220, 255), (255, 160, 60), (140, 255, 110), (190, 150, 255))
 
 
@@ -52,6 +58,7 @@ class Scene:
         self._name_count = 0
         self._trails: dict[str, Any] = {}
         self._selection: Any = None
+        self._marks: Any = None
         self._displays: dict[str, list[Drawn]] = {}
         self._display_numbers: dict[str, int] = {}
         scene.set_up_direction("+z")
@@ -204,6 +211,16 @@ class Scene:
         """Draw a line between the two selected frames; none with fewer points."""
         ends = np.array([points], np.float32) if len(points) == 2 else np.empty((0, 2, 3), np.float32)
         self._selection = self._set_lines("/selection", self._selection, ends, CYAN, 3.0)
+
+    def draw_marks(self, points: NDArray[np.float64], axes_m: float) -> None:
+        """Draw a box around each of some frames.
+
+        Args:
+            points: Their positions, (N, 3) [m].
+            axes_m: Length of their axes, which the boxes enclose [m].
+        """
+        ends = (points[:, np.newaxis, np.newaxis] + 1.1 * axes_m * BOX_EDGES).reshape(-1, 2, 3)
+        self._marks = self._set_lines("/marks", self._marks, ends.astype(np.float32), ORANGE, 3.0)
 
     def draw_display(self, topic: str, placed: Sequence[tuple[Shape, Pose | None]]) -> None:
         """Draw what a display shows, in place of what it showed before; shapes without a pose are hidden."""

@@ -33,7 +33,7 @@ from tfloom.viewer.frames import (
     trail_of,
 )
 from tfloom.viewer.layout.layout import DEFAULT_AXES_M, DisplayLayout, Layout, PlotLayout, ViewPoint
-from tfloom.viewer.page_command import PageError, flag, number, stamp, text
+from tfloom.viewer.page_command import MAX_TEXTS, PageError, flag, number, stamp, text, texts
 from tfloom.viewer.playback import Playback
 from tfloom.viewer.plots.plots import Plots
 from tfloom.viewer.shapes import DisplayError
@@ -97,6 +97,8 @@ class View:
         self._held_ns: int | None = None
         self._playback = None if is_live else Playback()
         self._selected: list[str] = []
+        self._marked: list[str] = []
+        """The frames of the finding that was clicked, as long as there is such a finding."""
         self._trails: list[str] = []
         self._feeds: dict[str, Feed] = {}
         self._wanted: dict[str, str] = {}
@@ -128,6 +130,7 @@ class View:
             "play": self._play,
             "select": lambda command: self.select(text(command, "frame")),
             "unselect": self._unselect,
+            "mark": self._mark,
             "trail": self._set_trail,
             "display": lambda command: self.set_display(text(command, "topic"), on=flag(command, "on")),
             "choose": self._choose,
@@ -145,6 +148,10 @@ class View:
 
     def _unselect(self, _: Mapping[str, Any]) -> None:
         self._selected.clear()
+
+    def _mark(self, command: Mapping[str, Any]) -> None:
+        frames = texts(command, "frames")
+        self._marked = [] if frames == self._marked else frames
 
     def _choose(self, command: Mapping[str, Any]) -> None:
         topic = text(command, "topic")
@@ -367,6 +374,8 @@ class View:
             )
         places = [self._poses.index_of(frame) for frame in self._selected]
         self._scene.draw_selection([self._poses.positions[place] for place in places if place >= 0])
+        marked = [place for frame in self._marked if (place := self._poses.index_of(frame)) >= 0]
+        self._scene.draw_marks(self._poses.positions[marked], self._axes_m)
         self._give_images(held_ns)
         now_ns = self._source.now_ns() if held_ns is None else held_ns
         for topic, feed in self._feeds.items():
@@ -399,6 +408,8 @@ class View:
             self._next_diagnosis_s = now_s + DIAGNOSE_S
             started_ns = self._started_ns if self._is_live else seen.started_ns
             self._findings = diagnose(Subject(seen, (started_ns, seen.taken_ns)))
+            if self._marked not in map(_frames_of, self._findings):
+                self._marked = []
 
     def snapshot(self) -> dict[str, Any]:
         """Return what pages show beside the scene, as values for JSON."""
@@ -416,6 +427,7 @@ class View:
             "axes_m": self._axes_m,
             "trails": list(map(_sendable, self._trails)),
             "selection": self._selection(held_ns),
+            "marked": list(map(_sendable, self._marked)),
             "findings": [self._finding(finding) for finding in self._findings[:MAX_FINDINGS]],
             "displays": self._displays(),
             "plots": self.plots.snapshot(span, held_ns),
@@ -440,7 +452,7 @@ class View:
             "severity": finding.kind.severity.value,
             "summary": shown_text(finding.summary, 1000),
             "mend": finding.kind.mend,
-            "frames": [_sendable(frame) for frame in finding.frames[:20]],
+            "frames": _frames_of(finding),
         }
 
     def _displays(self) -> list[dict[str, Any]]:
@@ -504,6 +516,11 @@ class View:
 def _report(what: str, error: PageError) -> None:
     """Print why something that was asked for at the start is not shown: there may be no page to get it."""
     print(f"tfloom: {shown_text(what)} is not shown: {shown_text(str(error), 500)}", file=sys.stderr)
+
+
+def _frames_of(finding: Finding) -> list[str]:
+    """Return the frames that a finding concerns, as many as a page may ask to mark."""
+    return [_sendable(frame) for frame in finding.frames[:MAX_TEXTS]]
 
 
 def _sendable(name: str) -> str:

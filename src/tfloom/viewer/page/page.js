@@ -8,7 +8,6 @@ let socket = null;
 let page = "";
 let state = null;
 let isDragging = false;      // the slider
-let named = new Set();       // frames of the finding that was clicked
 // What the other scripts of the page add: by the key of a message, what takes it; by panel, what opening it asks for.
 const takers = {};
 const openers = {};
@@ -133,7 +132,7 @@ function showRows() {
     setText(cells.age, row.age_s === null ? "" : `${row.age_s.toFixed(2)} s`);
     setText(cells.publisher, row.publisher);
     cells.line.title = [row.publisher, row.note].filter(Boolean).join("\n");
-    cells.line.className = [row.health, selected.includes(row.frame) ? "selected" : "", named.has(row.frame) ? "named" : ""].join(" ");
+    cells.line.className = [row.health, selected.includes(row.frame) ? "selected" : "", state.marked.includes(row.frame) ? "marked" : ""].join(" ");
     cells.trail.checked = state.trails.includes(row.frame);
     shown.push([key, cells.line]);
   }
@@ -201,7 +200,7 @@ function showFindings() {
   $("findings").dataset.key = key;
   const boxes = state.findings.map((finding) => element("div", {
     className: `finding ${finding.severity}`,
-    onclick: () => { named = new Set(finding.frames); openPanel("frames"); showRows(); },
+    onclick: () => { send({ op: "mark", frames: finding.frames }); openPanel("frames"); },
   }, element("b", { textContent: `${finding.code} ` }), finding.summary,
      element("div", { className: "mend", textContent: finding.mend })));
   $("findings").replaceChildren(...(boxes.length ? boxes : [element("p", { className: "hint", textContent: "no findings" })]));
