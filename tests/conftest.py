@@ -277,17 +277,17 @@ def _signal_handlers() -> Iterator[None]:
 
 @pytest.fixture(autouse=True)
 def _environment() -> Iterator[None]:
-    """Restore the variables that choose a graph after the test.
+    """Restore the environment variables after the test.
 
-    A `monkeypatch` that was made before `domain_id` and sets one of them is undone after it, and puts back the domain.
+    Those of a launch's context are the process's. A `monkeypatch` that was made before `domain_id` and sets one of a
+    graph's is undone after it, and puts back the domain.
     """
-    names = ("ROS_DOMAIN_ID", "ROS_AUTOMATIC_DISCOVERY_RANGE", "RMW_IMPLEMENTATION")
-    before = {name: os.environ.get(name) for name in names}
+    before = dict(os.environ)
     yield
+    for name in os.environ.keys() - before.keys():
+        del os.environ[name]
     for name, value in before.items():
-        if value is None:
-            os.environ.pop(name, None)
-        else:
+        if name != "PYTEST_CURRENT_TEST" and os.environ.get(name) != value:
             os.environ[name] = value
 
 

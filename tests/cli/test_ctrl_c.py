@@ -16,8 +16,8 @@ import signal, threading
 from tfloom.cli.ctrl_c import wait_for_ctrl_c
 threading.Thread(target=threading.Event().wait, daemon=True).start()
 signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-print("waiting", flush=True)
 try:
+    print("waiting", flush=True)
     wait_for_ctrl_c()
 except KeyboardInterrupt:
     print("ended")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-import os
 from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
@@ -37,15 +36,6 @@ def _logs(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPa
 def _process_numbers(monkeypatch: pytest.MonkeyPatch) -> None:
     """Begin the numbers of processes anew, which count on within a program."""
     monkeypatch.setattr(executable, "_process_numbers", itertools.count(1))
-
-
-@pytest.fixture(autouse=True)
-def _environment() -> Iterator[None]:
-    """Restore the environment variables after each test, because those of a context are the process's."""
-    before = dict(os.environ)
-    yield
-    os.environ.clear()
-    os.environ.update(before)
 
 
 @pytest.fixture
