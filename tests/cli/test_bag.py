@@ -49,10 +49,10 @@ def unstamped(text: str) -> str:
 def sorted_choices(text: str) -> str:
     """Order the choices of the usage text, because those of the reference are in the order of a set.
 
-    From Python 3.14 on argparse breaks the lines at other places, so there all whitespace is one space.
+    From Python 3.13 on argparse breaks the lines at other places, so there all whitespace is one space.
     """
     text = re.sub(r"\{(\w+),(\w+)\}", lambda match: "{" + ",".join(sorted(match.groups())) + "}", text)
-    return " ".join(text.split()) if sys.version_info >= (3, 14) else text
+    return " ".join(text.split()) if sys.version_info >= (3, 13) else text
 
 
 @pytest.mark.parametrize(

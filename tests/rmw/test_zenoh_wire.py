@@ -958,7 +958,7 @@ def test_samples_and_the_graph_come_back_after_a_routers_death(
         wait_until(lambda: reader.matched_count() == 1)
         router.end()
         wait_until(lambda: reader.matched_count() == 0)
-        assert participant.graph.nodes() == [NODE]
+        wait_until(lambda: participant.graph.nodes() == [NODE])
         peer("write", end, (HEADER + b"\1").hex())
         router = start_program("tfloom", "zenoh", "router")
         router.wait_for(port)
