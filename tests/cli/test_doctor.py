@@ -66,6 +66,15 @@ def test_mixture_with_a_real_ros_is_a_failure(tmp_path: Path) -> None:
     assert findings("-ep", PYTHONPATH=str(tmp_path), RMW_IMPLEMENTATION="tfloom_local")[1] == 0
 
 
+def test_package_of_a_workspace_that_precedes_ours_is_a_warning_that_names_it(tmp_path: Path) -> None:
+    (tmp_path / "ros2cli").mkdir()
+    (tmp_path / "ros2cli" / "__init__.py").write_text("")
+    found, exit_code = findings(PYTHONPATH=str(tmp_path), RMW_IMPLEMENTATION="tfloom_local")
+    assert exit_code == 0
+    assert found["names"]["verdict"] == "warning"
+    assert str(found["names"]["summary"]).startswith(f"what precedes tfloom's own: ros2cli from {tmp_path}")
+
+
 @pytest.mark.wire
 def test_library_that_is_passed_over_is_a_warning_with_the_reason(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path

@@ -389,7 +389,8 @@ def check_names() -> Finding:
     if not others:
         return Finding(Verdict.OK, f"all {len(ours)} packages come from tfloom", details=details)
     # Others provide some names. If nobody provides any of them, tfloom.pth was not read; if none is ours, a sourced ROS
-    # comes first on the path, which works; a mixture is a failure if rclpy is among theirs, and else a warning.
+    # comes first on the path, which works. A mixture is a failure if rclpy is among theirs; otherwise it may be on
+    # purpose, as a workspace's own ros2cli.
     nobody = all(origin == "nobody" for origin in others.values())
     if nobody:
         advice = (
@@ -407,10 +408,12 @@ def check_names() -> Finding:
         named = ", ".join(f"{name} is that of the distribution {other}" for name, other in shadows.items())
         advice = f"pip uninstall {' '.join(dict.fromkeys(shadows.values()))}"
         return Finding(Verdict.WARNING, f"{named}, which takes precedence over tfloom's", advice, details)
-    mixed = ", ".join(f"{name} from {origin}" for name, origin in list(others.items())[:3])
-    advice = "take the real ROS out of PYTHONPATH, or run in a shell that hasn't sourced it"
-    verdict = Verdict.FAILED if "rclpy" in others else Verdict.WARNING
-    return Finding(verdict, f"a real ROS and tfloom are mixed: {mixed}", advice, details)
+    named = ", ".join(f"{name} from {origin}" for name, origin in list(others.items())[:3])
+    if "rclpy" in others:
+        advice = "take the real ROS out of PYTHONPATH, or run in a shell that hasn't sourced it"
+        return Finding(Verdict.FAILED, f"a real ROS and tfloom are mixed: {named}", advice, details)
+    advice = "if it is none of your own packages, take its folder out of PYTHONPATH"
+    return Finding(Verdict.WARNING, f"what precedes tfloom's own: {named}", advice, details)
 
 
 def _shadowing_distributions(others: dict[str, str]) -> dict[str, str]:
