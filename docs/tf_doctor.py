@@ -29,9 +29,9 @@ DDS tells the publisher of each message, and each participant lists the endpoint
 the nodes that cause it. A recording does not hold the publishers; its findings name edges and topics alone, and those
 on several publishers of one frame and on quality of service need the graph. The doctor has no node that is listed,
 and sends nothing; with `--topics`, it subscribes to each topic whose messages begin with a header, and reads the
-header alone. It reads requests to buffer servers (`tf2_buffer_server`) that are sent while it listens; where clients
-are on Fast DDS, it stands beside the server with a publisher of responses as well, because they compare the numbers
-of both ends. Where /clock is published, stamps are compared with its time.
+header alone. On DDS it reads requests to buffer servers (`tf2_buffer_server`) that are sent while it listens, and
+stands beside each server with a publisher of responses as well, because clients on Fast DDS compare the numbers of
+both ends. Where /clock is published, stamps are compared with its time.
 
 ## Exit code
 

@@ -7,6 +7,8 @@ import signal
 from collections.abc import Callable
 from typing import Any
 
+import pytest
+
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.rmw.backends import open_participant
 from tfloom.rmw.base import NodeName
@@ -90,6 +92,18 @@ def test_requests_to_a_buffer_server(domain_id: int, start_program: Callable[...
     assert finding["frames"] == ["camra"]
     assert finding["evidence"][0]["text"].endswith("did you mean camera?")
     assert finding["sources"][0]["topic"] == "/tf2_buffer_server"
+
+
+def test_a_buffer_server_on_zenoh_is_no_fault(
+    domain_id: int, start_program: Callable[..., Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """There, a client's question reaches the servers alone, so the doctor can't read it."""
+    pytest.importorskip("zenoh", reason="eclipse-zenoh is not installed: pip install 'tfloom[zenoh]'")
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "rmw_zenoh_cpp")
+    start_program(*STATIC, "--x", "1", "--frame-id", "world", "--child-frame-id", "camera").wait_for(SPINNING)
+    start_program("tfloom", "run", "tf2_ros", "buffer_server")
+    start_program("python", "-c", ASKER).wait_for("server True")
+    assert found(report_of(start_program, "--seconds", "0.8")) == []
 
 
 def test_stamps_are_compared_with_the_simulated_time(

@@ -9,6 +9,7 @@ from contextlib import contextmanager, suppress
 
 from tfloom._native import HeaderSink
 from tfloom.rmw.action_names import SEND_GOAL, SEND_GOAL_TYPE
+from tfloom.rmw.backends import WITHOUT_DDS, implementation_identifier
 from tfloom.rmw.base import NodeName, Participant, Reader, Sample, Service, Writer
 from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, QoS, ReliabilityPolicy
 from tfloom.rmw.topic_names import request_topic, response_topic
@@ -80,7 +81,8 @@ class _Readers:
         self._topics = topics
         self._skipped = set(topics)
         self._headers: dict[str, tuple[Reader, HeaderSink]] = {}
-        self._services: dict[str, tuple[Reader, Writer]] = {}
+        self._may_meet_fast_dds = implementation_identifier() != WITHOUT_DDS
+        self._services: dict[str, tuple[Reader, Writer | None]] = {}
         """The readers of requests to the servers that are there, by name; `_open_services` explains the writers."""
         self._asked: dict[tuple[bytes, str, str], int] = {}
         """Numbers of requests by the client's gid, the name of the server, and the frame."""
@@ -126,7 +128,8 @@ class _Readers:
 
         Fast DDS takes a service for absent while the numbers of its readers of requests and its writers of responses
         differ. So each reader has a writer beside it, which is opened and closed with it, also where no client of
-        Fast DDS is known yet. A moment remains in which a client knows of one of the two only.
+        Fast DDS is known yet. A moment remains in which a client knows of one of the two only. On Zenoh there is no
+        Fast DDS, and no writer without the hash of its type.
         """
         own = {reader.gid for reader, _ in self._services.values()}
         servers = {
@@ -141,11 +144,18 @@ class _Readers:
             requests = request_topic(servers[name])._replace(is_native=True)
             responses = response_topic(servers[name])._replace(is_native=True)
             reader = self._participant.create_reader(self._node, requests, _ALL_REQUESTS)
-            self._services[name] = reader, self._participant.create_writer(self._node, responses, QoS())
+            writer = (
+                self._participant.create_writer(self._node, responses, QoS())
+                if self._may_meet_fast_dds
+                else None
+            )
+            self._services[name] = reader, writer
 
     def _close_service(self, name: str) -> None:
-        for end in self._services.pop(name):
-            end.close()
+        reader, writer = self._services.pop(name)
+        reader.close()
+        if writer is not None:
+            writer.close()
 
     def _take_requests(self, name: str) -> None:
         for sample in _take_all(self._services[name][0]):
