@@ -212,14 +212,9 @@ class Scene:
         ends = np.array([points], np.float32) if len(points) == 2 else np.empty((0, 2, 3), np.float32)
         self._selection = self._set_lines("/selection", self._selection, ends, CYAN, 3.0)
 
-    def draw_marks(self, points: NDArray[np.float64], axes_m: float) -> None:
-        """Draw a box around each of some frames.
-
-        Args:
-            points: Their positions, (N, 3) [m].
-            axes_m: Length of their axes, which the boxes enclose [m].
-        """
-        ends = (points[:, np.newaxis, np.newaxis] + 1.1 * axes_m * BOX_EDGES).reshape(-1, 2, 3)
+    def draw_marks(self, points: NDArray[np.float64]) -> None:
+        """Draw a box around the axes of each of some frames: their positions, (N, 3) [m]."""
+        ends = (points[:, np.newaxis, np.newaxis] + 1.1 * self._axes_m * BOX_EDGES).reshape(-1, 2, 3)
         self._marks = self._set_lines("/marks", self._marks, ends.astype(np.float32), ORANGE, 3.0)
 
     def draw_display(self, topic: str, placed: Sequence[tuple[Shape, Pose | None]]) -> None:

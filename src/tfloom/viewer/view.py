@@ -375,7 +375,7 @@ class View:
         places = [self._poses.index_of(frame) for frame in self._selected]
         self._scene.draw_selection([self._poses.positions[place] for place in places if place >= 0])
         marked = [place for frame in self._marked if (place := self._poses.index_of(frame)) >= 0]
-        self._scene.draw_marks(self._poses.positions[marked], self._axes_m)
+        self._scene.draw_marks(self._poses.positions[marked])
         self._give_images(held_ns)
         now_ns = self._source.now_ns() if held_ns is None else held_ns
         for topic, feed in self._feeds.items():

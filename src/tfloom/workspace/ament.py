@@ -143,19 +143,24 @@ def has_resource(resource_type: str, resource_name: str) -> str | Literal[False]
     _check_type(resource_type)
     if not resource_name or set(resource_name) & set("/\\"):
         raise InvalidResourceNameError(f"Resource name '{resource_name}' is invalid")
-    found = index.find_resource(resource_type, resource_name)
-    return found or _own_resources(resource_type).get(resource_name) or False
+    if prefix := index.find_resource(resource_type, resource_name):
+        return prefix
+    own_prefix = index.own_packages().get(resource_name)
+    return str(own_prefix) if own_prefix is not None and _is_own(resource_type, resource_name) else False
 
 
 def _own_resources(resource_type: str) -> dict[str, str]:
     """Return the prefix of each resource of tfloom's own packages, which have no marker files, by its name."""
-    if resource_type not in {_PACKAGES, _INTERFACES}:
-        return {}
     return {
-        name: str(prefix)
-        for name, prefix in index.own_packages().items()
-        if resource_type == _PACKAGES or _own_text(_INTERFACES, name)
+        name: str(prefix) for name, prefix in index.own_packages().items() if _is_own(resource_type, name)
     }
+
+
+def _is_own(resource_type: str, package: str) -> bool:
+    """Return whether one of tfloom's own packages is a resource of a type."""
+    if resource_type == _INTERFACES:
+        return bool(_own_text(_INTERFACES, package))
+    return resource_type == _PACKAGES
 
 
 def _own_text(resource_type: str, package: str) -> str:
