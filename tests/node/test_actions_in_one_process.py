@@ -224,15 +224,18 @@ def test_threads_deliver_all_feedback_before_the_result(
             def hear(message: Any, goal: int = goal) -> None:
                 heard[goal].append(message.feedback.sequence[0])
 
-            def note(_: Any, goal: int = goal) -> None:
+            noted: Future[None] = Future(executor=executor)
+
+            def note(_: Any, goal: int = goal, noted: Future[None] = noted) -> None:
                 at_end[goal] = sorted(heard[goal])
+                noted.set_result(None)
 
             handle = finish(executor, client.send_goal_async(Fibonacci.Goal(), feedback_callback=hear))
             result = handle.get_result_async()
             result.add_done_callback(note)
             assert list(finish(executor, result).result.sequence) == [1]
             assert sorted(heard[goal]) == [0, 1, 2, 3, 4]
-        executor.spin_until_future_complete(executor.create_task(lambda: None), timeout_sec=30)
+            finish(executor, noted)  # another thread may run it after this one has found the result
     assert at_end == {goal: [0, 1, 2, 3, 4] for goal in range(40)}
 
 
