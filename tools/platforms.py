@@ -479,7 +479,7 @@ PURE_PACKAGES = (
     "rosbags<0.12",
     "pytest>=9",
     "pytest-xdist>=3.7",
-    "pytest-rerunfailures>=16",
+    "pytest-rerunfailures>=16.3",
     "hypothesis>=6.140,<6.156",  # Debian's warns by mistake of its own object; later ones are compiled
     "./packages/tfloom-ros2",
     "./packages/tfloom-interfaces",
