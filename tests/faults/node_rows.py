@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Callable
+from functools import partial
 from types import SimpleNamespace
 from typing import Any
 
@@ -39,57 +40,55 @@ from tfloom.node.values.duration import Duration
 from tfloom.node.values.time import Time
 
 Row = Callable[[World], list[Exception]]
+Adapt = Callable[[Fails], Any]
+"""What gives the failing function to rclpy: as it is, in a function of another form, or as one of several callbacks."""
 
 EVERY_JUMP = JumpThreshold(
     min_forward=Duration(nanoseconds=1), min_backward=Duration(nanoseconds=-1), on_clock_change=True
 )
 
 
+def _as_it_is(fails: Fails) -> Fails:
+    return fails
+
+
+def _with_info(fails: Fails) -> Callable[..., Any]:
+    return lambda message, info: fails(message, info)  # noqa: PLW0108  # the second parameter asks for it
+
+
+def _of(kind: Callable[..., Any], event: str) -> Adapt:
+    return lambda fails: kind(**{event: fails})
+
+
 # Topics and their events
 
 
-def _messages(world: World, fails: Fails, callback: Callable[..., Any], **options: Any) -> list[Exception]:
-    publisher = world.connect(Int32, callback, **options)
+def _messages(world: World, adapt: Adapt, **options: Any) -> list[Exception]:
+    fails = Fails()
+    publisher = world.connect(Int32, adapt(fails), **options)
     for number in range(3):
         publisher.publish(Int32(data=number))
     wait_until(lambda: fails.was_called(3), what="the messages after the failure")
     return [fails.error]
 
 
-def subscription(world: World) -> list[Exception]:
-    fails = Fails()
-    return _messages(world, fails, fails)
+def _coroutine(fails: Fails) -> Callable[..., Any]:
+    async def callback(*args: Any) -> Any:
+        return fails(*args)
+
+    return callback
 
 
-def subscription_with_info(world: World) -> list[Exception]:
-    fails = Fails()
-    callback = lambda message, info: fails(message, info)  # noqa: E731, PLW0108  # the second parameter asks for it
-    return _messages(world, fails, callback)
-
-
-def subscription_raw(world: World) -> list[Exception]:
-    fails = Fails()
-    return _messages(world, fails, fails, raw=True)
-
-
-def subscription_coroutine(world: World) -> list[Exception]:
-    fails = Fails()
-
-    async def callback(message: Any) -> None:
-        fails(message)
-
-    return _messages(world, fails, callback)
-
-
-def _matched(world: World, fails: Fails, **options: Any) -> list[Exception]:
+def _matched(world: World, adapt: Adapt) -> list[Exception]:
     """Let a subscription, or publisher, with event callbacks meet two peers, of which the first leaves."""
-    node = world.node
-    if "is_publisher" in options:
-        node.create_publisher(Int32, "events", 10, event_callbacks=options["callbacks"])
+    node, fails = world.node, Fails()
+    callbacks = adapt(fails)
+    if isinstance(callbacks, PublisherEventCallbacks):
+        node.create_publisher(Int32, "events", 10, event_callbacks=callbacks)
         peers: Any = lambda: node.create_subscription(Int32, "events", print, 10)  # noqa: E731
         leave: Any = node.destroy_subscription
     else:
-        node.create_subscription(Int32, "events", print, 10, event_callbacks=options["callbacks"])
+        node.create_subscription(Int32, "events", print, 10, event_callbacks=callbacks)
         peers, leave = lambda: node.create_publisher(Int32, "events", 10), node.destroy_publisher
     first = peers()
     wait_until(lambda: fails.was_called(1))
@@ -99,64 +98,40 @@ def _matched(world: World, fails: Fails, **options: Any) -> list[Exception]:
     return [fails.error]
 
 
-def matched_of_publisher(world: World) -> list[Exception]:
+def _incompatible_qos(world: World, adapt: Adapt) -> list[Exception]:
     fails = Fails()
-    return _matched(world, fails, is_publisher=True, callbacks=PublisherEventCallbacks(matched=fails))
-
-
-def matched_of_subscription(world: World) -> list[Exception]:
-    fails = Fails()
-    return _matched(world, fails, callbacks=SubscriptionEventCallbacks(matched=fails))
-
-
-def _incompatible(world: World, fails: Fails, **options: Any) -> list[Exception]:
+    callbacks = adapt(fails)
+    is_publisher = isinstance(callbacks, PublisherEventCallbacks)
+    of_subscriptions: Any = SubscriptionEventCallbacks(use_default_callbacks=False)
+    of_publishers: Any = PublisherEventCallbacks(use_default_callbacks=False)
+    if is_publisher:
+        of_publishers = callbacks
+    else:
+        of_subscriptions = callbacks
     reliable, best_effort = (
         QoSProfile(depth=1, reliability=each)
         for each in (ReliabilityPolicy.RELIABLE, ReliabilityPolicy.BEST_EFFORT)
     )
-    quiet = SubscriptionEventCallbacks(use_default_callbacks=False)
-    silent = PublisherEventCallbacks(use_default_callbacks=False)
     for _ in range(2):
-        world.node.create_publisher(
-            Int32, "qos", best_effort, event_callbacks=options.get("publisher", silent)
-        )
-        world.node.create_subscription(
-            Int32, "qos", print, reliable, event_callbacks=options.get("subscription", quiet)
-        )
-        if options.pop("is_first", True):
-            wait_until(lambda: world.raised)
+        world.node.create_publisher(Int32, "qos", best_effort, event_callbacks=of_publishers)
+        world.node.create_subscription(Int32, "qos", print, reliable, event_callbacks=of_subscriptions)
+        wait_until(lambda: world.raised)
     wait_until(lambda: fails.was_called(2), what="the event after the failure")
     return [fails.error]
 
 
-def incompatible_qos_of_publisher(world: World) -> list[Exception]:
+def _incompatible_type(world: World, adapt: Adapt) -> list[Exception]:
     fails = Fails()
-    return _incompatible(world, fails, publisher=PublisherEventCallbacks(incompatible_qos=fails))
-
-
-def incompatible_qos_of_subscription(world: World) -> list[Exception]:
-    fails = Fails()
-    return _incompatible(world, fails, subscription=SubscriptionEventCallbacks(incompatible_qos=fails))
-
-
-def incompatible_type_of_publisher(world: World) -> list[Exception]:
-    fails = Fails()
-    callbacks = PublisherEventCallbacks(incompatible_type=fails)
-    world.node.create_publisher(Int32, "types", 1, event_callbacks=callbacks)
-    world.node.create_subscription(String, "types", print, 1)
+    callbacks = adapt(fails)
+    if isinstance(callbacks, PublisherEventCallbacks):
+        world.node.create_publisher(Int32, "types", 1, event_callbacks=callbacks)
+        meet: Any = lambda: world.node.create_subscription(String, "types", print, 1)  # noqa: E731
+    else:
+        world.node.create_subscription(Int32, "types", print, 1, event_callbacks=callbacks)
+        meet = lambda: world.node.create_publisher(String, "types", 1)  # noqa: E731
+    meet()
     wait_until(lambda: world.raised)
-    world.node.create_subscription(String, "types", print, 1)
-    wait_until(lambda: fails.was_called(2), what="the event after the failure")
-    return [fails.error]
-
-
-def incompatible_type_of_subscription(world: World) -> list[Exception]:
-    fails = Fails()
-    callbacks = SubscriptionEventCallbacks(incompatible_type=fails)
-    world.node.create_subscription(Int32, "types", print, 1, event_callbacks=callbacks)
-    world.node.create_publisher(String, "types", 1)
-    wait_until(lambda: world.raised)
-    world.node.create_publisher(String, "types", 1)
+    meet()
     wait_until(lambda: fails.was_called(2), what="the event after the failure")
     return [fails.error]
 
@@ -170,15 +145,20 @@ LIVELINESS: dict[str, Any] = {
 }
 
 
-def _late(world: World, fails: Fails, policies: dict[str, Any], **options: Any) -> list[Exception]:
+def _late(world: World, adapt: Adapt, policies: dict[str, Any]) -> list[Exception]:
     """Publish once; then a deadline passes, again and again, or a liveliness is lost and regained."""
     if world.is_local:  # which reports neither
-        return _matched(world, fails, callbacks=SubscriptionEventCallbacks(matched=fails))
+        return _matched(world, lambda fails: SubscriptionEventCallbacks(matched=fails))
+    fails = Fails()
+    callbacks = adapt(fails)
+    is_publisher = isinstance(callbacks, PublisherEventCallbacks)
     qos = QoSProfile(depth=1, **policies)
     subscription = world.node.create_subscription(
-        Int32, "late", print, qos, event_callbacks=options.get("subscription")
+        Int32, "late", print, qos, event_callbacks=None if is_publisher else callbacks
     )
-    publisher = world.node.create_publisher(Int32, "late", qos, event_callbacks=options.get("publisher"))
+    publisher = world.node.create_publisher(
+        Int32, "late", qos, event_callbacks=callbacks if is_publisher else None
+    )
     wait_until(lambda: publisher.get_subscription_count() and subscription.get_publisher_count())
 
     def is_called_again() -> bool:
@@ -189,26 +169,6 @@ def _late(world: World, fails: Fails, policies: dict[str, Any], **options: Any) 
 
     wait_until(is_called_again, what="the event after the failure")
     return [fails.error]
-
-
-def deadline_of_publisher(world: World) -> list[Exception]:
-    fails = Fails()
-    return _late(world, fails, DEADLINE, publisher=PublisherEventCallbacks(deadline=fails))
-
-
-def deadline_of_subscription(world: World) -> list[Exception]:
-    fails = Fails()
-    return _late(world, fails, DEADLINE, subscription=SubscriptionEventCallbacks(deadline=fails))
-
-
-def liveliness_of_publisher(world: World) -> list[Exception]:
-    fails = Fails()
-    return _late(world, fails, LIVELINESS, publisher=PublisherEventCallbacks(liveliness=fails))
-
-
-def liveliness_of_subscription(world: World) -> list[Exception]:
-    fails = Fails()
-    return _late(world, fails, LIVELINESS, subscription=SubscriptionEventCallbacks(liveliness=fails))
 
 
 def qos_overriding(world: World) -> list[Exception]:
@@ -227,20 +187,9 @@ def qos_overriding(world: World) -> list[Exception]:
 # What a program triggers
 
 
-def timer(world: World) -> list[Exception]:
+def _timer(world: World, adapt: Adapt) -> list[Exception]:
     fails = Fails()
-    world.node.create_timer(0.005, fails)
-    wait_until(lambda: fails.was_called(3))
-    return [fails.error]
-
-
-def timer_coroutine(world: World) -> list[Exception]:
-    fails = Fails()
-
-    async def callback() -> None:
-        fails()
-
-    world.node.create_timer(0.005, callback)
+    world.node.create_timer(0.005, adapt(fails))
     wait_until(lambda: fails.was_called(3))
     return [fails.error]
 
@@ -303,22 +252,6 @@ def _waitable(world: World, failing: str) -> list[Exception]:
     return [fails.error]
 
 
-def waitable_add_to_wait_set(world: World) -> list[Exception]:
-    return _waitable(world, "add_to_wait_set")
-
-
-def waitable_is_ready(world: World) -> list[Exception]:
-    return _waitable(world, "is_ready")
-
-
-def waitable_take_data(world: World) -> list[Exception]:
-    return _waitable(world, "take_data")
-
-
-def waitable_execute(world: World) -> list[Exception]:
-    return _waitable(world, "execute")
-
-
 def task(world: World) -> list[Exception]:
     fails = Fails()
     first, second = world.executor.create_task(fails), world.executor.create_task(fails)
@@ -355,9 +288,10 @@ def on_shutdown(world: World) -> list[Exception]:
 # Services and futures
 
 
-def _calls(world: World, fails: Fails, callback: Callable[..., Any]) -> list[Exception]:
+def _calls(world: World, adapt: Adapt) -> list[Exception]:
     """Call a service whose callback fails, and again; the first call has no response, as from a real rclpy."""
-    world.node.create_service(Trigger, "failing", callback)
+    fails = Fails(lambda _, response: response)
+    world.node.create_service(Trigger, "failing", adapt(fails))
     client = world.watch(world.node.create_client(Trigger, "failing"))
     assert client.wait_for_service(30)
     first, second = (client.call_async(Trigger.Request()) for _ in range(2))
@@ -365,20 +299,6 @@ def _calls(world: World, fails: Fails, callback: Callable[..., Any]) -> list[Exc
     wait_until(lambda: world.raised)
     assert (first.done(), second.exception()) == (False, None)
     return [fails.error]
-
-
-def service(world: World) -> list[Exception]:
-    fails = Fails(lambda _, response: response)
-    return _calls(world, fails, fails)
-
-
-def service_coroutine(world: World) -> list[Exception]:
-    fails = Fails(lambda _, response: response)
-
-    async def callback(request: Any, response: Any) -> Any:
-        return fails(request, response)
-
-    return _calls(world, fails, callback)
 
 
 def _call(world: World) -> Future[Any]:
@@ -662,41 +582,26 @@ def _events(world: World, add: Callable[[ParameterEventHandler, Fails], None]) -
     return [fails.error]
 
 
-def parameter_callback(world: World) -> list[Exception]:
-    return _events(
-        world, lambda handler, fails: handler.add_parameter_callback("number", "under_test", fails)
-    )
-
-
-def parameter_event_callback(world: World) -> list[Exception]:
-    return _events(world, lambda handler, fails: handler.add_parameter_event_callback(fails))
+def _add_parameter_callback(handler: ParameterEventHandler, fails: Fails) -> None:
+    handler.add_parameter_callback("number", "under_test", fails)
 
 
 # Time
 
 
-def _jumps(world: World, **callbacks: Any) -> None:
+def _jumps(world: World, failing: str) -> list[Exception]:
     """Let the first of two callbacks of a clock raise at a jump, and check that the time is set, twice."""
     clock = world.watch(ROSClock())
     clock.set_ros_time_is_active(True)
     others = Fails()
     others.calls.append(())
-    clock.create_jump_callback(EVERY_JUMP, **callbacks)
+    clock.create_jump_callback(EVERY_JUMP, **{failing: Fails()})
     clock.create_jump_callback(EVERY_JUMP, post_callback=others)
     with pytest.raises(Injected):
         clock.set_ros_time_override(Time(seconds=5, clock_type=clock.clock_type))
     assert (clock.now().nanoseconds, len(others.calls)) == (5 * 10**9, 2)
     clock.set_ros_time_override(Time(seconds=6, clock_type=clock.clock_type))
     assert (clock.now().nanoseconds, len(others.calls)) == (6 * 10**9, 3)
-
-
-def jump_pre_callback(world: World) -> list[Exception]:
-    _jumps(world, pre_callback=Fails())
-    return []
-
-
-def jump_post_callback(world: World) -> list[Exception]:
-    _jumps(world, post_callback=Fails())
     return []
 
 
@@ -725,14 +630,14 @@ def jump_callback_at_the_start_of_simulated_time(world: World) -> list[Exception
 # Lifecycle
 
 
-def _lifecycle(world: World, failing: str, *labels: str) -> list[Exception]:
+def _lifecycle(world: World, failing: str, labels: str) -> list[Exception]:
     """Let a transition's callback raise: `on_error` follows, and the node can be configured again."""
     fails = Fails(lambda _: TransitionCallbackReturn.SUCCESS)
     kind = type("Living", (LifecycleNode,), {failing: lambda _, state: fails(state)})
     node = kind("living", context=world.context)
     world.executor.add_node(node)
     try:
-        results = [getattr(node, f"trigger_{label}")() for label in labels]
+        results = [getattr(node, f"trigger_{label}")() for label in labels.split()]
         assert results[-1] is TransitionCallbackReturn.ERROR
         assert node.trigger_configure() is TransitionCallbackReturn.SUCCESS
         assert node.trigger_activate() is TransitionCallbackReturn.SUCCESS
@@ -740,26 +645,6 @@ def _lifecycle(world: World, failing: str, *labels: str) -> list[Exception]:
         world.executor.remove_node(node)
         node.destroy_node()
     return []
-
-
-def on_configure(world: World) -> list[Exception]:
-    return _lifecycle(world, "on_configure", "configure")
-
-
-def on_activate(world: World) -> list[Exception]:
-    return _lifecycle(world, "on_activate", "configure", "activate")
-
-
-def on_deactivate(world: World) -> list[Exception]:
-    return _lifecycle(world, "on_deactivate", "configure", "activate", "deactivate")
-
-
-def on_cleanup(world: World) -> list[Exception]:
-    return _lifecycle(world, "on_cleanup", "configure", "cleanup")
-
-
-def on_shutdown_of_lifecycle(world: World) -> list[Exception]:
-    return _lifecycle(world, "on_shutdown", "shutdown")
 
 
 def on_error(world: World) -> list[Exception]:
@@ -794,7 +679,45 @@ def managed_entity(world: World) -> list[Exception]:
     return []
 
 
-ROWS: dict[str, Row] = {
+_EVENTS: dict[str, Callable[..., list[Exception]]] = {
+    "matched": _matched,
+    "incompatible_qos": _incompatible_qos,
+    "incompatible_type": _incompatible_type,
+    "deadline": partial(_late, policies=DEADLINE),
+    "liveliness": partial(_late, policies=LIVELINESS),
+}
+_ENDS = {"publisher": PublisherEventCallbacks, "subscription": SubscriptionEventCallbacks}
+_TABLE: dict[str, Row] = {
+    "subscription": partial(_messages, adapt=_as_it_is),
+    "subscription_with_info": partial(_messages, adapt=_with_info),
+    "subscription_raw": partial(_messages, adapt=_as_it_is, raw=True),
+    "subscription_coroutine": partial(_messages, adapt=_coroutine),
+    **{
+        f"{event}_of_{end}": partial(row, adapt=_of(kind, event))
+        for event, row in _EVENTS.items()
+        for end, kind in _ENDS.items()
+    },
+    "timer": partial(_timer, adapt=_as_it_is),
+    "timer_coroutine": partial(_timer, adapt=_coroutine),
+    **{
+        f"waitable_{method}": partial(_waitable, failing=method)
+        for method in ("add_to_wait_set", "is_ready", "take_data", "execute")
+    },
+    "service": partial(_calls, adapt=_as_it_is),
+    "service_coroutine": partial(_calls, adapt=_coroutine),
+    "parameter_callback": partial(_events, add=_add_parameter_callback),
+    "parameter_event_callback": partial(_events, add=ParameterEventHandler.add_parameter_event_callback),
+    "jump_pre_callback": partial(_jumps, failing="pre_callback"),
+    "jump_post_callback": partial(_jumps, failing="post_callback"),
+    "on_configure": partial(_lifecycle, failing="on_configure", labels="configure"),
+    "on_activate": partial(_lifecycle, failing="on_activate", labels="configure activate"),
+    "on_deactivate": partial(_lifecycle, failing="on_deactivate", labels="configure activate deactivate"),
+    "on_cleanup": partial(_lifecycle, failing="on_cleanup", labels="configure cleanup"),
+    "on_shutdown_of_lifecycle": partial(_lifecycle, failing="on_shutdown", labels="shutdown"),
+}
+"""The rows that differ from others by what fails alone."""
+
+ROWS: dict[str, Row] = _TABLE | {
     name: row
     for name, row in list(globals().items())
     if getattr(row, "__module__", None) == __name__ and not name.startswith("_") and callable(row)

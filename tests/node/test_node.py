@@ -23,11 +23,6 @@ from tfloom.node.values.exceptions import (
     NotInitializedException,
     RCLError,
 )
-from tfloom.node.values.names import (
-    InvalidNamespaceException,
-    InvalidNodeNameException,
-    InvalidTopicNameException,
-)
 from tfloom.node.values.serialization import deserialize_message
 from tfloom.node.values.type_support import check_for_type_support
 from tfloom.node.wait_for_message import wait_for_message
@@ -135,27 +130,6 @@ def test_sink_receives_the_bytes_and_no_callback_runs(node: Node, executor: Sing
     assert cdr.decode(String, data).data == "x"
 
 
-@pytest.mark.parametrize(
-    ("bad", "given"),
-    [
-        (5, "5 of class int"),
-        (None, "None of class NoneType"),
-        (str, "the class builtins.str"),
-        ("std_msgs/msg/String", "'std_msgs/msg/String' of class str"),
-        (
-            String(data="x"),
-            "std_msgs.msg.String(data='x') of class String: give the class, String, without brackets",
-        ),
-    ],
-)
-def test_error_names_what_is_not_a_type(node: Node, bad: object, given: str) -> None:
-    text = f"expected a message class, such as std_msgs.msg.String, got {re.escape(given)}$"
-    with pytest.raises(AttributeError, match=text):
-        node.create_publisher(bad, "chatter", 10)  # type: ignore[arg-type]
-    with pytest.raises(AttributeError, match=text):
-        node.create_subscription(bad, "chatter", print, 10)  # type: ignore[arg-type]
-
-
 @pytest.mark.parametrize("bad", [SetBool, Fibonacci])
 def test_types_of_another_kind_are_rejected(node: Node, bad: type) -> None:
     text = f"The message type provided is not valid ({bad}), this might be a service or action"
@@ -168,34 +142,6 @@ def test_types_of_another_kind_are_rejected(node: Node, bad: type) -> None:
     check_for_type_support(bad)
     with pytest.raises(AttributeError, match="expected a message or service class"):
         check_for_type_support(int)
-
-
-@pytest.mark.parametrize("name", [1, None, b"chatter"])
-def test_names_must_be_str(node: Node, name: object) -> None:
-    for create in (
-        lambda: node.create_publisher(String, name, 10),
-        lambda: node.create_client(SetBool, name),
-        lambda: Node(name, context=node.context),
-        lambda: Node("x", namespace=1, context=node.context),
-    ):
-        with pytest.raises(
-            TypeError, match=r"a (topic name|service name|node name|namespace) must be a str, not"
-        ):
-            create()
-
-
-def test_publishing_invalid_messages_raises(node: Node) -> None:
-    publisher = node.create_publisher(String, "chatter", 10)
-    with pytest.raises(TypeError, match=r"Expected .*String.*, got .*Int32"):
-        publisher.publish(Int32())
-    with pytest.raises(cdr.EncodeError, match="data"):
-        publisher.publish(String(data=5))  # type: ignore[arg-type]
-    with pytest.raises(InvalidTopicNameException):
-        node.create_publisher(String, "no topic", 10)
-    with pytest.raises(TypeError, match="Expected QoSProfile or int"):
-        node.create_publisher(String, "chatter", "10")  # type: ignore[arg-type]
-    with pytest.raises(ValueError, match=r"^history depth must be greater than or equal to zero$"):
-        node.create_publisher(String, "chatter", -1)
 
 
 def test_services_are_on_the_graph(make_node: MakeNode) -> None:
@@ -268,13 +214,6 @@ def test_global_arguments_apply_unless_disabled(monkeypatch: pytest.MonkeyPatch)
         assert one.get_fully_qualified_name() == "/there/one"
         assert two.get_fully_qualified_name() == "/two"
     context.destroy()
-
-
-def test_invalid_names_are_rejected(make_node: MakeNode) -> None:
-    with pytest.raises(InvalidNodeNameException):
-        make_node("a/b")
-    with pytest.raises(InvalidNamespaceException):
-        make_node("a", namespace="/b/")
 
 
 def test_node_requires_an_initialised_context(context: Context) -> None:

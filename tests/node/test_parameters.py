@@ -23,12 +23,9 @@ from tfloom.node.context.context import Context
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.parameters.exceptions import (
-    InvalidParameterException,
     InvalidParameterTypeException,
     InvalidParameterValueException,
-    ParameterAlreadyDeclaredException,
     ParameterImmutableException,
-    ParameterNotDeclaredException,
     ParameterUninitializedException,
 )
 from tfloom.node.parameters.parameter import (
@@ -78,13 +75,6 @@ def test_unsupported_values_raise(value: object) -> None:
         Parameter("x", value=value)
 
 
-def test_mismatched_type_and_value_raise() -> None:
-    with pytest.raises(ValueError, match=r"'Type\.INTEGER' and value 'a' do not agree"):
-        Parameter("x", Type.INTEGER, "a")
-    with pytest.raises(TypeError, match=r"Parameter\.Type"):
-        Parameter("x", int, 1)  # type: ignore[arg-type]
-
-
 def test_declare_get_set(node: Node) -> None:
     assert node.declare_parameter("a.b", 1).value == 1
     assert node.get_parameter("a.b").value == 1
@@ -95,23 +85,6 @@ def test_declare_get_set(node: Node) -> None:
     assert node.get_parameter_or("nope", Parameter("x", value=3)).value == 3
     assert node.get_parameter_or("nope").type_ is Type.NOT_SET
     assert node.describe_parameter("a.b").type == 2
-
-
-def test_undeclared_parameter_raises(node: Node) -> None:
-    for use in (
-        lambda: node.get_parameter("x"),
-        lambda: node.undeclare_parameter("x"),
-        lambda: node.describe_parameter("x"),
-        lambda: node.set_parameters([Parameter("x", value=1)]),
-        lambda: node.set_parameters_atomically([Parameter("x", value=1)]),
-    ):
-        with pytest.raises(ParameterNotDeclaredException, match="undeclared"):
-            use()
-    node.declare_parameter("x", 1)
-    with pytest.raises(ParameterAlreadyDeclaredException, match="already declared: \\['x'\\]"):
-        node.declare_parameter("x", 1)
-    with pytest.raises(InvalidParameterException):
-        node.declare_parameter("", 1)
 
 
 def test_type_is_fixed_by_the_default(node: Node) -> None:

@@ -93,7 +93,7 @@ def some_numbers(length: int | None) -> Iterator[int]:
 
 
 def test_programs_that_end_at_a_random_moment_end_well(domain_id: int) -> None:
-    _, faults = faults_of(some_numbers(CYCLE + 10), domain_id)
+    _, faults = faults_of(some_numbers(CYCLE), domain_id)
     assert not faults, "\n\n".join(faults)
 
 

@@ -26,7 +26,6 @@ from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
 from tfloom.node.values.exceptions import InvalidHandle
-from tfloom.node.values.names import InvalidServiceNameException
 
 MakeNode = Callable[..., Node]
 SpinUntil = Callable[..., None]
@@ -523,19 +522,13 @@ def test_server_callback_error_is_raised_by_spin_and_the_server_continues(
     assert not lost.done()
 
 
-def test_invalid_arguments_raise(node: Node, client: Client, executor: SingleThreadedExecutor) -> None:
-    with pytest.raises(TypeError, match=r"Expected .*AddTwoInts_Request.*, got .*SetBool_Request"):
-        client.call_async(SetBool.Request())
+def test_invalid_arguments_raise(node: Node, executor: SingleThreadedExecutor) -> None:
     text = f"The service type provided is not valid ({AddTwoInts.Request}), this might be a message or action"
     with pytest.raises(RuntimeError, match=re.escape(text)):
         node.create_client(AddTwoInts.Request, "x")  # type: ignore[arg-type]
     with pytest.raises(RuntimeError, match=re.escape(text)):
         node.create_service(AddTwoInts.Request, "x", add)  # type: ignore[arg-type]
-    text = r"expected a service class, such as std_srvs\.srv\.SetBool, got 'SetBool' of class str$"
-    with pytest.raises(AttributeError, match=text):
-        node.create_client("SetBool", "x")  # type: ignore[arg-type]
-    with pytest.raises(InvalidServiceNameException):
-        node.create_service(AddTwoInts, "no service", add)
+    executor.add_node(node)
     node.create_service(SetBool, "wrong", lambda request, response: None)
     node.create_client(SetBool, "wrong").call_async(SetBool.Request())
     with pytest.raises(TypeError, match="callback of /wrong must return a SetBool_Response, not NoneType"):

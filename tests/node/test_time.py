@@ -44,12 +44,6 @@ def test_seconds_and_nanoseconds_add_up() -> None:
     assert Duration(seconds=-0.5).nanoseconds == -500_000_000
 
 
-@pytest.mark.parametrize("parts", [{"seconds": -1}, {"nanoseconds": -1}])
-def test_negative_time_raises(parts: dict[str, int]) -> None:
-    with pytest.raises(ValueError, match="must not be negative"):
-        Time(**parts)
-
-
 def test_values_beyond_64_bits_raise() -> None:
     with pytest.raises(OverflowError):
         Time(nanoseconds=2**63)

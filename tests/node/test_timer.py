@@ -86,8 +86,6 @@ def test_destroyed_timer_stops(node: Node) -> None:
     assert list(node.timers) == []
     with pytest.raises(InvalidHandle):
         _ = timer.handle
-    with pytest.raises(ValueError, match="non-negative"):
-        node.create_timer(-1.0, print)
 
 
 def test_simulated_time_drives_a_timer(
@@ -197,8 +195,6 @@ def test_shutdown_wakes_a_sleeping_rate(node: Node, context: Context) -> None:
     context.shutdown()
     assert raised.wait(30)
     thread.join(10)
-    with pytest.raises(ValueError, match="frequency must be > 0"):
-        node.create_rate(0)
 
 
 def test_a_schedule_keeps_the_last_deadline_of_each_token() -> None:

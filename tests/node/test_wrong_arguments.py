@@ -40,6 +40,7 @@ MODULES = (
     "geometry_msgs.msg",
     "std_msgs.msg",
     "std_srvs.srv",
+    "sensor_msgs.msg",
     "turtlesim.action",
     "launch",
     "launch.actions",
@@ -50,6 +51,10 @@ MODULES = (
 )
 """Where the names of the rows come from; a name is that of the first module that has it."""
 
+NO_CALLBACK = (
+    "got None: if it is the result of a call, as of `callback()`, write `callback`, without brackets"
+)
+NO_FRAME = "the name of a frame or a publisher must be a str, not None of class NoneType"
 ROWS = {
     # Nodes
     "Node(1)": "TypeError: a node name must be a str, not 1 of class int",
@@ -63,7 +68,12 @@ ROWS = {
     "LifecycleNode(None)": "TypeError: a node name must be a str, not None",
     # Topics
     "node.create_publisher('chatter', String, 10)": "AttributeError: got 'chatter' of class str",
-    "node.create_publisher(String(), 'a', 1)": "AttributeError: give the class, String, without brackets",
+    "node.create_publisher(str, 'a', 1)": (
+        "AttributeError: expected a message class, such as std_msgs.msg.String, got the class builtins.str"
+    ),
+    "node.create_publisher(String(data='x'), 'a', 1)": (
+        "AttributeError: got std_msgs.msg.String(data='x') of class String: give the class, String, without brackets"
+    ),
     "node.create_publisher(SetBool, 'a', 1)": "RuntimeError: this might be a service or action",
     "node.create_publisher(String, 5, 1)": "TypeError: a topic name must be a str, not 5 of class int",
     "node.create_publisher(String, '', 1)": "InvalidTopicNameException: topic name must not be empty",
@@ -72,12 +82,33 @@ ROWS = {
     "node.create_publisher(String, 'a', '10')": "TypeError: received <class 'str'>: a depth is a number, as 10",
     "node.create_publisher(String, 'a', -1)": "ValueError: history depth must be greater than or equal to zero",
     "node.create_publisher(String, 'a', 1, callback_group=1)": "AttributeError: as ReentrantCallbackGroup(), got 1",
+    "node.create_publisher(String, 'a b', 1)": "InvalidTopicNameException: Invalid topic name",
+    "node.create_publisher(String, 'a', 1).publish('hello')": (
+        "TypeError: got <class 'str'>: publish a message, String(data='hello')"
+    ),
+    "node.create_publisher(String, 'a', 1).publish(None)": (
+        "TypeError: got <class 'NoneType'>: publish a message, String(data=…)"
+    ),
+    "node.create_publisher(Twist, 'a', 1).publish(2.0)": (
+        "TypeError: got <class 'float'>: publish a message, Twist(linear=…, angular=…)"
+    ),
+    "node.create_publisher(String, 'a', 1).publish(String)": "TypeError: : publish a message, String(…), not its class",
+    "node.create_publisher(String, 'a', 1).publish(Twist())": "TypeError: : this topic has std_msgs.msg.String",
+    "node.create_publisher(Empty, 'a', 1).publish('x')": "TypeError: : this topic has std_msgs.msg.Empty",
+    "node.create_publisher(Header, 'a', 1).publish(Header(stamp=Time(seconds=1)))": (
+        "EncodeError: got Time(nanoseconds=1000000000, clock_type=SYSTEM_TIME) (Time): append .to_msg()"
+    ),
     "node.create_publisher(String, 'a', 1).publish({'data': 'x'})": "TypeError: String(data={'data': 'x'})",
     "node.create_publisher(String, 'a', 1).publish(String(data=5))": "EncodeError: String.data must be a str, got 5",
     "node.create_subscription('String', 'a', print, 1)": "AttributeError: got 'String' of class str",
     "node.create_subscription(String, None, print, 1)": "TypeError: a topic name must be a str, not None",
     "node.create_subscription(String, 'a', 10, print)": "TypeError: Expected QoSProfile or int",
-    "node.create_subscription(String, 'a', None, 10)": "RuntimeError: write `callback`, without brackets",
+    "node.create_subscription(String, 'a b', print, 1)": "InvalidTopicNameException: Invalid topic name",
+    "node.create_subscription(String, 'a', None, 10)": f"RuntimeError: {NO_CALLBACK}",
+    "node.create_subscription(String, 'a', lambda a, b, c: None, 1)": (
+        "RuntimeError: callable with one argument(to get only the message) or two (to get message and message info); "
+        "got <function"
+    ),
     "node.create_subscription(String, 'a', print, 1, callback_group=ReentrantCallbackGroup)": (
         "AttributeError: got the class ReentrantCallbackGroup: write ReentrantCallbackGroup()"
     ),
@@ -86,9 +117,12 @@ ROWS = {
     "node.create_service('a', SetBool, print)": "AttributeError: expected a service class, such as std_srvs",
     "node.create_service(String, 'a', print)": "RuntimeError: this might be a message or action",
     "node.create_service(SetBool, None, print)": "TypeError: a service name must be a str, not None",
+    "node.create_service(SetBool, 'a b', print)": "InvalidServiceNameException: Invalid service name",
+    "node.create_service(SetBool, 'a', None)": f"TypeError: {NO_CALLBACK}",
     "node.create_service(SetBool, 'a', 3)": "TypeError: got 3 of class int, which can't be called",
     "node.create_client('a', SetBool)": "AttributeError: expected a service class, such as std_srvs",
     "node.create_client(SetBool, None)": "TypeError: a service name must be a str, not None",
+    "node.create_client(SetBool, 'a b')": "InvalidServiceNameException: Invalid service name",
     "node.create_client(SetBool, 'a').call(True)": "TypeError: send a request, SetBool.Request(data=True)",
     "node.create_client(SetBool, 'a').call_async(True)": "TypeError: send a request, SetBool.Request(data=True)",
     "node.create_client(SetBool, 'a').call_async(None)": "TypeError: send a request, SetBool.Request(data=…)",
@@ -118,10 +152,13 @@ ROWS = {
     "node.create_timer(Duration(seconds=1), print)": "TypeError: needs a period in seconds, as 0.5, got Duration",
     "node.create_timer(-1, print)": "ValueError: timer period must be non-negative, not -1.0 s",
     "node.create_timer(print, 1.0)": "TypeError: create_timer() needs a period in seconds",
-    "node.create_timer(1.0, 'f')": "TypeError: got 'f' of class str, which can't be called",
+    "node.create_timer(None, print)": "TypeError: create_timer() needs a period in seconds, as 0.5, got None of class",
+    "node.create_timer('fast', print)": "ValueError: create_timer() needs a period in seconds, as 0.5, got 'fast' of",
+    "node.create_timer(1.0, 'f')": "TypeError: create_timer() needs a callback, got 'f' of class str, which can't be",
     "node.create_timer(1.0, print, 1)": "AttributeError: expected a callback group",
     "node.create_guard_condition(print, 1)": "AttributeError: expected a callback group",
     "node.create_rate(0)": "ValueError: frequency must be > 0",
+    "node.create_rate('x')": "TypeError: create_rate() needs a frequency in Hz, as 0.5, got 'x' of class str",
     "node.create_rate(None)": "TypeError: create_rate() needs a frequency in Hz, as 0.5, got None",
     "node.get_clock().sleep_for(1.0)": "TypeError: got 1.0 of class float: write Duration(seconds=1.0)",
     "node.get_clock().sleep_until(1.0)": "AttributeError: sleep_until() needs a Time, got 1.0 of class float",
@@ -130,6 +167,7 @@ ROWS = {
     "Time(seconds=None)": "TypeError: Time needs seconds, as 0.5, got None of class NoneType",
     "Time(nanoseconds='x')": "TypeError: Time needs nanoseconds, as 500, got 'x' of class str",
     "Time(seconds=-1)": "ValueError: Seconds value must not be negative",
+    "Time(nanoseconds=-1)": "ValueError: Nanoseconds value must not be negative",
     "Time.from_msg(1.5)": "TypeError: Must pass a builtin_interfaces.msg.Time object, got 1.5 of class float",
     "Time.from_msg(Time())": "TypeError: which is one of rclpy: use it as it is",
     "Duration(seconds=None)": "TypeError: Duration needs seconds, as 0.5, got None of class NoneType",
@@ -139,6 +177,7 @@ ROWS = {
     "node.declare_parameter(None)": "TypeError: Expected string as name at index 0",
     "node.declare_parameter('')": "InvalidParameterException: Invalid parameter name",
     "node.declare_parameter('a', object())": "TypeError: The given value is not one of the allowed types",
+    "node.declare_parameter('a', {'a': 1})": "TypeError: DOUBLE_ARRAY, STRING_ARRAY'. It is {'a': 1} of class dict.",
     "node.declare_parameter('a', 1, 'a description')": "TypeError: Expected a ParameterDescriptor as third item",
     "node.declare_parameter('use_sim_time', True)": "ParameterAlreadyDeclaredException: ['use_sim_time']",
     "node.declare_parameters('', {'a': 1})": "TypeError: at index 0 in parameters list: a: write ('speed', 1.0)",
@@ -155,7 +194,11 @@ ROWS = {
     "node.set_parameters([Parameter('nope', value=1)])": "ParameterNotDeclaredException: ['nope']",
     "node.set_parameters_atomically(Parameter('a', value=1))": "TypeError: put it in brackets, [Parameter(…)]",
     "node.set_parameters_atomically([Parameter('nope', value=1)])": "ParameterNotDeclaredException: ['nope']",
+    "node.add_pre_set_parameters_callback(None)": f"TypeError: {NO_CALLBACK}",
+    "node.add_on_set_parameters_callback(None)": f"TypeError: {NO_CALLBACK}",
+    "node.add_post_set_parameters_callback(None)": f"TypeError: {NO_CALLBACK}",
     "Parameter('a', Parameter.Type.INTEGER, 'x')": "ValueError: Type 'Type.INTEGER' and value 'x' do not agree",
+    "Parameter('a', int, 1)": "TypeError: Parameter.Type",
     "Parameter('a', value=object())": "TypeError: The given value is not one of the allowed types",
     # QoS
     "QoSProfile()": "InvalidQoSProfileException: History and/or depth settings are required",
@@ -180,6 +223,16 @@ ROWS = {
     # Executors
     "spin(None)": "TypeError: spin() needs a node, got None: does the function that creates it return it?",
     "spin(Node)": "TypeError: spin() needs a node, got the class Node: write Node(…)",
+    "spin(node, 5)": "TypeError: spin() needs an executor, got 5 of class int",
+    "spin_once(None)": "TypeError: spin_once() needs a node",
+    "spin_once(node, executor=SingleThreadedExecutor)": (
+        "TypeError: spin_once() needs an executor, got the class SingleThreadedExecutor: write SingleThreadedExecutor()"
+    ),
+    "spin_until_future_complete(None, None)": "TypeError: needs a node, got None",
+    "spin_until_future_complete(node, None)": "TypeError: needs a future, as `call_async` returns it, got None",
+    "spin_until_future_complete(node, Future(), 5)": (
+        "TypeError: spin_until_future_complete() needs an executor, got 5 of class int"
+    ),
     "spin_once(node, timeout_sec=Duration(seconds=1))": "TypeError: of class Duration: write 1",
     "spin_until_future_complete(node, print)": "TypeError: needs a future, as `call_async` returns it, got <built-in",
     "SingleThreadedExecutor(context=node.context).add_node(Node)": "TypeError: got the class Node: write Node(…)",
@@ -188,6 +241,10 @@ ROWS = {
     "MultiThreadedExecutor(num_threads='x', context=node.context)": "TypeError: a number of threads, as 4, got 'x'",
     # Messages
     "String('hello')": "TypeError: String takes its fields by keyword: write String(data=…)",
+    "LaserScan(ranges=['far'])": (
+        "TypeError: must be real number, not str: LaserScan.ranges is float32[], got ['far'] of class list"
+    ),
+    "LaserScan(ranges=None)": "TypeError: LaserScan.ranges is float32[], got None of class NoneType",
     "Vector3(1.0, 2.0, 3.0)": "TypeError: write Vector3(x=…, y=…, z=…)",
     "serialize_message(None)": "AttributeError: needs a message, as String(data='hello'), got None",
     "serialize_message(String)": "AttributeError: write String(…)",
@@ -199,20 +256,34 @@ ROWS = {
     "Buffer(node)": "TypeError: of class Node: write rclpy.duration.Duration(seconds=…)",
     "Buffer(node='x')": "TypeError: Buffer() needs a node, got 'x' of class str",
     "Buffer(Duration(seconds=-1))": "ValueError: cache_time must not be negative, got Duration(nanoseconds=-1",
-    "TransformListener(node, Buffer())": "TypeError: needs a tf2_ros.Buffer first",
+    "TransformListener(node, node)": "TypeError: TransformListener(buffer, node) needs a tf2_ros.Buffer first",
     "TransformListener(Buffer(), 'x')": "TypeError: TransformListener() needs a node, got 'x' of class str",
     "TransformListener(Buffer(), node, qos='x')": "TypeError: received <class 'str'>: a depth is a number, as 10",
+    "TransformBroadcaster(None)": "TypeError: TransformBroadcaster(node) needs the node that publishes, got None",
     "TransformBroadcaster(Node)": "TypeError: TransformBroadcaster(node) needs the node that publishes, got <class",
     "TransformBroadcaster(node, qos='x')": "TypeError: a depth is a number, as 10",
+    "TransformBroadcaster(node).sendTransform(None)": (
+        "TypeError: sendTransform() needs a geometry_msgs.msg.TransformStamped, or several, got None of class NoneType"
+    ),
     "TransformBroadcaster(node).sendTransform(Transform())": "TypeError: or several, got geometry_msgs",
     "TransformBroadcaster(node).sendTransform([1])": "TypeError: or several, got 1 of class int",
     "TransformBroadcaster(node).sendTransform(TransformStamped(child_frame_id=1))": "EncodeError: must be a str, got 1",
+    "StaticTransformBroadcaster('x')": "TypeError: StaticTransformBroadcaster(node) needs the node that publishes, got",
+    "StaticTransformBroadcaster(node).sendTransform([TransformStamped(), Twist()])": "TypeError: of class Twist",
     "StaticTransformBroadcaster(Node)": "TypeError: needs the node that publishes, got <class",
     "BufferClient(node, None)": "TypeError: a service name must be a str, not None",
     "BufferClient('x', 'a')": "TypeError: BufferClient() needs a node, got 'x' of class str",
+    "Buffer().set_transform(None, 'me')": (
+        "TypeError: set_transform() needs a geometry_msgs.msg.TransformStamped, got None"
+    ),
+    "Buffer().set_transform(TransformStamped(), None)": f"TypeError: {NO_FRAME}",
+    "Buffer().set_transform_static('x', 'me')": (
+        "TypeError: set_transform_static() needs a geometry_msgs.msg.TransformStamped, got 'x'"
+    ),
     "Buffer().set_transform(Transform(), 'me')": "TypeError: needs a geometry_msgs.msg.TransformStamped",
     "Buffer().lookup_transform('a', 'b', 0.0)": "TypeError: write rclpy.time.Time(seconds=0.0), or Time() for",
-    "Buffer().lookup_transform(None, 'b', Time())": "TypeError: must be a str, not None of class NoneType",
+    "Buffer().lookup_transform(None, 'b', Time())": f"TypeError: {NO_FRAME}",
+    "Buffer().lookup_transform('a', None, Time())": f"TypeError: {NO_FRAME}",
     "Buffer().lookup_transform('/a', 'b', Time())": "InvalidArgumentException: cannot start with a '/'",
     "Buffer().lookup_transform('a', 'b', Time())": 'LookupException: "a" passed to lookupTransform argument',
     "Buffer().lookup_transform('a', 'b', Time(), 1.5)": "TypeError: write rclpy.duration.Duration(seconds=1.5)",
@@ -300,6 +371,22 @@ ROWS = {
 }
 """What a program writes: the kind of the error, and what its text, or a note, has in it."""
 
+TIMES = {
+    "Buffer().lookup_transform('a', 'b', 1.5)": (
+        "got 1.5 of class float: write rclpy.time.Time(seconds=1.5), or Time() for the latest transform"
+    ),
+    "Buffer().lookup_transform_full('a', Time(), 'b', 'now', 'c')": (
+        "got 'now' of class str: write rclpy.time.Time(seconds=…), or Time() for the latest transform"
+    ),
+    "Buffer().can_transform('a', 'b', None)": "got None of class NoneType: write",
+    "Buffer().wait_for_transform_async('a', 'b', 1)": "rclpy.time.Time(seconds=1)",
+    "Buffer().lookup_transform('a', 'b', Time(), timeout=1.5)": (
+        "got 1.5 of class float: write rclpy.duration.Duration(seconds=1.5)"
+    ),
+    "Buffer().can_transform('a', 'b', Time(), 2)": "got 2 of class int: write rclpy.duration.Duration(seconds=2)",
+}
+"""What has the reference's text, and what its note has in it."""
+
 MAX_FRAMES = 2
 """How many frames of tfloom may stand between the program's line and the text."""
 
@@ -344,6 +431,22 @@ def test_error_says_what_was_given_near_the_line(line: str, node: Node) -> None:
     kind, _, text = ROWS[line].partition(": ")
     assert type(error).__name__ == kind
     assert text in "\n".join([str(error), *getattr(error, "__notes__", ())])
+    _check_frames(error)
+
+
+@pytest.mark.parametrize("line", TIMES)
+def test_number_in_place_of_a_time_has_a_note(line: str, node: Node) -> None:
+    error = _misuse(line, node)
+    assert isinstance(error, TypeError)
+    assert str(error) in {
+        f"{kind} must have sec and nanosec, or nanoseconds." for kind in ("time", "duration")
+    }
+    (note,) = error.__notes__  # type: ignore[attr-defined]
+    assert TIMES[line] in note
+    _check_frames(error)
+
+
+def _check_frames(error: BaseException) -> None:
     frames = traceback.extract_tb(error.__traceback__)
     inside = [f"{frame.filename}:{frame.lineno}" for frame in frames if frame.filename.startswith(FOLDER)]
     assert len(inside) <= MAX_FRAMES, inside

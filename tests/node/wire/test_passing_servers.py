@@ -99,9 +99,9 @@ def outcome(future: Future[Any]) -> str:
 def test_calls_and_goals_are_answered_or_fail_while_servers_come_and_go(
     short_lease: float, start: Start, node: Node, executor: SingleThreadedExecutor
 ) -> None:
-    outcomes = count_outcomes(400, 10, start, node, executor)
+    outcomes = count_outcomes(200, 10, start, node, executor)
     assert outcomes["open"] == 0
-    assert outcomes.total() == 400
+    assert outcomes.total() == 200
     assert outcomes["answered"] > 0
 
 
