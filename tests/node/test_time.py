@@ -5,7 +5,7 @@ from __future__ import annotations
 import operator
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tfloom.interfaces.builtin_interfaces import msg as builtin_msg
@@ -17,12 +17,14 @@ STAMPS = st.integers(0, 2**31 * 10**9 - 1)
 SPANS = st.integers(-(2**31) * 10**9, 2**31 * 10**9 - 1)
 
 
+@settings(deadline=None)
 @given(STAMPS)
 def test_time_survives_conversion_to_a_message(stamp_ns: int) -> None:
     time = Time(nanoseconds=stamp_ns, clock_type=ClockType.ROS_TIME)
     assert Time.from_msg(time.to_msg()) == time
 
 
+@settings(deadline=None)
 @given(SPANS)
 def test_duration_survives_conversion_to_a_message(span_ns: int) -> None:
     duration = Duration(nanoseconds=span_ns)
@@ -30,6 +32,7 @@ def test_duration_survives_conversion_to_a_message(span_ns: int) -> None:
     assert 0 <= duration.to_msg().nanosec < 10**9
 
 
+@settings(deadline=None)
 @given(STAMPS, SPANS)
 def test_subtraction_undoes_addition(stamp_ns: int, span_ns: int) -> None:
     time = Time(nanoseconds=stamp_ns + 2**31 * 10**9)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from tfloom.rmw.qos import (
     BEST_AVAILABLE_NS,
     INFINITE_NS,
@@ -11,6 +13,9 @@ from tfloom.rmw.qos import (
     QoSPolicyKind,
     ReliabilityPolicy,
 )
+
+if TYPE_CHECKING:
+    from tfloom.rmw.base import Graph
 
 
 def incompatible_policies(offered: QoS, requested: QoS) -> list[QoSPolicyKind]:
@@ -39,6 +44,14 @@ def is_best_available(qos: QoS) -> bool:
         or qos.liveliness == LivelinessPolicy.BEST_AVAILABLE
         or BEST_AVAILABLE_NS in {qos.deadline_ns, qos.liveliness_lease_ns}
     )
+
+
+def chosen_qos(qos: QoS, graph: Graph, topic_name: str, *, is_writer: bool) -> QoS:
+    """Return the quality of a new writer or reader, with each BEST_AVAILABLE policy chosen by the topic's others."""
+    if not is_best_available(qos):
+        return qos
+    others = [end for end in graph.endpoints() if end.topic.name == topic_name]
+    return best_available(qos, [end.qos for end in others if end.is_writer != is_writer], is_writer=is_writer)
 
 
 def best_available(qos: QoS, theirs: list[QoS], *, is_writer: bool) -> QoS:

@@ -18,7 +18,7 @@ from weakref import WeakSet, WeakValueDictionary
 from tfloom._native import DdsParticipant, DdsWriter
 from tfloom.rmw import cyclone_config, node_lists
 from tfloom.rmw.base import NodeName, Participant, Service, Topic
-from tfloom.rmw.compatibility import best_available, is_best_available
+from tfloom.rmw.compatibility import chosen_qos
 from tfloom.rmw.cyclone_endpoints import CycloneEndpoint, CycloneReader, CycloneWriter
 from tfloom.rmw.cyclone_graph import NODE_LIST_USER_DATA, CycloneGraph
 from tfloom.rmw.cyclone_library import Library, open_copy, open_library
@@ -206,9 +206,9 @@ class CycloneParticipant:
         return self._open_topic(CycloneReader, node, topic, qos)
 
     def _open_topic(self, kind: type[_End], node: NodeName, topic: Topic, qos: QoS) -> _End:
-        best = self._best_available(topic.name, qos, is_writer=kind is CycloneWriter)
+        qos = chosen_qos(qos, self.graph, topic.name, is_writer=kind is CycloneWriter)
         dds_name = topic.name if topic.is_native else topic_to_dds(topic.name)
-        end = self._open(kind, dds_name, topic, best, _user_data(topic))
+        end = self._open(kind, dds_name, topic, qos, _user_data(topic))
         self._remember(node, end)
         return end
 
@@ -264,13 +264,6 @@ class CycloneParticipant:
         """Return the full name of the node with an endpoint; empty if it is unknown."""
         node = next((end.node for end in self.graph.raw_endpoints() if end.gid == gid), None)
         return "" if node is None else node.full
-
-    def _best_available(self, topic_name: str, qos: QoS, *, is_writer: bool) -> QoS:
-        if not is_best_available(qos):
-            return qos
-        ends = self.graph.endpoints()
-        theirs = [end.qos for end in ends if end.topic.name == topic_name and end.is_writer != is_writer]
-        return best_available(qos, theirs, is_writer=is_writer)
 
     def _open(self, kind: type[_End], dds_name: str, topic: Topic, qos: QoS, user_data: bytes) -> _End:
         if self._is_forked:

@@ -19,7 +19,7 @@ from tfloom.rmw.base import (
     ServiceEndInfo,
     Topic,
 )
-from tfloom.rmw.compatibility import best_available, is_best_available
+from tfloom.rmw.compatibility import chosen_qos
 from tfloom.rmw.errors import ClosedError
 from tfloom.rmw.local_endpoints import LocalReader, LocalWriter
 from tfloom.rmw.local_services import LocalClients, LocalServers
@@ -250,10 +250,7 @@ class LocalParticipant:
     def _describe(self, node: NodeName, topic: Topic, qos: QoS, *, is_writer: bool) -> EndpointInfo:
         if self._closed:
             raise ClosedError(f"cannot open {topic.name}: its participant is closed")
-        if is_best_available(qos):
-            others = [end for end in self.graph.endpoints() if end.topic.name == topic.name]
-            theirs = [end.qos for end in others if end.is_writer != is_writer]
-            qos = best_available(qos, theirs, is_writer=is_writer)
+        qos = chosen_qos(qos, self.graph, topic.name, is_writer=is_writer)
         gid = self._gid_prefix + next(self._entity_numbers).to_bytes(4, "big")
         return EndpointInfo(topic, node, is_writer, gid, qos.resolved())
 

@@ -13,7 +13,7 @@ from typing import Any, TypeVar
 from weakref import WeakSet
 
 from tfloom.rmw.base import EndpointInfo, NodeName, Participant, Service, Topic
-from tfloom.rmw.compatibility import best_available, is_best_available
+from tfloom.rmw.compatibility import chosen_qos
 from tfloom.rmw.errors import ClosedError, WireError
 from tfloom.rmw.forks import forbid_children
 from tfloom.rmw.qos import QoS
@@ -182,11 +182,7 @@ class ZenohParticipant:
     def _open_topic(self, kind: type[_TopicEnd], node: NodeName, topic: Topic, qos: QoS) -> _TopicEnd:
         self._check_open(f"open {topic.name}")
         is_writer = kind is ZenohWriter
-        if is_best_available(qos):
-            ends = self.graph.endpoints()
-            theirs = [end.qos for end in ends if end.topic.name == topic.name and end.is_writer != is_writer]
-            qos = best_available(qos, theirs, is_writer=is_writer)
-        qos = wire_qos(qos)
+        qos = wire_qos(chosen_qos(qos, self.graph, topic.name, is_writer=is_writer))
         key = self._token_key(kind, node, End(topic.name, topic.type_name, topic.type_hash, qos))
         info = EndpointInfo(topic, node, is_writer, gid_of(key), qos)
         end = kind(info, self.graph, self._timers, self._forget)

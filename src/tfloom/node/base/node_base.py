@@ -286,15 +286,15 @@ class NodeBase:
 
     def get_name(self) -> str:
         """Return the node's name."""
-        return self.__graph.get_name()
+        return self.__graph.node.name
 
     def get_namespace(self) -> str:
         """Return the node's namespace, `/` or `/a/b`."""
-        return self.__graph.get_namespace()
+        return self.__graph.node.namespace
 
     def get_fully_qualified_name(self) -> str:
         """Return namespace and name."""
-        return self.__graph.get_fully_qualified_name()
+        return self.__graph.node.full
 
     def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
         """Return a topic's full name, remapped unless `only_expand`.
@@ -320,19 +320,20 @@ class NodeBase:
 
     def get_node_names(self) -> list[str]:
         """Return the names of all nodes, without their namespaces."""
-        return self.__graph.get_node_names()
+        return [node.name for node in self.__graph.wire_graph.nodes()]
 
     def get_fully_qualified_node_names(self) -> list[str]:
         """Return the full names of all nodes."""
-        return self.__graph.get_fully_qualified_node_names()
+        return [node.full for node in self.__graph.wire_graph.nodes()]
 
     def get_node_names_and_namespaces(self) -> list[tuple[str, str]]:
         """Return names and namespaces of all nodes."""
-        return self.__graph.get_node_names_and_namespaces()
+        return [(node.name, node.namespace) for node in self.__graph.wire_graph.nodes()]
 
     def get_node_names_and_namespaces_with_enclaves(self) -> list[tuple[str, str, str]]:
         """Return names, namespaces and enclaves of all nodes."""
-        return self.__graph.get_node_names_and_namespaces_with_enclaves()
+        nodes = self.__graph.wire_graph.enclaves()
+        return [(node.name, node.namespace, enclave) for node, enclave in nodes]
 
     def wait_for_node(self, fully_qualified_node_name: str, timeout: float) -> bool:
         """Wait until a node is on the graph; False if it isn't after `timeout` [s]."""
@@ -352,7 +353,7 @@ class NodeBase:
             no_demangle: Whether to return all topics on the wire, those of services and of other programs too, by
                 their DDS names and types, such as `rt/pose` and `turtlesim::msg::dds_::Pose_`.
         """
-        return self.__graph.get_topic_names_and_types(no_demangle)
+        return self.__graph.topics(no_demangle)
 
     def get_publisher_names_and_types_by_node(
         self, node_name: str, node_namespace: str, no_demangle: bool = False
@@ -362,7 +363,7 @@ class NodeBase:
         Raises:
             NodeNameNonExistentError: there is no such node.
         """
-        return self.__graph.get_publisher_names_and_types_by_node(node_name, node_namespace, no_demangle)
+        return self.__graph.topics_of_node(node_name, node_namespace, is_writer=True, no_demangle=no_demangle)
 
     def get_subscriber_names_and_types_by_node(
         self, node_name: str, node_namespace: str, no_demangle: bool = False
@@ -372,31 +373,31 @@ class NodeBase:
         Raises:
             NodeNameNonExistentError: there is no such node.
         """
-        return self.__graph.get_subscriber_names_and_types_by_node(node_name, node_namespace, no_demangle)
+        return self.__graph.topics_of_node(
+            node_name, node_namespace, is_writer=False, no_demangle=no_demangle
+        )
 
     def get_service_names_and_types(self) -> NamesAndTypes:
         """Return all services that have a server, with their types."""
-        return self.__graph.get_service_names_and_types()
+        return self.__graph.services()
 
     def get_service_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
         """Return the services that a node serves, with their types; RuntimeError if there is no such node."""
-        return self.__graph.get_service_names_and_types_by_node(node_name, node_namespace)
+        return self.__graph.services_of_node(node_name, node_namespace, is_server=True)
 
     def get_client_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
         """Return the services that a node is a client of; RuntimeError if there is no such node."""
-        return self.__graph.get_client_names_and_types_by_node(node_name, node_namespace)
+        return self.__graph.services_of_node(node_name, node_namespace, is_server=False)
 
     def count_services(self, service_name: str) -> int:
         """Return how many servers a service has; the name is expanded and remapped."""
-        if (error := self.__graph.query_error(service_name, is_service=True)) is not None:
-            raise error
-        return self.__graph.count_services(service_name)
+        name = self.__graph.queried_name(service_name, is_service=True)
+        return self.__graph.service_end_count(name, is_server=True)
 
     def count_clients(self, service_name: str) -> int:
         """Return how many clients a service has; the name is expanded and remapped."""
-        if (error := self.__graph.query_error(service_name, is_service=True)) is not None:
-            raise error
-        return self.__graph.count_clients(service_name)
+        name = self.__graph.queried_name(service_name, is_service=True)
+        return self.__graph.service_end_count(name, is_server=False)
 
     def count_publishers(self, topic_name: str) -> int:
         """Return how many publishers a topic has, of all nodes; the name is expanded and remapped.
@@ -404,9 +405,7 @@ class NodeBase:
         Raises:
             InvalidTopicNameException: the name isn't valid.
         """
-        if (error := self.__graph.query_error(topic_name)) is not None:
-            raise error
-        return self.__graph.count_publishers(topic_name)
+        return len(self.__graph.endpoints(self.__graph.queried_name(topic_name), is_writer=True))
 
     def count_subscribers(self, topic_name: str) -> int:
         """Return how many subscriptions a topic has, of all nodes; the name is expanded and remapped.
@@ -414,9 +413,7 @@ class NodeBase:
         Raises:
             InvalidTopicNameException: the name isn't valid.
         """
-        if (error := self.__graph.query_error(topic_name)) is not None:
-            raise error
-        return self.__graph.count_subscribers(topic_name)
+        return len(self.__graph.endpoints(self.__graph.queried_name(topic_name), is_writer=False))
 
     def get_publishers_info_by_topic(
         self, topic_name: str, no_mangle: bool = False
@@ -430,9 +427,8 @@ class NodeBase:
         Raises:
             InvalidTopicNameException: the name isn't valid.
         """
-        if not no_mangle and (error := self.__graph.query_error(topic_name)) is not None:
-            raise error
-        return self.__graph.get_publishers_info_by_topic(topic_name, no_mangle)
+        name = topic_name if no_mangle else self.__graph.queried_name(topic_name)
+        return self.__graph.endpoints(name, is_writer=True, no_mangle=no_mangle)
 
     def get_subscriptions_info_by_topic(
         self, topic_name: str, no_mangle: bool = False
@@ -446,9 +442,8 @@ class NodeBase:
         Raises:
             InvalidTopicNameException: the name isn't valid.
         """
-        if not no_mangle and (error := self.__graph.query_error(topic_name)) is not None:
-            raise error
-        return self.__graph.get_subscriptions_info_by_topic(topic_name, no_mangle)
+        name = topic_name if no_mangle else self.__graph.queried_name(topic_name)
+        return self.__graph.endpoints(name, is_writer=False, no_mangle=no_mangle)
 
     # Parameters
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from tfloom.node.qos.topic_endpoint_info import TopicEndpointInfo
@@ -22,7 +22,7 @@ _POLL_PERIOD_S = 0.02
 
 
 class NodeGraph:
-    """The names of a node, and its queries of the graph. Node's methods of the same names describe each of these.
+    """The names of a node, and its queries of the graph, which are by full names.
 
     Args:
         names: The node's names.
@@ -31,169 +31,105 @@ class NodeGraph:
 
     def __init__(self, names: NodeNames, graph: Graph) -> None:
         self._names = names
-        self._graph = graph
-
-    def get_name(self) -> str:
-        """Return the node's name."""
-        return self._names.node.name
-
-    def get_namespace(self) -> str:
-        """Return the node's namespace, `/` or `/a/b`."""
-        return self._names.node.namespace
-
-    def get_fully_qualified_name(self) -> str:
-        """Return namespace and name."""
-        return self._names.node.full
+        self.node = names.node
+        """Name and namespace of the node."""
+        self.wire_graph = graph
+        """Graph of its participant."""
 
     def resolved(self, name: str, *, only_expand: bool, is_service: bool) -> str | Exception:
         """Return a topic's or a service's full name, remapped unless `only_expand`, or the error of the name."""
         return self._names.resolved(name, only_expand=only_expand, is_service=is_service)
 
-    def query_error(self, name: object, *, is_service: bool = False) -> Exception | None:
-        """Return the error of a name in a query, or None."""
+    def queried_name(self, name: object, *, is_service: bool = False) -> str:
+        """Return the full name of a topic or service in a query, expanded and remapped.
+
+        Raises:
+            NameValidationException: the name isn't valid; the text is rclpy's of an expansion.
+            TypeError: the name is not a str.
+        """
         if (error := expansion_error(name)) is not None:
-            return error
-        resolved = self._names.resolved(str(name), only_expand=False, is_service=is_service)
-        return resolved if isinstance(resolved, Exception) else None
+            raise error
+        full_name = self._names.resolved(str(name), only_expand=False, is_service=is_service)
+        if isinstance(full_name, Exception):
+            raise full_name
+        return full_name
 
-    def get_node_names(self) -> list[str]:
-        """Return the names of all nodes, without their namespaces."""
-        return [node.name for node in self._graph.nodes()]
-
-    def get_fully_qualified_node_names(self) -> list[str]:
-        """Return the full names of all nodes."""
-        return [node.full for node in self._graph.nodes()]
-
-    def get_node_names_and_namespaces(self) -> list[tuple[str, str]]:
-        """Return names and namespaces of all nodes."""
-        return [(node.name, node.namespace) for node in self._graph.nodes()]
-
-    def get_node_names_and_namespaces_with_enclaves(self) -> list[tuple[str, str, str]]:
-        """Return names, namespaces and enclaves of all nodes."""
-        return [(node.name, node.namespace, enclave) for node, enclave in self._graph.enclaves()]
-
-    def wait_for_node(self, fully_qualified_node_name: str, timeout: float) -> bool:
-        """Wait until a node is on the graph; False if it isn't after `timeout` [s]."""
-        end = time.monotonic() + timeout
-        full_name = fully_qualified_node_name
+    def wait_for_node(self, full_name: str, timeout_s: float) -> bool:
+        """Wait until a node is on the graph; False if it isn't after `timeout_s`."""
+        end = time.monotonic() + timeout_s
         if not full_name.startswith("/"):
             full_name = f"/{full_name}"
-        while full_name not in self.get_fully_qualified_node_names():
+        while all(node.full != full_name for node in self.wire_graph.nodes()):
             if time.monotonic() >= end:
                 return False
             time.sleep(_POLL_PERIOD_S)
         return True
 
-    def get_topic_names_and_types(self, no_demangle: bool = False) -> NamesAndTypes:
+    def topics(self, no_demangle: bool) -> NamesAndTypes:
         """Return all topics, and the types they are written or read as."""
-        return self._names_and_types(lambda _: True, no_demangle)
+        return _topics(self._all_endpoints(no_demangle))
 
-    def get_publisher_names_and_types_by_node(
-        self, node_name: str, node_namespace: str, no_demangle: bool = False
+    def topics_of_node(
+        self, name: str, namespace: str, *, is_writer: bool, no_demangle: bool
     ) -> NamesAndTypes:
-        """Return the topics that a node publishes, with their types; `no_demangle` as in the above."""
-        return self._of_node(node_name, node_namespace, True, no_demangle)
+        """Return the topics that a node writes, or reads, with their types.
 
-    def get_subscriber_names_and_types_by_node(
-        self, node_name: str, node_namespace: str, no_demangle: bool = False
-    ) -> NamesAndTypes:
-        """Return the topics that a node subscribes to, with their types; `no_demangle` as in the above."""
-        return self._of_node(node_name, node_namespace, False, no_demangle)
+        Raises:
+            NodeNameNonExistentError: there is no such node.
+        """
+        node = self._existing_node(name, namespace)
+        ends = self._all_endpoints(no_demangle)
+        return _topics(info for info in ends if info.is_writer == is_writer and info.node == node)
 
-    def _of_node(self, name: str, namespace: str, is_writer: bool, no_demangle: bool) -> NamesAndTypes:
-        self._check_node(name, namespace)
-        return self._names_and_types(
-            lambda info: (
-                info.is_writer == is_writer
-                and info.node is not None
-                and (info.node.name, info.node.namespace) == (name, namespace)
-            ),
-            no_demangle,
-        )
-
-    def _names_and_types(self, matches: Callable[[EndpointInfo], bool], no_demangle: bool) -> NamesAndTypes:
-        types_by_name: dict[str, set[str]] = {}
-        for info in self._graph.raw_endpoints() if no_demangle else self._graph.endpoints():
-            if matches(info):
-                types_by_name.setdefault(info.topic.name, set()).add(info.topic.type_name)
-        return [(name, sorted(types)) for name, types in sorted(types_by_name.items())]
-
-    def get_service_names_and_types(self) -> NamesAndTypes:
+    def services(self) -> NamesAndTypes:
         """Return all services that have a server, with their types."""
-        return self._services(lambda info: info.is_server)
+        return _services(info for info in self.wire_graph.service_ends() if info.is_server)
 
-    def get_service_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
-        """Return the services that a node serves, with their types; RuntimeError if there is no such node."""
-        return self._services_of(node_name, node_namespace, True)
+    def services_of_node(self, name: str, namespace: str, *, is_server: bool) -> NamesAndTypes:
+        """Return the services that a node serves, or is a client of, with their types.
 
-    def get_client_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
-        """Return the services that a node is a client of; RuntimeError if there is no such node."""
-        return self._services_of(node_name, node_namespace, False)
+        Raises:
+            NodeNameNonExistentError: there is no such node.
+        """
+        node = self._existing_node(name, namespace)
+        ends = self.wire_graph.service_ends()
+        return _services(info for info in ends if info.is_server == is_server and info.node == node)
 
-    def count_services(self, service_name: str) -> int:
-        """Return how many servers a service has; the name is expanded and remapped."""
-        return self._count_service_ends(service_name, True)
-
-    def count_clients(self, service_name: str) -> int:
-        """Return how many clients a service has; the name is expanded and remapped."""
-        return self._count_service_ends(service_name, False)
-
-    def _count_service_ends(self, service_name: str, is_server: bool) -> int:
-        self._names.expand(service_name)  # a name that isn't valid has rclpy's error of an expansion
-        name = self._names.resolve(service_name, is_service=True)
-        ends = self._graph.service_ends()
-        return sum(info.name == name and info.is_server == is_server for info in ends)
-
-    def _services_of(self, name: str, namespace: str, is_server: bool) -> NamesAndTypes:
-        self._check_node(name, namespace)
-        return self._services(
-            lambda info: info.is_server == is_server and info.node == NodeName(namespace, name)
-        )
-
-    def _services(self, matches: Callable[[ServiceEndInfo], bool]) -> NamesAndTypes:
-        types_by_name: dict[str, set[str]] = {}
-        for info in self._graph.service_ends():
-            if matches(info):
-                types_by_name.setdefault(info.name, set()).add(info.type_name)
-        return [(name, sorted(types)) for name, types in sorted(types_by_name.items())]
-
-    def _check_node(self, name: str, namespace: str) -> None:
+    def _existing_node(self, name: str, namespace: str) -> NodeName:
         if not (isinstance(name, str) and isinstance(namespace, str)):
             raise TypeError(f"name and namespace of a node must be str, not {name!r} and {namespace!r}")
-        if (name, namespace) not in self.get_node_names_and_namespaces():
+        node = NodeName(namespace, name)
+        if node not in self.wire_graph.nodes():
             raise NodeNameNonExistentError(f"no node '{namespace.rstrip('/')}/{name}' on the graph")
+        return node
 
-    def count_publishers(self, topic_name: str) -> int:
-        """Return how many publishers a topic has, of all nodes; the name is expanded and remapped."""
-        return len(self._endpoints_of(self._full_topic_name(topic_name), True))
+    def service_end_count(self, name: str, *, is_server: bool) -> int:
+        """Return how many servers, or clients, a service has."""
+        ends = self.wire_graph.service_ends()
+        return sum(info.name == name and info.is_server == is_server for info in ends)
 
-    def count_subscribers(self, topic_name: str) -> int:
-        """Return how many subscriptions a topic has, of all nodes; the name is expanded and remapped."""
-        return len(self._endpoints_of(self._full_topic_name(topic_name), False))
-
-    def get_publishers_info_by_topic(
-        self, topic_name: str, no_mangle: bool = False
-    ) -> list[TopicEndpointInfo]:
-        """Return the publishers of a topic."""
-        return self._infos(topic_name, True, no_mangle)
-
-    def get_subscriptions_info_by_topic(
-        self, topic_name: str, no_mangle: bool = False
-    ) -> list[TopicEndpointInfo]:
-        """Return the subscriptions of a topic."""
-        return self._infos(topic_name, False, no_mangle)
-
-    def _infos(self, topic_name: str, is_writer: bool, no_mangle: bool) -> list[TopicEndpointInfo]:
-        name = topic_name if no_mangle else self._full_topic_name(topic_name)
-        return [TopicEndpointInfo.from_graph(info) for info in self._endpoints_of(name, is_writer, no_mangle)]
-
-    def _full_topic_name(self, topic_name: str) -> str:
-        self._names.expand(topic_name)  # a name that isn't valid has rclpy's error of an expansion
-        return self._names.resolve(topic_name, is_service=False)
-
-    def _endpoints_of(self, name: str, is_writer: bool, no_mangle: bool = False) -> list[EndpointInfo]:
+    def endpoints(self, name: str, *, is_writer: bool, no_mangle: bool = False) -> list[TopicEndpointInfo]:
+        """Return the writers, or the readers, of a topic; `no_mangle`: by DDS's own name."""
         return [
-            info
-            for info in (self._graph.raw_endpoints() if no_mangle else self._graph.endpoints())
+            TopicEndpointInfo.from_graph(info)
+            for info in self._all_endpoints(no_mangle)
             if info.topic.name == name and info.is_writer == is_writer
         ]
+
+    def _all_endpoints(self, is_raw: bool) -> list[EndpointInfo]:
+        return self.wire_graph.raw_endpoints() if is_raw else self.wire_graph.endpoints()
+
+
+def _topics(endpoints: Iterable[EndpointInfo]) -> NamesAndTypes:
+    return _grouped((info.topic.name, info.topic.type_name) for info in endpoints)
+
+
+def _services(ends: Iterable[ServiceEndInfo]) -> NamesAndTypes:
+    return _grouped((info.name, info.type_name) for info in ends)
+
+
+def _grouped(names_and_types: Iterable[tuple[str, str]]) -> NamesAndTypes:
+    types_by_name: dict[str, set[str]] = {}
+    for name, type_name in names_and_types:
+        types_by_name.setdefault(name, set()).add(type_name)
+    return [(name, sorted(types)) for name, types in sorted(types_by_name.items())]

@@ -39,14 +39,6 @@ class NodeNames:
         self.node = NodeName(namespace, arguments.node_name(node_name))
         """Name and namespace of the node."""
 
-    def expand(self, name: str) -> str:
-        """Return the full name of a topic or service before remapping.
-
-        Raises:
-            NameValidationException: the name isn't valid.
-        """
-        return expand_topic_name(name, self.node.name, self.node.namespace)
-
     def resolved(self, name: str, *, only_expand: bool, is_service: bool) -> str | Exception:
         """Return the full name of a topic or service: expanded, checked, and remapped unless `only_expand`.
 
@@ -57,7 +49,7 @@ class NodeNames:
         error = name_error(name, is_service=is_service) or expansion_error(name)
         if error is not None:
             return error
-        full_name = self.expand(name)
+        full_name = expand_topic_name(name, node.name, node.namespace)
         if (error := full_name_error(full_name, is_service=is_service)) is not None:
             return error
         if only_expand:
@@ -66,14 +58,3 @@ class NodeNames:
         if remapped is None:
             return full_name
         return full_name_error(remapped, is_service=is_service) or remapped
-
-    def resolve(self, name: str, *, is_service: bool) -> str:
-        """Return the full name of a topic or service, remapped.
-
-        Raises:
-            NameValidationException: the name isn't valid, before or after expansion.
-        """
-        full_name = self.resolved(name, only_expand=False, is_service=is_service)
-        if isinstance(full_name, Exception):
-            raise full_name
-        return full_name

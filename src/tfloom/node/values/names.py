@@ -102,11 +102,6 @@ class InvalidServiceNameException(NameValidationException):
         super().__init__("service name", name, error_msg, invalid_index)
 
 
-def _check_is_text(what: str, name: object) -> None:
-    if not isinstance(name, str):
-        raise _text_error(what, name)
-
-
 def _text_error(what: str, name: object) -> TypeError:
     return TypeError(f"a {what} must be a str, not {name!r} of class {type(name).__name__}")
 
@@ -251,7 +246,9 @@ def validate_topic_name(name: str, *, is_service: bool = False) -> bool:
         InvalidServiceNameException: the same for a service.
         TypeError: the name is not a str.
     """
-    return _validate(_check_topic_name, name, is_service)
+    if (error := name_error(name, is_service=is_service)) is not None:
+        raise error
+    return True
 
 
 def validate_full_topic_name(name: str, *, is_service: bool = False) -> bool:
@@ -262,32 +259,28 @@ def validate_full_topic_name(name: str, *, is_service: bool = False) -> bool:
         InvalidServiceNameException: the same for a service.
         TypeError: the name is not a str.
     """
-    return _validate(_check_full_topic_name, name, is_service)
+    if (error := full_name_error(name, is_service=is_service)) is not None:
+        raise error
+    return True
 
 
 def name_error(name: object, *, is_service: bool = False) -> Exception | None:
     """Return what `validate_topic_name` raises, or None, for callers whose tracebacks shall be short."""
+    return _error_of(_check_topic_name, name, is_service)
+
+
+def full_name_error(name: object, *, is_service: bool = False) -> Exception | None:
+    """Return what `validate_full_topic_name` raises, or None, for callers whose tracebacks shall be short."""
+    return _error_of(_check_full_topic_name, name, is_service)
+
+
+def _error_of(check: Callable[[str], _Finding | None], name: object, is_service: bool) -> Exception | None:
     if not isinstance(name, str):
         return _text_error("service name" if is_service else "topic name", name)
-    return _error_of(_check_topic_name(name), name, is_service)
-
-
-def full_name_error(name: str, *, is_service: bool = False) -> Exception | None:
-    """Return what `validate_full_topic_name` raises of a text, or None, for callers whose tracebacks shall be short."""
-    return _error_of(_check_full_topic_name(name), name, is_service)
-
-
-def _error_of(finding: _Finding | None, name: str, is_service: bool) -> NameValidationException | None:
+    finding = check(name)
     if finding is None:
         return None
     return (InvalidServiceNameException if is_service else InvalidTopicNameException)(name, *finding)
-
-
-def _validate(check: Callable[[str], _Finding | None], name: str, is_service: bool) -> bool:
-    _check_is_text("service name" if is_service else "topic name", name)
-    if (error := _error_of(check(name), name, is_service)) is not None:
-        raise error
-    return True
 
 
 def expand_topic_name(topic_name: str, node_name: str, node_namespace: str) -> str:
