@@ -114,38 +114,22 @@ def rings(imports: Iterable[Import], kind: Kind) -> list[list[str]]:
 
 
 def _components(edges: dict[str, set[str]]) -> Iterator[list[str]]:
-    """Yield the strongly connected components, by Tarjan's algorithm without recursion."""
-    index: dict[str, int] = {}
-    low: dict[str, int] = {}
-    stack: list[str] = []
-    on_stack: set[str] = set()
-    for root in sorted(edges):
-        if root in index:
-            continue
-        work: list[tuple[str, Iterator[str]]] = [(root, iter(sorted(edges[root])))]
-        index[root] = low[root] = len(index)
-        stack.append(root)
-        on_stack.add(root)
-        while work:
-            node, successors = work[-1]
-            following = next(successors, None)
-            if following is None:
-                work.pop()
-                if work:
-                    parent = work[-1][0]
-                    low[parent] = min(low[parent], low[node])
-                if low[node] == index[node]:
-                    component = stack[stack.index(node) :]
-                    del stack[-len(component) :]
-                    on_stack.difference_update(component)
-                    yield component
-            elif following not in index:
-                index[following] = low[following] = len(index)
-                stack.append(following)
-                on_stack.add(following)
-                work.append((following, iter(sorted(edges.get(following, ())))))
-            elif following in on_stack:
-                low[node] = min(low[node], index[following])
+    """Yield the sets of modules of which each reaches each other one, directly or not."""
+    left = set(edges)
+    while ends := {module for module in left if edges[module].isdisjoint(left)}:
+        left -= ends  # whatever leads nowhere, or only to such modules, is in no ring
+    reached: dict[str, set[str]] = {}
+    for module in left:
+        found, following = set[str](), edges[module] & left
+        while following:
+            found |= following
+            following = set.union(*(edges[other] for other in following)) & left - found
+        reached[module] = found
+    while left:
+        module = left.pop()
+        ring = {module, *(other for other in reached[module] & left if module in reached[other])}
+        left -= ring
+        yield list(ring)
 
 
 def room(module: str) -> str:

@@ -7,13 +7,13 @@ violation in a tree of a few files.
 from __future__ import annotations
 
 import os
-import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 from tests import architecture
 from tests.architecture import HOUSE_RULES, NATIVE_RULES, NODE_ROOMS, SHELVES, Rule
+from tests.conftest import run_to_end
 
 ROOT = Path(__file__).parents[1]
 HOUSE = ROOT / "src" / "tfloom"
@@ -24,20 +24,14 @@ def name_of(rule: Rule) -> str:
     return rule.__name__
 
 
-def report(findings: list[str]) -> str:
-    return "\n".join(["", *findings])
-
-
-@pytest.mark.parametrize("rule", HOUSE_RULES, ids=name_of)
-def test_source_tree_keeps_each_rule(rule: Rule) -> None:
-    findings = rule(HOUSE)
-    assert not findings, report(findings)
-
-
-@pytest.mark.parametrize("rule", NATIVE_RULES, ids=name_of)
-def test_native_code_keeps_each_rule(rule: Rule) -> None:
-    findings = rule(NATIVE)
-    assert not findings, report(findings)
+@pytest.mark.parametrize(
+    ("rule", "folder"),
+    [*((rule, HOUSE) for rule in HOUSE_RULES), *((rule, NATIVE) for rule in NATIVE_RULES)],
+    ids=lambda value: name_of(value) if callable(value) else "",
+)
+def test_code_keeps_each_rule(rule: Rule, folder: Path) -> None:
+    findings = rule(folder)
+    assert not findings, "\n".join(["", *findings])
 
 
 def plant(folder: Path, files: dict[str, str]) -> Path:
@@ -351,14 +345,9 @@ def test_each_rule_has_a_planted_violation() -> None:
 
 def modules_loaded_by(*arguments: str, **environment: str) -> set[str]:
     """Run Python and return the names of all modules that it imported."""
-    result = subprocess.run(
-        [sys.executable, "-X", "importtime", *arguments],
-        capture_output=True,
-        text=True,
-        check=True,
-        timeout=60,
-        env=os.environ | environment,
-    )
+    command = [sys.executable, "-X", "importtime", *arguments]
+    result = run_to_end(command, timeout_s=60, env=os.environ | environment)
+    assert result.returncode == 0, result.stderr
     return {
         line.rsplit("|", 1)[1].strip()
         for line in result.stderr.splitlines()

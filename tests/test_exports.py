@@ -16,10 +16,7 @@ HOUSE = Path(__file__).parents[1] / "src" / "tfloom"
 def has_all(path: Path) -> bool:
     return any(
         isinstance(node, (ast.Assign, ast.AnnAssign))
-        and any(
-            isinstance(target, ast.Name) and target.id == "__all__"
-            for target in (node.targets if isinstance(node, ast.Assign) else [node.target])
-        )
+        and ast.unparse(node).startswith(("__all__ =", "__all__:"))
         for node in ast.parse(path.read_text("utf-8")).body
     )
 
@@ -38,11 +35,7 @@ def broken_exports(folder: Path, package: str) -> Iterator[str]:
             for exported_name, times in Counter(exported).items()
             if times > 1
         )
-        yield from (
-            f"{name} has no {exported_name}"
-            for exported_name in exported
-            if not hasattr(module, exported_name)
-        )
+        yield from (f"{name} has no {missing}" for missing in exported if not hasattr(module, missing))
 
 
 def test_dunder_all_names_exist() -> None:

@@ -347,21 +347,26 @@ def test_each_facade_rule_finds_a_violation(
     assert list(rule(folder)) == [found]
 
 
-def test_real_ros_takes_precedence(tmp_path: Path) -> None:
+@pytest.fixture
+def real_rclpy(tmp_path: Path) -> Path:
+    """Return a folder with an `rclpy` that is not tfloom's."""
     (tmp_path / "rclpy").mkdir()
-    (tmp_path / "rclpy" / "__init__.py").write_text("REAL = True\n")
-    result = python("import rclpy; print(rclpy.REAL)", PYTHONPATH=str(tmp_path))
+    (tmp_path / "rclpy" / "__init__.py").write_text("REAL = True\ndef init(): ...\n")
+    return tmp_path
+
+
+def test_real_ros_takes_precedence(real_rclpy: Path) -> None:
+    result = python("import rclpy; print(rclpy.REAL)", PYTHONPATH=str(real_rclpy))
     assert result.stdout == "True\n", result.stderr
 
 
-def test_mixture_with_a_real_ros_raises_with_the_origins(tmp_path: Path) -> None:
-    (tmp_path / "rclpy").mkdir()
-    (tmp_path / "rclpy" / "__init__.py").write_text("")
-    result = python("import tf2_ros", PYTHONPATH=str(tmp_path))
+@pytest.mark.parametrize("before", ["", "import sys; sys.frozen = True; "], ids=["plain", "frozen"])
+def test_mixture_with_a_real_ros_raises_with_the_origins(before: str, real_rclpy: Path) -> None:
+    result = python(f"{before}import tf2_ros", PYTHONPATH=str(real_rclpy))
     assert result.returncode == 1
     last = result.stderr.strip().splitlines()[-1]
     assert last.startswith("ImportError"), result.stderr
-    assert str(tmp_path) in last, result.stderr
+    assert f"'rclpy' comes from {real_rclpy}" in last, result.stderr
 
 
 def test_frozen_program_imports_the_facades_from_any_folder(tmp_path: Path) -> None:
@@ -374,14 +379,6 @@ def test_frozen_program_imports_the_facades_from_any_folder(tmp_path: Path) -> N
         "import sys; sys.frozen = True; sys.path.pop(); from tfloom.ros_guard import claim; claim('tf2_ros')"
     )
     assert python(without).returncode == 0
-
-
-def test_mixture_with_a_real_ros_in_a_frozen_program_raises(tmp_path: Path) -> None:
-    (tmp_path / "rclpy").mkdir()
-    (tmp_path / "rclpy" / "__init__.py").write_text("def init(): ...\n")
-    result = python("import sys; sys.frozen = True; import tf2_ros", PYTHONPATH=str(tmp_path))
-    assert result.returncode == 1
-    assert f"'rclpy' comes from {tmp_path}" in result.stderr
 
 
 def test_use_ros_names_works_without_the_pth_file() -> None:

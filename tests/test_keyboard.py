@@ -82,12 +82,12 @@ with Keyboard() as keyboard:
 
 @pytest.fixture
 def in_terminal(start_program: Callable[..., Any]) -> Any:
-    """Start the script in a separate terminal."""
+    """Start the script in a separate terminal, by the words in front of it; return also its mode before."""
     ours, theirs = pty.openpty()
 
-    def start() -> tuple[Any, int, list]:
+    def start(*words: str) -> tuple[Any, int, list]:
         before = termios.tcgetattr(ours)
-        program = start_program("python", "-c", SCRIPT, stdin=theirs)
+        program = start_program("python", "-c", *words, SCRIPT, stdin=theirs)
         program.wait_for("ready")
         assert not termios.tcgetattr(ours)[3] & (termios.ICANON | termios.ECHO)
         return program, ours, before
@@ -97,7 +97,10 @@ def in_terminal(start_program: Callable[..., Any]) -> Any:
     os.close(theirs)
 
 
-def test_keys_are_read_from_a_terminal(in_terminal: Callable[[], tuple[Any, int, list]]) -> None:
+InTerminal = Callable[..., tuple[Any, int, list]]
+
+
+def test_keys_are_read_from_a_terminal(in_terminal: InTerminal) -> None:
     program, terminal, before = in_terminal()
     os.write(terminal, b"\x1b")  # an arrow that arrives in two parts
     os.write(terminal, b"[Agg")
@@ -110,7 +113,7 @@ def test_keys_are_read_from_a_terminal(in_terminal: Callable[[], tuple[Any, int,
 
 
 @pytest.mark.parametrize("end", ["error", signal.SIGHUP, signal.SIGQUIT, signal.SIGINT])
-def test_terminal_mode_is_restored(in_terminal: Callable[[], tuple[Any, int, list]], end: Any) -> None:
+def test_terminal_mode_is_restored(in_terminal: InTerminal, end: Any) -> None:
     program, terminal, before = in_terminal()
     if end == "error":
         os.write(terminal, b"x")
@@ -132,12 +135,9 @@ sys.exit(os.waitstatus_to_exitcode(status))
 
 
 def test_stopped_program_restores_the_terminal_mode(
-    start_program: Callable[..., Any], wait_until: Callable[..., None]
+    in_terminal: InTerminal, wait_until: Callable[..., None]
 ) -> None:
-    terminal, theirs = pty.openpty()
-    before = termios.tcgetattr(terminal)
-    shell = start_program("python", "-c", SHELL, SCRIPT, stdin=theirs)
-    shell.wait_for("ready")
+    shell, terminal, before = in_terminal(SHELL)
     pid = int(next(line for line in shell.lines if line.startswith("pid")).split()[1])
     os.kill(pid, signal.SIGTSTP)
     shell.wait_for("stopped")
@@ -147,5 +147,3 @@ def test_stopped_program_restores_the_terminal_mode(
     os.write(terminal, b"q")
     assert shell.wait() == 0
     assert termios.tcgetattr(terminal) == before
-    os.close(terminal)
-    os.close(theirs)

@@ -10,22 +10,12 @@ from pathlib import Path
 ROOT = Path(__file__).parents[1]
 STUB = ROOT / "src" / "tfloom" / "_native.pyi"
 PATTERNS = ROOT / "native" / "bindings" / "stub_patterns.txt"
-REGENERATE = [
-    sys.executable,
-    "-m",
-    "nanobind.stubgen",
-    "-m",
-    "tfloom._native",
-    "-q",
-    "-p",
-    str(PATTERNS),
-    "-o",
-]
+STUBGEN = ("-m", "nanobind.stubgen", "-m", "tfloom._native", "-q", "-p", str(PATTERNS), "-o")
 
 
 def test_stub_is_current(tmp_path: Path) -> None:
     fresh = tmp_path / "_native.pyi"
-    subprocess.run([*REGENERATE, str(fresh)], check=True, timeout=120)
+    subprocess.run([sys.executable, *STUBGEN, str(fresh)], check=True, timeout=120)
     command = "make stub"
     assert STUB.read_text("utf-8") == fresh.read_text("utf-8"), f"the extension's face has changed: {command}"
 

@@ -14,9 +14,7 @@ from pathlib import Path
 import pytest
 from tests.conftest import COLCON_PYTHON, run_to_end
 
-pytestmark = [
-    pytest.mark.skipif(os.name != "posix", reason="needs bash and a pseudo-terminal"),
-]
+pytestmark = pytest.mark.skipif(os.name != "posix", reason="needs bash and a pseudo-terminal")
 
 ROOT = Path(__file__).parents[1]
 BIN = Path(sys.executable).parent
@@ -52,14 +50,7 @@ def in_workspace(workspace: Path, start_program: Callable[..., object]) -> Calla
 
 def ros2(*words: str) -> str:
     """Run a command to its end and return its output."""
-    result = subprocess.run(
-        [BIN / "tfloom", *words],
-        capture_output=True,
-        text=True,
-        timeout=60,
-        check=False,
-        stdin=subprocess.DEVNULL,
-    )
+    result = run_to_end([BIN / "tfloom", *words], timeout_s=60, stdin=subprocess.DEVNULL)
     assert result.returncode == 0, result.stderr
     return result.stdout
 
@@ -82,16 +73,8 @@ def test_turtle_is_driven_by_keys(
         *run_program("turtlesim", "turtlesim_node", "--ros-args", "-p", "background_r:=1")
     )
     turtlesim.wait_for("Spawning turtle [turtle1] at x=[5.544445], y=[5.544445], theta=[0.000000]")
-    teleop = start_program(
-        "python",
-        "-c",
-        IN_A_TERMINAL,
-        BIN / "tfloom",
-        "run",
-        "turtlesim",
-        "turtle_teleop_key",
-        stdin=subprocess.PIPE,
-    )
+    keys = BIN / "tfloom", "run", "turtlesim", "turtle_teleop_key"
+    teleop = start_program("python", "-c", IN_A_TERMINAL, *keys, stdin=subprocess.PIPE)
     teleop.wait_for("Reading from keyboard")
     start = pose()
     wait_until(lambda: "/teleop_turtle" in ros2("node", "list"))

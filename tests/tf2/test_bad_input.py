@@ -12,15 +12,14 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tests.tf2_ros.conftest import SECOND, transform_stamped
 
-from tfloom.interfaces.geometry_msgs.msg import TransformStamped
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.rosidl import cdr
 from tfloom.tf2 import errors
 from tfloom.tf2.buffer import Buffer
 from tfloom.tf2.transform import Transform
 
-SECOND = 1_000_000_000
 HERE, UPRIGHT = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0)
 EXTREMES = [-(2**63), -SECOND, -1, 1, 2**63 - 1]
 
@@ -72,10 +71,8 @@ def test_invalid_names_are_rejected(buffer: Buffer, name: str) -> None:
         assert not buffer.set("a", name, SECOND, HERE, UPRIGHT)
         assert not buffer.set(name, "a", SECOND, HERE, UPRIGHT)
         assert buffer.set_many(name, "a", [SECOND], [HERE], [UPRIGHT]) == 0
-        message = TransformStamped(child_frame_id=name)
-        message.header.frame_id = "a"
-        message.transform.rotation.w = 1.0
-        assert buffer.insert_cdr(cdr.encode(TFMessage(transforms=[message]))) == 0
+        message = TFMessage(transforms=[transform_stamped("a", name, SECOND)])
+        assert buffer.insert_cdr(cdr.encode(message)) == 0
     assert not buffer.can("a", name)
     for ask in (
         lambda: buffer.lookup("a", name),
@@ -89,8 +86,10 @@ def test_invalid_names_are_rejected(buffer: Buffer, name: str) -> None:
 
 
 @pytest.mark.parametrize("stamp", EXTREMES)
-def test_arrays_accept_any_stamp_of_64_bits(stamp: int) -> None:
+def test_any_stamp_of_64_bits_is_stored_and_found(stamp: int) -> None:
     buffer = Buffer(None)
+    assert buffer.set("a", "one", stamp, (1, 2, 3), UPRIGHT)
+    assert buffer.lookup("a", "one", stamp).stamp_ns == stamp
     assert buffer.set_many("a", "b", [stamp], [(1, 2, 3)], [UPRIGHT]) == 1
     assert buffer.lookup_many("a", "b", [stamp]).positions.tolist() == [[1, 2, 3]]
     assert buffer.to_arrays("a", "b").stamps_ns.tolist() == [stamp]
@@ -197,11 +196,13 @@ def test_common_time_needs_no_path_to_the_root() -> None:
         buffer.lookup("left400", "right9")
 
 
-def test_cycle_raises_for_many_stamps_and_points(buffer: Buffer) -> None:
+def test_cycle_raises(buffer: Buffer) -> None:
     for parent, child in (("a", "b"), ("b", "c"), ("c", "a")):
         buffer.set(parent, child, 9 * SECOND, HERE, UPRIGHT)
     buffer.set("x", "y", 9 * SECOND, HERE, UPRIGHT)
+    assert buffer.can("a", "b")  # the loop is not on this path
     for ask in (
+        lambda: buffer.lookup("x", "a"),
         lambda: buffer.lookup_many("x", "a", [9 * SECOND]),
         lambda: buffer.lookup_many("x", "a", [0]),
         lambda: buffer.transform_points(np.zeros((1, 3)), "x", "a"),
@@ -217,6 +218,7 @@ def test_cycle_raises_for_many_stamps_and_points(buffer: Buffer) -> None:
         (lambda b: b.lookup("a", "b", 1.5), "a stamp must be an int of nanoseconds"),
         (lambda b: b.lookup("a", "b", None), "a Time's nanoseconds, not None of class NoneType"),
         (lambda b: b.lookup("a", "b", np.float64(1)), "of class numpy.float64"),
+        (lambda b: b.set("a", "b", 1.5, HERE, UPRIGHT), "a stamp must be an int of nanoseconds"),
         (lambda b: b.can(1, "b"), "the name of a frame or a publisher must be a str, not 1 of class int"),
         (lambda b: b.can("a", None), "must be a str, not None of class NoneType"),
         (lambda b: b.lookup_full("a", "now", "b", 1, "a"), "not 'now' of class str"),
@@ -225,6 +227,10 @@ def test_cycle_raises_for_many_stamps_and_points(buffer: Buffer) -> None:
         (
             lambda b: b.set("a", "b", 1, (0, 0), UPRIGHT),
             "a translation must be three numbers, x, y, z, not (0, 0)",
+        ),
+        (
+            lambda b: b.set("a", "b", 1, (1, 2, "x"), UPRIGHT),
+            "a translation must be three numbers, x, y, z, not (1, 2, 'x')",
         ),
         (
             lambda b: b.set("a", "b", 1, HERE, HERE),

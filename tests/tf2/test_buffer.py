@@ -8,7 +8,6 @@ import pickle
 import signal
 import threading
 import time
-from collections.abc import Callable
 
 import pytest
 
@@ -73,8 +72,6 @@ def test_lookup_of_a_frame_in_itself_needs_no_data(buffer: Buffer, name: str) ->
 def test_names_that_are_not_text_raise(buffer: Buffer) -> None:
     with pytest.raises(ValueError, match="surrogates"):
         buffer.can("\ud800", "a")
-    with pytest.raises(TypeError):
-        buffer.can(b"a", "a")  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize("stamp", [2**63, -(2**63) - 1, 10**30])
@@ -83,13 +80,6 @@ def test_stamp_beyond_64_bits_raises(buffer: Buffer, stamp: int) -> None:
         buffer.lookup("a", "b", stamp)
     with pytest.raises(ValueError, match="1677 to 2262"):
         buffer.set("a", "b", stamp, HERE, UPRIGHT)
-
-
-@pytest.mark.parametrize("stamp", [-(2**63), -SECOND, -1, 1, 2**63 - 1])
-def test_any_stamp_of_64_bits_is_stored_and_found(stamp: int) -> None:
-    buffer = Buffer(None)
-    assert buffer.set("a", "b", stamp, (1, 2, 3), UPRIGHT)
-    assert buffer.lookup("a", "b", stamp).stamp_ns == stamp
 
 
 def test_interpolation_between_extreme_stamps() -> None:
@@ -138,15 +128,6 @@ def test_stored_quaternions_have_length_one_and_canonical_sign(
 ) -> None:
     assert buffer.set("a", "b", SECOND, HERE, given)
     assert buffer.lookup("a", "b").rotation_xyzw == pytest.approx(stored, abs=1e-15)
-
-
-def test_a_quaternion_whose_square_underflows_is_rejected(buffer: Buffer) -> None:
-    assert not buffer.set("a", "b", SECOND, HERE, (1e-160, 0, 0, 1e-160))
-
-
-def test_infinite_positions_are_stored(buffer: Buffer) -> None:
-    assert buffer.set("a", "b", SECOND, (math.inf, -math.inf, 0), UPRIGHT)
-    assert buffer.can("a", "b")
 
 
 def test_old_data_is_rejected_and_its_frames_become_known(
@@ -217,12 +198,6 @@ def test_extrapolation_error_has_the_missing_time(buffer: Buffer, stamp: int, ki
     assert (type(again), str(again), again.gap_ns) == (kind, str(error), gap)
 
 
-def test_single_sample_is_valid_at_its_stamp_only(buffer: Buffer) -> None:
-    buffer.set("a", "b", 2 * SECOND, HERE, UPRIGHT)
-    with pytest.raises(errors.NoDataForExtrapolationException, match=r"only time 2\.000000 is in the buffer"):
-        buffer.lookup("a", "b", 4 * SECOND)
-
-
 def chain(buffer: Buffer, links: int) -> None:
     for index in range(links):
         buffer.set(f"f{index}", f"f{index + 1}", SECOND, (1, 0, 0), UPRIGHT)
@@ -239,14 +214,6 @@ def test_chain_of_a_thousand_links_is_allowed(stamp: int) -> None:
             buffer.lookup(*pair, stamp)
 
 
-def test_cycle_raises(buffer: Buffer) -> None:
-    for parent, child in (("a", "b"), ("b", "c"), ("c", "a"), ("x", "y")):
-        buffer.set(parent, child, SECOND, HERE, UPRIGHT)
-    assert buffer.can("a", "b")
-    with pytest.raises(errors.LookupException, match="loop"):
-        buffer.lookup("x", "a")
-
-
 def test_many_frames() -> None:
     buffer = Buffer()
     for index in range(100_000):
@@ -255,8 +222,7 @@ def test_many_frames() -> None:
     assert buffer.lookup("spoke1", "spoke99999").translation == (99998, 0, 0)
 
 
-def test_wait_ends_with_the_missing_transform(buffer: Buffer) -> None:
-    buffer.set("map", "odom", SECOND, HERE, UPRIGHT)
+def test_wait_ends_with_the_missing_transform() -> None:
     woken_at: list[float] = []
 
     def wait() -> None:
@@ -265,14 +231,13 @@ def test_wait_ends_with_the_missing_transform(buffer: Buffer) -> None:
 
     delays = []
     for attempt in range(5):
-        fresh = Buffer()
-        buffer = fresh
+        buffer = Buffer()
         thread = threading.Thread(target=wait)
         thread.start()
         time.sleep(0.02)  # let it begin to wait; the result is the same if it has not
-        fresh.set("map", "elsewhere", SECOND, HERE, UPRIGHT)
+        buffer.set("map", "elsewhere", SECOND, HERE, UPRIGHT)
         sent_at = time.perf_counter()
-        fresh.set("map", "base", SECOND, HERE, UPRIGHT)
+        buffer.set("map", "base", SECOND, HERE, UPRIGHT)
         thread.join(30)
         delays.append(woken_at[attempt] - sent_at)
     assert min(delays) < 0.001
@@ -353,17 +318,6 @@ def test_request_callback_can_use_the_buffer(buffer: Buffer) -> None:
     assert calls == [2, 3, 4, 5, 6]
 
 
-@pytest.mark.parametrize("call", [
-    lambda b: b.set("a", "b", 1, (1, 2), UPRIGHT),
-    lambda b: b.set("a", "b", 1, (1, 2, "x"), UPRIGHT),
-    lambda b: b.set("a", "b", 1.5, HERE, UPRIGHT),
-    lambda b: Buffer("10"),
-])  # fmt: skip
-def test_arguments_of_wrong_types_raise(buffer: Buffer, call: Callable[[Buffer], object]) -> None:
-    with pytest.raises(TypeError):
-        call(buffer)
-
-
 def test_negative_cache_time_raises() -> None:
     with pytest.raises(ValueError, match="cache_time_ns must not be negative"):
         Buffer(-1)
@@ -381,31 +335,3 @@ def test_unlimited_and_zero_cache_times() -> None:
     for stamp in range(1, 10):
         keeps_two.set("a", "b", stamp, (stamp, 0, 0), UPRIGHT)
     assert [keeps_two.can("a", "b", stamp) for stamp in (7, 8, 9)] == [False, True, True]
-
-
-def test_many_threads_look_up_while_one_inserts(buffer: Buffer) -> None:
-    buffer.set("a", "b", 1000, (1, 0, 0), UPRIGHT)
-    buffer.set("b", "c", 1000, (1, 0, 0), UPRIGHT)
-    wrong: list[object] = []
-    is_over = threading.Event()
-
-    def look_up() -> None:
-        newest = 0
-        while not is_over.is_set():
-            transform = buffer.lookup("a", "c")
-            if transform.stamp_ns < newest or transform.translation[0] != pytest.approx(
-                transform.stamp_ns / 500
-            ):
-                wrong.append(transform)
-            newest = transform.stamp_ns
-
-    threads = [threading.Thread(target=look_up) for _ in range(4)]
-    for thread in threads:
-        thread.start()
-    for step in range(2, 20_000):
-        buffer.set("a", "b", step * 1000, (step, 0, 0), UPRIGHT)
-        buffer.set("b", "c", step * 1000, (step, 0, 0), UPRIGHT)
-    is_over.set()
-    for thread in threads:
-        thread.join(30)
-    assert wrong == []

@@ -7,14 +7,10 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from tests.oracles.transforms import NoAnswerError, OracleBuffer, matrix
+from tests.tf2.outcomes import outcome
 
 from tfloom.tf2.buffer import Buffer
-from tfloom.tf2.errors import (
-    ConnectivityException,
-    ExtrapolationException,
-    LookupException,
-    TransformException,
-)
+from tfloom.tf2.errors import ConnectivityException, ExtrapolationException, LookupException
 
 SECOND = 1_000_000_000
 FRAMES = [f"f{i}" for i in range(7)]
@@ -71,14 +67,6 @@ def test_results_equal_those_of_the_oracle(operations: list, target: str, source
     assert answer.stamp_ns == stamp_used
     assert np.allclose(as_matrix(answer), expected, rtol=1e-9, atol=1e-9 * 700)
     assert np.linalg.norm(answer.rotation_xyzw) == pytest.approx(1, abs=1e-12)
-
-
-def outcome(buffer: Buffer, target: str, source: str, stamp: int) -> object:
-    try:
-        transform = buffer.lookup(target, source, stamp)
-    except TransformException as error:
-        return type(error), str(error)
-    return transform.stamp_ns, transform.transform
 
 
 @settings(max_examples=50, deadline=None)

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import struct
+from collections.abc import Iterator
+from itertools import product
 from pathlib import Path
 
 import numpy as np
 import pytest
+from tests.tf2.outcomes import outcome, require_equal
 
 from tfloom.tf2.buffer import Buffer
-from tfloom.tf2.errors import ConnectivityException, TransformException
+from tfloom.tf2.errors import ConnectivityException
 from tfloom.tf2_ros.buffer import Buffer as RosBuffer
 
 SECOND = 1_000_000_000
@@ -23,15 +26,8 @@ def random_buffer(random: np.random.Generator) -> Buffer:
     for index, child in enumerate(FRAMES[1:], 1):
         parent = FRAMES[int(random.integers(0, index))]
         if random.random() < 0.2:
-            buffer.set(
-                parent,
-                child,
-                0,
-                random.normal(size=3).tolist(),
-                random.normal(size=4).tolist(),
-                "fixed",
-                static=True,
-            )
+            numbers = random.normal(size=3).tolist(), random.normal(size=4).tolist()
+            buffer.set(parent, child, 0, *numbers, "fixed", static=True)
             continue
         count = int(random.integers(1, 900))
         stamps = START + np.sort(random.integers(0, 20 * SECOND, count))
@@ -44,23 +40,10 @@ def random_buffer(random: np.random.Generator) -> Buffer:
     return buffer
 
 
-def answer(buffer: Buffer, target: str, source: str, stamp_ns: int) -> object:
-    try:
-        transform = buffer.lookup(target, source, stamp_ns)
-    except TransformException as error:
-        return type(error), str(error)
-    return transform.stamp_ns, transform.transform
-
-
-def require_equal(live: Buffer, mapped: Buffer, random: np.random.Generator) -> None:
-    for target in FRAMES:
-        for source in [*FRAMES, "gone"]:
-            for stamp in [0, *random.integers(START - SECOND, START + 27 * SECOND, 12).tolist()]:
-                assert answer(live, target, source, stamp) == answer(mapped, target, source, stamp)
-    assert mapped.all_frames_as_yaml(200.0) == live.all_frames_as_yaml(200.0)
-    assert mapped.frame_names() == live.frame_names()
-    assert mapped.cache_time_ns == live.cache_time_ns
-    assert mapped.frozen() == live.frozen()
+def queries(random: np.random.Generator) -> Iterator[tuple[str, str, int]]:
+    for target, source in product(FRAMES, [*FRAMES, "gone"]):
+        for stamp in [0, *random.integers(START - SECOND, START + 27 * SECOND, 12).tolist()]:
+            yield target, source, stamp
 
 
 @pytest.mark.parametrize("seed", range(8))
@@ -71,14 +54,13 @@ def test_mapped_equals_live_before_and_after_more_inserts(tmp_path: Path, seed: 
     live.freeze(path)
     content = path.read_bytes()
     mapped = Buffer.map(path)
-    require_equal(live, mapped, random)
+    require_equal(live, mapped, queries(random))
     for child in FRAMES[1:]:
         for stamp in random.integers(START, START + 30 * SECOND, 400).tolist():
             numbers = random.normal(size=3).tolist(), random.normal(size=4).tolist()
-            assert live.set("f0", child, stamp, *numbers, "x") == mapped.set(
-                "f0", child, stamp, *numbers, "x"
-            )
-    require_equal(live, mapped, random)
+            call = "f0", child, stamp, *numbers, "x"
+            assert live.set(*call) == mapped.set(*call)
+    require_equal(live, mapped, queries(random))
     assert path.read_bytes() == content
 
 
@@ -133,15 +115,9 @@ def test_a_parent_with_the_reserved_name_is_kept(tmp_path: Path) -> None:
     live.freeze(tmp_path / "tree")
     mapped = Buffer.map(tmp_path / "tree")
     names = ["moving", "fixed", "a", "b", "map", "NO_PARENT"]
-    for target in names:
-        for source in names:
-            for stamp in (0, 1, 2):
-                assert answer(live, target, source, stamp) == answer(mapped, target, source, stamp)
+    require_equal(live, mapped, product(names, names, (0, 1, 2)))
     with pytest.raises(ConnectivityException):
         live.lookup("moving", "fixed", 1)
-    assert mapped.all_frames_as_yaml(2.0) == live.all_frames_as_yaml(2.0)
-    assert mapped.frame_names() == live.frame_names()
-    assert mapped.frozen() == live.frozen()
 
 
 @pytest.fixture(scope="module")
@@ -209,6 +185,6 @@ def test_random_bytes_never_crash(sound: bytes) -> None:
             continue
         buffer.all_frames_as_yaml()
         for stamp in (0, 1, 5, 256, 257, 300, 301):
-            answer(buffer, "map", "base", stamp)
+            outcome(buffer, "map", "base", stamp)
             buffer.set("odom", "base", stamp, (0, 0, 0), (0, 0, 0, 1))
     assert refused > 500

@@ -125,7 +125,8 @@ def test_histories_of_one_and_two_samples() -> None:
     buffer = Buffer()
     put(buffer, (2 * SECOND, 1))
     assert buffer.can("a", "b", 2 * SECOND)
-    with pytest.raises(errors.NoDataForExtrapolationException) as raised:
+    text = r"only time 2\.000000 is in the buffer"
+    with pytest.raises(errors.NoDataForExtrapolationException, match=text) as raised:
         buffer.lookup("a", "b", 4 * SECOND)
     assert (raised.value.oldest_ns, raised.value.newest_ns, raised.value.gap_ns) == (
         2 * SECOND,

@@ -11,6 +11,7 @@ from time import monotonic
 
 import numpy as np
 import pytest
+from tests.tf2_ros.conftest import transform_stamped
 
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
@@ -45,12 +46,8 @@ def run_together(*works: Callable[[], None]) -> None:
         raise raised[0]
 
 
-def message(x: float, stamp: int, child: str = "b") -> TransformStamped:
-    result = TransformStamped(child_frame_id=child)
-    result.header.frame_id = "a"
-    result.header.stamp.sec, result.header.stamp.nanosec = divmod(stamp, SECOND)
-    result.transform.translation.x = x
-    return result
+def message(x: float, stamp: int) -> TransformStamped:
+    return transform_stamped("a", "b", stamp, (x, 0.0, 0.0))
 
 
 def test_lookups_while_others_insert() -> None:
@@ -74,6 +71,29 @@ def test_lookups_while_others_insert() -> None:
             assert buffer.lookup("f0", "f1").translation[0] == 1.0
 
     run_together(lambda: insert(0), lambda: insert(1), look_up, look_up)
+
+
+def test_latest_common_time_and_its_transform_belong_together() -> None:
+    buffer = Buffer()
+    is_over = threading.Event()
+
+    def insert() -> None:
+        for step in range(2, 20_000):
+            for pair in (("a", "b"), ("b", "c")):
+                buffer.set(*pair, step * 1000, (step, 0, 0), (0, 0, 0, 1))
+        is_over.set()
+
+    def look_up() -> None:
+        newest = 0
+        while not is_over.is_set():
+            transform = buffer.lookup("a", "c")
+            assert transform.stamp_ns >= newest
+            newest = transform.stamp_ns
+            assert transform.translation[0] == pytest.approx(newest / 500)
+
+    for child in "bc":
+        buffer.set("a" if child == "b" else "b", child, 1000, (1, 0, 0), (0, 0, 0, 1))
+    run_together(insert, *[look_up] * 4)
 
 
 def test_messages_that_change_while_they_are_read() -> None:

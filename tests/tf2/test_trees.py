@@ -53,11 +53,8 @@ def test_every_pair_of_frames(shape: str, width: int, stamp: int) -> None:
                 continue
             assert buffer.can(target, source, stamp)
             transform = buffer.lookup(target, source, stamp)
-            assert (transform.frame_id, transform.child_frame_id, transform.stamp_ns) == (
-                target,
-                source,
-                stamp,
-            )
+            names = transform.frame_id, transform.child_frame_id
+            assert (*names, transform.stamp_ns) == (target, source, stamp)
             assert transform.translation == (to_x - x, to_y - y, 0)
             assert transform.rotation_xyzw == UPRIGHT
 

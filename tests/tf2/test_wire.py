@@ -9,42 +9,21 @@ from collections.abc import Callable
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.tf2_ros.conftest import SECOND, transform_stamped
 
-from tfloom.interfaces.builtin_interfaces.msg import Time
-from tfloom.interfaces.geometry_msgs.msg import Quaternion, Transform, TransformStamped, Vector3
-from tfloom.interfaces.std_msgs.msg import Header
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.rosidl import cdr
 from tfloom.tf2.buffer import Buffer
 
-SECOND = 1_000_000_000
 GID = bytes(16)
 names = st.text(st.characters(exclude_categories=("Cs",), exclude_characters="\0"), max_size=20)
 numbers = st.floats(-1e6, 1e6)
 
 
-def transform(frame: str, child: str, stamp: int, xyz: tuple, xyzw: tuple) -> TransformStamped:
-    sec, nanosec = divmod(stamp, SECOND)
-    return TransformStamped(
-        header=Header(stamp=Time(sec=sec, nanosec=nanosec), frame_id=frame),
-        child_frame_id=child,
-        transform=Transform(
-            translation=Vector3(x=xyz[0], y=xyz[1], z=xyz[2]),
-            rotation=Quaternion(x=xyzw[0], y=xyzw[1], z=xyzw[2], w=xyzw[3]),
-        ),
-    )
-
-
 def message(count: int) -> bytes:
     """Return `count` links of a chain, f0 to f`count`, at 5 s."""
-    return cdr.encode(
-        TFMessage(
-            transforms=[
-                transform(f"f{i}", f"f{i + 1}", 5 * SECOND, (1.0, 2.0, float(i)), (0.0, 0.0, 0.0, 1.0))
-                for i in range(count)
-            ]
-        )
-    )
+    links = [transform_stamped(f"f{i}", f"f{i + 1}", 5 * SECOND, (1.0, 2.0, float(i))) for i in range(count)]
+    return cdr.encode(TFMessage(transforms=links))
 
 
 def big_endian(data: bytes) -> bytes:
@@ -87,25 +66,19 @@ def test_result_equals_setting_the_decoded_message(rows: list, static: bool) -> 
     from_bytes, from_message = Buffer(None), Buffer(None)
     for buffer in (from_bytes, from_message):
         buffer.set_log_callback(None)
-    encoded = cdr.encode(
-        TFMessage(
-            transforms=[transform(frame, child, s * SECOND + 7, xyz, q) for frame, child, s, xyz, q in rows]
-        )
-    )
+    calls = [(frame, child, s * SECOND + 7, xyz, q) for frame, child, s, xyz, q in rows]
+    encoded = cdr.encode(TFMessage(transforms=[transform_stamped(*call) for call in calls]))
     assert from_bytes.insert_cdr(encoded, "me", static=static) == sum(
-        from_message.set(frame, child, s * SECOND + 7, xyz, q, "me", static=static)
-        for frame, child, s, xyz, q in rows
+        from_message.set(*call, "me", static=static) for call in calls
     )
     assert from_bytes.all_frames_as_yaml() == from_message.all_frames_as_yaml()
     assert from_bytes.frame_names() == from_message.frame_names()
 
 
 def test_other_byte_order_is_decoded() -> None:
-    data = cdr.encode(
-        TFMessage(transforms=[transform("a", "b", -SECOND - 1, (1.0, 2.0, 3.0), (0.0, 0.0, 0.6, 0.8))])
-    )
+    sent = transform_stamped("a", "b", -SECOND - 1, xyzw=(0.0, 0.0, 0.6, 0.8))
     buffer = Buffer()
-    assert buffer.insert_cdr(big_endian(data)) == 1
+    assert buffer.insert_cdr(big_endian(cdr.encode(TFMessage(transforms=[sent])))) == 1
     found = buffer.lookup("a", "b")
     assert found.stamp_ns == -SECOND - 1
     assert found.translation == (1.0, 2.0, 3.0)

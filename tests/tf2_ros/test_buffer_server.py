@@ -6,7 +6,7 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from typing import Any
 
 import pytest
@@ -20,6 +20,8 @@ from tfloom.interfaces.tf2_msgs.action import LookupTransform
 from tfloom.interfaces.tf2_msgs.msg import TF2Error
 from tfloom.node.action.client import ActionClient
 from tfloom.node.action.server import ActionServer
+from tfloom.node.context.context import Context
+from tfloom.node.executing.executor import Executor
 from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.values.duration import Duration, Infinite
@@ -48,32 +50,33 @@ def at(seconds: float) -> Time:
     return Time(nanoseconds=int(seconds * SECOND))
 
 
-class Spinner:
-    """An executor that spins on a separate thread."""
+def goal_of(source_frame: str, **options: object) -> LookupTransform.Goal:
+    return LookupTransform.Goal(target_frame="world", source_frame=source_frame, **options)
 
-    def __init__(self, executor: Any) -> None:
-        self.executor = executor
-        self._thread = threading.Thread(target=self._run)
-        self._thread.start()
 
-    def _run(self) -> None:
+@contextmanager
+def spinning(executor: Executor, node: Node) -> Iterator[Node]:
+    """Spin a node on a separate thread."""
+
+    def run() -> None:
         with suppress(ExternalShutdownException):
-            self.executor.spin()
+            executor.spin()
 
-    def end(self) -> None:
-        self.executor.shutdown()
-        self._thread.join()
+    executor.add_node(node)
+    thread = threading.Thread(target=run)
+    thread.start()
+    yield node
+    executor.shutdown()
+    thread.join()
 
 
 @pytest.fixture(params=[SingleThreadedExecutor, MultiThreadedExecutor])
-def server_node(request: pytest.FixtureRequest, make_node: MakeNode) -> Iterator[Node]:
+def server_node(
+    request: pytest.FixtureRequest, local_context: Context, make_node: MakeNode
+) -> Iterator[Node]:
     """A node that spins."""
-    node = make_node("tf_buffer")
-    executor = request.param(context=node.context)
-    executor.add_node(node)
-    spinner = Spinner(executor)
-    yield node
-    spinner.end()
+    with spinning(request.param(context=local_context), make_node("tf_buffer")) as node:
+        yield node
 
 
 @pytest.fixture
@@ -88,24 +91,24 @@ def buffer(server_node: Node) -> Buffer:
     return buffer
 
 
-@pytest.fixture
-def client(buffer: Buffer, make_node: MakeNode) -> BufferClient:
-    client = BufferClient(make_node("asker"), ACTION)
+def connected(node: Node, **options: object) -> BufferClient:
+    client = BufferClient(node, ACTION, **options)
     assert client.wait_for_server(10)
     return client
 
 
 @pytest.fixture
-def goals(buffer: Buffer, make_node: MakeNode) -> Iterator[ActionClient]:
+def client(buffer: Buffer, make_node: MakeNode) -> BufferClient:
+    return connected(make_node("asker"))
+
+
+@pytest.fixture
+def goals(buffer: Buffer, local_context: Context, make_node: MakeNode) -> Iterator[ActionClient]:
     """A plain action client whose node spins."""
-    node = make_node("goals")
-    executor = SingleThreadedExecutor(context=node.context)
-    executor.add_node(node)
-    spinner = Spinner(executor)
-    goals = ActionClient(node, LookupTransform, ACTION)
-    assert goals.wait_for_server(10)
-    yield goals
-    spinner.end()
+    with spinning(SingleThreadedExecutor(context=local_context), make_node("goals")) as node:
+        goals = ActionClient(node, LookupTransform, ACTION)
+        assert goals.wait_for_server(10)
+        yield goals
 
 
 def where(transform: Any) -> tuple[float, float, float]:
@@ -206,12 +209,7 @@ def test_too_old_transform_is_not_waited_for(client: BufferClient, buffer: Buffe
 
 
 def test_server_times_out_in_time(goals: ActionClient) -> None:
-    goal = LookupTransform.Goal(
-        target_frame="world",
-        source_frame="robot",
-        source_time=TimeMessage(sec=9),
-        timeout=DurationMessage(sec=1),
-    )
+    goal = goal_of("robot", source_time=TimeMessage(sec=9), timeout=DurationMessage(sec=1))
     handle = goals.wait_for(goals.send_goal_async(goal))
     started = time.monotonic()
     response = handle.get_result()
@@ -236,12 +234,9 @@ def test_several_threads_query_by_one_unspun_node(client: BufferClient) -> None:
 @pytest.mark.parametrize(
     ("goal", "code"),
     [
-        (LookupTransform.Goal(target_frame="world", source_frame="robot"), TF2Error.NO_ERROR),
-        (LookupTransform.Goal(target_frame="world", source_frame="nowhere"), TF2Error.LOOKUP_ERROR),
-        (
-            LookupTransform.Goal(target_frame="world", source_frame="x", timeout=DurationMessage(sec=-1)),
-            TF2Error.LOOKUP_ERROR,
-        ),
+        (goal_of("robot"), TF2Error.NO_ERROR),
+        (goal_of("nowhere"), TF2Error.LOOKUP_ERROR),
+        (goal_of("x", timeout=DurationMessage(sec=-1)), TF2Error.LOOKUP_ERROR),
     ],
 )
 def test_goal_without_wait_succeeds_even_with_an_error(
@@ -272,12 +267,7 @@ def test_time_beyond_a_stamp_is_an_error(goals: ActionClient) -> None:
 def test_waiting_goal_can_be_cancelled(
     goals: ActionClient, buffer: Buffer, wait_until: Callable[..., None]
 ) -> None:
-    goal = LookupTransform.Goal(
-        target_frame="world",
-        source_frame="robot",
-        source_time=TimeMessage(sec=9),
-        timeout=DurationMessage(sec=60),
-    )
+    goal = goal_of("robot", source_time=TimeMessage(sec=9), timeout=DurationMessage(sec=60))
     handles = [goals.wait_for(goals.send_goal_async(goal)) for _ in range(2)]
     wait_until(lambda: waiting(buffer) == 2)
     assert len(handles[0].cancel_goal().goals_canceling) == 1
@@ -314,9 +304,7 @@ def test_missing_server_raises(make_node: MakeNode) -> None:
 
 
 def padded(node: Node) -> BufferClient:
-    client = BufferClient(node, ACTION, timeout_padding=Duration(seconds=0.1))
-    assert client.wait_for_server(10)
-    return client
+    return connected(node, timeout_padding=Duration(seconds=0.1))
 
 
 def test_server_without_response_raises_timeout(server_node: Node, make_node: MakeNode) -> None:
@@ -369,17 +357,14 @@ def test_unknown_error_code_raises_transform_exception(server_node: Node, make_n
 
 
 def test_client_with_a_node_spun_elsewhere(goals: ActionClient, buffer: Buffer) -> None:
-    client = BufferClient(goals._node, ACTION)
-    assert client.wait_for_server(10)
-    assert where(client.lookup_transform("world", "robot", at(2)))[0] == 2.0
+    assert where(connected(goals._node).lookup_transform("world", "robot", at(2)))[0] == 2.0
 
 
 def test_query_in_a_callback_of_a_single_threaded_executor_raises(
     buffer: Buffer, make_node: MakeNode
 ) -> None:
     node = make_node("asker")
-    client = BufferClient(node, ACTION)
-    assert client.wait_for_server(10)
+    client = connected(node)
     with SingleThreadedExecutor(context=node.context) as executor:
         executor.add_node(node)
         task = executor.create_task(client.lookup_transform, "world", "robot", at(9), PATIENCE)
@@ -390,8 +375,7 @@ def test_query_in_a_callback_of_a_single_threaded_executor_raises(
 
 def test_query_in_a_callback_of_a_multi_threaded_executor(buffer: Buffer, make_node: MakeNode) -> None:
     node = make_node("asker")
-    client = BufferClient(node, ACTION)
-    assert client.wait_for_server(10)
+    client = connected(node)
     with MultiThreadedExecutor(2, context=node.context) as executor:
         executor.add_node(node)
         task = executor.create_task(client.lookup_transform, "world", "robot", at(2), PATIENCE)

@@ -8,36 +8,12 @@ from collections.abc import Callable
 
 import pytest
 from tests.conftest import Program
+from tests.tf2_ros.test_wire import BROADCASTER
 
 from tfloom.rmw.backends import implementation_identifier
 
 SERVER = ("tfloom", "run", "tf2_ros", "buffer_server")
 STATIC = ("tfloom", "run", "tf2_ros", "static_transform_publisher")
-MOVING = """
-import sys
-import rclpy
-from geometry_msgs.msg import TransformStamped
-from rclpy.node import Node
-from tf2_ros import TransformBroadcaster
-
-rclpy.init()
-node = Node("broadcaster")
-broadcaster = TransformBroadcaster(node)
-
-def tell():
-    t = TransformStamped(child_frame_id="robot")
-    t.header.frame_id = "world"
-    t.header.stamp = node.get_clock().now().to_msg()
-    t.transform.translation.x = 1.5
-    broadcaster.sendTransform(t)
-
-node.create_timer(0.02, tell)
-print("broadcasting", flush=True)
-try:
-    rclpy.spin(node)
-except (KeyboardInterrupt, rclpy.executors.ExternalShutdownException):
-    pass
-"""
 CLIENT = """
 import sys
 import rclpy
@@ -87,7 +63,7 @@ def test_lookups_waits_and_errors(start: Callable[..., Program]) -> None:
         "print('can', client.can_transform('world', 'robot', Time()))",
     )
     asker.wait_for("server True")
-    start("python", "-c", MOVING)
+    start("python", "-c", BROADCASTER, "world", "robot")
     start(*STATIC, "--x", "1", "--frame-id", "world", "--child-frame-id", "camera")
     assert asker.wait() == 0, asker.output
     lines = asker.lines
@@ -105,11 +81,8 @@ def test_lookups_waits_and_errors(start: Callable[..., Program]) -> None:
 
 
 def test_missing_and_killed_server(start: Callable[..., Program]) -> None:
-    lonely = start(
-        "python",
-        "-c",
-        CLIENT.replace("wait_for_server(20)", "wait_for_server(0.2)") + "ask('world', 'robot', Time(), 5)",
-    )
+    hasty = CLIENT.replace("wait_for_server(20)", "wait_for_server(0.2)")
+    lonely = start("python", "-c", hasty + "ask('world', 'robot', Time(), 5)")
     assert lonely.wait() == 0
     assert lonely.lines == ["server False", "TimeoutException The BufferServer is not ready."]
 
@@ -160,7 +133,7 @@ def test_many_clients_at_once(start: Callable[..., Program]) -> None:
     askers = [client(start, *threads) for _ in range(4)]
     for asker in askers:
         asker.wait_for("server True")
-    start("python", "-c", MOVING)
+    start("python", "-c", BROADCASTER, "world", "robot")
     for asker in askers:
         assert asker.wait() == 0, asker.output
         assert asker.lines[-1] == "sum 15.0"
@@ -170,26 +143,17 @@ def test_many_clients_at_once(start: Callable[..., Program]) -> None:
 
 
 @pytest.mark.parametrize(
-    ("argument", "text"),
+    ("size", "text"),
     [
-        (
-            "buffer_size:=abc",
-            "buffer_server: Trying to set parameter 'buffer_size' to 'abc' of type 'STRING'",
-        ),
-        (
-            "buffer_size:=-1.0",
-            "buffer_server: Invalid parameter value (-1.0) for parameter. Reason: must be a",
-        ),
-        (
-            "buffer_size:=.inf",
-            "buffer_server: Invalid parameter value (inf) for parameter. Reason: must be a",
-        ),
+        ("abc", "Trying to set parameter 'buffer_size' to 'abc' of type 'STRING'"),
+        ("-1.0", "Invalid parameter value (-1.0) for parameter. Reason: must be a"),
+        (".inf", "Invalid parameter value (inf) for parameter. Reason: must be a"),
     ],
 )
-def test_invalid_buffer_size_is_rejected(start: Callable[..., Program], argument: str, text: str) -> None:
-    server = start(*SERVER, "--ros-args", "-p", argument)
+def test_invalid_buffer_size_is_rejected(start: Callable[..., Program], size: str, text: str) -> None:
+    server = start(*SERVER, "--ros-args", "-p", f"buffer_size:={size}")
     assert server.wait() == 1
-    assert server.lines[0].startswith(text)
+    assert server.lines[0].startswith(f"buffer_server: {text}")
     assert len(server.lines) == 2  # the last line reports that the program failed
 
 

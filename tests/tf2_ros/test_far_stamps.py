@@ -236,10 +236,9 @@ def test_listener_names_the_publisher_once(
     listener.unregister()
 
 
-def test_listener_goes_on_with_a_robot_whose_clock_is_ahead(node: Node) -> None:
-    buffer = Buffer()
-    TransformListener(buffer, node)
-    broadcaster = TransformBroadcaster(node)
+def test_listener_goes_on_with_a_robot_whose_clock_is_ahead(
+    buffer: Buffer, broadcaster: TransformBroadcaster
+) -> None:
     ahead = now_ns() + 86_400 * SECOND
     for step in range(3):
         broadcaster.sendTransform(transform_stamped("map", "base", ahead + step * SECOND))
@@ -248,30 +247,27 @@ def test_listener_goes_on_with_a_robot_whose_clock_is_ahead(node: Node) -> None:
     assert buffer.can_transform("map", "base", Time(nanoseconds=ahead))
 
 
-def test_static_poison_is_stored(node: Node) -> None:
-    buffer = Buffer()
-    TransformListener(buffer, node)
+def test_static_poison_is_stored(node: Node, buffer: Buffer) -> None:
     StaticTransformBroadcaster(node).sendTransform(transform_stamped("map", "base", POISON))
     assert buffer.can_transform("map", "base", NEWEST)
 
 
-def test_listener_compares_with_simulated_time(node: Node) -> None:
-    clock = node.get_clock()
+def test_listener_compares_with_simulated_time(
+    node: Node, broadcaster: TransformBroadcaster, set_time: Callable[[float], None]
+) -> None:
     buffer = Buffer()
     listener = TransformListener(buffer, node)
-    broadcaster = TransformBroadcaster(node)
-    clock.set_ros_time_is_active(True)
-    clock.set_ros_time_override(Time(seconds=100, clock_type=clock.clock_type))
+    set_time(100)
     broadcaster.sendTransform(transform_stamped("map", "base", 100 * SECOND))
     broadcaster.sendTransform(transform_stamped("map", "base", now_ns()))
     assert buffer.lookup_transform("map", "base", NEWEST).header.stamp.sec == 100
-    clock.set_ros_time_override(Time(seconds=5000, clock_type=clock.clock_type))
+    set_time(5000)
     broadcaster.sendTransform(transform_stamped("map", "base", 5000 * SECOND))
     assert buffer.lookup_transform("map", "base", NEWEST).header.stamp.sec == 5000
     assert listener._sink.held_count == 0
     broadcaster.sendTransform(transform_stamped("map", "base", now_ns()))
     assert listener._sink.held_count == 1
-    clock.set_ros_time_override(Time(seconds=50, clock_type=clock.clock_type))  # back
+    set_time(50)  # back
     assert listener._sink.held_count == listener._sink.publisher_count == 0
 
 

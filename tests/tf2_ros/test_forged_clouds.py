@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from tests.tf2_ros.conftest import SECOND, transform_stamped
+from tests.tf2_ros.conftest import SECOND, field, transform_stamped
 
 from tfloom.bag.moved_clouds import point_stamps
 from tfloom.interfaces.sensor_msgs.msg import PointCloud2, PointField
@@ -30,10 +30,6 @@ MAX_S = 10.0
 """A reader that takes longer hangs, also on a slow machine [s]."""
 MOST = 2**32 - 1
 TRANSFORM = transform_stamped("map", "base", SECOND, (1.0, 2.0, 3.0))
-
-
-def field(name: str, offset: int = 0, datatype: int = PointField.FLOAT32, count: int = 1) -> PointField:
-    return PointField(name=name, offset=offset, datatype=datatype, count=count)
 
 
 XYZT = [field("x"), field("y", 4), field("z", 8), field("t", 12)]

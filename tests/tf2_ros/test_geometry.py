@@ -40,9 +40,8 @@ def numbers(part: Any) -> list[float]:
 @pytest.fixture
 def buffer() -> Buffer:
     buffer = Buffer()
-    buffer.set_transform(
-        transform_stamped("A", "B", 2 * SECOND, (10.0, 20.0, 30.0), (1.0, 0.0, 0.0, 0.0)), "me"
-    )
+    there = transform_stamped("A", "B", 2 * SECOND, (10.0, 20.0, 30.0), (1.0, 0.0, 0.0, 0.0))
+    buffer.set_transform(there, "me")
     return buffer
 
 

@@ -7,9 +7,12 @@ import threading
 import weakref
 
 import pytest
+from tests.tf2_ros.conftest import transform_stamped
 
 from tfloom._native import ReadyQueue
+from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.node.values.time import Time
+from tfloom.rosidl.cdr import encode
 from tfloom.tf2_ros.buffer import Buffer
 
 IDENTITY = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0)
@@ -45,15 +48,12 @@ def with_both_and_a_cancelled_future(buffer: Buffer) -> None:
     with_a_future(buffer)
 
 
-@pytest.mark.parametrize(
-    "use",
-    [
-        with_a_future,
-        with_a_future_between_two_times,
-        with_a_log_callback,
-        with_both_and_a_cancelled_future,
-    ],
-)
+USES = [
+    *(with_a_future, with_a_future_between_two_times, with_a_log_callback, with_both_and_a_cancelled_future)
+]
+
+
+@pytest.mark.parametrize("use", USES)
 def test_a_buffer_that_its_callbacks_refer_to_is_freed(use) -> None:
     buffer = Buffer()
     use(buffer)
@@ -98,13 +98,7 @@ def test_a_future_alone_keeps_what_completes_it() -> None:
 
 
 def tf_message(frame_id: str, child_frame_id: str) -> bytes:
-    from tfloom.interfaces.geometry_msgs.msg import TransformStamped
-    from tfloom.interfaces.tf2_msgs.msg import TFMessage
-    from tfloom.rosidl.cdr import encode
-
-    transform = TransformStamped(child_frame_id=child_frame_id)
-    transform.header.frame_id = frame_id
-    return encode(TFMessage(transforms=[transform]))
+    return encode(TFMessage(transforms=[transform_stamped(frame_id, child_frame_id, 1)]))
 
 
 def test_a_wire_that_goes_on_while_buffers_are_collected() -> None:

@@ -6,7 +6,7 @@ import gc
 import threading
 import time
 import weakref
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from contextlib import suppress
 
 import pytest
@@ -50,11 +50,9 @@ def test_broadcast_transform_can_be_looked_up_without_executor(node: Node) -> No
     listener.unregister()
 
 
-def test_several_transforms_in_one_message(node: Node) -> None:
-    buffer = Buffer()
-    TransformListener(buffer, node)
+def test_several_transforms_in_one_message(buffer: Buffer, broadcaster: TransformBroadcaster) -> None:
     sent = (transform_stamped("map", f"f{i}", SECOND) for i in range(5))
-    TransformBroadcaster(node).send_transform(sent)
+    broadcaster.send_transform(sent)
     assert buffer.frame_names() == ["f0", "map", "f1", "f2", "f3", "f4"]
 
 
@@ -85,9 +83,7 @@ def test_late_subscriptions_receive_all_static_transforms(node: Node) -> None:
     assert all(buffer.can_transform("base", f"s{index}", NOW) for index in range(3))
 
 
-def test_a_static_transform_sent_again_replaces_the_first(node: Node) -> None:
-    buffer = Buffer()
-    TransformListener(buffer, node)
+def test_a_static_transform_sent_again_replaces_the_first(node: Node, buffer: Buffer) -> None:
     broadcaster = StaticTransformBroadcaster(node)
     broadcaster.sendTransform(transform_stamped("a", "b", 0))
     broadcaster.sendTransform(transform_stamped("b", "d", 0))
@@ -97,65 +93,43 @@ def test_a_static_transform_sent_again_replaces_the_first(node: Node) -> None:
     assert not buffer.can_transform("a", "d", NOW)
 
 
-def test_lookup_can_wait_in_a_callback_of_a_single_threaded_executor(node: Node) -> None:
-    buffer = Buffer()
-    TransformListener(buffer, node)
-    broadcaster = TransformBroadcaster(node)
+def test_lookup_can_wait_in_a_callback_of_a_single_threaded_executor(
+    node: Node, buffer: Buffer, broadcaster: TransformBroadcaster, executor: SingleThreadedExecutor
+) -> None:
     found: list[float] = []
 
     def look_up() -> None:
-        found.append(
-            buffer.lookup_transform(
-                "map", "base", Time(seconds=5), Duration(seconds=30)
-            ).transform.translation.x
-        )
+        transform = buffer.lookup_transform("map", "base", Time(seconds=5), Duration(seconds=30))
+        found.append(transform.transform.translation.x)
 
     node.create_timer(0.001, look_up)
-    executor = SingleThreadedExecutor(context=node.context)
-    executor.add_node(node)
-    sender = threading.Timer(
-        0.1, lambda: broadcaster.sendTransform(transform_stamped("map", "base", 5 * SECOND))
-    )
-    sender.start()
+    send_soon(broadcaster)
     start = time.monotonic()
     executor.spin_once(timeout_sec=30)
     assert found == [1.0]
     assert time.monotonic() - start < 20
-    sender.join()
-    executor.shutdown()
-
-
-@pytest.fixture
-def executor(node: Node) -> Iterator[SingleThreadedExecutor]:
-    with SingleThreadedExecutor(context=node.context) as executor:
-        executor.add_node(node)
-        yield executor
 
 
 def send_soon(broadcaster: TransformBroadcaster) -> None:
     threading.Timer(0.05, broadcaster.sendTransform, [transform_stamped("map", "base", 5 * SECOND)]).start()
 
 
-def test_spin_once_returns_after_a_transform(node: Node, executor: SingleThreadedExecutor) -> None:
-    buffer = Buffer()
-    TransformListener(buffer, node)
-    broadcaster = TransformBroadcaster(node)
+def test_spin_once_returns_after_a_transform(
+    executor: SingleThreadedExecutor, buffer: Buffer, broadcaster: TransformBroadcaster
+) -> None:
     send_soon(broadcaster)
     while not buffer.can_transform("map", "base", NOW):
         executor.spin_once()
 
 
 def test_spin_once_returns_for_transforms_since_the_last_call(
-    node: Node, executor: SingleThreadedExecutor
+    node: Node, executor: SingleThreadedExecutor, buffer: Buffer, broadcaster: TransformBroadcaster
 ) -> None:
     """As for a callback: also if the message was received before, or while the node was in no executor."""
-    buffer = Buffer()
-    TransformListener(buffer, node)
     StaticTransformBroadcaster(node).sendTransform(transform_stamped("base", "laser", 0))
     executor.remove_node(node)
     executor.add_node(node)
     executor.spin_once()
-    broadcaster = TransformBroadcaster(node)
     broadcaster.sendTransform(transform_stamped("map", "base", 5 * SECOND))
     executor.spin_once()
     start = time.monotonic()
@@ -164,11 +138,8 @@ def test_spin_once_returns_for_transforms_since_the_last_call(
 
 
 def test_spin_once_inside_a_callback_returns_for_a_transform(
-    node: Node, executor: SingleThreadedExecutor
+    node: Node, executor: SingleThreadedExecutor, buffer: Buffer, broadcaster: TransformBroadcaster
 ) -> None:
-    buffer = Buffer()
-    TransformListener(buffer, node)
-    broadcaster = TransformBroadcaster(node)
     seen: Future[bool] = Future()
 
     def wait() -> None:
@@ -186,7 +157,12 @@ def test_spin_once_inside_a_callback_returns_for_a_transform(
 @pytest.mark.parametrize("kind", [SingleThreadedExecutor, MultiThreadedExecutor, EventsExecutor])
 @pytest.mark.parametrize("spin", ["spin", "spin_until_future_complete"])
 def test_long_spins_do_not_wake_for_transforms(
-    node: Node, kind: type[Executor], spin: str, monkeypatch: pytest.MonkeyPatch
+    node: Node,
+    kind: type[Executor],
+    spin: str,
+    monkeypatch: pytest.MonkeyPatch,
+    buffer: Buffer,
+    broadcaster: TransformBroadcaster,
 ) -> None:
     begun, ended = [], []
     collect = kind._collect
@@ -199,9 +175,6 @@ def test_long_spins_do_not_wake_for_transforms(
 
     with kind(context=node.context) as executor:
         executor.add_node(node)
-        buffer = Buffer()
-        TransformListener(buffer, node)
-        broadcaster = TransformBroadcaster(node)
         broadcaster.sendTransform(transform_stamped("map", "base", SECOND))
         done: Future[bool] = Future()
         executor.spin_until_future_complete(done, 0.01)  # what was posted before
@@ -247,10 +220,9 @@ def test_waiting_ends_when_the_context_is_shut_down(node: Node) -> None:
     assert time.monotonic() - start < 30
 
 
-def test_buffer_can_be_replaced(node: Node) -> None:
+def test_buffer_can_be_replaced(node: Node, broadcaster: TransformBroadcaster) -> None:
     first, second = Buffer(), Buffer()
     listener = TransformListener(first, node)
-    broadcaster = TransformBroadcaster(node)
     broadcaster.sendTransform(transform_stamped("map", "a", SECOND))
     listener.buffer = second
     broadcaster.sendTransform(transform_stamped("map", "b", SECOND))
@@ -258,7 +230,9 @@ def test_buffer_can_be_replaced(node: Node) -> None:
     assert (first.frame_names(), second.frame_names()) == (["a", "map"], ["b", "map"])
 
 
-def test_an_overridden_setter_is_called_for_each_transform(node: Node) -> None:
+def test_an_overridden_setter_is_called_for_each_transform(
+    node: Node, executor: SingleThreadedExecutor
+) -> None:
     seen: list[str] = []
 
     class Filtering(Buffer):
@@ -269,12 +243,9 @@ def test_an_overridden_setter_is_called_for_each_transform(node: Node) -> None:
     buffer = Filtering()
     TransformListener(buffer, node)
     TransformBroadcaster(node).sendTransform(transform_stamped("map", "base", SECOND))
-    executor = SingleThreadedExecutor(context=node.context)
-    executor.add_node(node)
     executor.spin_once(timeout_sec=30)
     assert seen == ["base"]
     assert buffer.can_transform("map", "base", NOW)
-    executor.shutdown()
 
 
 def test_spin_thread_spins_the_node_until_the_listener_is_freed(node: Node) -> None:
@@ -316,10 +287,8 @@ def test_a_listener_frees_its_buffer(node: Node) -> None:
 
 
 def test_unreadable_messages_are_dropped_with_one_warning(
-    node: Node, capfd: pytest.CaptureFixture[str], wait_until: Callable[..., None]
+    node: Node, capfd: pytest.CaptureFixture[str], wait_until: Callable[..., None], buffer: Buffer
 ) -> None:
-    buffer = Buffer()
-    TransformListener(buffer, node)
     publisher = node.create_publisher(TFMessage, "/tf", 100)
     for _ in range(200):
         publisher.publish(b"\0\1\0\0\xff\xff\xff\xff")
@@ -329,14 +298,11 @@ def test_unreadable_messages_are_dropped_with_one_warning(
     assert 1 <= len(warnings) <= 3
 
 
-def test_a_future_is_completed_by_the_transform(node: Node) -> None:
-    buffer = Buffer()
-    TransformListener(buffer, node)
+def test_a_future_is_completed_by_the_transform(buffer: Buffer, broadcaster: TransformBroadcaster) -> None:
     future = buffer.wait_for_transform_async("map", "base", Time(seconds=2))
     cancelled = buffer.wait_for_transform_async("map", "base", Time(seconds=2))
     cancelled.cancel()
     assert not future.done()
-    broadcaster = TransformBroadcaster(node)
     broadcaster.sendTransform(transform_stamped("map", "base", SECOND))
     assert not future.done()
     broadcaster.sendTransform(transform_stamped("map", "base", 3 * SECOND))
@@ -365,40 +331,30 @@ def test_future_of_an_impossible_transform_has_the_error() -> None:
         future.result()
 
 
-def test_jump_backward_clears_the_buffer(node: Node) -> None:
-    clock = node.get_clock()
-    buffer = Buffer()
-    TransformListener(buffer, node)
-    clock.set_ros_time_is_active(True)
-    clock.set_ros_time_override(Time(seconds=100, clock_type=clock.clock_type))
+def test_jump_backward_clears_the_buffer(buffer: Buffer, set_time: Callable[[float], None]) -> None:
+    set_time(100)
     buffer.set_transform(transform_stamped("map", "base", 100 * SECOND), "me")
-    clock.set_ros_time_override(Time(seconds=99.5, clock_type=clock.clock_type))
+    set_time(99.5)
     assert buffer.can_transform("map", "base", NOW)
-    clock.set_ros_time_override(Time(seconds=10, clock_type=clock.clock_type))
+    set_time(10)
     assert not buffer.can_transform("map", "base", NOW)
 
 
-def test_service_returns_the_frames(node: Node) -> None:
+def test_service_returns_the_frames(node: Node, executor: SingleThreadedExecutor) -> None:
     buffer = Buffer(node=node)
     buffer.set_transform(transform_stamped("map", "base", SECOND), "me")
     client = node.create_client(FrameGraph, "tf2_frames")
-    executor = SingleThreadedExecutor(context=node.context)
-    executor.add_node(node)
     future = client.call_async(FrameGraph.Request())
     executor.spin_until_future_complete(future, timeout_sec=30)
     assert future.result().frame_yaml == buffer.all_frames_as_yaml() != "[]"
-    executor.shutdown()
 
 
-def test_stragglers_from_before_a_jump_are_ignored(node: Node) -> None:
-    clock = node.get_clock()
-    buffer = Buffer()
-    TransformListener(buffer, node)
-    broadcaster = TransformBroadcaster(node)
-    clock.set_ros_time_is_active(True)
-    clock.set_ros_time_override(Time(seconds=100, clock_type=clock.clock_type))
+def test_stragglers_from_before_a_jump_are_ignored(
+    buffer: Buffer, broadcaster: TransformBroadcaster, set_time: Callable[[float], None]
+) -> None:
+    set_time(100)
     broadcaster.sendTransform(transform_stamped("map", "base", 100 * SECOND))
-    clock.set_ros_time_override(Time(seconds=10, clock_type=clock.clock_type))
+    set_time(10)
     broadcaster.sendTransform(transform_stamped("map", "base", 100 * SECOND))  # late
     assert not buffer.can_transform("map", "base", NOW)
     broadcaster.sendTransform(transform_stamped("map", "base", 10 * SECOND))

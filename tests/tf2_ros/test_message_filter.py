@@ -145,7 +145,9 @@ def test_names_of_reasons() -> None:
     ]  # fmt: skip
 
 
-def test_from_a_topic_by_the_nodes_executor(node: Node) -> None:
+def test_from_a_topic_by_the_nodes_executor(
+    node: Node, broadcaster: TransformBroadcaster, executor: SingleThreadedExecutor
+) -> None:
     buffer = Buffer()
     listener = TransformListener(buffer, node)
     waiting = MessageFilter(Subscriber(node, PointStamped, "points"), buffer, "map", 10)
@@ -154,10 +156,7 @@ def test_from_a_topic_by_the_nodes_executor(node: Node) -> None:
     dropped: list[FilterFailureReason] = []
     waiting.registerFailureCallback(lambda _, reason: dropped.append(reason))
     node.create_publisher(PointStamped, "points", 10).publish(point(5 * SECOND))
-    executor = SingleThreadedExecutor(context=node.context)
-    executor.add_node(node)
     executor.spin_once(timeout_sec=30)
-    broadcaster = TransformBroadcaster(node)
     sender = threading.Thread(
         target=broadcaster.sendTransform, args=(transform_stamped("map", "laser", 5 * SECOND),)
     )
@@ -170,7 +169,6 @@ def test_from_a_topic_by_the_nodes_executor(node: Node) -> None:
     while not dropped:
         executor.spin_once(timeout_sec=30)
     assert dropped == [FilterFailureReason.EmptyFrameID]
-    executor.shutdown()
     listener.unregister()
 
 

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Callable
 from types import SimpleNamespace
+from typing import Any
 
 import pytest
 
@@ -29,6 +31,18 @@ def point(seconds: float) -> PointStamped:
 
 def seconds(message: PointStamped) -> float:
     return message.header.stamp.sec + message.header.stamp.nanosec / 1e9
+
+
+def synchronized(
+    kind: Any, *arguments: object, count: int = 2
+) -> tuple[list[SimpleFilter], list[tuple[float, ...]]]:
+    """Return sources, and the list of what a synchronizer of them passes on, by the messages' seconds."""
+    sources = [SimpleFilter() for _ in range(count)]
+    passed_on: list[tuple[float, ...]] = []
+    kind(sources, *arguments).registerCallback(
+        lambda *messages: passed_on.append(tuple(map(seconds, messages)))
+    )
+    return sources, passed_on
 
 
 def test_cache_keeps_the_last_messages_in_order() -> None:
@@ -121,13 +135,9 @@ def test_chain_passes_messages_through_its_filters() -> None:
 
 @pytest.mark.parametrize("count", [1, 2, 5, 9])
 def test_scrambled_sequences_are_synchronized(count: int) -> None:
-    left, right = SimpleFilter(), SimpleFilter()
-    pairs: list[tuple[float, float]] = []
-    ApproximateTimeSynchronizer([left, right], count, 0.1).registerCallback(
-        lambda a, b: pairs.append((seconds(a), seconds(b)))
-    )
+    sources, pairs = synchronized(ApproximateTimeSynchronizer, count, 0.1)
     shuffler = random.Random(count)
-    for source in (left, right):
+    for source in sources:
         for at in shuffler.sample(range(count), count):
             source.signalMessage(point(at))
     assert sorted(pairs) == [(at, at) for at in range(count)]
@@ -146,9 +156,7 @@ def test_a_message_older_than_a_full_queue_is_dropped() -> None:
 
 
 def test_stamps_that_differ_by_the_slop_do_not_match() -> None:
-    left, right = SimpleFilter(), SimpleFilter()
-    pairs: list[tuple[float, float]] = []
-    ApproximateTimeSynchronizer([left, right], 5, 0.5).registerCallback(lambda *pair: pairs.append(pair))
+    (left, right), pairs = synchronized(ApproximateTimeSynchronizer, 5, 0.5)
     left.signalMessage(point(1))
     right.signalMessage(point(1.5))
     assert pairs == []
@@ -156,10 +164,10 @@ def test_stamps_that_differ_by_the_slop_do_not_match() -> None:
     assert len(pairs) == 1
 
 
-def test_messages_without_a_header_are_stamped_with_simulated_time(node: Node) -> None:
-    clock = node.get_clock()
-    clock.set_ros_time_is_active(True)
-    clock.set_ros_time_override(Time(seconds=50, clock_type=clock.clock_type))
+def test_messages_without_a_header_are_stamped_with_simulated_time(
+    node: Node, set_time: Callable[[float], None]
+) -> None:
+    set_time(50)
     points, words = Subscriber(node, PointStamped, "points"), Subscriber(node, String, "words")
     pairs: list[str] = []
     ApproximateTimeSynchronizer([points, words], 5, 0.5, allow_headerless=True).registerCallback(
@@ -174,24 +182,16 @@ def test_messages_without_a_header_are_stamped_with_simulated_time(node: Node) -
 
 @pytest.mark.parametrize("slop", [0.05, 0.2])
 def test_near_stamps_match(slop: float) -> None:
-    left, right, third = SimpleFilter(), SimpleFilter(), SimpleFilter()
-    sets: list[list[float]] = []
-    ApproximateTimeSynchronizer([left, right, third], 10, slop).registerCallback(
-        lambda *messages: sets.append([seconds(message) for message in messages])
-    )
+    (left, right, third), sets = synchronized(ApproximateTimeSynchronizer, 10, slop, count=3)
     for at in (1.0, 2.0, 3.0):
         left.signalMessage(point(at))
         right.signalMessage(point(at + 0.04))
         third.signalMessage(point(at + 0.1))
-    assert sets == ([] if slop < 0.1 else [[1.0, 1.04, 1.1], [2.0, 2.04, 2.1], [3.0, 3.04, 3.1]])
+    assert sets == ([] if slop < 0.1 else [(1.0, 1.04, 1.1), (2.0, 2.04, 2.1), (3.0, 3.04, 3.1)])
 
 
 def test_nearest_message_is_used_and_only_once() -> None:
-    left, right = SimpleFilter(), SimpleFilter()
-    pairs: list[tuple[float, float]] = []
-    ApproximateTimeSynchronizer([left, right], 10, 0.5).registerCallback(
-        lambda a, b: pairs.append((seconds(a), seconds(b)))
-    )
+    (left, right), pairs = synchronized(ApproximateTimeSynchronizer, 10, 0.5)
     for at in (1.0, 1.3, 1.45):
         left.signalMessage(point(at))
     right.signalMessage(point(1.4))
@@ -211,14 +211,11 @@ def test_messages_without_a_header_are_dropped_or_stamped(capfd: pytest.CaptureF
     assert timed.getLast().data == "y"
 
 
-def test_subscriber_passes_messages_on(node: Node) -> None:
+def test_subscriber_passes_messages_on(node: Node, executor: SingleThreadedExecutor) -> None:
     subscriber = Subscriber(node, PointStamped, "points")
     got: list[float] = []
     subscriber.registerCallback(lambda message: got.append(seconds(message)))
     assert (subscriber.getTopic(), subscriber.topic_name) == ("points", "/points")
     node.create_publisher(PointStamped, "points", 10).publish(point(7))
-    executor = SingleThreadedExecutor(context=node.context)
-    executor.add_node(node)
     executor.spin_once(timeout_sec=30)
     assert got == [7]
-    executor.shutdown()

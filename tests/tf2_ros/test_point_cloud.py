@@ -8,7 +8,7 @@ from copy import deepcopy
 
 import numpy as np
 import pytest
-from tests.tf2_ros.conftest import SECOND, transform_stamped
+from tests.tf2_ros.conftest import SECOND, field, transform_stamped
 
 from tfloom import _native
 from tfloom.interfaces.sensor_msgs.msg import PointCloud2, PointField
@@ -28,12 +28,7 @@ from tfloom.tf2_ros.point_clouds.point_cloud2 import (
 
 HEADER = Header(frame_id="A", stamp=Time(seconds=2).to_msg())
 TRANSFORM = transform_stamped("B", "A", 2 * SECOND, (10.0, 20.0, 30.0), (1.0, 0.0, 0.0, 0.0))
-FIELDS = [
-    PointField(name="x", offset=0, datatype=PointField.FLOAT32, count=1),
-    PointField(name="y", offset=4, datatype=PointField.FLOAT32, count=1),
-    PointField(name="z", offset=8, datatype=PointField.FLOAT32, count=1),
-    PointField(name="ring", offset=14, datatype=PointField.UINT16, count=1),
-]
+FIELDS = [field("x"), field("y", 4), field("z", 8), field("ring", 14, PointField.UINT16)]
 
 
 def structured(shape: tuple[int, ...], point_step: int = 32) -> np.ndarray:
@@ -129,10 +124,7 @@ def test_layouts_of_clouds(layout: str, row_padding: int, size: tuple[int, int])
     is_bigendian = (sys.byteorder == "big") != (kind == "swapped")
     kind = "f4" if kind == "swapped" else kind
     datatype = {"f4": PointField.FLOAT32, "f8": PointField.FLOAT64, "i4": PointField.INT32}[kind]
-    fields = [
-        PointField(name=name, offset=offset, datatype=datatype, count=1)
-        for name, offset in zip(names, offsets, strict=True)
-    ]
+    fields = [field(name, offset, datatype) for name, offset in zip(names, offsets, strict=True)]
     height, width = size
     row_step = width * point_step + row_padding
     random = np.random.default_rng(5)
@@ -195,7 +187,7 @@ def test_points_are_read_as_arrays() -> None:
 
 
 def test_fields_with_counts_and_without_names() -> None:
-    fields = [PointField(name="x", offset=0, datatype=PointField.FLOAT32, count=3)]
+    fields = [field("x", count=3)]
     cloud = create_cloud(HEADER, fields, np.arange(12, dtype=np.float32).reshape(4, 3))
     assert (cloud.point_step, cloud.width) == (12, 4)
     assert read_points(cloud).dtype.names == ("x_0", "x_1", "x_2")
@@ -203,14 +195,14 @@ def test_fields_with_counts_and_without_names() -> None:
     fields[0].name, fields[0].count = "", 1
     assert dtype_from_fields(fields).names == ("unnamed_field_0",)
     with pytest.raises(ValueError, match="unknown datatype 99"):
-        dtype_from_fields([PointField(name="x", datatype=99, count=1)])
+        dtype_from_fields([field("x", datatype=99)])
     with pytest.raises(AssertionError, match="count = 0"):
-        dtype_from_fields([PointField(name="x", datatype=7, count=0)])
+        dtype_from_fields([field("x", count=0)])
 
 
 @pytest.mark.parametrize("datatype", range(1, 9))
 def test_every_datatype(datatype: int) -> None:
-    fields = [PointField(name="v", offset=0, datatype=datatype, count=1)]
+    fields = [field("v", datatype=datatype)]
     cloud = create_cloud(HEADER, fields, [(1,), (2,), (100,)])
     assert [point.v for point in read_points_list(cloud)] == [1, 2, 100]
     kind = ["i1", "u1", "i2", "u2", "i4", "u4", "f4", "f8"][datatype - 1]

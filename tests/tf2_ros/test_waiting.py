@@ -9,7 +9,6 @@ from collections.abc import Callable
 import pytest
 from tests.tf2_ros.conftest import SECOND, transform_stamped
 
-from tfloom.node.clock.clock import Clock
 from tfloom.node.executing.executor import Executor
 from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from tfloom.node.node import Node
@@ -23,6 +22,7 @@ from tfloom.tf2_ros.transform_listener import TransformListener
 
 LONG = Duration(seconds=60)
 NOW = Time()
+SetTime = Callable[[float], None]
 
 
 @pytest.fixture
@@ -85,10 +85,9 @@ def test_future_can_wait_without_limit(
     assert broken == []
 
 
-def test_lookup_wakes_with_the_transform_from_the_wire(node: Node) -> None:
+def test_lookup_wakes_with_the_transform_from_the_wire(node: Node, broadcaster: TransformBroadcaster) -> None:
     buffer = Buffer()
     listener = TransformListener(buffer, node)
-    broadcaster = TransformBroadcaster(node)
     delays = []
     for attempt in range(10):
         woken: list[float] = []
@@ -109,7 +108,9 @@ def test_lookup_wakes_with_the_transform_from_the_wire(node: Node) -> None:
 
 
 @pytest.mark.parametrize("kind", [SingleThreadedExecutor, MultiThreadedExecutor])
-def test_awaiting_callback_continues_with_the_transform(node: Node, kind: type[Executor]) -> None:
+def test_awaiting_callback_continues_with_the_transform(
+    node: Node, kind: type[Executor], broadcaster: TransformBroadcaster
+) -> None:
     buffer = Buffer()
     listener = TransformListener(buffer, node)
     told: list[str] = []
@@ -127,7 +128,6 @@ def test_awaiting_callback_continues_with_the_transform(node: Node, kind: type[E
     node.create_timer(0.001, look_up)
     executor = kind(context=node.context)
     executor.add_node(node)
-    broadcaster = TransformBroadcaster(node)
     end = time.monotonic() + 30
     while "timed out" not in told and time.monotonic() < end:
         executor.spin_once(timeout_sec=1)
@@ -163,17 +163,11 @@ def test_a_chain_of_static_transforms_and_a_moving_one_below() -> None:
 
 
 class TestSimulatedTime:
-    @pytest.fixture
-    def clock(self, node: Node) -> Clock:
-        clock = node.get_clock()
-        clock.set_ros_time_is_active(True)
-        self.set(clock, 100)
-        return clock
+    @pytest.fixture(autouse=True)
+    def at_100_s(self, set_time: SetTime) -> None:
+        set_time(100)
 
-    def set(self, clock: Clock, seconds: float) -> None:
-        clock.set_ros_time_override(Time(seconds=seconds, clock_type=clock.clock_type))
-
-    def test_wait_continues_across_a_jump_backward(self, node: Node, clock: Clock) -> None:
+    def test_wait_continues_across_a_jump_backward(self, node: Node, set_time: SetTime) -> None:
         buffer = Buffer(node=node)
         buffer.set_transform(transform_stamped("map", "base", 100 * SECOND), "me")
         found: list[object] = []
@@ -181,53 +175,56 @@ class TestSimulatedTime:
             target=lambda: found.append(buffer.lookup_transform("map", "base", Time(seconds=11), LONG))
         )
         # At 11 s it is too old; after the jump it is in the future.
-        self.set(clock, 10)
+        set_time(10)
         thread.start()
         for at in (10, 12):
             buffer.set_transform(transform_stamped("map", "base", at * SECOND), "me")
         thread.join(30)
         assert found[0].header.stamp.sec == 11
 
-    def test_buffer_uses_the_clock_of_its_node(self, node: Node, clock: Clock) -> None:
-        assert Buffer(node=node).clock is clock
+    def test_buffer_uses_the_clock_of_its_node(self, node: Node) -> None:
+        assert Buffer(node=node).clock is node.get_clock()
         assert Buffer().clock.now().nanoseconds > 0
 
-    def test_jump_is_logged_once(self, node: Node, clock: Clock, capfd: pytest.CaptureFixture[str]) -> None:
+    def test_jump_is_logged_once(
+        self, node: Node, set_time: SetTime, capfd: pytest.CaptureFixture[str]
+    ) -> None:
         buffer = Buffer(node=node)
         TransformListener(buffer, node)
         other = TransformListener(buffer, node)
         other.buffer = buffer
         capfd.readouterr()
-        self.set(clock, 10)
+        set_time(10)
         lines = [line for line in capfd.readouterr().err.splitlines() if "tf2_buffer" in line]
         assert [line.partition("]: ")[2] for line in lines] == [
             "Detected jump back in time. Clearing tf buffer."
         ]
 
-    def test_forward_and_small_jumps_change_nothing(self, node: Node, clock: Clock) -> None:
+    def test_forward_and_small_jumps_change_nothing(self, node: Node, set_time: SetTime) -> None:
         buffer = Buffer(node=node)
         buffer.set_transform(transform_stamped("map", "base", 100 * SECOND), "me")
         for seconds in (99.5, 98.6, 1000, 999.1):
-            self.set(clock, seconds)
+            set_time(seconds)
         assert buffer.can_transform("map", "base", NOW)
 
-    def test_static_transforms_survive_a_jump(self, node: Node, clock: Clock) -> None:
+    def test_static_transforms_survive_a_jump(self, node: Node, set_time: SetTime) -> None:
         buffer = Buffer()
         TransformListener(buffer, node)
         static = StaticTransformBroadcaster(node)
         static.sendTransform(transform_stamped("base", "laser", 100 * SECOND))
-        self.set(clock, 10)
+        set_time(10)
         assert buffer.can_transform("base", "laser", NOW)
         static.sendTransform(transform_stamped("base", "camera", 100 * SECOND))
         assert buffer.can_transform("base", "camera", NOW)
 
-    def test_stragglers_are_ignored_for_a_short_time_only(self, node: Node, clock: Clock) -> None:
+    def test_stragglers_are_ignored_for_a_short_time_only(
+        self, node: Node, set_time: SetTime, broadcaster: TransformBroadcaster
+    ) -> None:
         buffer = Buffer()
         TransformListener(buffer, node)
-        broadcaster = TransformBroadcaster(node)
-        self.set(clock, 99.99)
+        set_time(99.99)
         jumped = time.monotonic()
-        self.set(clock, 98.5)  # 1.49 s back: transforms from 99.245 s on are stragglers, for 0.745 s
+        set_time(98.5)  # 1.49 s back: transforms from 99.245 s on are stragglers, for 0.745 s
         broadcaster.sendTransform(transform_stamped("map", "base", 100 * SECOND))
         is_known = buffer.can_transform("map", "base", NOW)
         assert not is_known or time.monotonic() - jumped > 0.7

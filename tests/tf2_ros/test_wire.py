@@ -19,6 +19,7 @@ from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.transform_listener import TransformListener
 
 BROADCASTER = """
+import sys
 import rclpy
 from geometry_msgs.msg import TransformStamped
 from rclpy.node import Node
@@ -39,13 +40,15 @@ node = Node("broadcaster")
 static = StaticTransformBroadcaster(node)
 static.sendTransform(transform(node, "base", "laser"))
 moving = TransformBroadcaster(node)
-node.create_timer(0.02, lambda: moving.sendTransform(transform(node, "map", "base")))
+frames = sys.argv[1:] or ["map", "base"]
+node.create_timer(0.02, lambda: moving.sendTransform(transform(node, *frames)))
 print("broadcasting", flush=True)
 try:
     rclpy.spin(node)
 except (KeyboardInterrupt, rclpy.executors.ExternalShutdownException):
     pass
 """
+"""Sends base -> laser once, and map -> base, or the two frames of its arguments, each 20 ms."""
 
 LISTENER = """
 import rclpy
