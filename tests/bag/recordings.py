@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 import math
+import re
 import sqlite3
+import tracemalloc
+import warnings
 from collections.abc import Iterable
+from contextlib import closing
 from pathlib import Path
 from typing import Any
 
+import pytest
 from mcap.writer import CompressionType, Writer
 
+from tfloom.bag import BagError, BagWarning, open_bag
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
@@ -131,6 +137,40 @@ def write_sqlite(path: Path, messages: Iterable[Recorded], version: int = 4) -> 
     return path
 
 
+def change_database(path: Path, statements: str) -> None:
+    """Execute statements on a database."""
+    with closing(sqlite3.connect(path)) as database, database:
+        database.executescript(statements)
+
+
 def found_in(bag: Any) -> list[Recorded]:
     """Return the messages of a recording."""
     return [(message.topic, message.log_time_ns, message.data) for message in bag.messages()]
+
+
+def rows_of(path: Path) -> list[Recorded]:
+    """Return the messages of a recording by its path."""
+    with open_bag(path) as bag:
+        return found_in(bag)
+
+
+def watched(
+    path: Path, start_ns: int | None = None, end_ns: int | None = None
+) -> tuple[list[bytes], list[str], int]:
+    """Return the messages' bytes, the warnings, and the memory that was used at most."""
+    tracemalloc.start()
+    try:
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            found = [message.data for message in open_bag(path).messages(None, start_ns, end_ns)]
+        _, most = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert all(issubclass(warning.category, BagWarning) for warning in caught)
+    assert all(str(warning.message).startswith(f"{path}: ") for warning in caught)
+    return found, [str(warning.message) for warning in caught], most
+
+
+def error_of(path: Path, text: str) -> Any:
+    """Expect a BagError that begins with the path and has the text."""
+    return pytest.raises(BagError, match=f"(?s)^{re.escape(str(path))}.*{re.escape(text)}")

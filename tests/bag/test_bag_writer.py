@@ -8,6 +8,7 @@ import shutil
 import sqlite3
 import sys
 import warnings
+from contextlib import nullcontext
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +16,19 @@ import pytest
 from mcap.reader import NonSeekingReader, make_reader
 from mcap.records import Schema
 from mcap.stream_reader import StreamReader
-from tests.bag.written_bags import QOS, START_NS, STEP_NS, read_by_rosbags, text, topic, write_bag
+from tests.bag.recordings import rows_of
+from tests.bag.written_bags import (
+    CHATTER,
+    QOS,
+    START_NS,
+    STEP_NS,
+    begin_bag,
+    push,
+    raising,
+    read_by_rosbags,
+    row,
+    write_bag,
+)
 
 from tfloom.bag import frames, open_bag
 from tfloom.bag.errors import BagError, BagWarning
@@ -49,9 +62,8 @@ def test_rosbags_and_we_read_each_byte(name: str, tmp_path: Path) -> None:
     rows = write_bag(tmp_path / "bag", SETTINGS[name])
     if name != "no summary":  # rosbags needs it
         assert read_by_rosbags(tmp_path / "bag") == rows
+    assert rows_of(tmp_path / "bag") == rows
     with open_bag(tmp_path / "bag") as bag:
-        found = [(message.topic, message.log_time_ns, message.data) for message in bag.messages()]
-        assert found == rows
         assert bag.message_count == len(rows)
         assert {topic.name: topic.message_count for topic in bag.topics.values()} == {
             "/chatter": 50,
@@ -139,12 +151,10 @@ def test_files_are_split_where_they_must_be(is_written_at_once: bool, tmp_path: 
         WriterSettings(max_file_duration_ns=10 * STEP_NS),
         lambda closed, opened: splits.append((closed.name, opened.name)),
     )
-    channel = writer.add_topic(topic("/chatter", "std_msgs/msg/String"))
+    channel = writer.add_topic(CHATTER)
     for number in range(25):
-        writer.push(channel, text(number), START_NS + number * STEP_NS, START_NS)
-        if (
-            is_written_at_once
-        ):  # as by a recorder's flush, after which no chunk is left to bear the mark of a split
+        push(writer, channel, number)
+        if is_written_at_once:  # as by a recorder's flush: no chunk is left to bear the mark of a split
             writer.write_present()
     writer.close()
     found = read_metadata(tmp_path / "bag")
@@ -168,50 +178,13 @@ def test_custom_data_and_odd_names_are_kept(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("storage_id", ["mcap", "sqlite3"])
 def test_bag_that_is_not_closed_keeps_all_chunks_but_the_last(storage_id: str, tmp_path: Path) -> None:
-    writer = BagWriter(tmp_path / "bag", WriterSettings(storage_id, StorageSettings(chunk_size=400)))
-    channel = writer.add_topic(topic("/chatter", "std_msgs/msg/String"))
-    for number in range(100):
-        writer.push(channel, text(number), START_NS + number, START_NS)
-    path = writer.file_path
-    if storage_id == "mcap":
-        with pytest.warns(match="the file has no end"), open_bag(path) as bag:
-            count = bag.message_count
-    else:
-        with open_bag(path) as bag:
-            count = bag.message_count
-    assert 90 <= count < 100
+    settings = WriterSettings(storage_id, StorageSettings(chunk_size=400))
+    writer, channel = begin_bag(tmp_path / "bag", settings)
+    push(writer, channel, *range(100))
+    told = pytest.warns(match="the file has no end") if storage_id == "mcap" else nullcontext()
+    with told, open_bag(writer.file_path) as bag:
+        assert 90 <= bag.message_count < 100
     writer.close()
-
-
-def push_many(writer: BagWriter, channel: int, count: int) -> None:
-    for number in range(count):
-        writer.push(channel, text(number), START_NS + number, START_NS)
-
-
-def test_full_disk_keeps_what_was_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    import resource
-    import signal
-
-    monkeypatch.setattr(signal, "SIGXFSZ", signal.SIGXFSZ)
-    before, handler = resource.getrlimit(resource.RLIMIT_FSIZE), signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-    writer = BagWriter(tmp_path / "bag", WriterSettings(storage=StorageSettings(chunk_size=1000)))
-    channel = writer.add_topic(topic("/chatter", "std_msgs/msg/String"))
-    written = 0
-    resource.setrlimit(resource.RLIMIT_FSIZE, (30_000, before[1]))
-    try:
-        with pytest.raises(
-            BagError, match=r"bag_0\.mcap: it can't be written: File too large\. What was recorded"
-        ):
-            push_many(writer, channel, 10_000)
-        written = writer.message_count
-        with pytest.raises(BagError, match="reindex"):
-            writer.close()
-    finally:
-        resource.setrlimit(resource.RLIMIT_FSIZE, before)
-        signal.signal(signal.SIGXFSZ, handler)
-    assert written > 100
-    with pytest.warns(match="the file has no end"), open_bag(tmp_path / "bag" / "bag_0.mcap") as bag:
-        assert bag.message_count == written == len(list(bag.messages()))
 
 
 def test_folder_that_cannot_be_made_is_an_error(tmp_path: Path) -> None:
@@ -224,10 +197,7 @@ def test_folder_that_cannot_be_made_is_an_error(tmp_path: Path) -> None:
 
 
 def test_read_only_folder_is_an_error(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    def refuse(*_: object, **__: object) -> None:
-        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
-
-    monkeypatch.setattr(Path, "mkdir", refuse)
+    monkeypatch.setattr(Path, "mkdir", raising(PermissionError(errno.EACCES, os.strerror(errno.EACCES))))
     with pytest.raises(BagError, match="bag: it can't be created: Permission denied"):
         BagWriter(tmp_path / "bag")
 
@@ -259,13 +229,12 @@ def test_configurations_of_storages(tmp_path: Path) -> None:
 
 
 def test_topic_of_a_refused_chunk_is_written_with_its_definition_later(tmp_path: Path) -> None:
-    writer = BagWriter(tmp_path / "bag", WriterSettings("sqlite3"))
-    channel = writer.add_topic(topic("/chatter", "std_msgs/msg/String"))
+    writer, channel = begin_bag(tmp_path / "bag", WriterSettings("sqlite3"))
     with sqlite3.connect(writer.file_path) as database:
         database.execute(
             "CREATE TRIGGER refused BEFORE INSERT ON messages BEGIN SELECT RAISE(FAIL, 'refused'); END"
         )
-        push_many(writer, channel, 1)
+        push(writer, channel, 0)
         with pytest.raises(BagError, match="refused"):
             writer.write_present()
         database.execute("DROP TRIGGER refused")
@@ -284,9 +253,8 @@ def test_limits_of_any_size(tmp_path: Path) -> None:
             WriterSettings(cache_size=0, is_snapshot=True),
         )
     ):
-        writer = BagWriter(tmp_path / str(number), settings)
-        channel = writer.add_topic(topic("/chatter", "std_msgs/msg/String"))
-        push_many(writer, channel, 10)
+        writer, channel = begin_bag(tmp_path / str(number), settings)
+        push(writer, channel, *range(10))
         writer.write_present()
         assert writer.message_count == 10
         writer.close()
@@ -300,7 +268,7 @@ def test_large_chunk_of_small_messages(tmp_path: Path) -> None:
     rows = write_bag(tmp_path / "bag", WriterSettings(storage=StorageSettings(chunk_size=64 << 20)), 30_000)
     with open_bag(tmp_path / "bag") as bag:
         assert len(bag.files[0].storage.layout.spans) == 1
-        assert [(message.topic, message.log_time_ns, message.data) for message in bag.messages()] == rows
+    assert rows_of(tmp_path / "bag") == rows
 
 
 @pytest.mark.parametrize("storage_id", ["mcap", "sqlite3"])
@@ -308,9 +276,8 @@ def test_messages_that_are_compressed_one_by_one_are_read_without_metadata(
     storage_id: str, tmp_path: Path
 ) -> None:
     folder = tmp_path / "bag"
-    writer = BagWriter(folder, WriterSettings(storage_id=storage_id, compression_mode="MESSAGE"))
-    number = writer.add_topic(topic("/chatter", "std_msgs/msg/String"))
-    rows = [("/chatter", START_NS + i, text(i)) for i in range(20)]
+    writer, number = begin_bag(folder, WriterSettings(storage_id, compression_mode="MESSAGE"))
+    rows = [row(i) for i in range(20)]
     for _, stamp_ns, data in rows:
         writer.push(number, data, stamp_ns, stamp_ns - 1)
     writer.write_rest()

@@ -8,10 +8,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from tests.bag.written_bags import START_NS, STEP_NS, text, topic
+from tests.bag.recordings import rows_of
+from tests.bag.written_bags import CHATTER, START_NS, STEP_NS, push, raising, row, text
 from tests.conftest import wait_until
 
-from tfloom.bag import open_bag
 from tfloom.bag.errors import BagError
 from tfloom.bag.metadata import read_metadata
 from tfloom.bag.recording import recorder as recorder_module
@@ -22,22 +22,24 @@ from tfloom.bag.writing.bag_writer import WriterSettings
 from tfloom.interfaces.rosbag2_interfaces.srv import Snapshot, SplitBagfile
 from tfloom.node.context.context import Context
 
-CHATTER = topic("/chatter", "std_msgs/msg/String")
-Start = Callable[[WriterSettings], Recorder]
+Start = Callable[[WriterSettings], tuple[Recorder, int]]
 
 
 @pytest.fixture
 def started(local_context: Context, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Start]:
-    """Start a recorder of what a test pushes into its queue; it is stopped at the end."""
+    """Start a recorder of what a test pushes into its queue; it is stopped at the end.
+
+    Return it, and the channel of /chatter.
+    """
     monkeypatch.setattr(recorder_module, "FLUSH_NS", 10_000_000)
     recorders: list[Recorder] = []
 
-    def start(settings: WriterSettings) -> Recorder:
+    def start(settings: WriterSettings) -> tuple[Recorder, int]:
         options = RecordOptions(TopicChoice(["/late"]), polling_interval_s=0.01, has_keyboard=False)
         recorder = Recorder(tmp_path / "bag", settings, options, context=local_context)
         recorders.append(recorder)
         recorder.start()
-        return recorder
+        return recorder, recorder.writer.add_topic(CHATTER)
 
     yield start
     for recorder in recorders:
@@ -45,52 +47,43 @@ def started(local_context: Context, tmp_path: Path, monkeypatch: pytest.MonkeyPa
         recorder.destroy_node()
 
 
-def push(recorder: Recorder, channel: int, numbers: range) -> None:
-    for number in numbers:
-        stamp_ns = START_NS + number * STEP_NS
-        recorder.writer.queue.push(channel, text(number), stamp_ns, stamp_ns)
-
-
-def log_times(folder: Path) -> list[int]:
-    with open_bag(folder) as bag:
-        return [(message.log_time_ns - START_NS) // STEP_NS for message in bag.messages()]
-
-
-def raise_odd(*_: object) -> None:
-    raise ValueError("odd")
-
-
 @pytest.mark.parametrize("storage_id", ["mcap", "sqlite3"])
+@pytest.mark.parametrize(
+    ("error", "reason"),
+    [
+        (RuntimeError("dictionary changed size"), "RuntimeError: dictionary changed size"),
+        (OSError(28, "No space left on device"), "No space left on device"),
+    ],
+)
 def test_any_error_while_writing_ends_the_recording_loudly(
-    storage_id: str, started: Start, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: Any
+    error: Exception,
+    reason: str,
+    storage_id: str,
+    started: Start,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capfd: Any,
 ) -> None:
-    recorder = started(WriterSettings(storage_id))
-    channel = recorder.writer.add_topic(CHATTER)
-    push(recorder, channel, range(1))
+    recorder, channel = started(WriterSettings(storage_id))
+    push(recorder.writer.queue, channel, 0)
     wait_until(lambda: recorder.writer.message_count == 1)
     with monkeypatch.context() as patched:
-
-        def fail(_: object) -> None:
-            raise RuntimeError("dictionary changed size during iteration")
-
-        patched.setattr(recorder.writer._file, "write", fail)
-        push(recorder, channel, range(1, 2))
+        patched.setattr(recorder.writer._file, "write", raising(error))
+        push(recorder.writer.queue, channel, 1)
         wait_until(lambda: recorder.failure is not None)
-    assert "can't be written: RuntimeError: dictionary changed size" in str(recorder.failure)
+    assert f"it can't be written: {reason}" in str(recorder.failure)
     assert not recorder.writer.queue.push(channel, text(2), START_NS, START_NS)
     recorder.stop()
     assert "Recording ends: " in capfd.readouterr().err
-    assert log_times(tmp_path / "bag") == [0, 1]  # written by a second try
+    assert rows_of(tmp_path / "bag") == [row(0), row(1)]  # written by a second try
 
 
 def test_error_beside_the_files_ends_the_recording_loudly(
     started: Start, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    recorder = started(WriterSettings())
-    channel = recorder.writer.add_topic(CHATTER)
-
-    monkeypatch.setattr(recorder.writer, "_count", raise_odd)
-    push(recorder, channel, range(1))
+    recorder, channel = started(WriterSettings())
+    monkeypatch.setattr(recorder.writer, "_count", raising(ValueError("odd")))
+    push(recorder.writer.queue, channel, 0)
     wait_until(lambda: recorder.failure is not None)
     assert "bag: writing has ended: ValueError: odd" in str(recorder.failure)
     monkeypatch.undo()
@@ -99,27 +92,24 @@ def test_error_beside_the_files_ends_the_recording_loudly(
 def test_error_in_discovery_ends_the_recording_loudly(
     started: Start, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    recorder = started(WriterSettings())
-    channel = recorder.writer.add_topic(CHATTER)
-    push(recorder, channel, range(3))
+    recorder, channel = started(WriterSettings())
+    push(recorder.writer.queue, channel, *range(3))
     with monkeypatch.context() as patched:
-        patched.setattr(recorder._topics, "subscribe_changed", raise_odd)
+        patched.setattr(recorder._topics, "subscribe_changed", raising(ValueError("odd")))
         wait_until(lambda: recorder.failure is not None)
     assert "bag: no more topics can be subscribed to: ValueError: odd" in str(recorder.failure)
     recorder.stop()
-    assert log_times(tmp_path / "bag") == [0, 1, 2]
+    assert rows_of(tmp_path / "bag") == [row(0), row(1), row(2)]
 
 
 def test_split_that_cannot_be_announced_is_a_split(
     started: Start, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: Any
 ) -> None:
-    recorder = started(WriterSettings())
-    channel = recorder.writer.add_topic(CHATTER)
-
-    monkeypatch.setattr(recorder._split_events, "publish", raise_odd)
-    push(recorder, channel, range(1))
+    recorder, channel = started(WriterSettings())
+    monkeypatch.setattr(recorder._split_events, "publish", raising(ValueError("odd")))
+    push(recorder.writer.queue, channel, 0)
     recorder.split_bagfile()
-    push(recorder, channel, range(1, 2))
+    push(recorder.writer.queue, channel, 1)
     recorder.stop()
     assert recorder.failure is None
     assert "The split was not announced: odd" in capfd.readouterr().err
@@ -127,11 +117,10 @@ def test_split_that_cannot_be_announced_is_a_split(
 
 
 def test_duration_of_a_file_is_counted_from_the_split(started: Start, tmp_path: Path) -> None:
-    recorder = started(WriterSettings(max_file_duration_ns=10 * STEP_NS))
-    channel = recorder.writer.add_topic(CHATTER)
-    push(recorder, channel, range(6))
+    recorder, channel = started(WriterSettings(max_file_duration_ns=10 * STEP_NS))
+    push(recorder.writer.queue, channel, *range(6))
     recorder.split_bagfile()
-    push(recorder, channel, range(6, 20))
+    push(recorder.writer.queue, channel, *range(6, 20))
     recorder.stop()
     files = read_metadata(tmp_path / "bag").files
     spans = [(file.start_ns - START_NS, file.duration_ns, file.message_count) for file in files]
@@ -143,7 +132,7 @@ def test_duration_of_a_file_is_counted_from_the_split(started: Start, tmp_path: 
 
 
 def test_first_failure_is_told(started: Start, capfd: Any) -> None:
-    recorder = started(WriterSettings())
+    recorder, _ = started(WriterSettings())
     first, second = (BagError(recorder.writer.folder, text_) for text_ in ("first", "second"))
     recorder._fail(first)
     recorder._fail(second)
@@ -152,11 +141,8 @@ def test_first_failure_is_told(started: Start, capfd: Any) -> None:
 
 
 def test_failed_service_ends_the_recording(started: Start, monkeypatch: pytest.MonkeyPatch) -> None:
-    recorder = started(WriterSettings(is_snapshot=True))
-
-    def fail() -> None:
-        raise BagError(recorder.writer.folder, "full")
-
+    recorder, _ = started(WriterSettings(is_snapshot=True))
+    fail = raising(BagError(recorder.writer.folder, "full"))
     monkeypatch.setattr(recorder.writer, "write_present", fail)
     monkeypatch.setattr(recorder.writer, "split", fail)
     response = recorder._on_snapshot(Snapshot.Request(), Snapshot.Response())
@@ -171,11 +157,8 @@ def test_failed_service_ends_the_recording(started: Start, monkeypatch: pytest.M
 def test_bag_that_cannot_be_completed(
     has_failed: bool, started: Start, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    recorder = started(WriterSettings())
-
-    def fail() -> None:
-        raise BagError(recorder.writer.folder, "full")
-
+    recorder, _ = started(WriterSettings())
+    fail = raising(BagError(recorder.writer.folder, "full"))
     with monkeypatch.context() as patched:
         patched.setattr(recorder.writer, "close", fail)
         if has_failed:
@@ -188,7 +171,7 @@ def test_bag_that_cannot_be_completed(
 
 
 def test_error_in_discovery_after_the_end_is_none(started: Start, monkeypatch: pytest.MonkeyPatch) -> None:
-    recorder = started(WriterSettings())
+    recorder, _ = started(WriterSettings())
 
     def end(*_: object) -> None:
         recorder.context.shutdown()
@@ -203,7 +186,7 @@ def test_error_in_discovery_after_the_end_is_none(started: Start, monkeypatch: p
 def test_bag_is_completed_when_the_threads_have_ended(
     started: Start, monkeypatch: pytest.MonkeyPatch, capfd: Any
 ) -> None:
-    recorder = started(WriterSettings())
+    recorder, _ = started(WriterSettings())
     discovering, closed = threading.Event(), threading.Event()
     alive: list[bool] = []
     close = recorder._topics.close

@@ -12,7 +12,18 @@ from typing import Any
 
 import pytest
 from mcap.stream_reader import StreamReader
-from tests.bag.written_bags import START_NS, STEP_NS, Row, text, topic
+from tests.bag.recordings import rows_of
+from tests.bag.written_bags import (
+    CHATTER,
+    START_NS,
+    STEP_NS,
+    begin_bag,
+    push,
+    raising,
+    row,
+    text,
+    topic,
+)
 
 from tfloom.bag import open_bag
 from tfloom.bag.errors import BagError
@@ -27,38 +38,16 @@ from tfloom.bag.writing.storage import StorageSettings
 from tfloom.bag.writing.storage_files import open_storage_file
 
 STORAGES = ("mcap", "sqlite3")
-CHATTER = topic("/chatter", "std_msgs/msg/String")
 
 
-def rows_of(folder: Path) -> list[Row]:
-    with open_bag(folder) as bag:
-        return [(message.topic, message.log_time_ns, message.data) for message in bag.messages()]
-
-
-def row(number: int) -> Row:
-    return ("/chatter", START_NS + number * STEP_NS, text(number))
-
-
-def push(writer: BagWriter, channel: int, number: int) -> None:
-    _, stamp_ns, data = row(number)
-    writer.push(channel, data, stamp_ns, stamp_ns)
-
-
-def push_all(writer: BagWriter, channel: int, numbers: range) -> None:
-    for number in numbers:
-        push(writer, channel, number)
-
-
-def full_disk(*_: object) -> Any:
-    raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+full_disk = raising(OSError(errno.ENOSPC, os.strerror(errno.ENOSPC)))
 
 
 @pytest.mark.parametrize("storage_id", STORAGES)
 def test_topics_are_added_while_a_file_is_completed(
     storage_id: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    writer = BagWriter(tmp_path / "bag", WriterSettings(storage_id))
-    channel = writer.add_topic(CHATTER)
+    writer, channel = begin_bag(tmp_path / "bag", WriterSettings(storage_id))
     added = []
 
     def meanwhile(function: Callable[..., Any]) -> Callable[..., Any]:
@@ -72,8 +61,7 @@ def test_topics_are_added_while_a_file_is_completed(
 
     push(writer, channel, 0)
     monkeypatch.setattr(mcap_records, "channel", meanwhile(mcap_records.channel))
-    refuse = sqlite_file.SqliteFile._add_topics
-    monkeypatch.setattr(sqlite_file.SqliteFile, "_add_topics", meanwhile(refuse))
+    monkeypatch.setattr(SqliteFile, "_add_topics", meanwhile(SqliteFile._add_topics))
     writer.write_present()
     writer.split()
     push(writer, channel, 1)
@@ -84,8 +72,8 @@ def test_topics_are_added_while_a_file_is_completed(
 
 @pytest.mark.parametrize("storage_id", STORAGES)
 def test_numbers_of_removed_topics_are_not_given_again(storage_id: str, tmp_path: Path) -> None:
-    def created(name: str, type_name: str = "std_msgs/msg/String") -> TopicMetadata:
-        return TopicMetadata(id=0, name=name, type=type_name, serialization_format="cdr")
+    def created(name: str) -> TopicMetadata:
+        return TopicMetadata(0, name, "std_msgs/msg/String", "cdr")
 
     writer = SequentialWriter()
     writer.open(StorageOptions(uri=str(tmp_path / "bag"), storage_id=storage_id), ConverterOptions("", ""))
@@ -108,33 +96,25 @@ def test_numbers_of_removed_topics_are_not_given_again(storage_id: str, tmp_path
         (name, START_NS + number, text(number)) for number, name in enumerate(names)
     ]
     found = read_metadata(tmp_path / "bag").topics
-    assert {topic.name: topic.message_count for topic in found} == {
-        "/b": 1,
-        "/c": 1,
-        "/d": 1,
-        "/queued": 2,
-        "/gone": 1,
-    }
+    counts = {topic.name: topic.message_count for topic in found}
+    assert counts == {"/b": 1, "/c": 1, "/d": 1, "/queued": 2, "/gone": 1}
 
 
 @pytest.mark.parametrize("storage_id", STORAGES)
 def test_removed_topic_with_messages_stays(storage_id: str, tmp_path: Path) -> None:
-    writer = BagWriter(tmp_path / "bag", WriterSettings(storage_id))
-    channel = writer.add_topic(CHATTER)
+    writer, channel = begin_bag(tmp_path / "bag", WriterSettings(storage_id))
     push(writer, channel, 0)
     writer.write_present()
     writer.remove_topic("/chatter")
     writer.close()
     assert rows_of(tmp_path / "bag") == [row(0)]
-    assert [(topic.name, topic.message_count) for topic in read_metadata(tmp_path / "bag").topics] == [
-        ("/chatter", 1)
-    ]
+    (found,) = read_metadata(tmp_path / "bag").topics
+    assert (found.name, found.message_count) == ("/chatter", 1)
 
 
 def test_more_topics_than_numbers(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(topic_table, "MAX_TOPICS", 1)
-    writer = BagWriter(tmp_path / "bag")
-    channel = writer.add_topic(CHATTER)
+    writer, channel = begin_bag(tmp_path / "bag")
     with pytest.raises(BagError, match=r"'/chatter' can't be added: a bag has at most 1 topics"):
         writer.add_topic(CHATTER)
     push(writer, channel, 0)
@@ -148,22 +128,19 @@ def test_split_whose_next_file_cannot_be_opened(
     storage_id: str, is_full_at_close: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     folder = tmp_path / "bag"
-    writer = BagWriter(folder, WriterSettings(storage_id, max_file_size=200))
-    channel = writer.add_topic(CHATTER)
+    writer, channel = begin_bag(folder, WriterSettings(storage_id, max_file_size=200))
     first = writer.file_path
     with monkeypatch.context() as patched:
         patched.setattr(bag_writer, "open_storage_file", full_disk)
         with pytest.raises(BagError, match=r"bag_1\.\w+: it can't be written: No space left .* bag reindex"):
-            push_all(writer, channel, range(1, 20))
+            push(writer, channel, *range(1, 20))
         pushed = writer.queue.message_count
         assert pushed < 10
         assert writer.state is State.FAILED
         assert writer.file_path == first
         with pytest.raises(BagError, match="a write has failed, and nothing more is written; close it"):
             push(writer, channel, 99)
-        writer.queue.push(
-            channel, *row(pushed + 1)[2:], row(pushed + 1)[1], START_NS
-        )  # as readers do meanwhile
+        push(writer.queue, channel, pushed + 1)  # as readers do meanwhile
         if is_full_at_close:
             with pytest.raises(BagError, match=r"bag_1\.\w+: it can't be written: No space left"):
                 writer.close()
@@ -193,10 +170,9 @@ def test_first_file_that_cannot_be_begun_leaves_nothing(
 
 
 def test_duration_of_a_file_of_several_chunks(tmp_path: Path) -> None:
-    writer = BagWriter(tmp_path / "bag", WriterSettings(storage=StorageSettings(chunk_size=1)))
-    channel = writer.add_topic(CHATTER)
-    for number in (5, 9, 2, 7):  # a chunk each; neither the first nor the last one has the first or last time
-        push(writer, channel, number)
+    writer, channel = begin_bag(tmp_path / "bag", WriterSettings(storage=StorageSettings(chunk_size=1)))
+    # A chunk each; neither the first nor the last one has the first or last time.
+    push(writer, channel, 5, 9, 2, 7)
     writer.close()
     info = read_metadata(tmp_path / "bag")
     (file,) = info.files
@@ -208,19 +184,18 @@ def test_duration_of_a_file_of_several_chunks(tmp_path: Path) -> None:
 
 
 def test_duration_of_a_file_is_counted_from_its_beginning_by_size(tmp_path: Path) -> None:
-    writer = BagWriter(tmp_path / "bag", WriterSettings(max_file_size=200, max_file_duration_ns=6 * STEP_NS))
-    channel = writer.add_topic(CHATTER)
-    push_all(writer, channel, range(12))
+    writer, channel = begin_bag(
+        tmp_path / "bag", WriterSettings(max_file_size=200, max_file_duration_ns=6 * STEP_NS)
+    )
+    push(writer, channel, *range(12))
     writer.close()
     counts = [file.message_count for file in read_metadata(tmp_path / "bag").files]
     assert counts == [5, 5, 2, 0]  # without a new beginning, the second file would end after 2
 
 
 def test_split_leaves_no_empty_file_before_one_that_is_due(tmp_path: Path) -> None:
-    writer = BagWriter(tmp_path / "bag", WriterSettings(max_file_duration_ns=10 * STEP_NS))
-    channel = writer.add_topic(CHATTER)
-    push(writer, channel, 0)
-    push(writer, channel, 20)  # begins the next file
+    writer, channel = begin_bag(tmp_path / "bag", WriterSettings(max_file_duration_ns=10 * STEP_NS))
+    push(writer, channel, 0, 20)  # the second one begins the next file
     assert writer.message_count == 1
     writer.split()
     writer.close()
@@ -229,9 +204,8 @@ def test_split_leaves_no_empty_file_before_one_that_is_due(tmp_path: Path) -> No
 
 def test_snapshot_is_not_written_before_it_is_asked_for(tmp_path: Path) -> None:
     settings = WriterSettings(storage=StorageSettings(chunk_size=200), cache_size=4000, is_snapshot=True)
-    writer = BagWriter(tmp_path / "bag", settings)
-    channel = writer.add_topic(CHATTER)
-    push_all(writer, channel, range(500))
+    writer, channel = begin_bag(tmp_path / "bag", settings)
+    push(writer, channel, *range(500))
     assert writer.message_count == 0
     writer.write_present()
     writer.close()
@@ -243,15 +217,10 @@ def test_snapshot_is_not_written_before_it_is_asked_for(tmp_path: Path) -> None:
 def test_ctrl_c_in_the_middle_of_a_write_loses_nothing(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    writer = BagWriter(tmp_path / "bag")
-    channel = writer.add_topic(CHATTER)
+    writer, channel = begin_bag(tmp_path / "bag")
     push(writer, channel, 0)
-
-    def interrupt(_: object) -> None:
-        raise KeyboardInterrupt
-
     with monkeypatch.context() as patched:
-        patched.setattr(writer._file, "write", interrupt)
+        patched.setattr(writer._file, "write", raising(KeyboardInterrupt()))
         with pytest.raises(KeyboardInterrupt):
             writer.write_present()
     with pytest.raises(BagError, match="a write has failed"):
@@ -263,8 +232,7 @@ def test_ctrl_c_in_the_middle_of_a_write_loses_nothing(
 def test_file_of_just_the_size_limit_is_complete(tmp_path: Path) -> None:
     def record(name: str, max_size: int) -> tuple[int, list[int]]:
         """Return the size after one message, and the messages of each file."""
-        writer = BagWriter(tmp_path / name, WriterSettings(max_file_size=max_size))
-        channel = writer.add_topic(CHATTER)
+        writer, channel = begin_bag(tmp_path / name, WriterSettings(max_file_size=max_size))
         push(writer, channel, 0)
         writer.write_present()
         size = (tmp_path / name / f"{name}_0.mcap").stat().st_size
@@ -370,8 +338,7 @@ def test_file_that_cannot_be_compressed_is_left_alone(
 
 
 def test_topic_that_is_replaced_after_its_removal_is_there(tmp_path: Path) -> None:
-    writer = BagWriter(tmp_path / "bag")
-    channel = writer.add_topic(CHATTER)
+    writer, channel = begin_bag(tmp_path / "bag")
     writer.remove_topic("/chatter")
     writer.set_topic(channel, CHATTER)
     writer.close()
@@ -382,9 +349,8 @@ def test_topic_that_is_replaced_after_its_removal_is_there(tmp_path: Path) -> No
 def test_write_that_fails_at_the_end_is_tried_once_more(
     storage_id: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    writer = BagWriter(tmp_path / "bag", WriterSettings(storage_id))
-    channel = writer.add_topic(CHATTER)
-    push_all(writer, channel, range(3))
+    writer, channel = begin_bag(tmp_path / "bag", WriterSettings(storage_id))
+    push(writer, channel, *range(3))
     file = writer._file
     assert file is not None
     write, tries = file.write, list[object]()

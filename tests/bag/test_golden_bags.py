@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from rosbags.highlevel import AnyReader
+from tests.bag.recordings import found_in
 
 from tfloom.bag import frames, open_bag
 
@@ -23,7 +24,7 @@ def test_messages_are_those_that_rosbags_reads(name: str) -> None:
     with AnyReader([GOLDEN / name]) as reader:
         theirs = [(connection.topic, stamp, bytes(data)) for connection, stamp, data in reader.messages()]
     with open_bag(GOLDEN / name) as bag:
-        ours = [(message.topic, message.log_time_ns, message.data) for message in bag.messages()]
+        ours = found_in(bag)
         assert {topic.name: topic.message_count for topic in bag.topics.values()} == COUNTS[name]
         assert bag.message_count == len(ours) == sum(COUNTS[name].values())
         assert (bag.start_ns, bag.end_ns) == (ours[0][1], ours[-1][1])

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
+import re
 import struct
-import tracemalloc
-import warnings
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import lz4.frame
 import pytest
 import zstandard
+from tests.bag.recordings import watched
 
-from tfloom.bag import BagWarning, open_bag
 from tfloom.bag.reading.compression import MIN_RATIO, MIN_SIZE
 from tfloom.bag.reading.mcap_records import MAGIC, RECORD_HEADER, Opcode
 
@@ -78,32 +77,13 @@ def write(path: Path, data: bytes, indexes: Sequence[bytes], times: tuple[int, i
     return path
 
 
-def read(
-    path: Path, start_ns: int | None = None, end_ns: int | None = None
-) -> tuple[list[bytes], list[str], int]:
-    """Return the messages of a file, the warnings, and the memory that reading took [bytes]."""
-    tracemalloc.start()
-    try:
-        with warnings.catch_warnings(record=True) as caught:
-            warnings.simplefilter("always")
-            found = [message.data for message in open_bag(path).messages(None, start_ns, end_ns)]
-        _, most = tracemalloc.get_traced_memory()
-    finally:
-        tracemalloc.stop()
-    assert all(issubclass(warning.category, BagWarning) for warning in caught)
-    return found, [str(warning.message) for warning in caught], most
-
-
 @pytest.mark.parametrize("has_summary", [True, False])
 @pytest.mark.parametrize("compression", ["zstd", "lz4"])
 @pytest.mark.parametrize(
     ("make", "reason"),
     [
         (lambda: bytes(100 * MEGABYTE), "have a record of kind 0 at byte 0, after 0 messages"),
-        (
-            lambda: CHANNEL + message(5, b"a") + bytes(100 * MEGABYTE),
-            "have a record of kind 0 at byte 62, after 1 mes",
-        ),
+        (lambda: CHANNEL + message(5, b"a") + bytes(100 * MEGABYTE), "of kind 0 at byte 62, after 1 mess"),
         (lambda: CHANNEL * (3 * MEGABYTE), "hold more than 131072 schemas and channels"),
         (lambda: record(Opcode.SCHEMA, bytes(100 * MEGABYTE)), "hold no message"),
         (lambda: CHANNEL + message(5, b"") * (3 * MEGABYTE), "hold more than 1048576 messages of one time"),
@@ -118,50 +98,41 @@ def test_chunk_of_a_large_size_without_messages_for_it_is_left_out(
     content = make()
     data, of_chunk = chunk(content, compression)
     path = write(tmp_path / "a.mcap", data, [of_chunk] if has_summary else [])
-    found, said, most = read(path)
+    found, said, most = watched(path)
     assert found == []
     assert len(said) == 1
     assert said[0].startswith(f"{path}: byte ")
-    assert f"bytes stand for {len(content)}, and {reason}" in said[0]
+    assert re.search(f"bytes stand for {len(content)}, and .*{reason}", said[0])
     assert most < 50 * MEGABYTE
 
 
 @pytest.mark.parametrize("compression", ["zstd", "lz4"])
-def test_large_message_that_compresses_well_is_read(compression: str, tmp_path: Path) -> None:
+def test_large_message_that_compresses_well_is_watched(compression: str, tmp_path: Path) -> None:
     """As of an empty map."""
     data, of_chunk = chunk(CHANNEL + message(5, bytes(100 * MEGABYTE)), compression)
     assert MIN_SIZE < 100 * MEGABYTE
     assert len(data) * MIN_RATIO < 100 * MEGABYTE
     for indexes in ([of_chunk], []):
-        found, said, _ = read(write(tmp_path / "a.mcap", data, indexes))
+        found, said, _ = watched(write(tmp_path / "a.mcap", data, indexes))
         assert ([len(payload) for payload in found], said) == ([100 * MEGABYTE], [])
 
 
-@pytest.mark.parametrize(
-    ("stored", "size", "reason"),
-    [
-        (None, None, "more than fit before it"),
-        (0, 0, "more than fit before it"),
-        (0, MEGABYTE, "more than fit before it"),
-    ],
-)
-def test_chunk_that_is_indexed_again_and_again_is_read_once(
-    stored: int | None, size: int | None, reason: str, tmp_path: Path
-) -> None:
+@pytest.mark.parametrize("size", [None, 0, MEGABYTE])
+def test_chunk_that_is_indexed_again_and_again_is_read_once(size: int | None, tmp_path: Path) -> None:
     data, of_chunk = chunk(CHANNEL + message(5, b"a"))
-    if stored is not None and size is not None:
-        of_chunk = index(len(HEAD), len(data), "zstd", stored, size)
-    found, said, most = read(write(tmp_path / "a.mcap", data, [of_chunk] * 20_000))
+    if size is not None:
+        of_chunk = index(len(HEAD), len(data), "zstd", 0, size)
+    found, said, most = watched(write(tmp_path / "a.mcap", data, [of_chunk] * 20_000))
     assert found == [b"a"]
     assert len(said) == 1
-    assert reason in said[0]
+    assert "more than fit before it" in said[0]
     assert most < 10 * MEGABYTE
 
 
 def test_two_indexes_of_one_place_overlap(tmp_path: Path) -> None:
     data, _ = chunk(CHANNEL + message(5, b"a"))
     empty = index(len(HEAD), len(data), "zstd", 0, MEGABYTE)
-    found, said, _ = read(write(tmp_path / "a.mcap", data, [empty, empty]))
+    found, said, _ = watched(write(tmp_path / "a.mcap", data, [empty, empty]))
     assert found == [b"a"]
     assert len(said) == 1
     assert " overlap" in said[0]
@@ -172,10 +143,10 @@ def test_many_empty_chunks_are_legal_and_take_no_memory(tmp_path: Path) -> None:
     empty, of_empty = chunk(b"")
     count = 10_000
     path = write(tmp_path / "a.mcap", data + empty * count, [of_chunk, *[of_empty] * count])
-    found, said, most = read(path)
+    found, said, most = watched(path)
     assert (found, said) == ([b"a"], [])
     assert most < 4 * (len(of_empty) * count)
-    found, said, most = read(write(path, data + empty * count, []))
+    found, said, most = watched(write(path, data + empty * count, []))
     assert (found, said) == ([b"a"], [])
     assert most < MEGABYTE
 
@@ -184,7 +155,7 @@ def test_messages_outside_their_chunks_times_are_counted(tmp_path: Path) -> None
     stamps = [1, 5, 6, 9, (1 << 63) + 1]
     content = CHANNEL + b"".join(message(stamp, str(stamp).encode()) for stamp in stamps)
     data, of_chunk = chunk(content, times=(5, 6))
-    found, said, _ = read(write(tmp_path / "a.mcap", data, [of_chunk], (5, 6)))
+    found, said, _ = watched(write(tmp_path / "a.mcap", data, [of_chunk], (5, 6)))
     assert found == [b"1", b"5", b"6", b"9"]
     assert len(said) == 1
     assert "a chunk of messages is damaged: 3 of its messages have log times outside those that it" in said[0]
@@ -210,9 +181,9 @@ def test_chunk_of_other_times_than_declared_is_not_left_out(
         of_chunk = index(len(HEAD), len(data), compression, stored, len(content), (5, 6), place)
         data += of_messages
     path = write(tmp_path / "a.mcap", data, [of_chunk], (5, 6))
-    assert read(path, 800, 1000)[:2] == ([b"900"], [])
-    assert read(path, 0, 4)[:2] == ([b"1"], [])
-    assert read(path, 0, 5)[:2] == ([b"1", b"5"], [])
+    assert watched(path, 800, 1000)[:2] == ([b"900"], [])
+    assert watched(path, 0, 4)[:2] == ([b"1"], [])
+    assert watched(path, 0, 5)[:2] == ([b"1", b"5"], [])
 
 
 def test_message_index_that_chunks_share_is_not_used(tmp_path: Path) -> None:
@@ -221,20 +192,13 @@ def test_message_index_that_chunks_share_is_not_used(tmp_path: Path) -> None:
     data, _ = chunk(CHANNEL + message(5, b"a") + message(5, bytes(1 << 16)))
     of_messages = message_index([5] * 10_000)
     place = len(HEAD) + count * len(data), len(of_messages)
+    size = _stored_size(data)
     indexes = [
-        index(
-            len(HEAD) + number * len(data),
-            len(data),
-            "",
-            _stored_size(data),
-            _stored_size(data),
-            (5, 5),
-            place,
-        )
+        index(len(HEAD) + number * len(data), len(data), "", size, size, (5, 5), place)
         for number in range(count)
     ]
     path = write(tmp_path / "a.mcap", data * count + of_messages, indexes)
-    found, said, _ = read(path)
+    found, said, _ = watched(path)
     assert len(found) == 2 * count
     assert len(said) == 1
     assert f"the message indexes of the chunk at byte {len(HEAD) + 49} aren't behind it" in said[0]
@@ -246,7 +210,7 @@ def _stored_size(data: bytes, compression: str = "") -> int:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("compression", ["zstd", "lz4"])
-def test_chunk_of_500_megabytes_is_read(compression: str, tmp_path: Path) -> None:
+def test_chunk_of_500_megabytes_is_watched(compression: str, tmp_path: Path) -> None:
     data, of_chunk = chunk(CHANNEL + message(5, bytes(250 * MEGABYTE)) * 2, compression)
-    found, said, _ = read(write(tmp_path / "a.mcap", data, [of_chunk]))
+    found, said, _ = watched(write(tmp_path / "a.mcap", data, [of_chunk]))
     assert ([len(payload) for payload in found], said) == ([250 * MEGABYTE] * 2, [])

@@ -5,16 +5,15 @@ from __future__ import annotations
 import bz2
 import re
 import struct
-import tracemalloc
-import warnings
 from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
 import lz4.frame
 import pytest
+from tests.bag.recordings import watched
 
-from tfloom.bag import BagError, BagWarning, open_bag
+from tfloom.bag import BagError
 from tfloom.bag.reading import ros1_implausible
 from tfloom.bag.reading.compression import MIN_RATIO, MIN_SIZE
 from tfloom.bag.reading.ros1_records import BAG_HEADER, CHUNK, CHUNK_INFO, CONNECTION, INDEX, MAGIC, MESSAGE
@@ -98,19 +97,8 @@ def write(
 
 
 def read(path: Path, *times: int) -> tuple[list[bytes], list[str], int]:
-    """Return the messages of a file, the warnings, and the memory that reading took [bytes]."""
-    tracemalloc.start()
-    try:
-        with warnings.catch_warnings(record=True) as caught:
-            warnings.simplefilter("always")
-            start_ns, end_ns = [stamp * 1_000_000_000 for stamp in times or (0, 1 << 31)]
-            found = [message.data for message in open_bag(path).messages(None, start_ns, end_ns)]
-        _, most = tracemalloc.get_traced_memory()
-    finally:
-        tracemalloc.stop()
-    assert all(issubclass(warning.category, BagWarning) for warning in caught)
-    assert all(str(warning.message).startswith(f"{path}: ") for warning in caught)
-    return found, [str(warning.message) for warning in caught], most
+    """Return what `watched` does, for times in seconds."""
+    return watched(path, *(stamp * 1_000_000_000 for stamp in times))
 
 
 LARGE = bytes(4 * MEGABYTE)

@@ -14,7 +14,16 @@ from pathlib import Path
 
 import pytest
 import zstandard
-from tests.bag.recordings import SECOND, START, drive, found_in, write_sqlite
+from tests.bag.recordings import (
+    SECOND,
+    START,
+    change_database,
+    drive,
+    error_of,
+    found_in,
+    rows_of,
+    write_sqlite,
+)
 
 from tfloom.bag import BagError, BagWarning, frames, open_bag
 from tfloom.bag.reading import sqlite_reader
@@ -97,9 +106,7 @@ def test_read_only_folder_with_a_write_ahead_log(tmp_path: Path, monkeypatch: py
 def test_errors_name_the_file_and_the_reason(tmp_path: Path) -> None:
     whole = write_sqlite(tmp_path / "whole.db3", DRIVE).read_bytes()
     other = tmp_path / "other.db3"
-    with sqlite3.connect(other) as database:
-        database.execute("CREATE TABLE something(id INTEGER)")
-    database.close()
+    change_database(other, "CREATE TABLE something(id INTEGER)")
     cases = {
         "empty.db3": (b"", "the file is empty"),
         "mcap.db3": (b"\x89MCAP0\r\n" + bytes(40), "byte 0: this is no sqlite3 file: it begins with"),
@@ -107,25 +114,16 @@ def test_errors_name_the_file_and_the_reason(tmp_path: Path) -> None:
         "cut.db3": (whole[:5000], "the database can't be read: "),
         "damaged.db3": (whole[:4096] + bytes(8192) + whole[12288:], "the database can't be read: "),
     }
-    wrong = []
     for name, (data, text) in cases.items():
         path = tmp_path / name
         path.write_bytes(data)
-        try:
-            found_in(open_bag(path))
-        except BagError as error:
-            if not str(error).startswith(str(path)) or text not in str(error):
-                wrong.append((name, str(error)))
-        else:
-            wrong.append((name, "no error"))
-    assert wrong == []
+        with error_of(path, text):
+            rows_of(path)
 
 
 def test_message_that_is_no_blob_is_an_error(tmp_path: Path) -> None:
     path = write_sqlite(tmp_path / "a.db3", DRIVE[:3])
-    with sqlite3.connect(path) as database:
-        database.execute("UPDATE messages SET data = 'text' WHERE id = 2")
-    database.close()
+    change_database(path, "UPDATE messages SET data = 'text' WHERE id = 2")
     with pytest.raises(BagError, match="a message is no blob but str"):
         found_in(open_bag(path))
 
@@ -139,30 +137,22 @@ GENERATED = (
     "data BLOB AS (zeroblob(900000000))); INSERT INTO messages(topic_id, timestamp) VALUES (1, 1), (1, 2)"
 )
 VIRTUAL = "DROP TABLE messages; CREATE VIRTUAL TABLE messages USING rtree(id, topic_id, timestamp)"
+TIME_INDEX = "CREATE INDEX timestamp_idx ON messages (timestamp ASC)"
 TOPICS_ANEW = "CREATE TABLE new AS SELECT {} FROM topics; DROP TABLE topics; ALTER TABLE new RENAME TO topics"
 
 
 @pytest.mark.parametrize(
     ("change", "text"),
     [
-        (
-            "UPDATE messages SET timestamp = 'x' WHERE id = 3",
-            "a message has a time or topic that is no integer",
-        ),
-        (
-            "UPDATE messages SET timestamp = 1.5 WHERE id = 3",
-            "a message has a time or topic that is no integer",
-        ),
+        ("UPDATE messages SET timestamp = 'x' WHERE id = 3", "a message has a time or topic that is no int"),
+        ("UPDATE messages SET timestamp = 1.5 WHERE id = 3", "a message has a time or topic that is no int"),
         (TOPICS_ANEW.format("id, type"), "table of topics has no column name, serialization_format"),
         (
             TOPICS_ANEW.format("'a' || id AS id, name, type, serialization_format"),
             "a topic has an id that is no integer",
         ),
         ("CREATE TABLE message_definitions(a)", "the database can't be read: no such column"),
-        (
-            ENDLESS,
-            "the database has no tables of a recording",
-        ),
+        (ENDLESS, "the database has no tables of a recording"),
         (VIRTUAL, "the database has no tables of a recording"),
         (GENERATED, "the database generates the column messages.data, which no recorder does"),
         (
@@ -173,19 +163,14 @@ TOPICS_ANEW = "CREATE TABLE new AS SELECT {} FROM topics; DROP TABLE topics; ALT
 )
 def test_database_of_another_form_is_an_error(change: str, text: str, tmp_path: Path) -> None:
     path = write_sqlite(tmp_path / "a.db3", DRIVE[:9])
-    with sqlite3.connect(path) as database:
-        database.executescript(change)
-    database.close()
+    change_database(path, change)
     with pytest.raises(BagError, match=text):
         open_bag(path)
 
 
 def test_names_that_are_not_utf_8_are_an_error(tmp_path: Path) -> None:
     path = write_sqlite(tmp_path / "a.db3", DRIVE[:9])
-    with sqlite3.connect(path) as database:
-        database.execute("ALTER TABLE topics ADD COLUMN hallo TEXT")
-        database.execute("CREATE TABLE welten(a)")
-    database.close()
+    change_database(path, "ALTER TABLE topics ADD COLUMN hallo TEXT; CREATE TABLE welten(a)")
     whole = path.read_bytes()
     for name in (b"hallo", b"welten", b"/chatter"):
         path.write_bytes(whole.replace(name, b"\xff\xfe" + name[2:]))
@@ -219,9 +204,7 @@ def test_messages_that_are_compressed_one_by_one(tmp_path: Path) -> None:
     assert found_in(open_bag(folder)) == DRIVE
     assert frames(folder).has_frame("lidar")
     for damaged in ("0102030405", "", "28b52ffd"):
-        with sqlite3.connect(folder / "bag_0.db3") as database:
-            database.execute(f"UPDATE messages SET data = x'{damaged}' WHERE id = 4")
-        database.close()
+        change_database(folder / "bag_0.db3", f"UPDATE messages SET data = x'{damaged}' WHERE id = 4")
         with pytest.raises(BagError, match="the message isn't compressed by zstd"):
             found_in(open_bag(folder))
 
@@ -233,7 +216,7 @@ if sys.platform == "win32":  # pragma: no cover
 def without_index(path: Path, change: Callable[[sqlite3.Connection], object]) -> None:
     """Give a database an index of times, and change it while that is away and doesn't follow."""
     with closing(sqlite3.connect(path)) as database, database:
-        database.execute("CREATE INDEX timestamp_idx ON messages (timestamp ASC)")
+        database.execute(TIME_INDEX)
         database.execute("PRAGMA writable_schema = ON")
         row = database.execute("SELECT * FROM sqlite_master WHERE name = 'timestamp_idx'").fetchone()
         database.execute("DELETE FROM sqlite_master WHERE name = 'timestamp_idx'")
@@ -259,9 +242,8 @@ def test_messages_that_the_index_of_times_lacks_are_read(tmp_path: Path) -> None
 
 def test_index_of_times_that_is_out_of_order_is_told_of(tmp_path: Path) -> None:
     path = write_sqlite(tmp_path / "a.db3", DRIVE)
-    with closing(sqlite3.connect(path)) as database, database:
-        database.execute("CREATE INDEX timestamp_idx ON messages (timestamp ASC)")
-        (stamp,) = database.execute("SELECT MAX(timestamp) FROM messages").fetchone()
+    change_database(path, TIME_INDEX)
+    stamp = max(stamp for _, stamp, _ in DRIVE)
     data = path.read_bytes()
     place = data.rindex(struct.pack(">q", stamp))  # in the index, whose pages are the last ones
     path.write_bytes(data[:place] + struct.pack(">q", START) + data[place + 8 :])
@@ -273,15 +255,11 @@ def test_index_of_times_that_is_out_of_order_is_told_of(tmp_path: Path) -> None:
 
 def test_messages_that_an_index_of_times_hides_are_counted(tmp_path: Path) -> None:
     path = write_sqlite(tmp_path / "a.db3", DRIVE)
-    with closing(sqlite3.connect(path)) as database, database:
-        database.execute("CREATE INDEX timestamp_idx ON messages (timestamp ASC)")
-        stamps = [
-            row[0] for row in database.execute("SELECT DISTINCT timestamp FROM messages ORDER BY timestamp")
-        ]
+    change_database(path, TIME_INDEX)
+    stamps = sorted({stamp for _, stamp, _ in DRIVE})
     data = path.read_bytes()
-    for stamp in stamps[
-        len(stamps) * 2 // 5 : len(stamps) * 3 // 5
-    ]:  # by which the first ones are looked for
+    # Those in the middle, by which the first ones are looked for.
+    for stamp in stamps[len(stamps) * 2 // 5 : len(stamps) * 3 // 5]:
         place = data.rindex(struct.pack(">q", stamp))
         data = data[:place] + struct.pack(">q", -1) + data[place + 8 :]
     path.write_bytes(data)
@@ -293,17 +271,15 @@ def test_messages_that_an_index_of_times_hides_are_counted(tmp_path: Path) -> No
     assert reason in str(caught[-1].message)
 
 
-def test_messages_of_topics_without_a_row_are_told_of(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("change", "count", "reason"),
+    [
+        ("topic_id = 99 WHERE id IN (4, 5)", 2, "are of topics that it doesn't name"),
+        ("timestamp = -1 WHERE id = 4", 1, "have times before 1970"),
+    ],
+)
+def test_messages_that_are_left_out_are_told_of(change: str, count: int, reason: str, tmp_path: Path) -> None:
     path = write_sqlite(tmp_path / "a.db3", DRIVE)
-    with closing(sqlite3.connect(path)) as database, database:
-        database.execute("UPDATE messages SET topic_id = 99 WHERE id IN (4, 5)")
-    with pytest.warns(BagWarning, match="2 messages are of topics that it doesn't name, and are left out"):
-        assert len(list(open_bag(path).messages())) == len(DRIVE) - 2
-
-
-def test_messages_before_1970_are_told_of(tmp_path: Path) -> None:
-    path = write_sqlite(tmp_path / "a.db3", DRIVE)
-    with closing(sqlite3.connect(path)) as database, database:
-        database.execute("UPDATE messages SET timestamp = -1 WHERE id = 4")
-    with pytest.warns(BagWarning, match="1 messages have times before 1970, and are left out"):
-        list(open_bag(path).messages())
+    change_database(path, f"UPDATE messages SET {change}")
+    with pytest.warns(BagWarning, match=f"{count} messages {reason}, and are left out"):
+        assert len(rows_of(path)) == len(DRIVE) - count

@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import io
 import os
+import re
 import resource
 import signal
 import sqlite3
@@ -17,14 +18,15 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
-from tests.bag.written_bags import START_NS, STEP_NS, Row, text, topic
+from tests.bag.recordings import found_in
+from tests.bag.written_bags import STEP_NS, Row, begin_bag, push, row
 
 from tfloom.bag import open_bag
 from tfloom.bag.errors import BagError, BagWarning
 from tfloom.bag.reading.compression import COMPRESSED_SUFFIX
 from tfloom.bag.reindexing import reindex
 from tfloom.bag.writing import bag_writer, mcap_file, sqlite_file
-from tfloom.bag.writing.bag_writer import BagWriter, WriterSettings
+from tfloom.bag.writing.bag_writer import WriterSettings
 from tfloom.bag.writing.storage import StorageSettings
 from tfloom.bag.writing.storage_config import PRESETS
 
@@ -42,12 +44,7 @@ SETTINGS = {
     "sqlite3, split by time": WriterSettings("sqlite3", SMALL, max_file_duration_ns=7 * STEP_NS),
     "sqlite3, compressed files": WriterSettings("sqlite3", SMALL, max_file_size=700, compression_mode="FILE"),
 }
-FAULTS = {
-    "ENOSPC": errno.ENOSPC,
-    "EIO": errno.EIO,
-    "EINTR": errno.EINTR,
-    "short": 0,
-}
+FAULTS = {"ENOSPC": errno.ENOSPC, "EIO": errno.EIO, "EINTR": errno.EINTR, "short": 0}
 MESSAGES = 16
 MAX_SIZE = 60_000
 """Of files on a disk that is full [bytes]."""
@@ -74,29 +71,17 @@ class Faults:
         return OSError(self.code, os.strerror(self.code))
 
 
-def faulty_file(faults: Faults) -> type[io.FileIO]:
-    """Return a file of which half of a failing write arrives."""
+def faulty_file(faults: Faults, *, is_buffered: bool = False) -> type[io.FileIO]:
+    """Return a file of which half of a failing write arrives.
+
+    A buffer before it repeats a write after EINTR, and goes on after a short one.
+    """
 
     class FaultyFile(io.FileIO):
         def write(self, data: Any) -> int:
             if not faults.is_due:
                 return super().write(data)
-            half = super().write(bytes(data)[: (len(data) + 1) // 2])
-            if faults.code:
-                raise faults.error()
-            return half
-
-    return FaultyFile
-
-
-def faulty_compressed_file(faults: Faults, path: Path) -> io.BufferedWriter:
-    """Return a new file as `open` does, whose buffer repeats a write after EINTR, and goes on after a short one."""
-
-    class FaultyFile(io.FileIO):
-        def write(self, data: Any) -> int:
-            if not faults.is_due:
-                return super().write(data)
-            if faults.code == errno.EINTR:
+            if is_buffered and faults.code == errno.EINTR:
                 faults.is_repeated = True
                 raise faults.error()
             half = super().write(bytes(data)[: (len(data) + 1) // 2])
@@ -104,7 +89,7 @@ def faulty_compressed_file(faults: Faults, path: Path) -> io.BufferedWriter:
                 raise faults.error()
             return half
 
-    return io.BufferedWriter(FaultyFile(path, "x"))
+    return FaultyFile
 
 
 def faulty_database(faults: Faults) -> type[sqlite3.Connection]:
@@ -154,7 +139,7 @@ def plant(faults: Faults, patched: pytest.MonkeyPatch) -> None:
 
     def open_file(path: Path, mode: str = "r", *args: Any, **options: Any) -> Any:
         if mode == "xb" and path.suffix == COMPRESSED_SUFFIX:
-            return faulty_compressed_file(faults, path)
+            return io.BufferedWriter(faulty_file(faults, is_buffered=True)(path, "x"))
         return open_path(path, mode, *args, **options)
 
     patched.setattr(Path, "open", open_file)
@@ -164,10 +149,6 @@ def plant(faults: Faults, patched: pytest.MonkeyPatch) -> None:
     patched.setattr(bag_writer, "write_file", write_metadata)
 
 
-def row(number: int) -> Row:
-    return ("/chatter", START_NS + number * STEP_NS, text(number))
-
-
 def record(
     folder: Path, settings: WriterSettings, messages: int = MESSAGES
 ) -> tuple[list[Row], list[BagError]]:
@@ -175,14 +156,12 @@ def record(
     acknowledged: list[Row] = []
     told: list[BagError] = []
     try:
-        writer = BagWriter(folder, settings)
+        writer, channel = begin_bag(folder, settings)
     except BagError as error:
         return [], [error]
-    channel = writer.add_topic(topic("/chatter", "std_msgs/msg/String"))
     try:
         for number in range(messages):
-            _, stamp_ns, data = row(number)
-            writer.push(channel, data, stamp_ns, stamp_ns)
+            push(writer, channel, number)
             acknowledged.append(row(number))
     except BagError as error:
         told.append(error)
@@ -200,7 +179,9 @@ def read(folder: Path) -> list[Row]:
         if not (folder / "metadata.yaml").exists():
             reindex(folder)
         with open_bag(folder) as bag:
-            return [(message.topic, message.log_time_ns, message.data) for message in bag.messages()]
+            rows = found_in(bag)
+            assert bag.message_count == len(rows)
+            return rows
 
 
 @pytest.mark.parametrize("fault", FAULTS)
@@ -227,16 +208,21 @@ def test_every_write_fails_once(
     assert faults.fails_at > 10  # else the writes are not those of the files
 
 
-@pytest.mark.parametrize("storage_id", ["mcap", "sqlite3"])
-def test_full_disk_is_used_up_and_keeps_what_was_committed(storage_id: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("storage_id", "reason"),
+    [("mcap", "File too large"), ("sqlite3", "(disk I/O error|database or disk is full)")],
+)
+def test_full_disk_is_used_up_and_keeps_what_was_committed(
+    storage_id: str, reason: str, tmp_path: Path
+) -> None:
     folder = tmp_path / "bag"
     with full_at(MAX_SIZE):
         acknowledged, told = record(
             folder, WriterSettings(storage_id, StorageSettings(chunk_size=1000)), 10_000
         )
-    assert [("can't be written" in str(error), "bag reindex" in str(error)) for error in told] == [
-        (True, True)
-    ] * 2
+    assert len(told) == 2
+    for error in told:
+        assert re.search(rf"bag_0\.\w+: it can't be written: {reason}\. What was .* bag reindex", str(error))
     found = read(folder)
     assert found == [row(number) for number in range(len(found))]
     assert len(acknowledged) - len(found) < 20  # those of the chunk that did not fit, which was told
@@ -249,11 +235,10 @@ def test_failed_write_leaves_no_part_of_it(
 ) -> None:
     faults = Faults(0, code)
     plant(faults, monkeypatch)
-    writer = BagWriter(tmp_path / "bag", WriterSettings(storage=SMALL))
-    channel = writer.add_topic(topic("/chatter", "std_msgs/msg/String"))
+    writer, channel = begin_bag(tmp_path / "bag", WriterSettings(storage=SMALL))
     size = writer.file_path.stat().st_size
     faults.fails_at = faults.count + 3  # of the chunk's parts: head, definitions, messages
-    writer.queue.push(channel, text(0), START_NS, START_NS)
+    push(writer.queue, channel, 0)
     with pytest.raises(BagError, match=os.strerror(code)):
         writer.write_present()
     assert faults.count == faults.fails_at

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 from rosbags.highlevel import AnyReader
 
@@ -40,8 +42,38 @@ def topic(name: str, type_name: str, qos: str = QOS) -> Topic:
     return Topic(name, type_name, "cdr", hash_of(type_name), qos, find_definition(type_name))
 
 
+CHATTER = topic("/chatter", "std_msgs/msg/String")
+
+
 def text(number: int) -> bytes:
     return cdr.encode(String(data=f"message {number}"))
+
+
+def row(number: int) -> Row:
+    """Return the message of a number on /chatter."""
+    return ("/chatter", START_NS + number * STEP_NS, text(number))
+
+
+def begin_bag(folder: Path, settings: WriterSettings | None = None) -> tuple[BagWriter, int]:
+    """Return the writer of a new bag, and the channel of /chatter in it."""
+    writer = BagWriter(folder, settings)
+    return writer, writer.add_topic(CHATTER)
+
+
+def push(writer: Any, channel: int, *numbers: int) -> None:
+    """Push the messages of numbers into a writer, or into its queue."""
+    for number in numbers:
+        _, stamp_ns, data = row(number)
+        writer.push(channel, data, stamp_ns, stamp_ns)
+
+
+def raising(error: BaseException) -> Callable[..., Any]:
+    """Return a function that raises an error."""
+
+    def fail(*_: object, **__: object) -> Any:
+        raise error
+
+    return fail
 
 
 def transforms(number: int) -> bytes:
@@ -56,7 +88,7 @@ def write_bag(folder: Path, settings: WriterSettings | None = None, count: int =
     """Write a bag of texts and transforms by turns; return its messages."""
     writer = BagWriter(folder, settings)
     channels = {
-        "/chatter": writer.add_topic(topic("/chatter", "std_msgs/msg/String")),
+        "/chatter": writer.add_topic(CHATTER),
         "/tf": writer.add_topic(topic("/tf", "tf2_msgs/msg/TFMessage")),
         "/silent": writer.add_topic(topic("/silent", "std_msgs/msg/Empty")),
     }
