@@ -19,6 +19,11 @@ class Bytes(IdlStruct, typename="bench.Bytes"):
 
 
 @dataclass
+class Payload(IdlStruct, typename="bench.Payload"):
+    data: sequence[uint8]
+
+
+@dataclass
 class Dimension(IdlStruct, typename="std_msgs::msg::dds_::MultiArrayDimension_"):
     label: str
     size: uint32

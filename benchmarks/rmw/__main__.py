@@ -15,14 +15,14 @@ from statistics import median
 from time import perf_counter_ns
 
 from benchmarks.domain import DOMAIN_ID
+from benchmarks.node import round_trip
+from benchmarks.node.processes import wait_for
 from tfloom.rmw.cyclone_config import configuration
 
 PAYLOAD_SIZE = 1000
 WARM_UP = 200
 ROUND_TRIPS = 1000
 TURNS = 5
-
-Trip = Callable[[], None]
 
 
 def tfloom_ends(there: str, back: str) -> tuple[Callable[[bytes], None], Callable[[], bytes]]:
@@ -49,42 +49,13 @@ def tfloom_ends(there: str, back: str) -> tuple[Callable[[bytes], None], Callabl
 
 def cyclonedds_ends(there: str, back: str) -> tuple[Callable[[bytes], None], Callable[[], bytes]]:
     """Return the same for cyclonedds' readers, writers and waitsets, with a type of their own."""
-    from cyclonedds.core import ReadCondition, SampleState, WaitSet
-    from cyclonedds.domain import DomainParticipant
-    from cyclonedds.pub import DataWriter
-    from cyclonedds.qos import Policy, Qos
-    from cyclonedds.sub import DataReader
-    from cyclonedds.topic import Topic
+    from benchmarks.node.cyclone_types import Payload
 
-    from benchmarks.rmw.cyclone_type import Bytes
-
-    qos = Qos(Policy.Reliability.Reliable(2**63 - 1), Policy.History.KeepLast(10))
-    participant = DomainParticipant(DOMAIN_ID)
-    writer = DataWriter(participant, Topic(participant, there, Bytes), qos=qos)
-    reader = DataReader(participant, Topic(participant, back, Bytes), qos=qos)
-    waitset = WaitSet(participant)
-    waitset.attach(ReadCondition(reader, SampleState.NotRead))
-
-    def send(data: bytes) -> None:
-        writer.write(Bytes(data=data))
-
-    def receive() -> bytes:
-        while not (samples := reader.take(1)):
-            waitset.wait(1_000_000_000)
-        return bytes(samples[0].data)
-
-    wait_for(lambda: writer.get_matched_subscriptions() and reader.get_matched_publications())
-    return send, receive
+    writer, receive = round_trip.cyclonedds_ends(there, Payload, back, Payload)
+    return lambda data: writer.write(Payload(data)), lambda: bytes(receive(1)[0].data)
 
 
 ENDS = {"tfloom": tfloom_ends, "cyclonedds": cyclonedds_ends}
-
-
-def wait_for(condition: Callable[[], object]) -> None:
-    import time
-
-    while not condition():
-        time.sleep(0.005)
 
 
 def answer(name: str) -> None:
@@ -142,7 +113,7 @@ def main() -> None:
 def report(times: dict[str, list[float]]) -> None:
     print(f"round trip of {PAYLOAD_SIZE} octets, {len(times['tfloom'])} trips each [us]")
     p50 = {name: median(values) for name, values in times.items()}
-    p99 = {name: sorted(values)[len(values) * 99 // 100] for name, values in times.items()}
+    p99 = {name: round_trip.percentile(values, 99) for name, values in times.items()}
     for name in times:
         print(f"  {name:12} p50 {p50[name]:7.1f}   p99 {p99[name]:7.1f}")
     print(

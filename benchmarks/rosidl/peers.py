@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from rosbags.typesys import Stores, get_typestore
 
-from benchmarks.rosidl.idl_types import IdlTFMessage
+from benchmarks.node.cyclone_types import TFMessage as IdlTFMessage
 from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.interfaces.geometry_msgs.msg import Quaternion, Transform, TransformStamped, Vector3
 from tfloom.interfaces.std_msgs.msg import Header
