@@ -8,16 +8,14 @@ import json
 import os
 import pickle
 import random
-import re
-import sys
 import textwrap
 from importlib import import_module
 from pathlib import Path
 from typing import Any
 
 import pytest
-from tests.conftest import run_to_end
 from tests.each import for_each
+from tests.rosidl.workspaces import run_python, snake, write_files
 
 from tfloom.distributions import INTERFACES, find_prefix
 from tfloom.rosidl.class_modules import module_leaf
@@ -44,10 +42,6 @@ def test_classes_have_the_path_that_they_have_in_ros(name: str) -> None:
 
 
 def test_names_of_modules() -> None:
-    def snake(name: str) -> str:
-        words = re.sub("(.)([A-Z][a-z]+)", r"\1_\2", name)
-        return re.sub("([a-z0-9])([A-Z])", r"\1_\2", words).lower()
-
     choose = random.Random(1).choice
     names = {choose("AB") + "".join(choose("ABab12") for _ in range(7)) for _ in range(5000)}
     names |= {name[:length] for name in names for length in range(1, 8)}
@@ -122,15 +116,12 @@ def test_pickles_of_others_are_read(writer: str) -> None:
 
 
 def run(code: str, *path: Path, **environment: object) -> str:
-    variables = os.environ | {"PYTHONPATH": os.pathsep.join(map(str, path))}
-    done = run_to_end(
-        [sys.executable, "-c", textwrap.dedent(code)],
-        env=variables | {name: str(value) for name, value in environment.items()},
-    )
+    done = run_python(code, PYTHONPATH=os.pathsep.join(map(str, path)), **environment)
     assert done.returncode == 0, done.stderr
     return done.stdout
 
 
+OWN = ["tfloom.interfaces.geometry_msgs.msg", "tfloom.interfaces.std_srvs.srv", "tfloom.rosidl.dynamic"]
 ROUND_TRIP = """
     import pickle
     from tfloom.interfaces.geometry_msgs.msg import Pose
@@ -144,17 +135,15 @@ ROUND_TRIP = """
 
 
 def test_beside_a_real_ros_they_keep_a_path_that_leads_to_them(tmp_path: Path) -> None:
-    for package in ("rclpy", "geometry_msgs", "std_srvs"):
-        (tmp_path / package).mkdir()
-        (tmp_path / package / "__init__.py").write_text("")
-    own = ["tfloom.interfaces.geometry_msgs.msg", "tfloom.interfaces.std_srvs.srv", "tfloom.rosidl.dynamic"]
-    assert run(ROUND_TRIP, tmp_path).split() == own
+    write_files(
+        tmp_path, {f"{package}/__init__.py": "" for package in ("rclpy", "geometry_msgs", "std_srvs")}
+    )
+    assert run(ROUND_TRIP, tmp_path).split() == OWN
 
 
 def test_without_facades_they_keep_a_path_that_leads_to_them() -> None:
     code = "import sys; sys.path = [path for path in sys.path if not path.endswith('ros_names')]\n"
-    own = ["tfloom.interfaces.geometry_msgs.msg", "tfloom.interfaces.std_srvs.srv", "tfloom.rosidl.dynamic"]
-    assert run(code + textwrap.dedent(ROUND_TRIP)).split() == own
+    assert run(code + textwrap.dedent(ROUND_TRIP)).split() == OWN
 
 
 def test_made_classes_have_a_package_in_this_process() -> None:
@@ -183,10 +172,7 @@ def test_a_definition_in_the_place_of_tflooms_own_leads_to_itself() -> None:
 
 
 def test_a_workspaces_classes(tmp_path: Path) -> None:
-    for name, text in DEFINITIONS.items():
-        path = tmp_path / "share" / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text)
+    write_files(tmp_path / "share", DEFINITIONS)
     code = """
         from my_interfaces.msg._sphere import Sphere, Metaclass_Sphere
         import my_interfaces.srv._weigh, pickle, my_interfaces.action

@@ -5,17 +5,15 @@ from __future__ import annotations
 import importlib
 import os
 import pickle
-import subprocess
 import sys
-import textwrap
 from pathlib import Path
 
 import pytest
-from tests.conftest import run_to_end
+from tests.rosidl.workspaces import run_python, write_files
 
 from tfloom import ros_finder, use_ros_names
 from tfloom.interfaces.geometry_msgs.msg import Point
-from tfloom.rosidl import cdr, class_table, sources
+from tfloom.rosidl import cdr
 from tfloom.rosidl.parse import ParseError
 from tfloom.rosidl.registry import get_message_class, get_service_class
 from tfloom.rosidl.service import Action, Service
@@ -40,10 +38,7 @@ FILES = {
 @pytest.fixture
 def workspace(tmp_path: Path) -> Path:
     """Write the definitions below a prefix, and return it."""
-    for name, text in FILES.items():
-        path = tmp_path / "share" / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_bytes(text if isinstance(text, bytes) else text.encode())
+    write_files(tmp_path / "share", FILES)
     return tmp_path
 
 
@@ -53,14 +48,6 @@ def sourced(workspace: Path, monkeypatch: pytest.MonkeyPatch, forget_interfaces:
     monkeypatch.setenv("AMENT_PREFIX_PATH", os.pathsep.join(["/nowhere", str(workspace)]))
     use_ros_names()
     return workspace
-
-
-def python(code: str, cwd: Path, **environment: object) -> subprocess.CompletedProcess[str]:
-    return run_to_end(
-        [sys.executable, "-c", textwrap.dedent(code)],
-        cwd=cwd,
-        env=os.environ | {name: str(value) for name, value in environment.items()},
-    )
 
 
 def test_a_script_imports_them_before_rclpy(workspace: Path, tmp_path: Path) -> None:
@@ -75,7 +62,7 @@ def test_a_script_imports_them_before_rclpy(workspace: Path, tmp_path: Path) -> 
     """
     empty = tmp_path / "empty"
     empty.mkdir()
-    run = python(code, empty, AMENT_PREFIX_PATH=workspace)
+    run = run_python(code, empty, AMENT_PREFIX_PATH=workspace)
     sphere = "my_interfaces.msg.Sphere(center=geometry_msgs.msg.Point(x=0.0, y=0.0, z=0.0), radius=2.0)"
     request = "<class 'my_interfaces.srv._weigh.Weigh_Request'>"
     feedback = "my_interfaces.action.Roll_Feedback(now=0.0)"
@@ -88,31 +75,29 @@ def test_a_python_that_no_workspace_was_sourced_for_has_no_finder(tmp_path: Path
         print([finder for finder in sys.meta_path if "ros_finder" in repr(finder)],
               [name for name in sys.modules if name.startswith("tfloom.")])
     """
-    assert python(code, tmp_path, AMENT_PREFIX_PATH="").stdout == "[] []\n"
+    assert run_python(code, tmp_path, AMENT_PREFIX_PATH="").stdout == "[] []\n"
 
 
 def test_the_finder_loads_nothing_before_it_is_needed(workspace: Path, tmp_path: Path) -> None:
     code = "import sys; print(*sorted(name for name in sys.modules if name.startswith('tfloom.')))"
     assert (
-        python(code, tmp_path, AMENT_PREFIX_PATH=workspace).stdout == "tfloom.ros_finder tfloom.ros_guard\n"
+        run_python(code, tmp_path, AMENT_PREFIX_PATH=workspace).stdout
+        == "tfloom.ros_finder tfloom.ros_guard\n"
     )
 
 
 def test_a_module_of_that_name_comes_first(workspace: Path, tmp_path: Path) -> None:
-    package = tmp_path / "path" / "my_interfaces"
-    package.mkdir(parents=True)
-    (package / "__init__.py").write_text("")
-    (package / "msg.py").write_text("Sphere = 'theirs'\n")
+    write_files(tmp_path / "path/my_interfaces", {"__init__.py": "", "msg.py": "Sphere = 'theirs'\n"})
     code = "from my_interfaces.msg import Sphere; from my_interfaces.srv import Weigh; print(Sphere, Weigh._TYPE_NAME)"
-    run = python(code, tmp_path, AMENT_PREFIX_PATH=workspace, PYTHONPATH=tmp_path / "path")
+    run = run_python(code, tmp_path, AMENT_PREFIX_PATH=workspace, PYTHONPATH=tmp_path / "path")
     assert (run.stdout, run.stderr) == ("theirs my_interfaces/srv/Weigh\n", "")
 
 
 def test_nothing_is_served_beside_another_rclpy(workspace: Path, tmp_path: Path) -> None:
-    package = tmp_path / "path" / "rclpy"
-    package.mkdir(parents=True)
-    (package / "__init__.py").write_text("")
-    run = python("import my_interfaces", tmp_path, AMENT_PREFIX_PATH=workspace, PYTHONPATH=tmp_path / "path")
+    write_files(tmp_path / "path", {"rclpy/__init__.py": ""})
+    run = run_python(
+        "import my_interfaces", tmp_path, AMENT_PREFIX_PATH=workspace, PYTHONPATH=tmp_path / "path"
+    )
     assert "\nModuleNotFoundError: No module named 'my_interfaces'" in run.stderr
 
 
@@ -205,10 +190,8 @@ def test_a_package_of_tfloom_interfaces_that_is_not_installed(
 
 
 def test_messages_nested_too_deep(sourced: Path) -> None:
-    folder = sourced / "share/my_interfaces/msg"
-    for depth in range(150):
-        (folder / f"Deep{depth}.msg").write_text(f"Deep{depth + 1} a\nDeep{depth + 1} b\n")
-    (folder / "Deep150.msg").write_text("int32 a\n")
+    files = {f"Deep{depth}.msg": f"Deep{depth + 1} a\nDeep{depth + 1} b\n" for depth in range(150)}
+    write_files(sourced / "share/my_interfaces/msg", {**files, "Deep150.msg": "int32 a\n"})
     module = importlib.import_module("my_interfaces.msg")
     with pytest.raises(ParseError, match="messages are nested more than 100 deep"):
         module.Deep0  # noqa: B018
@@ -222,13 +205,9 @@ def test_use_ros_names_installs_one_finder() -> None:
     assert [type(finder) for finder in sys.meta_path].count(ros_finder.InterfaceFinder) == 1
 
 
-def test_a_definition_made_by_the_program_wins(sourced: Path) -> None:
+@pytest.mark.usefixtures("sourced")
+def test_a_definition_made_by_the_program_wins() -> None:
     from tfloom.rosidl.dynamic import define
 
-    assert sourced
     cls = define("my_interfaces/msg/Sphere", "int32 other")
-    try:
-        assert importlib.import_module("my_interfaces.msg").Sphere is cls
-    finally:
-        sources.replace("my_interfaces/msg/Sphere", None)
-        class_table.forget("my_interfaces/msg/Sphere")
+    assert importlib.import_module("my_interfaces.msg").Sphere is cls

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import pickle
 import struct
-from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 import pytest
+from tests.rosidl.workspaces import write_files
 
 from tfloom.interfaces.geometry_msgs.msg import Point
-from tfloom.rosidl import cdr, class_table, registry, sources
+from tfloom.rosidl import cdr, registry, sources
 from tfloom.rosidl.definition_files import interface_names
 from tfloom.rosidl.dynamic import define, define_folder
 from tfloom.rosidl.parse import ParseError
@@ -36,16 +36,6 @@ char letter 65
 byte octet 7
 float32 x -1.5
 """
-
-
-@pytest.fixture(autouse=True)
-def _forgets() -> Iterator[None]:
-    defined, classes = dict(sources._defined), dict(class_table._classes)
-    yield
-    sources._defined.clear()
-    sources._defined.update(defined)
-    class_table._classes.clear()
-    class_table._classes.update(classes)
 
 
 def test_class_is_made_from_text() -> None:
@@ -147,15 +137,8 @@ def test_hash_of_a_known_definition_matches() -> None:
 
 
 def test_definitions_of_a_folder_are_defined(tmp_path: Path) -> None:
-    home = tmp_path / "my_msgs"
-    for name, text in {
-        "msg/Outer.msg": "Inner inner\n",
-        "msg/Inner.msg": "int32 a\n",
-        "srv/Ask.srv": "---\n",
-    }.items():
-        (home / name).parent.mkdir(parents=True, exist_ok=True)
-        (home / name).write_text(text)
-    classes = define_folder(home)
+    files = {"msg/Outer.msg": "Inner inner\n", "msg/Inner.msg": "int32 a\n", "srv/Ask.srv": "---\n"}
+    classes = define_folder(write_files(tmp_path / "my_msgs", files))
     assert list(classes) == ["my_msgs/msg/Inner", "my_msgs/msg/Outer", "my_msgs/srv/Ask"]
     assert type(classes["my_msgs/msg/Outer"]().inner) is classes["my_msgs/msg/Inner"]
     with pytest.raises(FileNotFoundError, match="no definitions in"):
@@ -163,17 +146,14 @@ def test_definitions_of_a_folder_are_defined(tmp_path: Path) -> None:
 
 
 def test_folder_with_what_cannot_be_loaded(tmp_path: Path) -> None:
-    home = tmp_path / "my_msgs" / "msg"
-    home.mkdir(parents=True)
-    texts = {
-        "Broken": "int32 a\nint33 b\n",
-        "Uses": "Broken b\n",
-        "Sound": "int32 a\n",
-        "bad_name": "int32 a\n",
+    files = {
+        "Broken.msg": "int32 a\nint33 b\n",
+        "Uses.msg": "Broken b\n",
+        "Sound.msg": "int32 a\n",
+        "bad_name.msg": "int32 a\n",
+        "Bytes.msg": b"\xff",
     }
-    for name, text in texts.items():
-        (home / f"{name}.msg").write_text(text)
-    (home / "Bytes.msg").write_bytes(b"\xff")
+    home = write_files(tmp_path / "my_msgs" / "msg", files)
     (home / "Folder.msg").mkdir()
     with pytest.warns(UserWarning, match="can't be loaded") as warned:
         classes = define_folder(home.parent)
@@ -196,16 +176,14 @@ def test_folder_with_what_cannot_be_loaded(tmp_path: Path) -> None:
         define_folder(home.parent)
 
 
+@pytest.mark.usefixtures("forget_interfaces")
 def test_definitions_of_a_sourced_workspace_are_found(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    folder = tmp_path / "share" / "other_msgs" / "msg"
-    folder.mkdir(parents=True)
-    (folder / "There.msg").write_text("Here here\n")
-    (folder / "Here.msg").write_text("bool yes true\n")
+    files = {"There.msg": "Here here\n", "Here.msg": "bool yes true\n", "Wrong.msg": "int32 a\n  int33 b\n"}
+    folder = write_files(tmp_path / "share" / "other_msgs" / "msg", files)
     monkeypatch.setenv("AMENT_PREFIX_PATH", f"/nowhere:{tmp_path}")
     assert get_message_class("other_msgs/msg/There")().here.yes is True
-    (folder / "Wrong.msg").write_text("int32 a\n  int33 b\n")
     with pytest.raises(ParseError) as raised:
         get_message_class("other_msgs/msg/Wrong")
     assert str(raised.value).startswith(f"{folder}/Wrong.msg:2:3: 'int33' is neither")

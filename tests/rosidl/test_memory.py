@@ -7,6 +7,7 @@ import struct
 import sys
 import threading
 import weakref
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -59,18 +60,27 @@ def test_reused_memory_is_initialised() -> None:
     assert all(twist == Twist() for twist in [Twist() for _ in range(5000)])
 
 
-def test_cycles_are_collected() -> None:
-    def count() -> int:
-        gc.collect()
-        return sum(type(instance) is TransformStamped for instance in gc.get_objects())
+def count(cls: type) -> int:
+    gc.collect()
+    return sum(type(instance) is cls for instance in gc.get_objects())
 
-    before = count()
+
+def in_threads(work: Callable[[], None]) -> None:
+    threads = [threading.Thread(target=work) for _ in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+
+
+def test_cycles_are_collected() -> None:
+    before = count(TransformStamped)
     for _ in range(100):
         made, read = TransformStamped(), cdr.decode(TransformStamped, cdr.encode(TransformStamped()))
         made.header = read  # type: ignore[assignment]
         read.header = made  # type: ignore[assignment]
     del made, read
-    assert count() <= before  # objects of other code may have been collected, too
+    assert count(TransformStamped) <= before  # objects of other code may have been collected, too
 
 
 def test_objects_that_can_form_cycles_are_tracked() -> None:
@@ -81,17 +91,13 @@ def test_objects_that_can_form_cycles_are_tracked() -> None:
 
 
 def test_a_decoded_message_that_refers_to_itself_is_collected() -> None:
-    def count() -> int:
-        gc.collect()
-        return sum(type(instance) is Vector3 for instance in gc.get_objects())
-
-    before = count()
+    before = count(Vector3)
     data = cdr.encode(Vector3())
     for _ in range(100):
         vector = cdr.decode(Vector3, data)
         vector.x = [vector]  # type: ignore[assignment]
     del vector
-    assert count() == before
+    assert count(Vector3) == before
 
 
 def test_decoded_number_is_bitwise_equal() -> None:
@@ -181,11 +187,7 @@ def test_threads_compile_a_type_concurrently(tmp_path: Path, monkeypatch: pytest
                 message = get_message_class(f"racing_msgs/msg/Outer{n}")()
                 found.append(cdr.decode(type(message), cdr.encode(message)))
 
-            threads = [threading.Thread(target=work) for _ in range(4)]
-            for thread in threads:
-                thread.start()
-            for thread in threads:
-                thread.join()
+            in_threads(work)
             assert len(found) == 4
             assert len({type(message) for message in found}) == 1
     finally:
@@ -202,9 +204,5 @@ def test_threads_use_messages_concurrently() -> None:
             if cdr.encode(message) != data or String(data="a").data != "a":
                 wrong.append(message)
 
-    threads = [threading.Thread(target=work) for _ in range(4)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
+    in_threads(work)
     assert not wrong

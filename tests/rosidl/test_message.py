@@ -6,11 +6,8 @@ import array
 import copy
 import importlib
 import json
-import os
 import pickle
 import re
-import subprocess
-import sys
 from collections.abc import Callable
 from pathlib import Path
 from types import SimpleNamespace
@@ -18,8 +15,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from tests.conftest import run_to_end
 from tests.each import for_each
+from tests.rosidl.workspaces import run_python, snake
 
 from tfloom.interfaces.action_msgs.msg import GoalStatus
 from tfloom.interfaces.geometry_msgs import msg as geometry_msgs
@@ -50,11 +47,6 @@ def kind_of(value: object) -> str:
         base = name.partition("_")[0] if kind != "msg" else name
         return f"{package}.{kind}._{snake(base)}.{name}"
     return type(value).__name__
-
-
-def snake(name: str) -> str:
-    name = re.sub(r"(.)([A-Z][a-z]+)", r"\1_\2", name)
-    return re.sub(r"([a-z0-9])([A-Z])", r"\1_\2", name).lower()
 
 
 @for_each(FACES)
@@ -264,20 +256,17 @@ def test_check_fields_accepts_valid_values() -> None:
 
 
 def test_check_fields_from_the_environment() -> None:
-    made = "String(data=5)"
-    read = "decode(String, encode(String())).data = 5"
-    for code in (made, read):
-        assert said_with_checks(code) == "AssertionError: The 'data' field must be of type 'str'"
-
-
-def said_with_checks(code: str) -> str:
-    imports = (
-        "from tfloom.interfaces.std_msgs.msg import String\nfrom tfloom.rosidl.cdr import decode, encode\n"
-    )
-    run = run_to_end(
-        [sys.executable, "-c", imports + code], env={**os.environ, "ROS_PYTHON_CHECK_FIELDS": "1"}
-    )
-    return run.stderr.splitlines()[-1]
+    code = """
+        from tfloom.interfaces.std_msgs.msg import String
+        from tfloom.rosidl.cdr import decode, encode
+        for use in (lambda: String(data=5), lambda: setattr(decode(String, encode(String())), "data", 5)):
+            try:
+                use()
+            except AssertionError as error:
+                print(error)
+    """
+    said = run_python(code, ROS_PYTHON_CHECK_FIELDS=1).stdout
+    assert said.splitlines() == ["The 'data' field must be of type 'str'"] * 2
 
 
 def test_positional_arguments_are_rejected() -> None:
@@ -299,8 +288,7 @@ def test_message_package_imports_few_modules() -> None:
         "encode(TFMessage())\n"
         "print('numpy' in sys.modules)"
     )
-    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=True)
-    assert run.stdout.splitlines() == ["[]", "False"]
+    assert run_python(code).stdout.splitlines() == ["[]", "False"]
 
 
 def test_constants_and_defaults_can_not_be_assigned() -> None:

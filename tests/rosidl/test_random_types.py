@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import array
-from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
-import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 from rosbags.typesys.store import Typestore
 
-from tfloom.rosidl import cdr, class_table, registry, sources
+from tfloom.rosidl import cdr, registry
 from tfloom.rosidl.dynamic import define
 from tfloom.rosidl.message import Message
 from tfloom.rosidl.spec import INTEGER_RANGES
@@ -22,14 +20,6 @@ from tfloom.rosidl.type_text import split_type
 INNER = "random_msgs/msg/Inner"
 OUTER = "random_msgs/msg/Outer"
 LETTERS = st.characters(blacklist_categories=["Cs"], blacklist_characters="\0")
-
-
-@pytest.fixture(autouse=True)
-def _forgets() -> Iterator[None]:
-    yield
-    for name in (INNER, OUTER):
-        sources.replace(name, None)
-        class_table.forget(name)
 
 
 def primitives(*, wide: bool) -> st.SearchStrategy[str]:
@@ -103,9 +93,7 @@ def test_bytes_equal_those_of_rosbags(data: st.DataObject) -> None:
     assert plain(theirs) == plain(message)
     assert bytes(store.serialize_cdr(theirs, OUTER)) == encoded
     assert cdr.decode(outer, store.serialize_cdr(theirs, OUTER, little_endian=False)) == message
-    if (
-        "char" not in inner_text + outer_text
-    ):  # rosbags hashes it as IDL's char; in std_msgs/msg/Char it is a uint8
+    if "char" not in inner_text + outer_text:  # rosbags hashes it as IDL's char, which in ROS is a uint8
         assert store.hash_rihs01(OUTER) == outer._TYPE_HASH
 
 

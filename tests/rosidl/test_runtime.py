@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import importlib
 import re
-import sys
 from typing import Any
 
 import pytest
-from tests.conftest import run_to_end
+from tests.rosidl.workspaces import run_python
 
 import tfloom
 from tfloom.distributions import INTERFACES
@@ -114,11 +113,8 @@ def test_definitions_convert_to_objects() -> None:
     assert [member.name for member in service.request_message.structure.members] == [
         definition.EMPTY_STRUCTURE_REQUIRED_MEMBER_NAME
     ]
-    assert [member.name for member in service.event_message.structure.members] == [
-        "info",
-        "request",
-        "response",
-    ]
+    event = [member.name for member in service.event_message.structure.members]
+    assert event == ["info", "request", "response"]
     action = definition.to_definition(sources.find_interface("example_interfaces/action/Fibonacci"))
     assert action.send_goal_service.namespaced_type.name == "Fibonacci_SendGoal"
     assert action.feedback_message.structure.members[1].type.name == "Fibonacci_Feedback"
@@ -138,7 +134,7 @@ def test_facades_export_the_functions() -> None:
         "assert get_service('turtlesim/srv/Spawn') is Spawn\n"
         "print(message_to_yaml(twist.linear), end='')"
     )
-    run = run_to_end([sys.executable, "-c", code])
+    run = run_python(code)
     assert (run.stdout, run.stderr) == ("x: 2.0\ny: 0.0\nz: 0.0\n", "")
 
 

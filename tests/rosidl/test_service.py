@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import json
 import pickle
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 from tests.each import for_each
+from tests.rosidl.workspaces import run_python
 
 from tfloom.interfaces.action_msgs.msg import GoalStatusArray
 from tfloom.interfaces.action_msgs.srv import CancelGoal
@@ -47,14 +46,10 @@ def test_type_arguments_are_for_type_checkers_alone() -> None:
     assert Spawn.__bases__ == (Service,)
     assert Service[Spawn.Request, Spawn.Response] is Service
     assert not hasattr(Service, "Request")
-    loads = (
-        "import sys; before = {*sys.modules}; import tfloom.rosidl.service; print({*sys.modules} - before)"
-    )
-    run = subprocess.run(
-        [sys.executable, "-c", loads], capture_output=True, text=True, timeout=60, check=True
-    )
-    assert "'tfloom.rosidl.service'" in run.stdout
-    assert "'typing'" not in run.stdout
+    code = "import sys; before = {*sys.modules}; import tfloom.rosidl.service; print({*sys.modules} - before)"
+    loaded = run_python(code).stdout
+    assert "'tfloom.rosidl.service'" in loaded
+    assert "'typing'" not in loaded
 
 
 def test_action_has_goal_result_and_feedback() -> None:
