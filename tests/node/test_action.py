@@ -139,7 +139,9 @@ def test_goal_can_be_rejected(server_node: Node, client: ActionClient, finish: F
         return GoalResponse.ACCEPT if goal.order < 10 else GoalResponse.REJECT
 
     ActionServer(server_node, Fibonacci, "fibonacci", fibonacci, goal_callback=judge)
-    assert not finish(client.send_goal_async(Fibonacci.Goal(order=10))).accepted
+    rejected = finish(client.send_goal_async(Fibonacci.Goal(order=10)))
+    assert not rejected.accepted
+    assert finish(rejected.get_result_async()).status == GoalStatus.STATUS_UNKNOWN
     assert finish(client.send_goal_async(Fibonacci.Goal(order=1))).accepted
 
 
@@ -198,10 +200,12 @@ def test_goals_are_cancelled_by_time_or_all(
         Gated(executor),
         cancel_callback=lambda handle: CancelResponse.ACCEPT,
     )
-    handles = [finish(client.send_goal_async(Fibonacci.Goal())) for _ in range(3)]
-    until = CancelGoal.Request(goal_info=GoalInfo(stamp=handles[1].stamp))
-    assert len(finish(client._cancel.call_async(until)).goals_canceling) == 2
-    assert len(finish(client._cancel.call_async(CancelGoal.Request())).goals_canceling) == 1
+    handles = [finish(client.send_goal_async(Fibonacci.Goal())) for _ in range(4)]
+    until = GoalInfo(stamp=handles[1].stamp)
+    until_or_one = GoalInfo(stamp=handles[1].stamp, goal_id=handles[3].goal_id)
+    for which, ends in ((until, handles[:2]), (until_or_one, handles[3:]), (GoalInfo(), handles[2:3])):
+        response = finish(client._cancel.call_async(CancelGoal.Request(goal_info=which)))
+        assert [goal_info.goal_id for goal_info in response.goals_canceling] == [end.goal_id for end in ends]
     nothing = CancelGoal.Request(goal_info=GoalInfo(stamp=Time(sec=1)))
     assert finish(client._cancel.call_async(nothing)).return_code == CancelGoal.Response.ERROR_NONE
     server.destroy()
@@ -212,7 +216,8 @@ def test_cancel_is_rejected_by_default(
 ) -> None:
     ActionServer(server_node, Fibonacci, "fibonacci", Gated(executor))
     handle = finish(client.send_goal_async(Fibonacci.Goal()))
-    assert finish(handle.cancel_goal_async()).return_code == CancelGoal.Response.ERROR_REJECTED
+    response = finish(handle.cancel_goal_async())
+    assert (response.return_code, response.goals_canceling) == (CancelGoal.Response.ERROR_REJECTED, [])
 
 
 def test_failing_execute_callback_aborts_the_goal(
@@ -224,7 +229,9 @@ def test_failing_execute_callback_aborts_the_goal(
     server = ActionServer(server_node, Fibonacci, "fibonacci", fails)
     handle = finish(client.send_goal_async(Fibonacci.Goal()))
     assert finish(handle.get_result_async()).status == GoalStatus.STATUS_ABORTED
-    assert "Error raised in execute callback: mine" in capsys.readouterr().err
+    printed = capsys.readouterr().err
+    assert "Error raised in execute callback: mine" in printed
+    assert "ValueError: mine" in printed
     server.register_execute_callback(lambda goal_handle: None)
     handle = finish(client.send_goal_async(Fibonacci.Goal()))
     assert finish(handle.get_result_async()).status == GoalStatus.STATUS_ABORTED

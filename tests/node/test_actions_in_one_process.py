@@ -94,20 +94,6 @@ def test_a_coroutine_has_run_to_its_first_wait(executor: Executor, node: Node, c
     assert ran == ["accepted", "begun", "ended"]
 
 
-def test_an_error_of_the_callback_comes_out_of_spin_after_the_acceptance(
-    executor: Executor, node: Node, client: ActionClient
-) -> None:
-    def handle_accepted(_: ServerGoalHandle) -> None:
-        raise KeyError("mine")
-
-    ActionServer(node, Fibonacci, "count", succeed, handle_accepted_callback=handle_accepted)
-    assert client.wait_for_server(30)
-    future = client.send_goal_async(Fibonacci.Goal())
-    with pytest.raises(KeyError, match="mine"):
-        executor.spin_until_future_complete(future, timeout_sec=30)
-    assert finish(executor, future).accepted
-
-
 def test_all_feedback_comes_before_the_result_and_none_after(
     executor: Executor, node: Node, client: ActionClient
 ) -> None:
@@ -150,27 +136,6 @@ def _then(callback: Callable[..., Any], follow: Callable[[], None]) -> Callable[
         follow()
 
     return both
-
-
-def test_an_error_in_feedback_leaves_the_result_complete(
-    executor: Executor, node: Node, client: ActionClient
-) -> None:
-    def execute(goal_handle: ServerGoalHandle) -> Fibonacci.Result:
-        goal_handle.publish_feedback(Fibonacci.Feedback(sequence=[1]))
-        return succeed(goal_handle)
-
-    def fail(_: Any) -> None:
-        raise KeyError("mine")
-
-    goals: list[ServerGoalHandle] = []
-    ActionServer(node, Fibonacci, "count", execute, handle_accepted_callback=goals.append)
-    assert client.wait_for_server(30)
-    sent = client.send_goal_async(Fibonacci.Goal(), feedback_callback=fail)
-    result = finish(executor, sent).get_result_async()
-    goals[0].execute()
-    with pytest.raises(KeyError, match="mine"):
-        executor.spin_until_future_complete(result, timeout_sec=30)
-    assert list(finish(executor, result).result.sequence) == [1]
 
 
 def test_a_nested_spin_in_the_clients_group_gets_its_result(

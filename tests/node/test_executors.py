@@ -104,26 +104,6 @@ def test_entities_can_be_removed_on_another_thread(context: Context, make_node: 
     assert not errors
 
 
-def test_callback_error_is_raised_by_spin_and_the_node_continues(
-    node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
-) -> None:
-    calls: list[int] = []
-
-    def callback(msg: Int32) -> None:
-        calls.append(msg.data)
-        if msg.data == 1:
-            raise KeyError("mine")
-
-    publisher = node.create_publisher(Int32, "numbers", 10)
-    node.create_subscription(Int32, "numbers", callback, 10)
-    executor.add_node(node)
-    publisher.publish(Int32(data=1))
-    publisher.publish(Int32(data=2))
-    with pytest.raises(KeyError, match="mine"):
-        executor.spin()
-    spin_until(lambda: calls == [1, 2])
-
-
 def test_spin_once_returns_after_its_timeout(node: Node, executor: SingleThreadedExecutor) -> None:
     executor.add_node(node)
     start = time.monotonic()
@@ -240,24 +220,6 @@ def test_task_error_is_raised_by_spin(executor: SingleThreadedExecutor) -> None:
     assert isinstance(task.exception(), ValueError)
 
 
-def test_shutting_the_context_down_ends_a_spin_on_another_thread(context: Context, node: Node) -> None:
-    raised: list[BaseException] = []
-    with SingleThreadedExecutor(context=context) as executor:
-        executor.add_node(node)
-
-        def spin() -> None:
-            try:
-                executor.spin()
-            except ExternalShutdownException as error:
-                raised.append(error)
-
-        thread = threading.Thread(target=spin)
-        thread.start()
-        context.shutdown()
-        thread.join(10)
-    assert not thread.is_alive()
-
-
 def test_shutdown_in_a_callback_ends_the_spin_without_error(
     context: Context, node: Node, executor: SingleThreadedExecutor
 ) -> None:
@@ -355,17 +317,6 @@ def test_threads_keep_a_group_exclusive(context: Context, node: Node) -> None:
             publisher.publish(Int32(data=number))
         executor.spin_until_future_complete(finished, timeout_sec=10)
     assert (calls, most) == (60, 1)
-
-
-def test_error_on_a_pool_thread_is_raised_by_spin(context: Context, node: Node) -> None:
-    def fails() -> None:
-        raise KeyError("mine")
-
-    node.create_timer(0.001, fails)
-    with MultiThreadedExecutor(2, context=context) as executor:
-        executor.add_node(node)
-        with pytest.raises(KeyError, match="mine"):
-            executor.spin()
 
 
 @pytest.fixture

@@ -141,11 +141,16 @@ def test_services_change_the_state_and_events_report_it(
     assert not change(Transition(id=99))
     assert call(GetState, "get_state").current_state.id == 3
     available = call(GetAvailableTransitions, "get_available_transitions").available_transitions
-    assert [(description.transition.id, description.transition.label) for description in available] == [
-        (4, "deactivate"),
-        (7, "shutdown"),
+    assert [
+        (description.transition.id, description.transition.label, description.goal_state.label)
+        for description in available
+    ] == [(4, "deactivate", "deactivating"), (7, "shutdown", "shuttingdown")]
+    states = call(GetAvailableStates, "get_available_states").available_states
+    assert [(state.id, state.label) for state in states] == [
+        *[(0, "unknown"), (1, "unconfigured"), (2, "inactive"), (3, "active"), (4, "finalized")],
+        *[(10, "configuring"), (11, "cleaningup"), (12, "shuttingdown"), (13, "activating")],
+        *[(14, "deactivating"), (15, "errorprocessing")],
     ]
-    assert len(call(GetAvailableStates, "get_available_states").available_states) == 11
     assert len(call(GetAvailableTransitions, "get_transition_graph").available_transitions) == 25
     assert change(Transition(label="shutdown"))
     spin_until(lambda: len(events) == 6)

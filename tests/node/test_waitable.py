@@ -233,18 +233,6 @@ def test_removed_waitable_does_not_run(node: Node, executor: Executor) -> None:
         node.remove_waitable(waitable)
 
 
-def test_waitable_error_is_raised_by_spin(node: Node, executor: Executor) -> None:
-    def fail() -> None:
-        raise KeyError("mine")
-
-    guard = _rclpy.GuardCondition(node.context)
-    node.add_waitable(Collects("guard_condition", guard, fail))
-    executor.add_node(node)
-    guard.trigger_guard_condition()
-    with pytest.raises(KeyError, match="mine"):
-        executor.spin()
-
-
 @pytest.mark.timing
 def test_waiting_waitable_uses_no_cpu_time(node: Node, executor: Executor) -> None:
     guard = _rclpy.GuardCondition(node.context)

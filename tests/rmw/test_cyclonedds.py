@@ -7,9 +7,6 @@ import random
 import pytest
 
 from tfloom._native import ReadyQueue, SampleQueue
-from tfloom.rmw.base import NodeName
-from tfloom.rmw.cyclonedds import open_participant
-from tfloom.rmw.errors import ClosedError
 from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoS, ReliabilityPolicy
 
 HEADER = b"\0\1\0\0"
@@ -203,20 +200,6 @@ def test_no_sample_is_pushed_after_close(participant, node, topic, wait_until) -
         assert sink.pushed() == pushed
 
 
-def test_notify_wakes_a_waiting_thread(participant, start_peer, node, topic, wait_until) -> None:
-    queue = ReadyQueue()
-    reader = participant.create_reader(node, topic, QoS())
-    peer = start_peer()
-    end, _ = peer("writer", topic, QoS())
-    wait_until(lambda: peer("matched", end) and reader.matched_count())
-    reader.notify(queue, 42)
-    wait_until(lambda: queue.wait(0) == [] and reader.take() is None)
-    peer.send("write", end, (HEADER + b"data").hex())
-    assert queue.wait(10_000_000_000) == [42]
-    assert reader.take().data == HEADER + b"data"
-    peer.answer()
-
-
 def test_notify_posts_at_once_only_if_samples_are_waiting(
     participant, start_peer, node, topic, wait_until
 ) -> None:
@@ -255,48 +238,6 @@ def test_notify_posts_at_once_only_if_samples_are_waiting(
 def test_bytes_that_are_not_little_endian_cdr_are_rejected(participant, node, topic, data, text) -> None:
     with pytest.raises(ValueError, match=text):
         participant.create_writer(node, topic, QoS()).write(data)
-
-
-def test_endpoints_of_another_type_do_not_match(participant, start_peer, node, topic, wait_until) -> None:
-    peer = start_peer()
-    other, _ = peer("writer", topic._replace(type_name="std_msgs/msg/Int32"), QoS())
-    reader = participant.create_reader(node, topic, QoS())
-    participant.create_writer(node, topic._replace(type_name="std_msgs/msg/Int32"), QoS())
-    same, _ = peer("writer", topic, QoS())
-    wait_until(lambda: reader.matched_count() and peer("matched", same))
-    assert reader.matched_count() == 1
-    assert peer("matched", other) == 0
-
-
-def test_closed_endpoint_delivers_nothing_and_close_is_idempotent(participant, node, topic) -> None:
-    writer = participant.create_writer(node, topic, QoS())
-    reader = participant.create_reader(node, topic, QoS())
-    for end in (writer, reader, writer, reader):
-        end.close()
-        assert end.matched_count() == 0
-    assert reader.take() is None
-    with pytest.raises(ClosedError, match="cannot write to /chatter: the writer is closed"):
-        writer.write(HEADER + b"data")
-
-
-def test_closed_participant_opens_nothing(participant, node, topic) -> None:
-    participant.close()
-    participant.close()
-    with pytest.raises(ClosedError):
-        participant.create_reader(node, topic, QoS())
-
-
-def test_participants_of_one_process_discover_each_other(
-    participant, domain_id, node, topic, take_data, wait_until
-) -> None:
-    other = open_participant(domain_id)
-    writer = other.create_writer(NodeName("/", "other"), topic, QoS())
-    reader = participant.create_reader(node, topic, QoS())
-    wait_until(lambda: writer.matched_count() and reader.matched_count())
-    writer.write(HEADER + b"data")
-    assert take_data(reader, 1) == [HEADER + b"data"]
-    other.close()
-    wait_until(lambda: reader.matched_count() == 0)
 
 
 def test_participant_that_announces_itself_at_a_period_of_its_own(domain_id, start_program) -> None:

@@ -168,7 +168,7 @@ def test_graph_lists_servers_and_clients_separately_from_topics(wires: Wires, wa
         assert wire.graph.endpoints() == []
 
 
-def test_a_thousand_calls_from_two_threads(wires: Wires, wait_until) -> None:
+def test_many_calls_from_two_threads(wires: Wires, wait_until) -> None:
     server = wires[1].create_responder(SERVER, KILL, QoS(depth=1000))
     asked = ReadyQueue()
     server.notify(asked, 1)
@@ -185,7 +185,7 @@ def test_a_thousand_calls_from_two_threads(wires: Wires, wait_until) -> None:
         answered = ReadyQueue()
         client.notify(answered, 1)
         wait_until(client.is_ready)
-        for _ in range(500):
+        for _ in range(200):
             number = client.send(HEADER + b"ask!")
             while (response := client.take()) is None:
                 assert answered.wait(5_000_000_000)
@@ -202,7 +202,7 @@ def test_a_thousand_calls_from_two_threads(wires: Wires, wait_until) -> None:
         thread.join(60)
     stop.set()
     threads[0].join(60)
-    assert results == [True] * 1000
+    assert results == [True] * 400
 
 
 @pytest.fixture

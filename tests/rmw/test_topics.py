@@ -13,7 +13,7 @@ from tests.rmw.conftest import NODES, WIRES, Wires
 from tfloom._native import ReadyQueue, SampleQueue
 from tfloom.rmw.base import Reader, Topic
 from tfloom.rmw.errors import ClosedError
-from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, QoS
+from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, QoS, ReliabilityPolicy
 
 TOPIC = Topic("/chatter", "std_msgs/msg/String", "RIHS01_" + "1" * 64)
 HERE, THERE = NODES
@@ -181,7 +181,10 @@ def test_a_sink_gets_what_waits_and_then_what_comes(wires: Wires) -> None:
     wait_until(lambda: pushed.extend(sample[0] for sample in sink.take()) or len(pushed) == 2)
     assert pushed == texts(1, 2)
     assert reader.take() is None
+    assert queue.wait(0) == []
     reader.close()
+    writer.write(texts(3)[0])
+    assert sink.take() == []
 
 
 def test_writers_on_many_threads_lose_and_swap_none(wires: Wires, take_data: TakeData) -> None:
@@ -209,11 +212,13 @@ def test_writers_on_many_threads_lose_and_swap_none(wires: Wires, take_data: Tak
 def test_what_is_closed_delivers_and_writes_nothing(wires: Wires) -> None:
     writer = wires[0].create_writer(HERE, TOPIC, QoS())
     reader = wires[1].create_reader(THERE, TOPIC, QoS())
-    for end in (writer, reader):
+    writer.write(texts(1)[0])
+    for end in (reader, writer):
         end.close()
         end.close()
+        assert end.matched_count() == 0
     assert reader.take() is None
-    with pytest.raises(ClosedError, match="/chatter"):
+    with pytest.raises(ClosedError, match=r"cannot write to /chatter: (its|the) writer is closed"):
         writer.write(texts(1)[0])
     wires[0].close()
     with pytest.raises(ClosedError):
@@ -225,10 +230,11 @@ def test_the_graph_has_nodes_and_endpoints_of_others_and_loses_them(wires: Wires
     wait_until(lambda: graph.nodes() == [THERE, HERE])  # in order of their full names
     graph.notify(queue, 3)
     before = graph.changes()
-    reader = wires[1].create_reader(THERE, TOPIC, QoS(depth=7))
+    reader = wires[1].create_reader(THERE, TOPIC, QoS(ReliabilityPolicy.SYSTEM_DEFAULT, depth=7))
     wait_until(lambda: [end.gid for end in graph.endpoints()] == [reader.gid])
     (info,) = graph.endpoints()
     assert (info.topic.name, info.topic.type_name, info.is_writer) == (TOPIC.name, TOPIC.type_name, False)
+    assert (info.qos.reliability, info.qos.depth) == (ReliabilityPolicy.RELIABLE, 7)
     wait_until(lambda: graph.endpoints()[0].node == THERE)
     assert graph.changes() > before
     assert 3 in queue.wait(WAIT_NS)

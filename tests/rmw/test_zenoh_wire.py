@@ -33,6 +33,7 @@ zenoh = pytest.importorskip("zenoh", reason="eclipse-zenoh is not installed: pip
 HASH, OTHER_HASH = "RIHS01_" + "1" * 64, "RIHS01_" + "2" * 64
 TOPIC = Topic("/robot/chatter", "std_msgs/msg/String", HASH)
 KILL = Service("/kill", "turtlesim/srv/Kill", HASH, HASH, HASH)
+KILL_END = End(KILL.name, KILL.type_name, HASH, QoS())
 NODE = NodeName("/tests", "here")
 LATCHED = QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL, depth=5)
 HEADER = b"\0\1\0\0"
@@ -73,6 +74,17 @@ def refuse(_thread: threading.Thread) -> None:
 
 def key_of(topic: Topic, domain_id: int) -> str:
     return data_key(domain_id, topic.name, topic.type_name, topic.type_hash)
+
+
+def kill_key(domain_id: int) -> str:
+    return data_key(domain_id, KILL.name, KILL.type_name, HASH)
+
+
+def take_one(end: Any) -> Any:
+    """Wait for a sample, a request or a response, and return it."""
+    taken: list[Any] = []
+    wait_until(lambda: taken.append(end.take()) or taken[-1])
+    return taken[-1]
 
 
 def take_all(reader: Reader, how_many: int) -> list[Sample]:
@@ -149,7 +161,7 @@ def test_the_graph_has_what_others_announce_and_loses_it(
     tokens = [
         declare_token(plain, domain_id, Kind.NODE, None, 0),
         declare_token(plain, domain_id, Kind.PUBLISHER, End(*TOPIC[:3], QoS())),
-        declare_token(plain, domain_id, Kind.SERVER, End(KILL.name, KILL.type_name, HASH, QoS()), 6),
+        declare_token(plain, domain_id, Kind.SERVER, KILL_END, 6),
     ]
     other = NodeName("/", "plain")
     wait_until(participant.graph.service_ends)
@@ -270,7 +282,7 @@ def test_hostile_requests_are_dropped_and_the_server_goes_on(
     participant: Participant, plain: Any, domain_id: int, capfd: pytest.CaptureFixture[str]
 ) -> None:
     server = participant.create_responder(NODE, KILL, QoS())
-    key = data_key(domain_id, KILL.name, KILL.type_name, HASH)
+    key = kill_key(domain_id)
     querier = plain.declare_querier(key, target=zenoh.QueryTarget.ALL_COMPLETE)
     wait_until(lambda: querier.matching_status.matching)
     for attachment, payload in HOSTILE:
@@ -285,23 +297,22 @@ def test_hostile_requests_are_dropped_and_the_server_goes_on(
         payload=HEADER + b"good",
         attachment=zenoh_attachment.pack(4, GID),
     )
-    requests: list[Any] = []
-    wait_until(lambda: requests.append(server.take()) or requests[-1])
-    assert requests[-1].data == HEADER + b"good"
-    assert requests[-1].id == (GID, 4)
-    server.send(requests[-1].id, HEADER + b"reply")
+    request = take_one(server)
+    assert request.data == HEADER + b"good"
+    assert request.id == (GID, 4)
+    server.send(request.id, HEADER + b"reply")
     wait_until(lambda: replies)
     sample = replies[0].ok
     assert str(sample.key_expr) == key
     assert sample.payload.to_bytes() == HEADER + b"reply"
     assert struct.unpack("<qqB16s", sample.attachment.to_bytes())[::3] == (4, GID)
-    server.send(requests[-1].id, HEADER + b"again")  # nobody waits for it any more
+    server.send(request.id, HEADER + b"again")  # nobody waits for it any more
     assert "Traceback" not in capfd.readouterr().err
 
 
 def test_replies_of_others_are_dropped(participant: Participant, plain: Any, domain_id: int) -> None:
     client = participant.create_requester(NODE, KILL, QoS())
-    key = data_key(domain_id, KILL.name, KILL.type_name, HASH)
+    key = kill_key(domain_id)
     asked: list[bytes] = []
 
     def answer(query: Any) -> None:
@@ -319,17 +330,15 @@ def test_replies_of_others_are_dropped(participant: Participant, plain: Any, dom
         query.reply_err(b"error")
         query.drop()
 
-    token_end = End(KILL.name, KILL.type_name, HASH, QoS())
     queryable = plain.declare_queryable(key, zenoh.handlers.Callback(answer, indirect=False), complete=True)
-    token = declare_token(plain, domain_id, Kind.SERVER, token_end)
+    token = declare_token(plain, domain_id, Kind.SERVER, KILL_END)
     wait_until(client.is_ready)
     queue = ReadyQueue()
     client.notify(queue, 8)
     assert client.send(HEADER + b"ask") == 1
-    responses: list[Any] = []
-    wait_until(lambda: responses.append(client.take()) or responses[-1])
-    assert responses[-1].data == HEADER + b"right"
-    assert responses[-1].id == (client.client_gid, 1)
+    response = take_one(client)
+    assert response.data == HEADER + b"right"
+    assert response.id == (client.client_gid, 1)
     assert client.take() is None
     assert struct.unpack("<qqB16s", asked[0])[::3] == (1, client.gid)
     assert queue.wait(10_000_000_000) == [8]
@@ -345,9 +354,7 @@ def test_a_request_without_a_server_stays_without_response(participant: Particip
     server = participant.create_responder(NODE, KILL, QoS())
     wait_until(client.is_ready)
     assert client.send(HEADER + b"ask") == 2
-    requests: list[Any] = []
-    wait_until(lambda: requests.append(server.take()) or requests[-1])
-    assert requests[-1].id.sequence_number == 2
+    assert take_one(server).id.sequence_number == 2
 
 
 def test_more_requests_than_the_depth_push_out_the_oldest(participant: Participant) -> None:
@@ -365,7 +372,7 @@ def test_more_requests_than_the_depth_push_out_the_oldest(participant: Participa
 
 def declare_answering_server(plain: Any, domain_id: int) -> Any:
     """Let a session of Zenoh answer each request of the service `KILL`, without a token."""
-    key = data_key(domain_id, KILL.name, KILL.type_name, HASH)
+    key = kill_key(domain_id)
 
     def answer(query: Any) -> None:
         query.reply(key, HEADER + b"right", attachment=query.attachment.to_bytes())
@@ -379,7 +386,7 @@ def test_server_without_a_route_is_not_ready_and_the_route_wakes_its_waiters(
 ) -> None:
     """Tokens and routes come in any order. A request sent before the route would end at once, without a response."""
     client = participant.create_requester(NODE, KILL, QoS())
-    token = declare_token(plain, domain_id, Kind.SERVER, End(KILL.name, KILL.type_name, HASH, QoS()))
+    token = declare_token(plain, domain_id, Kind.SERVER, KILL_END)
     wait_until(client.receiving_servers)
     assert client.is_synchronising()
     assert not client.is_ready()
@@ -400,7 +407,7 @@ def test_server_without_a_route_is_not_ready_and_the_route_wakes_its_waiters(
 
 def test_request_waits_for_the_route(participant: Participant, domain_id: int, plain: Any) -> None:
     client = participant.create_requester(NODE, KILL, QoS())
-    token = declare_token(plain, domain_id, Kind.SERVER, End(KILL.name, KILL.type_name, HASH, QoS()))
+    token = declare_token(plain, domain_id, Kind.SERVER, KILL_END)
     wait_until(client.receiving_servers)
     opened: list[Any] = []
     late = threading.Timer(0.05, lambda: opened.append(declare_answering_server(plain, domain_id)))
@@ -417,11 +424,11 @@ def asked(participant: Participant, domain_id: int, plain: Any) -> Iterator[tupl
     """Yield a client, its request's query in a plain session that keeps it, that server's token and its queryable."""
     client = participant.create_requester(NODE, KILL, QoS())
     queries: list[Any] = []
-    key = data_key(domain_id, KILL.name, KILL.type_name, HASH)
+    key = kill_key(domain_id)
     queryable = plain.declare_queryable(
         key, zenoh.handlers.Callback(queries.append, indirect=False), complete=True
     )
-    token = declare_token(plain, domain_id, Kind.SERVER, End(KILL.name, KILL.type_name, HASH, QoS()))
+    token = declare_token(plain, domain_id, Kind.SERVER, KILL_END)
     wait_until(client.is_ready)
     client.send(HEADER + b"ask")
     wait_until(lambda: queries)
@@ -489,12 +496,13 @@ def test_queries_of_a_client_that_left_are_dropped(
     participant: Participant, domain_id: int, plain: Any
 ) -> None:
     server = participant.create_responder(NODE, KILL, QoS())
-    end = End(KILL.name, KILL.type_name, HASH, QoS())
-    token = declare_token(plain, domain_id, Kind.CLIENT, end)
+    token = declare_token(plain, domain_id, Kind.CLIENT, KILL_END)
     gid = gid_of(
-        token_key(Token(domain_id, str(plain.zid()), 0, 5, Kind.CLIENT, "/", NodeName("/", "plain"), end))
+        token_key(
+            Token(domain_id, str(plain.zid()), 0, 5, Kind.CLIENT, "/", NodeName("/", "plain"), KILL_END)
+        )
     )
-    key = data_key(domain_id, KILL.name, KILL.type_name, HASH)
+    key = kill_key(domain_id)
     querier = plain.declare_querier(key, target=zenoh.QueryTarget.ALL_COMPLETE)
     wait_until(lambda: querier.matching_status.matching)
     querier.get(
@@ -768,24 +776,6 @@ def test_a_writer_that_asserts_nothing_is_not_alive_until_it_writes(participant:
     wait_until(lambda: reader.events._statuses[Event.LIVELINESS_CHANGED][:2] == (0, 0))
 
 
-def test_samples_reach_a_sink_in_order_those_that_waited_first(participant: Participant) -> None:
-    reader = participant.create_reader(NODE, TOPIC, QoS(depth=1000))
-    writer = participant.create_writer(NODE, TOPIC, QoS())
-    for number in range(5):
-        writer.write(HEADER + struct.pack("<I", number))
-    wait_until(lambda: len(reader._waiting) == 5)
-    sink = SampleQueue(1000)
-    reader.feed(sink)
-    for number in range(5, 10):
-        writer.write(HEADER + struct.pack("<I", number))
-    wait_until(lambda: sink.pushed() == 10)
-    assert [struct.unpack("<I", sample[0][4:])[0] for sample in sink.take()] == list(range(10))
-    assert reader.take() is None
-    reader.close()
-    writer.write(HEADER)
-    assert sink.pushed() == 10
-
-
 def test_a_graph_beside_others_is_whole_when_one_has_told_of_itself(
     participant: Participant, plain: Any
 ) -> None:
@@ -853,23 +843,8 @@ def test_large_messages_pass_a_link_that_is_slower_than_their_writer(
             wait_until(lambda number=number: received.count(len(large)) == number)
 
 
-def test_many_threads_write_and_close_at_once(participant: Participant) -> None:
-    keep_all = QoS(history=HistoryPolicy.KEEP_ALL)
-    reader = participant.create_reader(NODE, TOPIC, keep_all)
-    writer = participant.create_writer(NODE, TOPIC, keep_all)
-
-    def write(base: int) -> None:
-        for number in range(200):
-            writer.write(HEADER + struct.pack("<I", base + number))
-
-    threads = [threading.Thread(target=write, args=(base,)) for base in (0, 1000, 2000)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join(30)
-    numbers = [struct.unpack("<I", sample.data[4:])[0] for sample in take_all(reader, 600)]
-    assert sorted(numbers) == [base + number for base in (0, 1000, 2000) for number in range(200)]
-    writer.close()
+def test_a_writer_that_is_closed_raises(participant: Participant) -> None:
+    writer = participant.create_writer(NODE, TOPIC, QoS())
     writer.close()
     for operate in (lambda: writer.write(HEADER), writer.assert_liveliness, lambda: writer.wait_for_acks(0)):
         with pytest.raises(ClosedError, match="/robot/chatter: its writer is closed"):
@@ -918,21 +893,6 @@ def test_what_zenoh_refuses_leaves_nothing_behind(
     monkeypatch.undo()
     assert participant._ends == set()
     assert participant.graph._watchers == {}
-
-
-def test_domains_are_apart(participant: Participant, domain_id: int) -> None:
-    from tfloom.rmw.zenoh_wire import open_participant
-
-    other = open_participant(domain_id + 100)
-    other.add_node(NodeName("/", "other"))
-    reader = other.create_reader(NodeName("/", "other"), TOPIC, QoS())
-    writer = participant.create_writer(NODE, TOPIC, QoS())
-    writer.write(HEADER)
-    assert other.graph.nodes() == [NodeName("/", "other")]
-    assert participant.graph.nodes() == [NODE]
-    assert reader.matched_count() == writer.matched_count() == 0
-    assert reader.take() is None
-    other.close()
 
 
 def test_samples_and_the_graph_come_back_after_a_routers_death(

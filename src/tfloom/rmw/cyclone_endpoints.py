@@ -30,24 +30,24 @@ class CycloneEndpoint:
     kind = ""
     """For error texts: reader or writer."""
 
-    _native: Any
+    _native: DdsWriter | DdsReader
 
     def __init__(
         self, native: DdsWriter | DdsReader, topic_name: str, forget: Callable[[CycloneEndpoint], None]
     ) -> None:
         self.gid: bytes = native.gid
         self.topic_name = topic_name
-        self._endpoint = native
+        self._native = native
         self._forget = forget
         self._closed = False
 
     def matched_count(self) -> int:
         """Return how many peers are connected now."""
-        return self._endpoint.matched_count()
+        return self._native.matched_count()
 
     def matched(self) -> list[tuple[bytes, bytes]]:
         """Return the gid and the USER_DATA of each peer that is connected now."""
-        return self._endpoint.matched()
+        return self._native.matched()
 
     def notify_event(self, event: Event, queue: ReadyQueue | None, token: int = 0) -> None:
         """Post `token` to `queue` when `take_event(event)` may have a new status, and once at the start; None ends it.
@@ -56,7 +56,7 @@ class CycloneEndpoint:
             UnsupportedEventError: the other kind of endpoint has this event, this one does not.
         """
         try:
-            self._endpoint.notify_event(event, queue, token)
+            self._native.notify_event(event, queue, token)
         except ValueError as error:
             raise UnsupportedEventError(f"{event.name}: {error}") from None
 
@@ -67,7 +67,7 @@ class CycloneEndpoint:
             UnsupportedEventError: the other kind of endpoint has this event, this one does not.
         """
         try:
-            fields = self._endpoint.take_event(event)
+            fields = self._native.take_event(event)
         except ValueError as error:
             raise UnsupportedEventError(f"{event.name}: {error}") from None
         return None if fields is None else _status(event, fields)
@@ -75,14 +75,14 @@ class CycloneEndpoint:
     def invalidate_after_fork(self) -> None:
         """Become the copy of the parent's endpoint in a forked child."""
         what = f"the {self.kind} of {self.topic_name}"
-        self._endpoint = self._native = cast("Any", Inherited(what, self._endpoint))
+        self._native = cast("Any", Inherited(what, self._native))
 
     def close(self) -> None:
         """Leave the topic. Closing again does nothing."""
         if not self._closed:
             self._closed = True
             self._forget(self)
-            self._endpoint.close()
+            self._native.close()
 
 
 def _status(event: Event, fields: tuple[int, int, int, int]) -> Status:
@@ -102,10 +102,6 @@ class CycloneWriter(CycloneEndpoint):
     native_type = DdsWriter
     _native: DdsWriter
 
-    def __init__(self, native: DdsWriter, topic_name: str, forget: Callable[[CycloneEndpoint], None]) -> None:
-        super().__init__(native, topic_name, forget)
-        self._native = native
-
     @property
     def native(self) -> DdsWriter:
         """The native writer, for native code that sends to it without Python."""
@@ -120,8 +116,6 @@ class CycloneWriter(CycloneEndpoint):
         """
         try:
             self._native.write(data)
-        except ForkedError:
-            raise
         except RuntimeError as error:
             raise self._error("write to", error) from None
 
@@ -148,8 +142,6 @@ class CycloneWriter(CycloneEndpoint):
         """
         try:
             self._native.assert_liveliness()
-        except ForkedError:
-            raise
         except RuntimeError as error:
             raise self._error("assert liveliness on", error) from None
 
@@ -168,12 +160,12 @@ class CycloneWriter(CycloneEndpoint):
                     return True
                 left_ns -= _ACKS_SLICE_NS
             return self._native.wait_for_acks(left_ns)
-        except ForkedError:
-            raise
         except RuntimeError as error:
             raise self._error("wait for readers of", error) from None
 
     def _error(self, what: str, error: RuntimeError) -> WireError:
+        if isinstance(error, ForkedError):
+            return error
         kind = ClosedError if self._closed else WireError
         return kind(f"cannot {what} {self.topic_name}: {error}")
 
@@ -184,10 +176,6 @@ class CycloneReader(CycloneEndpoint):
     kind = "reader"
     native_type = DdsReader
     _native: DdsReader
-
-    def __init__(self, native: DdsReader, topic_name: str, forget: Callable[[CycloneEndpoint], None]) -> None:
-        super().__init__(native, topic_name, forget)
-        self._native = native
 
     @property
     def native(self) -> DdsReader:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import threading
-from typing import NamedTuple, cast
+from collections.abc import Callable
+from typing import Any, NamedTuple, cast
 
 from tfloom._native import DdsGraph, DdsParticipant, ReadyQueue
 from tfloom.rmw import node_lists
@@ -160,7 +161,7 @@ class CycloneGraph:
             dds_topic_type = dds_type.decode("utf-8", "replace")
             type_name = type_from_dds(dds_topic_type)
             topic = Topic(dds_name, dds_topic_type, key_values(user_data).get("typehash", ""))
-            info = EndpointInfo(topic, node_of.get(gid), is_writer, gid, _qos(*qos))
+            info = EndpointInfo(topic, node_of.get(gid), is_writer, gid, _qos(qos))
             raw.append(info)
             if name := topic_from_dds(dds_name):
                 infos.append(info._replace(topic=topic._replace(name=name, type_name=type_name)))
@@ -192,23 +193,12 @@ def _decoded(node_list: bytes) -> list[node_lists.NodeEnds]:
         return []
 
 
-def _qos(
-    reliability: int,
-    durability: int,
-    history: int,
-    depth: int,
-    deadline_ns: int,
-    lifespan_ns: int,
-    liveliness: int,
-    liveliness_lease_ns: int,
-) -> QoS:
-    return QoS(
-        ReliabilityPolicy(reliability),
-        DurabilityPolicy(durability),
-        HistoryPolicy(history),
-        depth,
-        deadline_ns,
-        lifespan_ns,
-        LivelinessPolicy(liveliness),
-        liveliness_lease_ns,
-    )
+_KINDS: tuple[Callable[[int], Any], ...] = (
+    *(ReliabilityPolicy, DurabilityPolicy, HistoryPolicy, int),
+    *(int, int, LivelinessPolicy, int),
+)
+"""The classes of the fields of `QoS`, in their order."""
+
+
+def _qos(fields: tuple[int, ...]) -> QoS:
+    return QoS(*(kind(field) for kind, field in zip(_KINDS, fields, strict=True)))

@@ -13,6 +13,7 @@ from tests.conftest import Program
 from tests.node.wire.conftest import PROGRAMS
 
 from tfloom.interfaces.std_msgs.msg import String
+from tfloom.node.context.context import Context
 from tfloom.node.executing.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import (
@@ -24,6 +25,7 @@ from tfloom.node.qos.qos import (
     qos_profile_best_available,
 )
 from tfloom.node.values.duration import Duration
+from tfloom.rmw.events import Event, IncompatibleQoS
 from tfloom.rmw.qos import QoSPolicyKind
 
 SpinUntil = Callable[..., None]
@@ -136,7 +138,7 @@ def test_killed_publisher_is_not_alive_after_its_lease(
     ("offered", "requested", "kind", "sides"),
     [
         (
-            {"reliability": BEST_EFFORT},
+            {"reliability": ReliabilityPolicy.BEST_EFFORT},
             {},
             QoSPolicyKind.RELIABILITY,
             "offered RELIABILITY BEST_EFFORT, requested RELIABILITY RELIABLE",
@@ -154,7 +156,7 @@ def test_killed_publisher_is_not_alive_after_its_lease(
             "offered no DEADLINE, requested DEADLINE of 1 s",
         ),
         (
-            {"liveliness_lease_duration": 2},
+            {"liveliness_lease_duration": Duration(seconds=2)},
             {"liveliness_lease_duration": Duration(seconds=0.5)},
             QoSPolicyKind.LIVELINESS,
             (
@@ -172,7 +174,6 @@ def test_killed_publisher_is_not_alive_after_its_lease(
 )
 def test_incompatible_qos_is_reported_on_both_sides_with_both_policies(
     node: Node,
-    start_talker: StartTalker,
     spin_until: SpinUntil,
     capsys: pytest.CaptureFixture[str],
     offered: dict[str, Any],
@@ -181,31 +182,36 @@ def test_incompatible_qos_is_reported_on_both_sides_with_both_policies(
     sides: str,
     local_wire: str,
 ) -> None:
-    talker = start_talker(**offered)
-    assert node.wait_for_node("/talker", timeout=20)
     heard: list[String] = []
-    node.create_subscription(String, "chatter", heard.append, QoSProfile(depth=10, **requested))
-    text = ""
+    with Context() as elsewhere, Node("talker", context=elsewhere) as talker:
+        publisher = talker.create_publisher(String, "chatter", QoSProfile(depth=10, **offered))
+        assert node.wait_for_node("/talker", timeout=20)
+        node.create_subscription(String, "chatter", heard.append, QoSProfile(depth=10, **requested))
+        text = ""
 
-    def warned() -> bool:
-        nonlocal text
-        text += capsys.readouterr().err
-        return "Last incompatible policy" in text
+        def warned() -> bool:
+            nonlocal text
+            text += capsys.readouterr().err
+            return "Last incompatible policy" in text
 
-    spin_until(warned)
-    assert f"Last incompatible policy: {kind.name} ({sides}, peer /talker)" in text
-    assert "New publisher discovered on topic '/chatter', offering incompatible QoS" in text
-    spin_until(lambda: told(talker, "incompatible_qos"))
-    (status,) = told(talker, "incompatible_qos")
-    assert status == {"total_count": 1, "total_count_change": 1, "last_policy_kind": int(kind)}
-    tell(talker, 1)
-    spin_until(lambda: "did 1" in talker.lines)
-    if local_wire == "rmw_zenoh_cpp":  # which passes it on, as rmw_zenoh does, and the warning says so
-        assert "Messages pass all the same on this wire, but don't on others" in text
-        spin_until(lambda: heard)
-    else:
-        assert "No messages will be received from it" in text
-        assert not heard
+        spin_until(warned)
+        assert f"Last incompatible policy: {kind.name} ({sides}, peer /talker)" in text
+        assert "New publisher discovered on topic '/chatter', offering incompatible QoS" in text
+        told: list[Any] = []
+        spin_until(
+            lambda: told.append(publisher.wire_endpoint.take_event(Event.INCOMPATIBLE_QOS)) or told[-1]
+        )
+        assert told[-1] == IncompatibleQoS(1, 1, kind)
+        ticks: list[None] = []
+        publisher.publish(String())
+        node.create_timer(0.01, lambda: ticks.append(None))
+        spin_until(lambda: len(ticks) > 2)
+        if local_wire == "rmw_zenoh_cpp":  # which passes it on, as rmw_zenoh does, and the warning says so
+            assert "Messages pass all the same on this wire, but don't on others" in text
+            spin_until(lambda: heard)
+        else:
+            assert "No messages will be received from it" in text
+            assert not heard
 
 
 def test_expired_messages_are_not_delivered_to_late_subscriptions(

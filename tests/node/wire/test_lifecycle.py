@@ -13,8 +13,6 @@ from tests.conftest import Program
 from tfloom.interfaces.lifecycle_msgs.msg import Transition, TransitionEvent
 from tfloom.interfaces.lifecycle_msgs.srv import (
     ChangeState,
-    GetAvailableStates,
-    GetAvailableTransitions,
     GetState,
 )
 from tfloom.interfaces.rcl_interfaces.msg import Log, LoggerLevel
@@ -125,33 +123,6 @@ def test_failing_transitions_are_reported(
         managed.wait_for("[managed]: cleaning up")
     assert finish(client.set_parameters([Parameter("configure", value="success")])).results[0].successful
     assert change(call, "configure")
-
-
-def test_available_states_and_transitions_are_listed(call: Call) -> None:
-    states = call(GetAvailableStates, "get_available_states").available_states
-    assert [(state.id, state.label) for state in states] == [
-        (0, "unknown"),
-        (1, "unconfigured"),
-        (2, "inactive"),
-        (3, "active"),
-        (4, "finalized"),
-        (10, "configuring"),
-        (11, "cleaningup"),
-        (12, "shuttingdown"),
-        (13, "activating"),
-        (14, "deactivating"),
-        (15, "errorprocessing"),
-    ]
-    now = call(GetAvailableTransitions, "get_available_transitions").available_transitions
-    assert [
-        (description.transition.id, description.transition.label, description.goal_state.label)
-        for description in now
-    ] == [
-        (1, "configure", "configuring"),
-        (5, "shutdown", "shuttingdown"),
-    ]
-    graph = call(GetAvailableTransitions, "get_transition_graph").available_transitions
-    assert len(graph) == 25
 
 
 def test_log_goes_to_console_rosout_and_file_at_the_set_level(

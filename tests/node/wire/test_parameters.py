@@ -96,25 +96,6 @@ def test_changes_are_published_to_all_nodes(
     assert events[0].stamp.sec > 0
 
 
-@pytest.mark.parametrize(
-    ("pattern", "is_meant"),
-    [
-        ("/**", True),
-        ("/*/remote", True),
-        ("/*", False),
-    ],
-)
-def test_parameter_file_applies_to_the_named_nodes(
-    node: Node, start: Start, finish: Finish, tmp_path: Path, pattern: str, is_meant: bool
-) -> None:
-    path = tmp_path / "p.yaml"
-    path.write_text(f"{pattern}:\n  ros__parameters:\n    from_file: found\n")
-    start("parameters", "--ros-args", "--params-file", path)
-    client = AsyncParameterClient(node, "/ns/remote")
-    assert client.wait_for_services(timeout_sec=20)
-    assert values(finish(client.get_parameters(["from_file"]))) == ["found" if is_meant else ""]
-
-
 def test_qos_and_values_come_from_files_and_the_command_line(
     node: Node, start: Start, finish: Finish, spin_until: SpinUntil, tmp_path: Path
 ) -> None:

@@ -112,7 +112,7 @@ def test_each_of_many_client_processes_receives_its_responses(
         start_program(
             "python",
             PROGRAMS / "service_clients.py",
-            *map(str, (number, 4, 50)),
+            *map(str, (number, 4, 20)),
             stdin=subprocess.PIPE,
         )
         for number in range(3)
@@ -124,7 +124,7 @@ def test_each_of_many_client_processes_receives_its_responses(
         caller.process.stdin.flush()
     for caller in callers:
         assert caller.wait(60) == 0, caller.output
-        assert caller.lines[-1] == "right: 200"
+        assert caller.lines[-1] == "right: 80"
 
 
 def test_client_of_another_vendor_is_ignored_with_one_log_line(

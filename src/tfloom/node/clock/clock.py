@@ -16,6 +16,7 @@ from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.exceptions import NotInitializedException
 from tfloom.node.values.handle import Handle
+from tfloom.node.values.numbers import duration_error
 from tfloom.node.values.readable_clock import ReadableClock
 from tfloom.node.values.time import Time
 
@@ -185,13 +186,7 @@ class Clock(ReadableClock):
     def sleep_for(self, rel_time: Duration, context: Context | None = None) -> bool:
         """Wait for a duration by this clock; results and errors as of `sleep_until`."""
         if not isinstance(rel_time, Duration):
-            meant = (
-                f"Duration(seconds={rel_time})"
-                if isinstance(rel_time, (int, float))
-                else "Duration(seconds=…)"
-            )
-            given = f"{rel_time!r} of class {type(rel_time).__name__}"
-            raise TypeError(f"sleep_for() needs a Duration, got {given}: write {meant}")
+            raise duration_error("sleep_for() needs a Duration", rel_time)
         return self.sleep_until(self.now() + rel_time, context)
 
     def _is_simulated(self) -> bool:

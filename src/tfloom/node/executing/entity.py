@@ -4,13 +4,19 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from tfloom.node.values.exceptions import InvalidHandle
+from tfloom.node.values.handle import Handle
 from tfloom.ros_guard import ros_repr
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from typing_extensions import Self
+
     from tfloom._native import ReadyQueue
     from tfloom.node.executing.callback_groups import CallbackGroup
 
-__all__ = ["Entity"]
+__all__ = ["CallbackEntity", "Entity"]
 
 
 class Entity:
@@ -70,3 +76,49 @@ class Entity:
     def destroy(self) -> None:
         """Stop permanently; the node calls this when the entity is destroyed."""
         raise NotImplementedError
+
+
+class CallbackEntity(Entity):
+    """An entity that posts its token by itself, for a callback without arguments: a timer or a guard condition."""
+
+    _kind = ""
+    """For error texts."""
+
+    callback: Callable[[], Any] | None
+    """None: it only wakes the executor."""
+
+    _destroyed = False
+    _queue: ReadyQueue | None = None
+    _token = 0
+
+    @property
+    def handle(self) -> Handle:
+        """Proxy of the entity, for code that expects rclpy's C handle.
+
+        Raises:
+            InvalidHandle: it was destroyed.
+        """
+        return Handle(self._alive(), self._alive)
+
+    def _alive(self) -> Self:
+        """Return this entity.
+
+        Raises:
+            InvalidHandle: it was destroyed.
+        """
+        if self._destroyed:
+            raise InvalidHandle(f"cannot use a {self._kind} that was destroyed")
+        return self
+
+    def _post(self) -> None:
+        queue = self._queue  # another thread may detach it meanwhile
+        if queue is not None:
+            queue.post(self._token)
+
+    def detach(self) -> None:
+        """Stop posting the token."""
+        self._queue = None
+
+    def run(self, taken: Any) -> Any:  # noqa: ARG002
+        """Call the callback."""
+        return None if self.callback is None else self.callback()

@@ -5,13 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from tfloom.node.executing.entity import Entity
-from tfloom.node.values.exceptions import InvalidHandle
-from tfloom.node.values.handle import Handle
+from tfloom.node.executing.entity import CallbackEntity
 
 if TYPE_CHECKING:
-    from typing_extensions import Self
-
     from tfloom._native import ReadyQueue
     from tfloom.node.context.context import Context
     from tfloom.node.executing.callback_groups import CallbackGroup
@@ -19,8 +15,10 @@ if TYPE_CHECKING:
 __all__ = ["GuardCondition"]
 
 
-class GuardCondition(Entity):
+class GuardCondition(CallbackEntity):
     """Makes the executor run a callback at least once after each `trigger`."""
+
+    _kind = "guard condition"
 
     def __init__(
         self,
@@ -31,28 +29,6 @@ class GuardCondition(Entity):
         self.callback = callback
         self.callback_group = callback_group
         self._triggered = False
-        self._destroyed = False
-        self._queue: ReadyQueue | None = None
-        self._token = 0
-
-    @property
-    def handle(self) -> Handle:
-        """Proxy of the guard condition, for code that expects rclpy's C handle.
-
-        Raises:
-            InvalidHandle: it was destroyed.
-        """
-        return Handle(self._alive(), self._alive)
-
-    def _alive(self) -> Self:
-        """Return this guard condition.
-
-        Raises:
-            InvalidHandle: it was destroyed.
-        """
-        if self._destroyed:
-            raise InvalidHandle("cannot use a guard condition that was destroyed")
-        return self
 
     def trigger(self) -> None:
         """Make the executor run the callback. Threads and signal handlers may call this.
@@ -62,9 +38,7 @@ class GuardCondition(Entity):
         """
         self._alive()
         self._triggered = True
-        queue = self._queue
-        if queue is not None:
-            queue.post(self._token)
+        self._post()
 
     def trigger_guard_condition(self) -> None:
         """Call `trigger`; rclpy's C handle has this name."""
@@ -85,15 +59,7 @@ class GuardCondition(Entity):
         if self._triggered:
             queue.post(token)
 
-    def detach(self) -> None:
-        """Stop posting the token."""
-        self._queue = None
-
     def take(self) -> Any:
         """Return True once after any number of triggers."""
         triggered, self._triggered = self._triggered, False
         return triggered or None
-
-    def run(self, taken: Any) -> Any:  # noqa: ARG002
-        """Call the callback of the guard condition."""
-        return None if self.callback is None else self.callback()

@@ -9,14 +9,11 @@ from typing import TYPE_CHECKING, Any
 
 from tfloom.node.clock.clock import Clock, JumpHandle, ROSClock
 from tfloom.node.clock.time_jump import ANY_JUMP, SOURCE_CHANGES, TimeJump
-from tfloom.node.executing.entity import Entity
-from tfloom.node.values.exceptions import InvalidHandle, ROSInterruptException
-from tfloom.node.values.handle import Handle
+from tfloom.node.executing.entity import CallbackEntity
+from tfloom.node.values.exceptions import ROSInterruptException
 from tfloom.ros_guard import ros_repr
 
 if TYPE_CHECKING:
-    from typing_extensions import Self
-
     from tfloom._native import ReadyQueue
     from tfloom.node.context.context import Context
     from tfloom.node.executing.callback_groups import CallbackGroup
@@ -24,7 +21,7 @@ if TYPE_CHECKING:
 __all__ = ["Rate", "Timer"]
 
 
-class Timer(Entity):
+class Timer(CallbackEntity):
     """Calls its callback once a period.
 
     Missed calls are skipped: the next call is at the next whole period. The period is measured in simulated time if
@@ -46,6 +43,7 @@ class Timer(Entity):
     """
 
     is_timed = True
+    _kind = "timer"
 
     def __init__(
         self,
@@ -65,11 +63,8 @@ class Timer(Entity):
         self._ros_clock = clock if isinstance(clock, ROSClock) else None
         self._period_ns = int(timer_period_ns)
         self._canceled = not autostart
-        self._destroyed = False
         self._lock = threading.RLock()
         """Guards `_last_ns` and `_next_ns`; single reads take no lock."""
-        self._queue: ReadyQueue | None = None
-        self._token = 0
         self._last_ns = self._now_ns()
         self._next_ns = self._last_ns + self._period_ns
         self._jump_handle: JumpHandle | None = None
@@ -84,25 +79,6 @@ class Timer(Entity):
 
     def _now_ns(self) -> int:
         return self._clock.now_ns() if self._is_simulated() else time.monotonic_ns()
-
-    @property
-    def handle(self) -> Handle:
-        """Proxy of the timer, for code that expects rclpy's C handle.
-
-        Raises:
-            InvalidHandle: the timer was destroyed.
-        """
-        return Handle(self._alive(), self._alive)
-
-    def _alive(self) -> Self:
-        """Return this timer.
-
-        Raises:
-            InvalidHandle: it was destroyed.
-        """
-        if self._destroyed:
-            raise InvalidHandle("cannot use a timer that was destroyed")
-        return self
 
     @property
     def clock(self) -> Clock:
@@ -162,10 +138,6 @@ class Timer(Entity):
         self._queue, self._token = queue, token
         queue.post(token)
 
-    def detach(self) -> None:
-        """Stop posting the token."""
-        self._queue = None
-
     def deadline_ns(self) -> int | None:
         """Return when the next call is due, by the steady clock; None with simulated time, and if cancelled."""
         return None if self._canceled or self._is_simulated() else self._next_ns
@@ -196,15 +168,6 @@ class Timer(Entity):
     def _skip_missed(self, now_ns: int) -> int:
         missed = 1 + (now_ns - self._next_ns) // self._period_ns
         return self._next_ns + missed * self._period_ns
-
-    def run(self, taken: Any) -> Any:  # noqa: ARG002
-        """Call the timer's callback."""
-        return None if self.callback is None else self.callback()
-
-    def _post(self) -> None:
-        queue = self._queue
-        if queue is not None:
-            queue.post(self._token)
 
     def _post_if_ready(self) -> None:
         if self.is_ready():

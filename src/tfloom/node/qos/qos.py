@@ -6,6 +6,7 @@ from enum import Enum, IntEnum
 from typing import TYPE_CHECKING, Any
 
 from tfloom.node.values.duration import Duration
+from tfloom.node.values.numbers import duration_error
 from tfloom.rmw import qos as wire
 from tfloom.rmw.qos import (
     DurabilityPolicy,
@@ -87,9 +88,7 @@ def _checked_number(value: Any, name: str) -> int:
 
 def _checked_duration(value: Any, name: str) -> Duration:
     if not isinstance(value, Duration):
-        given = f"{value!r} of class {type(value).__name__}"
-        meant = f"Duration(seconds={value})" if isinstance(value, (int, float)) else "Duration(seconds=…)"
-        raise TypeError(f"{name} must be a Duration, got {given}: write {meant}")
+        raise duration_error(f"{name} must be a Duration", value)
     return value
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from tfloom.given_text import given_text
 
-__all__ = ["given_time", "no_time_of", "not_a_number", "timeout_error"]
+__all__ = ["duration_error", "given_time", "no_time_of", "not_a_number", "timeout_error"]
 
 
 def not_a_number(what: str, given: object) -> str:
@@ -25,6 +25,14 @@ def given_time(given: object) -> str:
     has_message = hasattr(given, "to_msg") and not isinstance(given, type)
     hint = ", which is one of rclpy: use it as it is" if has_message else ""
     return f", got {given_text(given)}{hint}"
+
+
+def duration_error(needed: str, given: object) -> TypeError:
+    """Return the error of what was given in place of a Duration; `needed` begins its text."""
+    seconds = given if isinstance(given, (int, float)) else "…"
+    return TypeError(
+        f"{needed}, got {given!r} of class {type(given).__name__}: write Duration(seconds={seconds})"
+    )
 
 
 def timeout_error(call: str, timeout_sec: object) -> TypeError | None:

@@ -52,7 +52,7 @@ def read_commands():
 
 rclpy.init()
 node = rclpy.create_node("talker")
-events = ("deadline", "liveliness", "incompatible_qos", "matched")
+events = ("deadline", "liveliness", "matched")
 callbacks = PublisherEventCallbacks(**{event: teller(event) for event in events})
 publisher = node.create_publisher(String, "chatter", qos_of(sys.argv[1]), event_callbacks=callbacks)
 say("ready")
