@@ -147,6 +147,35 @@ def service_client(
         client.close()
 
 
+class NodeServices:
+    """The services of one node, each with a client for one call.
+
+    Args:
+        participant: Where the clients are created.
+        own: The command's own node, which they belong to.
+        node: The full name of the other node.
+        timeout_s: Longest wait for a server, and for its response [s].
+    """
+
+    def __init__(self, participant: Participant, own: NodeName, node: str, timeout_s: float) -> None:
+        self.node = node
+        self._participant = participant
+        self._own = own
+        self._timeout_s = timeout_s
+
+    def call(
+        self, service: str, service_class: type[Any], request: Any, response_timeout_s: float | None = None
+    ) -> Any:
+        """Return the response of a service, whose name is below the node's.
+
+        Raises:
+            CommandError: there is no server, or no response.
+        """
+        with service_client(self._participant, self._own, f"{self.node}/{service}", service_class) as client:
+            client.wait_for_server(self._timeout_s)
+            return client.call(request, self._timeout_s if response_timeout_s is None else response_timeout_s)
+
+
 def call_each(asked: Mapping[str, Callable[[], T]]) -> dict[str, T]:
     """Return the results of several calls, by name; if only some fail, their errors are printed on stderr.
 

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING
 
 from tfloom.cli.errors import CommandError
+from tfloom.cli.names import full_name
 from tfloom.cli.parser import VerbParser
 from tfloom.workspace import index
 from tfloom.workspace.interfaces import interface_packages, known_interfaces
@@ -47,9 +48,8 @@ def find_offer(verb: list[str], argument: str) -> Callable[[argparse.Namespace],
 def _topics(_: argparse.Namespace) -> list[str]:
     from tfloom.cli import graph
 
-    with graph.joined_participant() as participant:
-        graph.wait_until_quiet(participant.graph, MAX_WAIT_S)
-        names = graph.known_topics(participant.graph.endpoints())
+    with graph.settled_graph(MAX_WAIT_S) as found:
+        names = graph.known_topics(found.endpoints())
     # Names are valid without their first slash, so they are also completed without it.
     return [*names, *(name[1:] for name in names)]
 
@@ -58,27 +58,23 @@ def _types_of_topic(args: argparse.Namespace) -> list[str]:
     """Return the type of the topic; all messages if there is no such topic."""
     from tfloom.cli import graph
 
-    with graph.joined_participant() as participant:
-        graph.wait_until_quiet(participant.graph, MAX_WAIT_S)
-        types = graph.known_topics(participant.graph.endpoints())
-    name = args.topic_name or ""
-    return types.get(name if name.startswith("/") else f"/{name}", []) or known_interfaces("msg")
+    with graph.settled_graph(MAX_WAIT_S) as found:
+        types = graph.known_topics(found.endpoints())
+    return types.get(full_name(args.topic_name or ""), []) or known_interfaces("msg")
 
 
 def _nodes(_: argparse.Namespace) -> list[str]:
     from tfloom.cli import graph
 
-    with graph.joined_participant() as participant:
-        graph.wait_until_quiet(participant.graph, MAX_WAIT_S)
-        return [node.full for node in participant.graph.nodes() if not graph.is_hidden(node.full)]
+    with graph.settled_graph(MAX_WAIT_S) as found:
+        return [node.full for node in found.nodes() if not graph.is_hidden(node.full)]
 
 
 def _services(_: argparse.Namespace) -> list[str]:
     from tfloom.cli import graph
 
-    with graph.joined_participant() as participant:
-        graph.wait_until_quiet(participant.graph, MAX_WAIT_S)
-        names = sorted({end.name for end in participant.graph.service_ends() if end.is_server})
+    with graph.settled_graph(MAX_WAIT_S) as found:
+        names = sorted({end.name for end in found.service_ends() if end.is_server})
     return [name for name in names if not graph.is_hidden(name)]
 
 
@@ -86,9 +82,8 @@ def _type_of_service(args: argparse.Namespace) -> list[str]:
     """Return the type of the service; all services if there is no such service."""
     from tfloom.cli import graph
 
-    with graph.joined_participant() as participant:
-        graph.wait_until_quiet(participant.graph, MAX_WAIT_S)
-        ends = participant.graph.service_ends()
+    with graph.settled_graph(MAX_WAIT_S) as found:
+        ends = found.service_ends()
     return sorted({end.type_name for end in ends if end.name == args.service_name}) or known_interfaces("srv")
 
 
@@ -146,7 +141,7 @@ def _lifecycle_nodes(_: argparse.Namespace) -> list[str]:
     from tfloom.cli import graph
     from tfloom.cli.lifecycle.common import lifecycle_nodes
 
-    with graph.settled_graph(argparse.Namespace(spin_time=MAX_WAIT_S)) as found:
+    with graph.settled_graph(MAX_WAIT_S) as found:
         return lifecycle_nodes(found, hidden=False)
 
 
@@ -154,7 +149,7 @@ def _containers(_: argparse.Namespace) -> list[str]:
     from tfloom.cli import graph
     from tfloom.cli.component.common import container_names
 
-    with graph.settled_graph(argparse.Namespace(spin_time=MAX_WAIT_S)) as found:
+    with graph.settled_graph(MAX_WAIT_S) as found:
         return container_names(found)
 
 

@@ -6,8 +6,9 @@ import argparse
 import os
 import sys
 import time
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
+from itertools import chain
 
 from tfloom._native import ReadyQueue
 from tfloom.cli.numbers import seconds
@@ -67,10 +68,17 @@ def joined_participant() -> Iterator[Participant]:
 
 
 @contextmanager
-def settled_graph(args: argparse.Namespace) -> Iterator[Graph]:
-    """Join the domain for the block, and wait until discovery is complete."""
+def settled_participant(most_s: float) -> Iterator[Participant]:
+    """Join the domain for the block, and wait until discovery is complete, at most `most_s` [s]."""
     with joined_participant() as participant:
-        wait_until_quiet(participant.graph, args.spin_time)
+        wait_until_quiet(participant.graph, most_s)
+        yield participant
+
+
+@contextmanager
+def settled_graph(most_s: float) -> Iterator[Graph]:
+    """Yield the graph of a participant that joins the domain for the block; see `settled_participant`."""
+    with settled_participant(most_s) as participant:
         yield participant.graph
 
 
@@ -134,12 +142,17 @@ def is_hidden(name: str) -> bool:
     return any(part.startswith("_") for part in name.split("/"))
 
 
+def types_by_name(names_and_types: Iterable[tuple[str, str]]) -> dict[str, list[str]]:
+    """Return the types of each name, both in order."""
+    types: dict[str, set[str]] = {}
+    for name, type_name in names_and_types:
+        types.setdefault(name, set()).add(type_name)
+    return {name: sorted(types[name]) for name in sorted(types)}
+
+
 def topic_types(endpoints: Iterable[EndpointInfo]) -> dict[str, list[str]]:
     """Return the types of each topic by the topic's name, both in order."""
-    types: dict[str, set[str]] = {}
-    for endpoint in endpoints:
-        types.setdefault(endpoint.topic.name, set()).add(endpoint.topic.type_name)
-    return {name: sorted(types[name]) for name in sorted(types)}
+    return types_by_name((endpoint.topic.name, endpoint.topic.type_name) for endpoint in endpoints)
 
 
 def known_topics(endpoints: Iterable[EndpointInfo]) -> dict[str, list[str]]:
@@ -148,3 +161,20 @@ def known_topics(endpoints: Iterable[EndpointInfo]) -> dict[str, list[str]]:
     for name, type_name in TOPICS_OF_EVERY_NODE.items():
         topics[name] = sorted({*topics.get(name, ()), type_name})
     return dict(sorted(topics.items()))
+
+
+def names_of_type(types: Mapping[str, list[str]], type_name: str, kind: str, *, hidden: bool) -> list[str]:
+    """Return which topics or services have a type; without any, print a line on stderr if nobody knows the type.
+
+    Args:
+        types: The types of each name.
+        type_name: The type.
+        kind: msg or srv.
+        hidden: Whether hidden names count.
+    """
+    names = [name for name, kinds in types.items() if type_name in kinds and (hidden or not is_hidden(name))]
+    if not names:
+        from tfloom.cli.type_names import warn_if_unknown
+
+        warn_if_unknown(type_name, kind, set(chain.from_iterable(types.values())))
+    return names

@@ -4,10 +4,27 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 
 from tfloom.cli.errors import CommandError
 from tfloom.rmw.base import NodeName
+
+
+def full_name(name: str) -> str:
+    """Return a name of the graph with its first slash."""
+    return name if name.startswith("/") else f"/{name}"
+
+
+def find_full_name(name: str, known: Collection[str], unknown: str) -> str:
+    """Return the full one of the known names that a user has typed, perhaps without its first slash.
+
+    Raises:
+        CommandError: there is none; the text is `unknown`, with the nearest names.
+    """
+    full = full_name(name)
+    if full not in known:
+        raise CommandError(f"{unknown}{did_you_mean(full, known)}")
+    return full
 
 
 def full_topic_name(name: str, what: str = "topic") -> str:
@@ -16,7 +33,7 @@ def full_topic_name(name: str, what: str = "topic") -> str:
     Raises:
         CommandError: it is not a valid name.
     """
-    full = name if name.startswith("/") else f"/{name}"
+    full = full_name(name)
     if not re.fullmatch(r"(/[A-Za-z_][A-Za-z0-9_]*)+", full):
         raise CommandError(
             f"'{name}' can't be a {what}'s name: each part between slashes has letters, digits and underscores, "

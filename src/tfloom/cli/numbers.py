@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import math
+from collections.abc import Callable
 
 FOREVER_S = 1e9
 """The longest duration, to which longer ones are reduced [s]: 31 years."""
@@ -17,10 +18,8 @@ def seconds(text: str) -> float:
     Raises:
         argparse.ArgumentTypeError: it is not a number, or negative.
     """
-    value = _number(text)
-    if not value >= 0.0:
-        raise argparse.ArgumentTypeError(f"must be a number of seconds that isn't negative, not {text!r}")
-    return min(value, FOREVER_S)
+    what = "a number of seconds that isn't negative"
+    return min(_number(text, lambda value: value >= 0.0, what), FOREVER_S)
 
 
 def tolerance(text: str) -> float:
@@ -29,10 +28,7 @@ def tolerance(text: str) -> float:
     Raises:
         argparse.ArgumentTypeError: it is not a number, or negative.
     """
-    value = _number(text)
-    if not value >= 0.0:
-        raise argparse.ArgumentTypeError(f"must be a number that isn't negative, not {text!r}")
-    return value
+    return _number(text, lambda value: value >= 0.0, "a number that isn't negative")
 
 
 def positive(text: str) -> float:
@@ -41,10 +37,7 @@ def positive(text: str) -> float:
     Raises:
         argparse.ArgumentTypeError: it is not a number, not above 0, or not finite.
     """
-    value = _number(text)
-    if not 0.0 < value < math.inf:
-        raise argparse.ArgumentTypeError(f"must be a number greater than zero, not {text!r}")
-    return value
+    return _number(text, lambda value: 0.0 < value < math.inf, "a number greater than zero")
 
 
 def rate(text: str) -> float:
@@ -53,9 +46,7 @@ def rate(text: str) -> float:
     Raises:
         argparse.ArgumentTypeError: it is not a number.
     """
-    value = _number(text)
-    if math.isnan(value):
-        raise argparse.ArgumentTypeError(f"must be a number, not {text!r}")
+    value = _number(text, lambda value: not math.isnan(value), "a number")
     return max(value, 1 / FOREVER_S) if value > 0 else value
 
 
@@ -92,10 +83,7 @@ def finite(text: str) -> float:
     Raises:
         argparse.ArgumentTypeError: it is no number, or not finite.
     """
-    value = _number(text)
-    if not math.isfinite(value):
-        raise argparse.ArgumentTypeError(f"must be a number, not {text!r}")
-    return value
+    return _number(text, math.isfinite, "a number")
 
 
 def whole(text: str) -> int:
@@ -122,11 +110,15 @@ def unsigned(text: str) -> int:
     return _whole_number(text, 0, 2 * INT64_END - 1)
 
 
-def _number(text: str) -> float:
+def _number(text: str, is_valid: Callable[[float], bool], what: str) -> float:
+    """Return a number; raise the error that it must be `what` if it isn't valid, as nan is not."""
     try:
-        return float(text)
+        value = float(text)
     except ValueError:
-        return math.nan
+        value = math.nan
+    if not is_valid(value):
+        raise argparse.ArgumentTypeError(f"must be {what}, not {text!r}")
+    return value
 
 
 def _whole_number(text: str, least: int, most: int = MOST) -> int:

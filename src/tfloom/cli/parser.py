@@ -189,24 +189,12 @@ def build_parser(
     words = top.add_words("ros2cli.command")
     for word, command in commands.items():
         if isinstance(command, str):
-            words.add_parser(
-                word,
-                aliases=VERB_ALIASES.get(word, ()),
-                help=command,
-                description=command,
-                prog=f"{prog} {word}",
-                module=f"tfloom.cli.{word}",
-            )
+            summary = command
+            options: dict[str, Any] = {"aliases": VERB_ALIASES.get(word, ()), "module": f"tfloom.cli.{word}"}
         else:
-            words.add_parser(
-                word,
-                aliases=command.aliases,
-                help=command.summary,
-                description=command.summary,
-                prog=f"{prog} {word}",
-                group=command,
-                add_extensions=add_extensions,
-            )
+            summary = command.summary
+            options = {"aliases": command.aliases, "group": command, "add_extensions": add_extensions}
+        words.add_parser(word, help=summary, description=summary, prog=f"{prog} {word}", **options)
     return top
 
 

@@ -25,8 +25,7 @@ def searched_participant(participant: Participant | None) -> Iterator[Participan
         graph.wait_until_quiet(participant.graph, DISCOVERY_S)
         yield participant
         return
-    with graph.joined_participant() as joined:
-        graph.wait_until_quiet(joined.graph, DISCOVERY_S)
+    with graph.settled_participant(DISCOVERY_S) as joined:
         yield joined
 
 

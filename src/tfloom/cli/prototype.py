@@ -9,14 +9,12 @@ from typing import Any
 from tfloom.rosidl.message import Message
 
 
-def prototype(message: Message) -> str:
-    """Return a message's fields as YAML's flow style, as `{data: ""}`."""
-    return _flow(message)
-
-
-def _flow(value: Any) -> str:
+def prototype(value: Any) -> str:
+    """Return a message's fields as YAML's flow style, as `{data: ""}`, or the value of one."""
     if isinstance(value, Message):
-        return f"{{{', '.join(f'{_key(name)}: {_flow(getattr(value, name))}' for name in value._FIELDS)}}}"
+        return (
+            f"{{{', '.join(f'{_key(name)}: {prototype(getattr(value, name))}' for name in value._FIELDS)}}}"
+        )
     if isinstance(value, str):
         return json.dumps(value, ensure_ascii=False)
     if isinstance(value, bytes):  # the one of a field of type `byte`
@@ -29,7 +27,7 @@ def _flow(value: Any) -> str:
         )
     if hasattr(value, "tolist"):
         value = value.tolist()
-    return f"[{', '.join(map(_flow, value))}]" if isinstance(value, list) else str(value)
+    return f"[{', '.join(map(prototype, value))}]" if isinstance(value, list) else str(value)
 
 
 def _key(name: str) -> str:

@@ -10,7 +10,7 @@ from contextlib import contextmanager
 from tfloom._native import ReadyQueue
 from tfloom.cli.listen import decoded
 from tfloom.interfaces.rosgraph_msgs.msg import Clock
-from tfloom.rmw.base import NodeName, Participant, Reader
+from tfloom.rmw.base import NodeName, Participant
 from tfloom.rmw.qos import QoS, ReliabilityPolicy
 from tfloom.rmw.typed_names import topic_of
 
@@ -29,8 +29,17 @@ def clock(participant: Participant, node: NodeName, *, simulated: bool) -> Itera
         return
     topic = topic_of(Clock, "/clock")
     reader = participant.create_reader(node, topic, QoS(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT))
+    last_ns = 0
+
+    def now_ns() -> int:
+        nonlocal last_ns
+        while sample := reader.take():
+            if (message := decoded(Clock, sample)) is not None:
+                last_ns = message.clock.sec * 1_000_000_000 + message.clock.nanosec
+        return last_ns
+
     try:
-        yield _SimulatedTime(reader).now_ns
+        yield now_ns
     finally:
         reader.close()
 
@@ -44,15 +53,3 @@ def wait_until_known(now_ns: NowNs) -> None:
             print("waiting for the time on /clock", file=sys.stderr)
             report_s = float("inf")
         queue.wait(10_000_000)
-
-
-class _SimulatedTime:
-    def __init__(self, reader: Reader) -> None:
-        self._reader = reader
-        self._now_ns = 0
-
-    def now_ns(self) -> int:
-        while sample := self._reader.take():
-            if (message := decoded(Clock, sample)) is not None:
-                self._now_ns = message.clock.sec * 1_000_000_000 + message.clock.nanosec
-        return self._now_ns

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import argparse
 from typing import NamedTuple
 
 from tfloom.cli import graph
@@ -37,7 +36,7 @@ def action_ends(found: Graph) -> list[ActionEnd]:
 
 def settled_ends() -> list[ActionEnd]:
     """Join the domain, wait until discovery is complete, and return the actions' servers and clients."""
-    with graph.settled_graph(argparse.Namespace(spin_time=graph.MAX_WAIT_S)) as found:
+    with graph.settled_graph(graph.MAX_WAIT_S) as found:
         return action_ends(found)
 
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 import argparse
 import sys
 
-from tfloom.cli.action.common import ActionEnd, ends_of_action
+from tfloom.cli.action.common import ends_of_action
+from tfloom.cli.listing import print_json
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -24,23 +25,16 @@ def main(args: argparse.Namespace) -> int:
     servers = [end for end in ends if end.is_server]
     clients = [end for end in ends if not end.is_server]
     if args.json:
-        import json
-
-        sides = {"clients": clients, "servers": servers}
         nodes = {
             side: [{"node": end.node, "type": end.type_name} for end in these]
-            for side, these in sides.items()
+            for side, these in (("clients", clients), ("servers", servers))
         }
-        print(json.dumps({"name": name, **nodes}, indent=2))
+        print_json({"name": name, **nodes})
         return 0
     print(f"Action: {name}")
     for title, side in (("clients", clients), ("servers", servers)):
         print(f"Action {title}: {len(side)}")
         if not args.count:
             for end in side:
-                print(f"    {_line(end, args)}")
+                print(f"    {end.node} [{end.type_name}]" if args.show_types else f"    {end.node}")
     return 0
-
-
-def _line(end: ActionEnd, args: argparse.Namespace) -> str:
-    return f"{end.node} [{end.type_name}]" if args.show_types else end.node

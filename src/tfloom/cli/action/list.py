@@ -5,7 +5,8 @@ from __future__ import annotations
 import argparse
 
 from tfloom.cli.action.common import settled_ends
-from tfloom.cli.listing import print_json
+from tfloom.cli.graph import types_by_name
+from tfloom.cli.listing import print_types
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -17,14 +18,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Print the actions in order of their names."""
-    types: dict[str, set[str]] = {}
-    for end in settled_ends():
-        types.setdefault(end.name, set()).add(end.type_name)
-    if args.json:
-        print_json([{"name": name, "types": sorted(type_names)} for name, type_names in types.items()])
-    elif args.count_actions:
-        print(len(types))
-    else:
-        for name, type_names in types.items():
-            print(f"{name} [{', '.join(sorted(type_names))}]" if args.show_types else name)
+    types = types_by_name((end.name, end.type_name) for end in settled_ends())
+    print_types(types, args, only_count=args.count_actions)
     return 0

@@ -7,9 +7,10 @@ from typing import Any, NamedTuple
 
 from tfloom.cli.api.answers import TIMEOUT_S, Call, call_services
 from tfloom.cli.api.node import NodeName, get_node_names
-from tfloom.cli.api.values import full_name
+from tfloom.cli.component.common import LIST, LOAD, SERVICES, UNLOAD, is_container
 from tfloom.cli.component.load import add_component_arguments, log_level_number, parameters_of
 from tfloom.cli.errors import CommandError
+from tfloom.cli.names import full_name
 from tfloom.cli.nodes.strategy import GraphNode, NodeStrategy
 from tfloom.interfaces.composition_interfaces.srv import ListNodes, LoadNode, UnloadNode
 from tfloom.workspace.ament import get_resource, get_resources
@@ -29,7 +30,6 @@ __all__ = [
 ]
 
 _RESOURCE_TYPE = "rclcpp_components"
-_SERVICES: dict[str, type[Any]] = {"load_node": LoadNode, "unload_node": UnloadNode, "list_nodes": ListNodes}
 
 
 class ComponentInfo(NamedTuple):
@@ -71,14 +71,7 @@ def get_registered_component_types() -> list[tuple[str, list[str]]]:
 def find_container_node_names(*, node: GraphNode, node_names: Iterable[NodeName]) -> list[NodeName]:
     """Return those of some nodes that have the services of a container."""
     served = {(name, type_name) for name, types in _services(node) for type_name in types}
-    return [
-        name
-        for name in node_names
-        if all(
-            (_service_name(name.full_name, service), service_class._TYPE_NAME) in served
-            for service, service_class in _SERVICES.items()
-        )
-    ]
+    return [name for name in node_names if is_container(name.full_name, served)]
 
 
 def _services(node: GraphNode) -> list[tuple[str, list[str]]]:
@@ -87,7 +80,7 @@ def _services(node: GraphNode) -> list[tuple[str, list[str]]]:
 
 
 def _service_name(container: str, service: str) -> str:
-    return f"{full_name(container)}/_container/{service}"
+    return f"{full_name(container)}/{service}"
 
 
 def container_node_name_completer(prefix: str, parsed_args: Any, **_: Any) -> list[str]:  # noqa: ARG001
@@ -112,7 +105,7 @@ def get_components_in_containers(
 ) -> dict[str, tuple[bool, list[ComponentInfo] | str]]:
     """Return for each container, by its name, True and its components, or False and why it can't be asked."""
     calls = {
-        name: Call(ListNodes, _service_name(name, "list_nodes"), ListNodes.Request())
+        name: Call(ListNodes, _service_name(name, LIST), ListNodes.Request())
         for name in remote_containers_node_names
     }
     return {
@@ -166,7 +159,7 @@ def load_component_into_container(
         )
     except (CommandError, ValueError) as error:
         raise RuntimeError(str(error)) from None
-    answer = _ask(node, remote_container_node_name, "load_node", request)
+    answer = _ask(node, remote_container_node_name, LOAD, request)
     if not answer.success:
         raise RuntimeError(f"Failed to load component: {answer.error_message.capitalize()}")
     return answer.unique_id, answer.full_node_name
@@ -182,14 +175,14 @@ def unload_component_from_container(
     """
     for uid in component_uids:
         request = UnloadNode.Request(unique_id=uid)
-        answer = _ask(node, remote_container_node_name, "unload_node", request)
+        answer = _ask(node, remote_container_node_name, UNLOAD, request)
         yield uid, not answer.success, answer.error_message
 
 
 def _ask(node: GraphNode, container: str, service: str, request: Any) -> Any:
     # The container responds to load_node when the component's constructor has returned, however long that takes.
-    timeout_s = None if service == "load_node" else TIMEOUT_S
-    call = Call(_SERVICES[service], _service_name(container, service), request)
+    timeout_s = None if service == LOAD else TIMEOUT_S
+    call = Call(SERVICES[service], _service_name(container, service), request)
     answer = call_services(node, {service: call}, timeout_s)[service]
     if isinstance(answer, Exception):
         raise RuntimeError(str(answer)) from answer  # noqa: TRY004  # `answer` is an error

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from functools import partial
 from typing import Any, NamedTuple
 
-from tfloom.cli.api.values import argument_key, full_name
+from tfloom.cli.api.values import argument_key
+from tfloom.cli.names import full_name
 from tfloom.cli.nodes.names import HIDDEN_NODE_PREFIX
 from tfloom.cli.nodes.strategy import GraphNode, NodeStrategy, node_of
 from tfloom.cli.plugins.helpers import wait_for
@@ -97,54 +99,44 @@ def get_subscriber_info(
     *, node: GraphNode, remote_node_name: str, include_hidden: bool = False
 ) -> list[TopicInfo]:
     """Return the topics that a node subscribes to; RuntimeError if there is no such node."""
-    topics = get_topics(remote_node_name, node.get_subscriber_names_and_types_by_node)
-    return _shown(topics, include_hidden)
+    return _shown(get_topics(remote_node_name, node.get_subscriber_names_and_types_by_node), include_hidden)
 
 
 def get_publisher_info(
     *, node: GraphNode, remote_node_name: str, include_hidden: bool = False
 ) -> list[TopicInfo]:
     """Return the topics that a node publishes; RuntimeError if there is no such node."""
-    topics = get_topics(remote_node_name, node.get_publisher_names_and_types_by_node)
-    return _shown(topics, include_hidden)
+    return _shown(get_topics(remote_node_name, node.get_publisher_names_and_types_by_node), include_hidden)
 
 
 def get_service_client_info(
     *, node: GraphNode, remote_node_name: str, include_hidden: bool = False
 ) -> list[TopicInfo]:
     """Return the services that a node is a client of; RuntimeError if there is no such node."""
-    services = get_topics(remote_node_name, node.get_client_names_and_types_by_node)
-    return _shown(services, include_hidden)
+    return _shown(get_topics(remote_node_name, node.get_client_names_and_types_by_node), include_hidden)
 
 
 def get_service_server_info(
     *, node: GraphNode, remote_node_name: str, include_hidden: bool = False
 ) -> list[TopicInfo]:
     """Return the services that a node serves; RuntimeError if there is no such node."""
-    services = get_topics(remote_node_name, node.get_service_names_and_types_by_node)
-    return _shown(services, include_hidden)
+    return _shown(get_topics(remote_node_name, node.get_service_names_and_types_by_node), include_hidden)
 
 
 def get_action_server_info(
     *, node: GraphNode, remote_node_name: str, include_hidden: bool = False
 ) -> list[TopicInfo]:
     """Return the actions that a node serves; RuntimeError if there is no such node."""
-
-    def served(name: str, namespace: str) -> list[tuple[str, list[str]]]:
-        return action_graph.get_action_server_names_and_types_by_node(node_of(node), name, namespace)
-
-    return _shown(get_topics(remote_node_name, served), include_hidden)
+    query = partial(action_graph.get_action_server_names_and_types_by_node, node_of(node))
+    return _shown(get_topics(remote_node_name, query), include_hidden)
 
 
 def get_action_client_info(
     *, node: GraphNode, remote_node_name: str, include_hidden: bool = False
 ) -> list[TopicInfo]:
     """Return the actions that a node is a client of; RuntimeError if there is no such node."""
-
-    def used(name: str, namespace: str) -> list[tuple[str, list[str]]]:
-        return action_graph.get_action_client_names_and_types_by_node(node_of(node), name, namespace)
-
-    return _shown(get_topics(remote_node_name, used), include_hidden)
+    query = partial(action_graph.get_action_client_names_and_types_by_node, node_of(node))
+    return _shown(get_topics(remote_node_name, query), include_hidden)
 
 
 def _shown(topics: list[TopicInfo], include_hidden: bool) -> list[TopicInfo]:

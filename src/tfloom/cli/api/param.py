@@ -9,7 +9,8 @@ from typing import Any
 from tfloom.cli.api.node import get_absolute_node_name
 from tfloom.cli.nodes.direct import DirectNode
 from tfloom.cli.nodes.strategy import GraphNode, node_of
-from tfloom.interfaces.rcl_interfaces.msg import ParameterType, ParameterValue
+from tfloom.cli.param.common import TYPES
+from tfloom.interfaces.rcl_interfaces.msg import ParameterValue
 from tfloom.interfaces.rcl_interfaces.srv import (
     DescribeParameters_Response,
     GetParameters_Response,
@@ -34,19 +35,6 @@ __all__ = [
 TIMEOUT_S = 5.0
 """Wait for a node's parameter services [s]."""
 
-_TYPES = {
-    ParameterType.PARAMETER_BOOL: "boolean",
-    ParameterType.PARAMETER_INTEGER: "integer",
-    ParameterType.PARAMETER_DOUBLE: "double",
-    ParameterType.PARAMETER_STRING: "string",
-    ParameterType.PARAMETER_BYTE_ARRAY: "byte array",
-    ParameterType.PARAMETER_BOOL_ARRAY: "boolean array",
-    ParameterType.PARAMETER_INTEGER_ARRAY: "integer array",
-    ParameterType.PARAMETER_DOUBLE_ARRAY: "double array",
-    ParameterType.PARAMETER_STRING_ARRAY: "string array",
-    ParameterType.PARAMETER_NOT_SET: "not set",
-}
-
 
 def get_value(*, parameter_value: ParameterValue) -> Any:
     """Return the value in a message; None if it is not set, or of an unknown type."""
@@ -62,7 +50,7 @@ def get_parameter_type_string(parameter_type: int) -> str:
     Raises:
         KeyError: there is no such type.
     """
-    return _TYPES[parameter_type]
+    return dict(enumerate(TYPES))[parameter_type]
 
 
 def load_parameter_file(*, node: GraphNode, node_name: str, parameter_file: str, use_wildcard: bool) -> None:

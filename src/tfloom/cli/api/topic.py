@@ -7,7 +7,8 @@ import copy
 import time
 from typing import Any
 
-from tfloom.cli.api.values import argument_key, full_name, positive_float, positive_int
+from tfloom.cli.api.values import argument_key, positive_float, positive_int
+from tfloom.cli.names import full_name
 from tfloom.cli.nodes.strategy import GraphNode, NodeStrategy
 from tfloom.node.qos.qos import (
     QoSDurabilityPolicy,

@@ -1,4 +1,4 @@
-"""What a command line's words stand for: numbers, names, and words that complete them."""
+"""What a command line's words stand for: numbers, and words that complete them."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import argparse
 from collections.abc import Callable
 from typing import Any
 
-__all__ = ["argument_key", "full_name", "positive_float", "positive_int"]
+__all__ = ["argument_key", "positive_float", "positive_int"]
 
 
 def positive_int(string: str) -> int:
@@ -37,11 +37,6 @@ def _positive(kind: Callable[[str], Any], text: str, otherwise: str) -> Any:
     if not value > 0:
         raise argparse.ArgumentTypeError(otherwise)
     return value
-
-
-def full_name(name: str) -> str:
-    """Return a name of the graph with its first slash."""
-    return name if name.startswith("/") else f"/{name}"
 
 
 def argument_key(given: str | None, usual: str) -> str:

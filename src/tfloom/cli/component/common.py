@@ -3,38 +3,31 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 from typing import Any
 
 from tfloom.cli import graph
-from tfloom.cli.calls import service_client
+from tfloom.cli.calls import NodeServices
 from tfloom.cli.errors import CommandError
 from tfloom.cli.listen import cli_node, shown_node
-from tfloom.cli.names import did_you_mean
+from tfloom.cli.names import find_full_name
 from tfloom.interfaces.composition_interfaces import srv
-from tfloom.rmw.base import Graph, NodeName, Participant
+from tfloom.rmw.base import Graph
 
 TIMEOUT_S = 5.0
 """Longest wait for a container's service, and for the response of those that only list or unload [s]."""
-_SERVICES: dict[str, type[Any]] = {
-    "load_node": srv.LoadNode,
-    "unload_node": srv.UnloadNode,
-    "list_nodes": srv.ListNodes,
-}
+LOAD, UNLOAD, LIST = "_container/load_node", "_container/unload_node", "_container/list_nodes"
+SERVICES: dict[str, type[Any]] = {LOAD: srv.LoadNode, UNLOAD: srv.UnloadNode, LIST: srv.ListNodes}
+"""The services of a container, by their names below its own."""
 
 
-class Container:
+class Container(NodeServices):
     """The services of one node that loads others into its process."""
-
-    def __init__(self, participant: Participant, own: NodeName, name: str) -> None:
-        self.name = name
-        self._participant = participant
-        self._own = own
 
     def components(self) -> dict[int, str]:
         """Return the full names of the loaded nodes by their ids."""
-        response = self._call("list_nodes", srv.ListNodes.Request(), TIMEOUT_S)
+        response = self.call(LIST, srv.ListNodes, srv.ListNodes.Request())
         return dict(zip(response.unique_ids, response.full_node_names, strict=False))
 
     def load(self, request: srv.LoadNode_Request) -> tuple[int, str]:
@@ -43,7 +36,7 @@ class Container:
         Raises:
             CommandError: the container has rejected it; the text has its reason.
         """
-        response = self._call("load_node", request, float("inf"))
+        response = self.call(LOAD, srv.LoadNode, request, float("inf"))
         if not response.success:
             raise CommandError(f"Failed to load component: {response.error_message.capitalize()}")
         return response.unique_id, response.full_node_name
@@ -54,35 +47,23 @@ class Container:
         Raises:
             CommandError: the container has rejected it; the text has its reason.
         """
-        response = self._call("unload_node", srv.UnloadNode.Request(unique_id=unique_id), TIMEOUT_S)
+        response = self.call(UNLOAD, srv.UnloadNode, srv.UnloadNode.Request(unique_id=unique_id))
         if not response.success:
             reason = response.error_message.capitalize()
             raise CommandError(
-                f"Failed to unload component {unique_id} from '{self.name}' container node\n    {reason}"
+                f"Failed to unload component {unique_id} from '{self.node}' container node\n    {reason}"
             )
-
-    def _call(self, service: str, request: Any, timeout_s: float) -> Any:
-        name = _service_name(self.name, service)
-        with service_client(self._participant, self._own, name, _SERVICES[service]) as client:
-            client.wait_for_server(TIMEOUT_S)
-            return client.call(request, timeout_s)
 
 
 def container_names(found: Graph) -> list[str]:
     """Return the full names of the nodes that have the services of a container, in order."""
     served = {(end.name, end.type_name) for end in found.service_ends() if end.is_server}
-    return sorted(
-        node.full
-        for node in found.nodes()
-        if all(
-            (_service_name(node.full, service), service_class._TYPE_NAME) in served
-            for service, service_class in _SERVICES.items()
-        )
-    )
+    return sorted(node.full for node in found.nodes() if is_container(node.full, served))
 
 
-def _service_name(container: str, service: str) -> str:
-    return f"{container}/_container/{service}"
+def is_container(node: str, served: Collection[tuple[str, str]]) -> bool:
+    """Return whether a node, by its full name, has all services of a container among those served, with their types."""
+    return all((f"{node}/{name}", kind._TYPE_NAME) in served for name, kind in SERVICES.items())
 
 
 @contextmanager
@@ -92,13 +73,11 @@ def containers(args: argparse.Namespace, asked: str | None) -> Iterator[list[Con
     Raises:
         CommandError: there is no such container; the text has the nearest names.
     """
-    with graph.joined_participant() as participant:
-        graph.wait_until_quiet(participant.graph, args.spin_time)
+    with (
+        graph.settled_participant(args.spin_time) as participant,
+        shown_node(participant, cli_node()) as own,
+    ):
         names = container_names(participant.graph)
         if asked is not None:
-            full = asked if asked.startswith("/") else f"/{asked}"
-            if full not in names:
-                raise CommandError(f"Unable to find container node '{asked}'{did_you_mean(full, names)}")
-            names = [full]
-        with shown_node(participant, cli_node()) as own:
-            yield [Container(participant, own, name) for name in names]
+            names = [find_full_name(asked, names, f"Unable to find container node '{asked}'")]
+        yield [Container(participant, own, name, TIMEOUT_S) for name in names]

@@ -24,9 +24,9 @@ def main(args: argparse.Namespace) -> int:
     """Print each container, and under it the id and name of each component."""
     with containers(args, args.container_node_name) as found:
         if args.containers_only:
-            components: dict[str, dict[int, str]] = {container.name: {} for container in found}
+            components: dict[str, dict[int, str]] = {container.node: {} for container in found}
         else:
-            components = call_each({container.name: container.components for container in found})
+            components = call_each({container.node: container.components for container in found})
     if args.json:
         print_json(components)
         return 0

@@ -92,7 +92,7 @@ def main(args: argparse.Namespace) -> int:
     if args.quiet:
         print(f"{unique_id}  {name}")
     else:
-        print(f"Loaded component {unique_id} into '{container.name}' container node as '{name}'")
+        print(f"Loaded component {unique_id} into '{container.node}' container node as '{name}'")
     return 0
 
 

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli.component.explained import needs_cpp
+from tfloom.cli.errors import CommandError
+
+__all__ = ["add_arguments", "main"]
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -13,5 +15,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def main(_: argparse.Namespace) -> int:
-    """Raise the error that says why this verb needs C++."""
-    raise needs_cpp()
+    """Raise the error that says why there are no components here; so does `component types`."""
+    raise CommandError(
+        "Components are C++ libraries that a C++ container loads; tfloom runs Python nodes, each by `run`. "
+        "`component list`, `load` and `unload` work with the containers that others run on the domain"
+    )

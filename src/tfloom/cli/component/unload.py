@@ -27,6 +27,6 @@ def main(args: argparse.Namespace) -> int:
             print(
                 unique_id
                 if args.quiet
-                else f"Unloaded component {unique_id} from '{container.name}' container node"
+                else f"Unloaded component {unique_id} from '{container.node}' container node"
             )
     return 0

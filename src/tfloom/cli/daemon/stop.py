@@ -2,16 +2,6 @@
 
 from __future__ import annotations
 
-import argparse
+from tfloom.cli.daemon.status import add_arguments, main
 
-from tfloom.cli.daemon.common import no_daemon
-
-
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the arguments of `daemon stop`: none."""
-    del parser  # It takes nothing.
-
-
-def main(_: argparse.Namespace) -> int:
-    """Print why this installation has no daemon; return the exit code."""
-    return no_daemon()
+__all__ = ["add_arguments", "main"]

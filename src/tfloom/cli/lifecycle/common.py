@@ -8,12 +8,11 @@ from contextlib import contextmanager
 from typing import Any
 
 from tfloom.cli import graph
-from tfloom.cli.calls import service_client
-from tfloom.cli.errors import CommandError
+from tfloom.cli.calls import NodeServices
 from tfloom.cli.listen import cli_node, shown_node
-from tfloom.cli.names import did_you_mean
+from tfloom.cli.names import find_full_name
 from tfloom.interfaces.lifecycle_msgs import srv
-from tfloom.rmw.base import Graph, NodeName, Participant
+from tfloom.rmw.base import Graph
 
 TIMEOUT_S = 10.0
 STATE_SERVICE = "/get_state"
@@ -29,33 +28,23 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
 
 
-class Lifecycle:
+class Lifecycle(NodeServices):
     """The lifecycle services of one node."""
-
-    def __init__(self, participant: Participant, own: NodeName, node: str) -> None:
-        self.node = node
-        self._participant = participant
-        self._own = own
 
     def state(self) -> Any:
         """Return the state that the node is in: id and label."""
-        return self._call("get_state", srv.GetState, srv.GetState.Request()).current_state
+        return self.call("get_state", srv.GetState, srv.GetState.Request()).current_state
 
     def transitions(self, *, of_all_states: bool = False) -> list[Any]:
         """Return the transitions that are available in the present state, or all of the node."""
         service = "get_transition_graph" if of_all_states else "get_available_transitions"
         request = srv.GetAvailableTransitions.Request()
-        return list(self._call(service, srv.GetAvailableTransitions, request).available_transitions)
+        return list(self.call(service, srv.GetAvailableTransitions, request).available_transitions)
 
     def change(self, transition: Any) -> bool:
         """Request a transition and return whether it succeeded."""
         request = srv.ChangeState.Request(transition=transition)
-        return bool(self._call("change_state", srv.ChangeState, request).success)
-
-    def _call(self, service: str, service_class: type[Any], request: Any) -> Any:
-        with service_client(self._participant, self._own, f"{self.node}/{service}", service_class) as client:
-            client.wait_for_server(TIMEOUT_S)
-            return client.call(request, TIMEOUT_S)
+        return bool(self.call("change_state", srv.ChangeState, request).success)
 
 
 def lifecycle_nodes(found: Graph, *, hidden: bool) -> list[str]:
@@ -75,13 +64,11 @@ def lifecycles(args: argparse.Namespace, asked: str | None) -> Iterator[list[Lif
     Raises:
         CommandError: there is no such lifecycle node; the text has the nearest names.
     """
-    with graph.joined_participant() as participant:
-        graph.wait_until_quiet(participant.graph, args.spin_time)
+    with (
+        graph.settled_participant(args.spin_time) as participant,
+        shown_node(participant, cli_node()) as own,
+    ):
         names = lifecycle_nodes(participant.graph, hidden=args.include_hidden_nodes)
         if asked is not None:
-            full = asked if asked.startswith("/") else f"/{asked}"
-            if full not in names:
-                raise CommandError(f"Node not found{did_you_mean(full, names)}")
-            names = [full]
-        with shown_node(participant, cli_node()) as own:
-            yield [Lifecycle(participant, own, name) for name in names]
+            names = [find_full_name(asked, names, "Node not found")]
+        yield [Lifecycle(participant, own, name, TIMEOUT_S) for name in names]

@@ -21,7 +21,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Print the nodes' full names in order."""
-    with graph.settled_graph(args) as found:
+    with graph.settled_graph(args.spin_time) as found:
         names = lifecycle_nodes(found, hidden=args.all)
     print_names(names, as_json=args.json, only_count=args.count_nodes)
     return 0

@@ -8,7 +8,8 @@ from collections.abc import Iterable
 
 from tfloom.cli import graph
 from tfloom.cli.errors import CommandError
-from tfloom.cli.names import did_you_mean
+from tfloom.cli.listing import print_json
+from tfloom.cli.names import find_full_name
 from tfloom.rmw.base import Graph, NodeName
 
 ACTION_SUFFIX = "/_action/send_goal"
@@ -29,23 +30,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Print the node's topics, services and actions with their types."""
-    with graph.settled_graph(args) as found:
+    with graph.settled_graph(args.spin_time) as found:
         node = find_node(found, args.node_name)
         if graph.is_hidden(node.full) and not args.include_hidden:
             raise CommandError(f"Unable to find node '{args.node_name}'\nit is hidden: add --include-hidden")
         sections = ends_of_node(found, node, hidden=args.include_hidden)
         twins = sum(other == node for other in found.nodes())
     if args.json:
-        import json
-
-        print(
-            json.dumps(
-                {
-                    "node": node.full,
-                    **{key.lower().replace(" ", "_"): value for key, value in sections.items()},
-                },
-                indent=2,
-            )
+        print_json(
+            {"node": node.full} | {key.lower().replace(" ", "_"): value for key, value in sections.items()}
         )
         return 0
     if twins > 1:
@@ -67,11 +60,8 @@ def find_node(found: Graph, name: str) -> NodeName:
     Raises:
         CommandError: there is none; the text has the nearest names.
     """
-    full = name if name.startswith("/") else f"/{name}"
     nodes = {node.full: node for node in found.nodes()}
-    if full not in nodes:
-        raise CommandError(f"Unable to find node '{name}'{did_you_mean(full, nodes)}")
-    return nodes[full]
+    return nodes[find_full_name(name, nodes, f"Unable to find node '{name}'")]
 
 
 def ends_of_node(found: Graph, node: NodeName, *, hidden: bool) -> dict[str, dict[str, list[str]]]:
@@ -96,8 +86,8 @@ def ends_of_node(found: Graph, node: NodeName, *, hidden: bool) -> dict[str, dic
 
 
 def _types(ends: Iterable[tuple[bool, str, str]], side: bool, hidden: bool) -> dict[str, list[str]]:
-    types: dict[str, set[str]] = {}
-    for of_side, name, type_name in ends:
-        if of_side == side and (hidden or not graph.is_hidden(name)):
-            types.setdefault(name, set()).add(type_name)
-    return {name: sorted(types[name]) for name in sorted(types)}
+    return graph.types_by_name(
+        (name, type_name)
+        for of_side, name, type_name in ends
+        if of_side == side and (hidden or not graph.is_hidden(name))
+    )

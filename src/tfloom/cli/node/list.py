@@ -22,7 +22,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Print the nodes' full names in order."""
-    with settled_graph(args) as graph:
+    with settled_graph(args.spin_time) as graph:
         names = [node.full for node in graph.nodes()]
     if not args.all:
         names = [name for name in names if not is_hidden(name)]

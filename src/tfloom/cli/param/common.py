@@ -8,14 +8,14 @@ from contextlib import contextmanager
 from typing import Any
 
 from tfloom.cli import graph
-from tfloom.cli.calls import service_client
+from tfloom.cli.calls import NodeServices
 from tfloom.cli.errors import CommandError
 from tfloom.cli.listen import cli_node, shown_node
-from tfloom.cli.names import did_you_mean
+from tfloom.cli.names import did_you_mean, find_full_name
 from tfloom.cli.numbers import seconds
 from tfloom.interfaces.rcl_interfaces import srv
 from tfloom.interfaces.rcl_interfaces.msg import Parameter, ParameterDescriptor, ParameterValue
-from tfloom.rmw.base import Graph, NodeName, Participant
+from tfloom.rmw.base import Graph
 
 TIMEOUT_S = 5.0
 """Wait for a node's response without --timeout [s]."""
@@ -55,60 +55,48 @@ def add_arguments(parser: argparse.ArgumentParser, *, timeout: bool = True) -> N
         parser.set_defaults(timeout=TIMEOUT_S)
 
 
-class ParameterServices:
+class ParameterServices(NodeServices):
     """The parameter services of one node."""
-
-    def __init__(self, participant: Participant, own: NodeName, node: str, timeout_s: float) -> None:
-        self._participant = participant
-        self._own = own
-        self._node = node
-        self._timeout_s = timeout_s
 
     def names(self, prefixes: Sequence[str] = ()) -> list[str]:
         """Return the names of the parameters, all or those below prefixes, in order."""
         request = srv.ListParameters.Request(prefixes=list(prefixes))
-        return sorted(self._call("list_parameters", srv.ListParameters, request).result.names)
+        return sorted(self.call("list_parameters", srv.ListParameters, request).result.names)
 
     def value(self, name: str) -> ParameterValue:
         """Return the value of a parameter; its type is 0 if there is none."""
         request = srv.GetParameters.Request(names=[name])
         # Nodes respond to an unknown name with a value of no type, or with no value.
-        values = self._call("get_parameters", srv.GetParameters, request).values
+        values = self.call("get_parameters", srv.GetParameters, request).values
         return values[0] if values else ParameterValue()
 
     def values(self, names: Sequence[str]) -> list[ParameterValue]:
         """Return the values of parameters, in the order of the names; the type of one that has none is 0."""
         request = srv.GetParameters.Request(names=list(names))
-        values = list(self._call("get_parameters", srv.GetParameters, request).values)
+        values = list(self.call("get_parameters", srv.GetParameters, request).values)
         # If one was declared with a type and no value, nodes respond without any values.
         return values if len(values) == len(names) else [self.value(name) for name in names]
 
     def types(self, names: Sequence[str]) -> list[int]:
         """Return the types of parameters, in the order of the names."""
         request = srv.GetParameterTypes.Request(names=list(names))
-        return self._one_each(names, self._call("get_parameter_types", srv.GetParameterTypes, request).types)
+        return self._one_each(names, self.call("get_parameter_types", srv.GetParameterTypes, request).types)
 
     def descriptors(self, names: Sequence[str]) -> list[ParameterDescriptor]:
         """Return the descriptors of parameters, in the order of the names."""
         request = srv.DescribeParameters.Request(names=list(names))
         return self._one_each(
-            names, self._call("describe_parameters", srv.DescribeParameters, request).descriptors
+            names, self.call("describe_parameters", srv.DescribeParameters, request).descriptors
         )
 
     def set(self, parameters: Sequence[Parameter]) -> list[Any]:
         """Set parameters and return the result of each."""
         request = srv.SetParameters.Request(parameters=list(parameters))
-        return self._one_each(parameters, self._call("set_parameters", srv.SetParameters, request).results)
-
-    def _call(self, service: str, service_class: type[Any], request: Any) -> Any:
-        name = f"{self._node}/{service}"
-        with service_client(self._participant, self._own, name, service_class) as client:
-            client.wait_for_server(self._timeout_s)
-            return client.call(request, self._timeout_s)
+        return self._one_each(parameters, self.call("set_parameters", srv.SetParameters, request).results)
 
     def _one_each(self, asked: Sequence[Any], answers: Sequence[Any]) -> list[Any]:
         if len(answers) != len(asked):
-            raise CommandError(f"the response of {self._node} doesn't have all of these parameters")
+            raise CommandError(f"the response of {self.node} doesn't have all of these parameters")
         return list(answers)
 
 
@@ -121,13 +109,14 @@ def nodes_with_parameters(
     Raises:
         CommandError: there is no such node; the text has the nearest names.
     """
-    with graph.joined_participant() as participant:
-        graph.wait_until_quiet(participant.graph, args.spin_time)
-        with shown_node(participant, cli_node()) as own:
-            yield [
-                (name, ParameterServices(participant, own, name, args.timeout))
-                for name in _node_names(participant.graph, args, node_name)
-            ]
+    with (
+        graph.settled_participant(args.spin_time) as participant,
+        shown_node(participant, cli_node()) as own,
+    ):
+        yield [
+            (name, ParameterServices(participant, own, name, args.timeout))
+            for name in _node_names(participant.graph, args, node_name)
+        ]
 
 
 def _node_names(found: Graph, args: argparse.Namespace, asked: str | None) -> list[str]:
@@ -137,10 +126,7 @@ def _node_names(found: Graph, args: argparse.Namespace, asked: str | None) -> li
     if asked is None:
         served = {end.name for end in found.service_ends() if end.is_server}
         return [name for name in dict.fromkeys(names) if f"{name}/list_parameters" in served]
-    full = asked if asked.startswith("/") else f"/{asked}"
-    if full not in names:
-        raise CommandError(f"Node not found{did_you_mean(full, names)}")
-    return [full]
+    return [find_full_name(asked, names, "Node not found")]
 
 
 @contextmanager

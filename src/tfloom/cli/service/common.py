@@ -23,10 +23,7 @@ def add_hidden_flag(parser: argparse.ArgumentParser) -> None:
 
 def service_types(ends: Iterable[ServiceEndInfo]) -> dict[str, list[str]]:
     """Return the types of each service by the service's name, both in order."""
-    types: dict[str, set[str]] = {}
-    for end in ends:
-        types.setdefault(end.name, set()).add(end.type_name)
-    return {name: sorted(types[name]) for name in sorted(types)}
+    return graph.types_by_name((end.name, end.type_name) for end in ends)
 
 
 def ends_of_service(args: argparse.Namespace) -> tuple[str, list[ServiceEndInfo]]:
@@ -36,7 +33,7 @@ def ends_of_service(args: argparse.Namespace) -> tuple[str, list[ServiceEndInfo]
         CommandError: there is no such service; the text has the nearest names.
     """
     name = full_topic_name(args.service_name, "service")
-    with graph.settled_graph(args) as found:
+    with graph.settled_graph(args.spin_time) as found:
         everything = found.service_ends()
     ends = [end for end in everything if end.name == name]
     if not ends:

@@ -37,8 +37,7 @@ def main(args: argparse.Namespace) -> int:
     name = full_topic_name(args.service_name, "service")
     events = f"{name}/_service_event"
     text = message_text.message_text(args)
-    with graph.joined_participant() as participant:
-        graph.wait_until_quiet(participant.graph, args.spin_time)
+    with graph.settled_participant(args.spin_time) as participant:
         cls = service_class(args.service_type or _type_of(participant.graph, name), participant).Event
         if not publishers_of(participant.graph, events):
             print(f"no publisher of the events of {name} yet (see service introspection)", file=sys.stderr)

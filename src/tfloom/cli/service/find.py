@@ -20,18 +20,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Print the services in order of their names."""
-    with graph.settled_graph(args) as found:
+    with graph.settled_graph(args.spin_time) as found:
         services = service_types(found.service_ends())
-    names = [
-        name
-        for name, types in services.items()
-        if args.service_type in types and (args.include_hidden_services or not graph.is_hidden(name))
-    ]
-    if not names:
-        from tfloom.cli.type_names import warn_if_unknown
-
-        warn_if_unknown(
-            args.service_type, "srv", {type_name for types in services.values() for type_name in types}
-        )
+    names = graph.names_of_type(services, args.service_type, "srv", hidden=args.include_hidden_services)
     print_names(names, as_json=args.json, only_count=args.count_services)
     return 0

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 
 from tfloom.cli import graph
+from tfloom.cli.listing import print_json
 from tfloom.cli.service.common import ends_of_service, service_types
 
 
@@ -22,13 +23,11 @@ def main(args: argparse.Namespace) -> int:
     servers = [end for end in ends if end.is_server]
     clients = [end for end in ends if not end.is_server]
     if args.json:
-        import json
-
         sides = {
             side: [end.node.full if end.node else None for end in these]
             for side, these in (("servers", servers), ("clients", clients))
         }
-        print(json.dumps({"name": name, "types": types, **sides}, indent=2))
+        print_json({"name": name, "types": types, **sides})
         return 0
     print(f"Type: {types[0] if len(types) == 1 else types}")
     print(f"Clients count: {len(clients)}")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 
 from tfloom.cli import graph
-from tfloom.cli.listing import print_json
+from tfloom.cli.listing import print_types
 from tfloom.cli.service.common import add_hidden_flag, service_types
 
 
@@ -20,15 +20,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Print the services in order of their names."""
-    with graph.settled_graph(args) as found:
+    with graph.settled_graph(args.spin_time) as found:
         ends = found.service_ends()
     shown = [end for end in ends if args.include_hidden_services or not graph.is_hidden(end.name)]
-    services = service_types(shown)
-    if args.json:
-        print_json([{"name": name, "types": types} for name, types in services.items()])
-    elif args.count_services:
-        print(len(services))
-    else:
-        for name, types in services.items():
-            print(f"{name} [{', '.join(types)}]" if args.show_types else name)
+    print_types(service_types(shown), args, only_count=args.count_services)
     return 0

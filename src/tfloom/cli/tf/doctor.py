@@ -134,11 +134,10 @@ def main(args: argparse.Namespace) -> int:
 
 
 def _listened(args: argparse.Namespace) -> Subject:
-    from tfloom.cli.graph import joined_participant, wait_until_quiet
+    from tfloom.cli.graph import settled_participant
     from tfloom.tf2_tools.doctor.live import listen
 
-    with joined_participant() as participant:
-        wait_until_quiet(participant.graph, args.spin_time)
+    with settled_participant(args.spin_time) as participant:
         if sys.stderr.isatty():
             print(f"listening for {args.seconds:g} s; Ctrl-C ends it", file=sys.stderr)
         return listen(participant, args.seconds, with_topics=args.topics, topics=_topics(args))

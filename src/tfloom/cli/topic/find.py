@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 
 from tfloom.cli.graph import add_arguments as add_graph_arguments
-from tfloom.cli.graph import is_hidden, known_topics, settled_graph
+from tfloom.cli.graph import known_topics, names_of_type, settled_graph
 from tfloom.cli.listing import print_names
 
 
@@ -25,18 +25,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Print the topics in order of their names."""
-    with settled_graph(args) as graph:
+    with settled_graph(args.spin_time) as graph:
         topics = known_topics(graph.endpoints())
-    names = [
-        name
-        for name, types in topics.items()
-        if args.topic_type in types and (args.include_hidden_topics or not is_hidden(name))
-    ]
-    if not names:
-        from tfloom.cli.type_names import warn_if_unknown
-
-        warn_if_unknown(
-            args.topic_type, "msg", {type_name for types in topics.values() for type_name in types}
-        )
+    names = names_of_type(topics, args.topic_type, "msg", hidden=args.include_hidden_topics)
     print_names(names, as_json=args.json, only_count=args.count_topics)
     return 0

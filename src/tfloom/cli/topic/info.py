@@ -7,6 +7,7 @@ import argparse
 from tfloom.cli.errors import CommandError
 from tfloom.cli.graph import add_arguments as add_graph_arguments
 from tfloom.cli.graph import known_topics, settled_graph
+from tfloom.cli.listing import print_json
 from tfloom.cli.names import did_you_mean, full_topic_name
 from tfloom.rmw.base import EndpointInfo
 from tfloom.rmw.endpoint_text import UNKNOWN_NODE, endpoint_text, policy_texts
@@ -28,7 +29,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def main(args: argparse.Namespace) -> int:
     """Print type and numbers; with --verbose, each endpoint."""
     name = full_topic_name(args.topic_name)
-    with settled_graph(args) as graph:
+    with settled_graph(args.spin_time) as graph:
         everything = graph.endpoints()
     topics = known_topics(everything)
     if name not in topics:
@@ -38,7 +39,9 @@ def main(args: argparse.Namespace) -> int:
     publishers = [end for end in ends if end.is_writer]
     subscriptions = [end for end in ends if not end.is_writer]
     if args.json:
-        _print_json(name, types, publishers, subscriptions)
+        ends_of_sides = {"publishers": publishers, "subscriptions": subscriptions}
+        sides = {title: list(map(_plain, side)) for title, side in ends_of_sides.items()}
+        print_json({"name": name, "types": types, **sides})
         return 0
     blank = "\n" if args.verbose else ""
     print(f"Type: {types[0] if len(types) == 1 else types}{blank}")
@@ -62,24 +65,11 @@ def describe_endpoint(end: EndpointInfo) -> str:
     )
 
 
-def _print_json(name: str, types: list[str], *sides: list[EndpointInfo]) -> None:
-    import json
-
-    publishers, subscriptions = (
-        [
-            {
-                "node": end.node.full if end.node else None,
-                "type": end.topic.type_name,
-                "type_hash": end.topic.type_hash,
-                "gid": end.gid.hex(),
-                "qos": policy_texts(end.qos),
-            }
-            for end in side
-        ]
-        for side in sides
-    )
-    print(
-        json.dumps(
-            {"name": name, "types": types, "publishers": publishers, "subscriptions": subscriptions}, indent=2
-        )
-    )
+def _plain(end: EndpointInfo) -> dict[str, object]:
+    return {
+        "node": end.node.full if end.node else None,
+        "type": end.topic.type_name,
+        "type_hash": end.topic.type_hash,
+        "gid": end.gid.hex(),
+        "qos": policy_texts(end.qos),
+    }

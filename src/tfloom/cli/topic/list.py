@@ -7,7 +7,7 @@ from collections import Counter
 
 from tfloom.cli.graph import add_arguments as add_graph_arguments
 from tfloom.cli.graph import is_hidden, known_topics, settled_graph, topic_types
-from tfloom.cli.listing import print_json
+from tfloom.cli.listing import print_json, print_types
 from tfloom.rmw.base import EndpointInfo
 
 
@@ -30,21 +30,18 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Print the topics in order of their names."""
-    with settled_graph(args) as graph:
+    with settled_graph(args.spin_time) as graph:
         endpoints = graph.endpoints()
     if not args.include_hidden_topics:
         endpoints = [endpoint for endpoint in endpoints if not is_hidden(endpoint.topic.name)]
     topics = known_topics(endpoints)
     if args.json:
         _print_json(topics, endpoints)
-    elif args.count_topics:
-        print(len(topics))
-    elif args.verbose:
+    elif args.verbose and not args.count_topics:
         _print_side("Published topics:", "publisher", [end for end in endpoints if end.is_writer])
         _print_side("Subscribed topics:", "subscriber", [end for end in endpoints if not end.is_writer])
     else:
-        for name, types in topics.items():
-            print(f"{name} [{', '.join(types)}]" if args.show_types else name)
+        print_types(topics, args, only_count=args.count_topics)
     return 0
 
 
@@ -58,13 +55,14 @@ def _print_side(title: str, noun: str, endpoints: list[EndpointInfo]) -> None:
 
 def _print_json(types_of: dict[str, list[str]], endpoints: list[EndpointInfo]) -> None:
     counts = Counter((endpoint.topic.name, endpoint.is_writer) for endpoint in endpoints)
-    topics = [
-        {
-            "name": name,
-            "types": types,
-            "publishers": counts[name, True],
-            "subscribers": counts[name, False],
-        }
-        for name, types in types_of.items()
-    ]
-    print_json(topics)
+    print_json(
+        [
+            {
+                "name": name,
+                "types": types,
+                "publishers": counts[name, True],
+                "subscribers": counts[name, False],
+            }
+            for name, types in types_of.items()
+        ]
+    )

@@ -80,8 +80,7 @@ def watch(
     [s]. With --use-sim-time, both times are those of /clock, and samples before the first one are not counted.
     """
     name = full_topic_name(topic_name)
-    with graph.joined_participant() as participant:
-        graph.wait_until_quiet(participant.graph, args.spin_time)
+    with graph.settled_participant(args.spin_time) as participant:
         if not any(end.topic.name == name for end in participant.graph.endpoints()):
             print(f"WARNING: topic [{name}] does not appear to be published yet")
         publishers = wait_for_publishers(participant.graph, name, math.inf)

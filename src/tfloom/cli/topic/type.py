@@ -21,7 +21,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def main(args: argparse.Namespace) -> int:
     """Print each of its types on a line."""
     name = full_topic_name(args.topic_name)
-    with settled_graph(args) as graph:
+    with settled_graph(args.spin_time) as graph:
         topics = known_topics(graph.endpoints())
     if name not in topics:
         raise CommandError(f"Unknown topic '{name}'{did_you_mean(name, topics)}")

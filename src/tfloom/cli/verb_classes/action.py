@@ -7,25 +7,17 @@ from tfloom.cli.verb_classes.builtin_verb import BuiltinVerb
 __all__ = ["InfoVerb", "ListVerb", "SendGoalVerb", "TypeVerb"]
 
 
-class InfoVerb(BuiltinVerb):
+class InfoVerb(BuiltinVerb, module="tfloom.cli.action.info"):
     """Print the servers and clients of an action."""
 
-    MODULE = "tfloom.cli.action.info"
 
-
-class ListVerb(BuiltinVerb):
+class ListVerb(BuiltinVerb, module="tfloom.cli.action.list"):
     """List the actions."""
 
-    MODULE = "tfloom.cli.action.list"
 
-
-class SendGoalVerb(BuiltinVerb):
+class SendGoalVerb(BuiltinVerb, module="tfloom.cli.action.send_goal"):
     """Send a goal to an action server and print its result."""
 
-    MODULE = "tfloom.cli.action.send_goal"
 
-
-class TypeVerb(BuiltinVerb):
+class TypeVerb(BuiltinVerb, module="tfloom.cli.action.type"):
     """Print an action's type."""
-
-    MODULE = "tfloom.cli.action.type"

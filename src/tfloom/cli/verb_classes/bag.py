@@ -7,43 +7,29 @@ from tfloom.cli.verb_classes.builtin_verb import BuiltinVerb
 __all__ = ["BurstVerb", "ConvertVerb", "InfoVerb", "ListVerb", "PlayVerb", "RecordVerb", "ReindexVerb"]
 
 
-class BurstVerb(BuiltinVerb):
+class BurstVerb(BuiltinVerb, module="tfloom.cli.bag.burst"):
     """Burst data from a bag."""
 
-    MODULE = "tfloom.cli.bag.burst"
 
-
-class ConvertVerb(BuiltinVerb):
+class ConvertVerb(BuiltinVerb, module="tfloom.cli.bag.convert"):
     """Given an input bag, write out a new bag with different settings."""
 
-    MODULE = "tfloom.cli.bag.convert"
 
-
-class InfoVerb(BuiltinVerb):
+class InfoVerb(BuiltinVerb, module="tfloom.cli.bag.info"):
     """Print information about a bag to the screen."""
 
-    MODULE = "tfloom.cli.bag.info"
 
-
-class ListVerb(BuiltinVerb):
+class ListVerb(BuiltinVerb, module="tfloom.cli.bag.list"):
     """Print information about available plugins to the screen."""
 
-    MODULE = "tfloom.cli.bag.list"
 
-
-class PlayVerb(BuiltinVerb):
+class PlayVerb(BuiltinVerb, module="tfloom.cli.bag.play"):
     """Play back ROS data from a bag."""
 
-    MODULE = "tfloom.cli.bag.play"
 
-
-class RecordVerb(BuiltinVerb):
+class RecordVerb(BuiltinVerb, module="tfloom.cli.bag.record"):
     """Record ROS data to a bag."""
 
-    MODULE = "tfloom.cli.bag.record"
 
-
-class ReindexVerb(BuiltinVerb):
+class ReindexVerb(BuiltinVerb, module="tfloom.cli.bag.reindex"):
     """Reconstruct metadata file for a bag."""
-
-    MODULE = "tfloom.cli.bag.reindex"

@@ -29,6 +29,11 @@ class BuiltinVerb(VerbExtension):
     MODULE: ClassVar[str]
     """The module with the verb's `add_arguments` and `main`, which is imported when one of them is called."""
 
+    def __init_subclass__(cls, *, module: str = "") -> None:
+        super().__init_subclass__()
+        if module:  # of a verb of ours; a derived class has that of its base
+            cls.MODULE = module
+
     def add_arguments(self, parser: argparse.ArgumentParser, cli_name: str) -> None:  # noqa: ARG002
         """Add the verb's arguments to a parser."""
         import_module(self.MODULE).add_arguments(parser)

@@ -7,31 +7,21 @@ from tfloom.cli.verb_classes.builtin_verb import BuiltinVerb
 __all__ = ["ListVerb", "LoadVerb", "StandaloneVerb", "TypesVerb", "UnloadVerb"]
 
 
-class ListVerb(BuiltinVerb):
+class ListVerb(BuiltinVerb, module="tfloom.cli.component.list"):
     """List the containers and the components in them."""
 
-    MODULE = "tfloom.cli.component.list"
 
-
-class LoadVerb(BuiltinVerb):
+class LoadVerb(BuiltinVerb, module="tfloom.cli.component.load"):
     """Load a component into a container."""
 
-    MODULE = "tfloom.cli.component.load"
 
-
-class StandaloneVerb(BuiltinVerb):
+class StandaloneVerb(BuiltinVerb, module="tfloom.cli.component.standalone"):
     """Explain that a container needs C++."""
 
-    MODULE = "tfloom.cli.component.standalone"
 
-
-class TypesVerb(BuiltinVerb):
+class TypesVerb(BuiltinVerb, module="tfloom.cli.component.types"):
     """Explain that components need C++."""
 
-    MODULE = "tfloom.cli.component.types"
 
-
-class UnloadVerb(BuiltinVerb):
+class UnloadVerb(BuiltinVerb, module="tfloom.cli.component.unload"):
     """Unload components from a container."""
-
-    MODULE = "tfloom.cli.component.unload"

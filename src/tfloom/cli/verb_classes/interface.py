@@ -7,31 +7,21 @@ from tfloom.cli.verb_classes.builtin_verb import BuiltinVerb
 __all__ = ["ListVerb", "PackageVerb", "PackagesVerb", "ProtoVerb", "ShowVerb"]
 
 
-class ListVerb(BuiltinVerb):
+class ListVerb(BuiltinVerb, module="tfloom.cli.interface.list"):
     """List the interfaces."""
 
-    MODULE = "tfloom.cli.interface.list"
 
-
-class PackageVerb(BuiltinVerb):
+class PackageVerb(BuiltinVerb, module="tfloom.cli.interface.package"):
     """List the interfaces of one package."""
 
-    MODULE = "tfloom.cli.interface.package"
 
-
-class PackagesVerb(BuiltinVerb):
+class PackagesVerb(BuiltinVerb, module="tfloom.cli.interface.packages"):
     """List the packages that define interfaces."""
 
-    MODULE = "tfloom.cli.interface.packages"
 
-
-class ProtoVerb(BuiltinVerb):
+class ProtoVerb(BuiltinVerb, module="tfloom.cli.interface.proto"):
     """Print a YAML value with an interface's fields and defaults."""
 
-    MODULE = "tfloom.cli.interface.proto"
 
-
-class ShowVerb(BuiltinVerb):
+class ShowVerb(BuiltinVerb, module="tfloom.cli.interface.show"):
     """Print an interface's definition."""
-
-    MODULE = "tfloom.cli.interface.show"

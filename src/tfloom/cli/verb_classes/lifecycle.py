@@ -7,25 +7,17 @@ from tfloom.cli.verb_classes.builtin_verb import BuiltinVerb
 __all__ = ["GetVerb", "ListVerb", "NodesVerb", "SetVerb"]
 
 
-class GetVerb(BuiltinVerb):
+class GetVerb(BuiltinVerb, module="tfloom.cli.lifecycle.get"):
     """Print the state of a lifecycle node, or of all."""
 
-    MODULE = "tfloom.cli.lifecycle.get"
 
-
-class ListVerb(BuiltinVerb):
+class ListVerb(BuiltinVerb, module="tfloom.cli.lifecycle.list"):
     """List the transitions that are available on a lifecycle node."""
 
-    MODULE = "tfloom.cli.lifecycle.list"
 
-
-class NodesVerb(BuiltinVerb):
+class NodesVerb(BuiltinVerb, module="tfloom.cli.lifecycle.nodes"):
     """List the nodes that have a lifecycle."""
 
-    MODULE = "tfloom.cli.lifecycle.nodes"
 
-
-class SetVerb(BuiltinVerb):
+class SetVerb(BuiltinVerb, module="tfloom.cli.lifecycle.set"):
     """Request a transition of a lifecycle node."""
-
-    MODULE = "tfloom.cli.lifecycle.set"

@@ -7,13 +7,9 @@ from tfloom.cli.verb_classes.builtin_verb import BuiltinVerb
 __all__ = ["ReceiveVerb", "SendVerb"]
 
 
-class ReceiveVerb(BuiltinVerb):
+class ReceiveVerb(BuiltinVerb, module="tfloom.cli.multicast.receive"):
     """Wait for one UDP multicast datagram."""
 
-    MODULE = "tfloom.cli.multicast.receive"
 
-
-class SendVerb(BuiltinVerb):
+class SendVerb(BuiltinVerb, module="tfloom.cli.multicast.send"):
     """Send one UDP multicast datagram."""
-
-    MODULE = "tfloom.cli.multicast.send"

@@ -7,13 +7,9 @@ from tfloom.cli.verb_classes.builtin_verb import BuiltinVerb
 __all__ = ["InfoVerb", "ListVerb"]
 
 
-class InfoVerb(BuiltinVerb):
+class InfoVerb(BuiltinVerb, module="tfloom.cli.node.info"):
     """Print what a node publishes, subscribes to, serves and calls."""
 
-    MODULE = "tfloom.cli.node.info"
 
-
-class ListVerb(BuiltinVerb):
+class ListVerb(BuiltinVerb, module="tfloom.cli.node.list"):
     """List the nodes that are running."""
-
-    MODULE = "tfloom.cli.node.list"

@@ -7,43 +7,29 @@ from tfloom.cli.verb_classes.builtin_verb import BuiltinVerb
 __all__ = ["DeleteVerb", "DescribeVerb", "DumpVerb", "GetVerb", "ListVerb", "LoadVerb", "SetVerb"]
 
 
-class DeleteVerb(BuiltinVerb):
+class DeleteVerb(BuiltinVerb, module="tfloom.cli.param.delete"):
     """Delete a parameter."""
 
-    MODULE = "tfloom.cli.param.delete"
 
-
-class DescribeVerb(BuiltinVerb):
+class DescribeVerb(BuiltinVerb, module="tfloom.cli.param.describe"):
     """Print the descriptions and constraints of parameters."""
 
-    MODULE = "tfloom.cli.param.describe"
 
-
-class DumpVerb(BuiltinVerb):
+class DumpVerb(BuiltinVerb, module="tfloom.cli.param.dump"):
     """Print all parameters of a node as YAML."""
 
-    MODULE = "tfloom.cli.param.dump"
 
-
-class GetVerb(BuiltinVerb):
+class GetVerb(BuiltinVerb, module="tfloom.cli.param.get"):
     """Print a parameter's value."""
 
-    MODULE = "tfloom.cli.param.get"
 
-
-class ListVerb(BuiltinVerb):
+class ListVerb(BuiltinVerb, module="tfloom.cli.param.list"):
     """List the parameters of a node, or of all nodes."""
 
-    MODULE = "tfloom.cli.param.list"
 
-
-class LoadVerb(BuiltinVerb):
+class LoadVerb(BuiltinVerb, module="tfloom.cli.param.load"):
     """Set a node's parameters from a YAML file."""
 
-    MODULE = "tfloom.cli.param.load"
 
-
-class SetVerb(BuiltinVerb):
+class SetVerb(BuiltinVerb, module="tfloom.cli.param.set"):
     """Set a parameter."""
-
-    MODULE = "tfloom.cli.param.set"

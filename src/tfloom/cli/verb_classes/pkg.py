@@ -7,31 +7,21 @@ from tfloom.cli.verb_classes.builtin_verb import BuiltinVerb
 __all__ = ["CreateVerb", "ExecutablesVerb", "ListVerb", "PrefixVerb", "XmlVerb"]
 
 
-class CreateVerb(BuiltinVerb):
+class CreateVerb(BuiltinVerb, module="tfloom.cli.pkg.create"):
     """Create a package in a workspace."""
 
-    MODULE = "tfloom.cli.pkg.create"
 
-
-class ExecutablesVerb(BuiltinVerb):
+class ExecutablesVerb(BuiltinVerb, module="tfloom.cli.pkg.executables"):
     """List the programs that `run` finds."""
 
-    MODULE = "tfloom.cli.pkg.executables"
 
-
-class ListVerb(BuiltinVerb):
+class ListVerb(BuiltinVerb, module="tfloom.cli.pkg.list"):
     """List the packages."""
 
-    MODULE = "tfloom.cli.pkg.list"
 
-
-class PrefixVerb(BuiltinVerb):
+class PrefixVerb(BuiltinVerb, module="tfloom.cli.pkg.prefix"):
     """Print where a package is installed."""
 
-    MODULE = "tfloom.cli.pkg.prefix"
 
-
-class XmlVerb(BuiltinVerb):
+class XmlVerb(BuiltinVerb, module="tfloom.cli.pkg.xml"):
     """Print a package's package.xml, or a tag of it."""
-
-    MODULE = "tfloom.cli.pkg.xml"

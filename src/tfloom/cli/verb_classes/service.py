@@ -7,37 +7,25 @@ from tfloom.cli.verb_classes.builtin_verb import BuiltinVerb
 __all__ = ["CallVerb", "EchoVerb", "FindVerb", "InfoVerb", "ListVerb", "TypeVerb"]
 
 
-class CallVerb(BuiltinVerb):
+class CallVerb(BuiltinVerb, module="tfloom.cli.service.call"):
     """Call a service and print its response."""
 
-    MODULE = "tfloom.cli.service.call"
 
-
-class EchoVerb(BuiltinVerb):
+class EchoVerb(BuiltinVerb, module="tfloom.cli.service.echo"):
     """Print the requests and responses of a service that publishes its events."""
 
-    MODULE = "tfloom.cli.service.echo"
 
-
-class FindVerb(BuiltinVerb):
+class FindVerb(BuiltinVerb, module="tfloom.cli.service.find"):
     """List the services of a type."""
 
-    MODULE = "tfloom.cli.service.find"
 
-
-class InfoVerb(BuiltinVerb):
+class InfoVerb(BuiltinVerb, module="tfloom.cli.service.info"):
     """Print a service's type, and its numbers of servers and clients."""
 
-    MODULE = "tfloom.cli.service.info"
 
-
-class ListVerb(BuiltinVerb):
+class ListVerb(BuiltinVerb, module="tfloom.cli.service.list"):
     """List the services."""
 
-    MODULE = "tfloom.cli.service.list"
 
-
-class TypeVerb(BuiltinVerb):
+class TypeVerb(BuiltinVerb, module="tfloom.cli.service.type"):
     """Print a service's type."""
-
-    MODULE = "tfloom.cli.service.type"

@@ -17,55 +17,37 @@ __all__ = [
 ]
 
 
-class BwVerb(BuiltinVerb):
+class BwVerb(BuiltinVerb, module="tfloom.cli.topic.bw"):
     """Print the bandwidth of a topic."""
 
-    MODULE = "tfloom.cli.topic.bw"
 
-
-class DelayVerb(BuiltinVerb):
+class DelayVerb(BuiltinVerb, module="tfloom.cli.topic.delay"):
     """Print the delay of a topic's messages."""
 
-    MODULE = "tfloom.cli.topic.delay"
 
-
-class EchoVerb(BuiltinVerb):
+class EchoVerb(BuiltinVerb, module="tfloom.cli.topic.echo"):
     """Print the messages of a topic."""
 
-    MODULE = "tfloom.cli.topic.echo"
 
-
-class FindVerb(BuiltinVerb):
+class FindVerb(BuiltinVerb, module="tfloom.cli.topic.find"):
     """List the topics of a type."""
 
-    MODULE = "tfloom.cli.topic.find"
 
-
-class HzVerb(BuiltinVerb):
+class HzVerb(BuiltinVerb, module="tfloom.cli.topic.hz"):
     """Print the rate of a topic's messages."""
 
-    MODULE = "tfloom.cli.topic.hz"
 
-
-class InfoVerb(BuiltinVerb):
+class InfoVerb(BuiltinVerb, module="tfloom.cli.topic.info"):
     """Print a topic's type, publishers and subscriptions."""
 
-    MODULE = "tfloom.cli.topic.info"
 
-
-class ListVerb(BuiltinVerb):
+class ListVerb(BuiltinVerb, module="tfloom.cli.topic.list"):
     """List the topics."""
 
-    MODULE = "tfloom.cli.topic.list"
 
-
-class PubVerb(BuiltinVerb):
+class PubVerb(BuiltinVerb, module="tfloom.cli.topic.pub"):
     """Publish messages on a topic."""
 
-    MODULE = "tfloom.cli.topic.pub"
 
-
-class TypeVerb(BuiltinVerb):
+class TypeVerb(BuiltinVerb, module="tfloom.cli.topic.type"):
     """Print a topic's type."""
-
-    MODULE = "tfloom.cli.topic.type"

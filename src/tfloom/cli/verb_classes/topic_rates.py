@@ -31,7 +31,16 @@ class _Arrivals:
         """The newest arrival at the last report."""
 
 
-class ROSTopicHz:
+class _Measurement:
+    """What each measurement has: the size of its window, a clock, and a lock."""
+
+    def __init__(self, node: Node, window_size: int) -> None:
+        self.window_size = window_size
+        self._clock = node.get_clock()
+        self.lock = threading.Lock()
+
+
+class ROSTopicHz(_Measurement):
     """The rate of topics, from the arrivals of their messages. It may be used from several threads.
 
     Args:
@@ -48,11 +57,9 @@ class ROSTopicHz:
         filter_expr: Callable[[Any], bool] | None = None,
         use_wtime: bool = False,
     ) -> None:
+        super().__init__(node, MAX_WINDOW_SIZE if window_size < 0 else max(window_size, 1))
         self.filter_expr = filter_expr
         self.use_wtime = use_wtime
-        self.window_size = MAX_WINDOW_SIZE if window_size < 0 else max(window_size, 1)
-        self._clock = node.get_clock()
-        self.lock = threading.Lock()
         self._arrivals: dict[str | None, _Arrivals] = {}
         """By topic; guarded by `lock`."""
 
@@ -98,17 +105,11 @@ class ROSTopicHz:
 
     def print_hz(self, topic: str | None = None) -> None:
         """Print the rate, if anything has arrived since the last time."""
-        measured = self.get_hz(topic)
-        if measured is None:
-            return
-        rate, least, greatest, deviation, number = measured
-        print(
-            f"average rate: {rate * 1e9:.3f}\n\tmin: {least * 1e-9:.3f}s max: {greatest * 1e-9:.3f}s "
-            f"std dev: {deviation * 1e-9:.5f}s window: {number}"
-        )
+        if (measured := self.get_hz(topic)) is not None:
+            _print_times(f"average rate: {measured[0] * 1e9:.3f}", *measured[1:])
 
 
-class ROSTopicBandwidth:
+class ROSTopicBandwidth(_Measurement):
     """The bandwidth of a topic, from its serialized messages. It may be used from several threads.
 
     Args:
@@ -117,9 +118,7 @@ class ROSTopicBandwidth:
     """
 
     def __init__(self, node: Node, window_size: int = 100) -> None:
-        self.window_size = max(window_size, 1)
-        self._clock = node.get_clock()
-        self.lock = threading.Lock()
+        super().__init__(node, max(window_size, 1))
         self._samples: deque[tuple[int, int]] = deque(maxlen=self.window_size)
         """Arrival [ns] and size [bytes]; guarded by `lock`."""
 
@@ -159,7 +158,7 @@ class ROSTopicBandwidth:
         return [size for _, size in samples], (self._clock.now().nanoseconds - samples[0][0]) * 1e-9
 
 
-class ROSTopicDelay:
+class ROSTopicDelay(_Measurement):
     """The delay of a topic's messages: the time of their arrival minus that in their header.
 
     Args:
@@ -168,9 +167,7 @@ class ROSTopicDelay:
     """
 
     def __init__(self, node: Node, window_size: int) -> None:
-        self.window_size = max(window_size, 1)
-        self._clock = node.get_clock()
-        self.lock = threading.Lock()
+        super().__init__(node, max(window_size, 1))
         self._delays_ns: deque[int] = deque(maxlen=self.window_size)
         """Guarded by `lock`, as is `_is_new`."""
         self._is_new = False
@@ -201,11 +198,13 @@ class ROSTopicDelay:
 
     def print_delay(self) -> None:
         """Print the delay, if anything has arrived since the last time."""
-        measured = self.get_delay()
-        if measured is None:
-            return
-        mean, least, greatest, deviation, number = measured
-        print(
-            f"average delay: {mean * 1e-9:.3f}\n\tmin: {least * 1e-9:.3f}s max: {greatest * 1e-9:.3f}s "
-            f"std dev: {deviation * 1e-9:.5f}s window: {number}"
-        )
+        if (measured := self.get_delay()) is not None:
+            _print_times(f"average delay: {measured[0] * 1e-9:.3f}", *measured[1:])
+
+
+def _print_times(average: str, least: float, greatest: float, deviation: float, number: int) -> None:
+    """Print a line with the average, and one with the extremes and the spread of times [ns]."""
+    print(
+        f"{average}\n\tmin: {least * 1e-9:.3f}s max: {greatest * 1e-9:.3f}s "
+        f"std dev: {deviation * 1e-9:.5f}s window: {number}"
+    )
