@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import contextlib
-
 import rclpy
 from composition_interfaces.srv import ListNodes, LoadNode, UnloadNode
-from rclpy.executors import ExternalShutdownException
 from rclpy.parameter import parameter_value_to_python
+from serving import serve
 
 components: dict[int, str] = {}
 
@@ -45,6 +43,4 @@ node = rclpy.create_node("a_container")
 node.create_service(LoadNode, "~/_container/load_node", load)
 node.create_service(UnloadNode, "~/_container/unload_node", unload)
 node.create_service(ListNodes, "~/_container/list_nodes", list_nodes)
-print("ready", flush=True)
-with contextlib.suppress(KeyboardInterrupt, ExternalShutdownException):
-    rclpy.spin(node)
+serve(node)

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import contextlib
 import time
 
 import rclpy
 from example_interfaces.action import Fibonacci
-from rclpy.executors import ExternalShutdownException
+from serving import serve
 
 NAME = "/count/_action"
 Impl = Fibonacci.Impl
@@ -38,6 +37,4 @@ feedback = node.create_publisher(Impl.FeedbackMessage, f"{NAME}/feedback", 10)
 node.create_service(Impl.SendGoalService, f"{NAME}/send_goal", on_goal)
 node.create_service(Impl.GetResultService, f"{NAME}/get_result", on_result)
 node.create_service(Impl.CancelGoalService, f"{NAME}/cancel_goal", lambda _, response: response)
-print("ready", flush=True)
-with contextlib.suppress(KeyboardInterrupt, ExternalShutdownException):
-    rclpy.spin(node)
+serve(node)

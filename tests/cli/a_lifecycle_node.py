@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import contextlib
-
 import rclpy
 from lifecycle_msgs.msg import State, Transition, TransitionDescription
 from lifecycle_msgs.srv import ChangeState, GetAvailableTransitions, GetState
-from rclpy.executors import ExternalShutdownException
+from serving import serve
 
 UNCONFIGURED, INACTIVE = State(id=1, label="unconfigured"), State(id=2, label="inactive")
 CONFIGURE = TransitionDescription(
@@ -47,6 +45,4 @@ node.create_service(GetState, "~/get_state", get_state)
 node.create_service(GetAvailableTransitions, "~/get_available_transitions", get_transitions)
 node.create_service(GetAvailableTransitions, "~/get_transition_graph", get_graph)
 node.create_service(ChangeState, "~/change_state", change_state)
-print("ready", flush=True)
-with contextlib.suppress(KeyboardInterrupt, ExternalShutdownException):
-    rclpy.spin(node)
+serve(node)

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import contextlib
 import sys
 import time
 
 import rclpy
 from rclpy.action import ActionServer
-from rclpy.executors import ExternalShutdownException
+from serving import serve
 
 from tfloom.rosidl import sources
 from tfloom.rosidl.dynamic import define
@@ -41,6 +40,4 @@ node.create_service(Weigh, "/weigh", weigh)
 server = ActionServer(node, Sort, "/sort", sort)
 if "lie" in sys.argv:
     sources.replace("lab_msgs/msg/Sample", sources.Source("float64[4] at", "a lie"))
-print("ready", flush=True)
-with contextlib.suppress(KeyboardInterrupt, ExternalShutdownException):
-    rclpy.spin(node)
+serve(node)

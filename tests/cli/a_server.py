@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import contextlib
-
 import rclpy
-from rclpy.executors import ExternalShutdownException
 from rclpy.qos import qos_profile_system_default
 from rclpy.service_introspection import ServiceIntrospectionState
+from serving import serve
 from std_srvs.srv import Empty
 from turtlesim.srv import Spawn
 
@@ -29,6 +27,4 @@ service.configure_introspection(
 )
 node.create_service(Empty, "/clear", lambda _, response: response)
 node.create_client(Empty, "/reset")
-print("ready", flush=True)
-with contextlib.suppress(KeyboardInterrupt, ExternalShutdownException):
-    rclpy.spin(node)
+serve(node)

@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
 from collections.abc import Mapping
 from pathlib import Path
 
-__all__ = ["MODULE", "install"]
+from tests.conftest import run_to_end
+
+__all__ = ["MODULE", "install", "run_cli"]
 
 MODULE = '''
 from ros2cli.command import CommandExtension, add_subparsers_on_demand
@@ -69,6 +74,14 @@ class TooNewVerb(VerbExtension):
         satisfies_version(PLUGIN_SYSTEM_VERSION, "^0.2")
 '''
 """A module `my_extensions`."""
+
+
+def run_cli(folder: Path, *words: str, **environment: str) -> subprocess.CompletedProcess[str]:
+    """Run `tfloom` with a folder on the path, which has extensions."""
+    return run_to_end(
+        [sys.executable, "-m", "tfloom.cli", *words],
+        env={**os.environ, "PYTHONPATH": str(folder), **environment},
+    )
 
 
 def install(folder: Path, entry_points: Mapping[str, Mapping[str, str]], module: str = MODULE) -> Path:

@@ -314,27 +314,20 @@ def test_packages_and_programs(tmp_path: Path) -> None:
     assert get_executable_path(package_name="demo_nodes_py", executable_name="nope") is None
 
 
-def test_programs_of_a_workspace(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
-) -> None:
-    marker = tmp_path / "share" / "ament_index" / "resource_index" / "packages" / "mine"
-    for folder in ("a", "b"):
-        program = tmp_path / "lib" / "mine" / folder / "twice"
+def test_programs_of_a_workspace(prefix: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    twice, once = (prefix / "lib" / "my_pkg" / name for name in ("a/twice", "b/once"))
+    for program in (twice, once):
         program.parent.mkdir(parents=True)
         program.write_text("#!/bin/sh\necho $*\nexit 3\n", "utf-8")
         program.chmod(0o755)
-    (tmp_path / "lib" / "mine" / "b" / "twice").rename(tmp_path / "lib" / "mine" / "b" / "once")
-    marker.parent.mkdir(parents=True)
-    marker.touch()
-    monkeypatch.setenv("AMENT_PREFIX_PATH", str(tmp_path))
-    path = get_executable_path(package_name="mine", executable_name="once")
-    assert path == str(tmp_path / "lib" / "mine" / "b" / "once")
+    path = get_executable_path(package_name="my_pkg", executable_name="once")
+    assert path == str(once)
     assert run_executable(path=path, argv=["x", "y"]) == 3
     printed = capfd.readouterr()
     assert (printed.out, printed.err) == ("x y\n", "[ros2run]: Process exited with failure 3\n")
-    (tmp_path / "lib" / "mine" / "b" / "once").rename(tmp_path / "lib" / "mine" / "b" / "twice")
+    once.rename(once.with_name("twice"))
     with pytest.raises(MultipleExecutables) as error:
-        get_executable_path(package_name="mine", executable_name="twice")
+        get_executable_path(package_name="my_pkg", executable_name="twice")
     assert len(error.value.paths) == 2
 
 

@@ -167,11 +167,11 @@ def test_lists() -> None:
     lines = [
         line
         for kind in ("storage", "converter", "compressor", "decompressor")
-        for line in transcript.run("bag", "list", kind).text.splitlines()
+        for line in transcript.run_here("bag", "list", kind).text.splitlines()
     ]
     recorded = (transcript.GOLDEN / "bag_list.txt").read_text("utf-8").splitlines()
     assert lines == recorded[1:-1]
-    assert "zstd: " in transcript.run("bag", "list", "-v", "compressor").text
+    assert "zstd: " in transcript.run_here("bag", "list", "-v", "compressor").text
 
 
 def test_services_are_counted(tmp_path: Path) -> None:

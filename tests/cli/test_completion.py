@@ -171,15 +171,12 @@ def test_values_that_yaml_writes_its_own_way() -> None:
     assert filled == text
 
 
-def test_programs_of_a_workspace_are_completed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    program = tmp_path / "lib" / "my_pkg" / "my_program"
-    marker = tmp_path / "share" / "ament_index" / "resource_index" / "packages" / "my_pkg"
-    for path in (program, marker):
-        path.parent.mkdir(parents=True)
-        path.touch(mode=0o755)
-    monkeypatch.setenv("AMENT_PREFIX_PATH", str(tmp_path))
-    assert complete("tfloom run my_p", tmp_path) == ["my_pkg"]
-    assert complete("tfloom run my_pkg my", tmp_path) == ["my_program"]
+def test_programs_of_a_workspace_are_completed(prefix: Path) -> None:
+    program = prefix / "lib" / "my_pkg" / "my_program"
+    program.parent.mkdir(parents=True)
+    program.touch(mode=0o755)
+    assert complete("tfloom run my_p", prefix) == ["my_pkg"]
+    assert complete("tfloom run my_pkg my", prefix) == ["my_program"]
 
 
 FREE = {

@@ -21,30 +21,34 @@ def container(domain_id: int, start_program: Callable[..., Program]) -> Program:
 
 
 def test_components_are_loaded_listed_and_unloaded(container: Program) -> None:
-    assert transcript.run("component", "list").text == "/a_container"
+    assert transcript.run_here("component", "list").text == "/a_container"
     options = ("-r", "a:=b", "-p", "rate:=2", "-p", "word:=x", "-e", "use_intra_process_comms:=true")
-    loaded = transcript.run(
+    loaded = transcript.run_here(
         *("component", "load", "/a_container", "composition", "composition::Talker"),
         *("--node-namespace", "/ns", "--log-level", "debug", *options),
     )
     assert loaded.text == f"Loaded component {FIRST} into '/a_container' container node as '/ns/talker'"
     container.wait_for("loaded 10 ['a:=b'] {'rate': 2, 'word': 'x'} {'use_intra_process_comms': True}")
-    second = transcript.run(
+    second = transcript.run_here(
         "component", "load", "-q", "/a_container", "composition", "Listener", "-n", "ears"
     )
     assert second.text == f"{SECOND}  /ears"
     assert (
-        transcript.run("component", "list").text == f"/a_container\n  {FIRST}  /ns/talker\n  {SECOND}  /ears"
+        transcript.run_here("component", "list").text
+        == f"/a_container\n  {FIRST}  /ns/talker\n  {SECOND}  /ears"
     )
-    assert transcript.run("component", "list", "a_container").text == f"{FIRST}  /ns/talker\n{SECOND}  /ears"
-    assert transcript.run("component", "list", "--containers-only").text == "/a_container"
-    assert json.loads(transcript.run("component", "list", "--json").text) == {
+    assert (
+        transcript.run_here("component", "list", "a_container").text
+        == f"{FIRST}  /ns/talker\n{SECOND}  /ears"
+    )
+    assert transcript.run_here("component", "list", "--containers-only").text == "/a_container"
+    assert json.loads(transcript.run_here("component", "list", "--json").text) == {
         "/a_container": {str(FIRST): "/ns/talker", str(SECOND): "/ears"}
     }
-    unloaded = transcript.run("component", "unload", "/a_container", str(FIRST))
+    unloaded = transcript.run_here("component", "unload", "/a_container", str(FIRST))
     assert unloaded.text == f"Unloaded component {FIRST} from '/a_container' container node"
-    assert transcript.run("component", "unload", "-q", "/a_container", str(SECOND)).text == str(SECOND)
-    assert transcript.run("component", "list").text == "/a_container"
+    assert transcript.run_here("component", "unload", "-q", "/a_container", str(SECOND)).text == str(SECOND)
+    assert transcript.run_here("component", "list").text == "/a_container"
 
 
 @pytest.mark.parametrize(
@@ -63,7 +67,7 @@ def test_components_are_loaded_listed_and_unloaded(container: Program) -> None:
     ],
 )
 def test_what_fails_says_why(words: tuple[str, ...], text: str) -> None:
-    answer = transcript.run("component", *words)
+    answer = transcript.run_here("component", *words)
     assert (answer.exit_code, answer.text) == (1, text)
 
 
@@ -71,7 +75,7 @@ def test_what_fails_says_why(words: tuple[str, ...], text: str) -> None:
     "words", [("unload", "/a_container", "-1"), ("load", "/c", "p", "P", "--log-level", "loud")]
 )
 def test_arguments_out_of_range_are_named(words: tuple[str, ...]) -> None:
-    answer = transcript.run("component", *words)
+    answer = transcript.run_here("component", *words)
     assert answer.exit_code == 2
     assert (
         "-1" in answer.text

@@ -35,7 +35,7 @@ def test_all_checks_pass_on_a_sound_system(domain_id: int) -> None:
 
 
 def test_wtf_is_doctor() -> None:
-    answers = [transcript.run(word, "--help") for word in ("wtf", "doctor")]
+    answers = [transcript.run_here(word, "--help") for word in ("wtf", "doctor")]
     assert answers[0].exit_code == 0, answers[0].text
     assert answers[0].text == answers[1].text
     assert "--report-failed" in answers[0].text
@@ -135,7 +135,7 @@ def test_report_flags_print_details() -> None:
     ],
 )
 def test_unneeded_commands_print_an_explanation(words: tuple[str, ...], exit_code: int, said: str) -> None:
-    answer = transcript.run(*words)
+    answer = transcript.run_here(*words)
     assert answer.exit_code == exit_code
     assert answer.text.startswith(said)
     assert len(answer.text.splitlines()) == 1
@@ -167,11 +167,10 @@ def test_unneeded_commands_print_an_explanation(words: tuple[str, ...], exit_cod
         ("SUBNET", [], Verdict.OK, "interfaces that are up: not known on this system"),
     ],
 )
+@pytest.mark.usefixtures("reach")
 def test_used_network_interface_is_reported(
     asked: str, interfaces: list[Interface], verdict: Verdict, said: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    for name in ("CYCLONEDDS_URI", "ROS_LOCALHOST_ONLY", "ROS_STATIC_PEERS", "RMW_IMPLEMENTATION"):
-        monkeypatch.delenv(name, raising=False)
     monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", asked)
     monkeypatch.setattr(health, "_interfaces", lambda: iter(interfaces))
     monkeypatch.setattr(health, "LARGE_BUFFER", 0)
@@ -209,10 +208,10 @@ def test_small_receive_buffer_is_reported_with_the_interfaces(monkeypatch: pytes
         ({"CYCLONEDDS_URI": "<CycloneDDS/>"}, "CYCLONEDDS_URI opens the UDP ports of its configuration"),
     ],
 )
+@pytest.mark.usefixtures("reach")
 def test_what_is_open_to_other_machines_is_a_warning(
     environment: dict[str, str], said: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    clear_reach(monkeypatch)
     monkeypatch.setenv("ROS_DOMAIN_ID", "42")
     for name, value in environment.items():
         monkeypatch.setenv(name, value)
@@ -222,7 +221,8 @@ def test_what_is_open_to_other_machines_is_a_warning(
     assert "docs/security.md" in found.advice
 
 
-def clear_reach(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.fixture
+def reach(monkeypatch: pytest.MonkeyPatch) -> None:
     """Remove the variables that open sockets to other machines."""
     names = ("CYCLONEDDS_URI", "ROS_LOCALHOST_ONLY", "ROS_STATIC_PEERS", "RMW_IMPLEMENTATION")
     for name in (*names, "ROS_AUTOMATIC_DISCOVERY_RANGE", "ROS_SECURITY_ENABLE", "ROS_SECURITY_STRATEGY"):
@@ -233,10 +233,10 @@ def clear_reach(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize(
     ("asked", "said"), [("LOCALHOST", "the sockets are bound to loopback"), ("OFF", "no socket is open")]
 )
+@pytest.mark.usefixtures("reach")
 def test_what_stays_on_this_machine_is_sound(
     asked: str, said: str, domain_id: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    clear_reach(monkeypatch)
     monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", asked)
     assert check_reach()[:2] == (Verdict.OK, f"within this machine: {said}")
     monkeypatch.setenv("ROS_SECURITY_ENABLE", "true")
@@ -245,8 +245,8 @@ def test_what_stays_on_this_machine_is_sound(
 
 
 @pytest.mark.wire
+@pytest.mark.usefixtures("reach")
 def test_enforced_security_is_a_failure(monkeypatch: pytest.MonkeyPatch) -> None:
-    clear_reach(monkeypatch)
     monkeypatch.setenv("ROS_SECURITY_ENABLE", "true")
     monkeypatch.setenv("ROS_SECURITY_STRATEGY", "Enforce")
     found = check_reach()
@@ -256,8 +256,8 @@ def test_enforced_security_is_a_failure(monkeypatch: pytest.MonkeyPatch) -> None
     )
 
 
+@pytest.mark.usefixtures("reach")
 def test_the_wire_inside_a_process_reaches_nobody(monkeypatch: pytest.MonkeyPatch) -> None:
-    clear_reach(monkeypatch)
     monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
     assert check_reach()[:2] == (Verdict.OK, "tfloom_local stays inside one process")
 
@@ -288,10 +288,10 @@ def test_effective_discovery_range_is_reported() -> None:
         ("ROS_LOCALHOST_ONLY", "1", "ROS_STATIC_PEERS is ignored, because ROS_LOCALHOST_ONLY is 1"),
     ],
 )
+@pytest.mark.usefixtures("reach")
 def test_settings_of_discovery_without_an_effect_are_named(
     variable: str, value: str, said: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    clear_reach(monkeypatch)
     monkeypatch.setenv("ROS_STATIC_PEERS", "127.0.0.1")
     monkeypatch.setenv("ROS_DOMAIN_ID", "42")
     assert check_domain().verdict is Verdict.OK

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import os
-import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
-from tests.cli.extensions import install
+from tests.cli.extensions import install, run_cli
 from tests.conftest import run_to_end
 
 ENTRY_POINTS = {
@@ -21,32 +20,25 @@ ENTRY_POINTS = {
 }
 
 
-def run(folder: Path, *words: str, **environment: str) -> subprocess.CompletedProcess[str]:
-    return run_to_end(
-        [sys.executable, "-m", "tfloom.cli", *words],
-        env={**os.environ, "PYTHONPATH": str(folder), **environment},
-    )
-
-
 def test_verb_and_command_are_in_the_help(tmp_path: Path) -> None:
     install(tmp_path, ENTRY_POINTS)
-    topic = run(tmp_path, "topic", "-h")
+    topic = run_cli(tmp_path, "topic", "-h")
     (line,) = (line for line in topic.stdout.splitlines() if line.split()[:1] == ["first"])
     assert (line.split(maxsplit=1)[1], topic.stderr) == ("Print the first topics", "")
     assert topic.stdout.count("\n    echo ") == 1
-    assert "    tree                Show trees\n" in run(tmp_path, "-h").stdout
-    assert "first" not in run(tmp_path, "node", "-h").stdout
+    assert "    tree                Show trees\n" in run_cli(tmp_path, "-h").stdout
+    assert "first" not in run_cli(tmp_path, "node", "-h").stdout
 
 
 def test_command_runs_its_verb(tmp_path: Path) -> None:
     install(tmp_path, ENTRY_POINTS)
-    grown = run(tmp_path, "tree", "grow", "7")
+    grown = run_cli(tmp_path, "tree", "grow", "7")
     assert (grown.returncode, grown.stdout, grown.stderr) == (3, "grow to 7\n", "")
-    shown = run(tmp_path, "tree")
+    shown = run_cli(tmp_path, "tree")
     assert shown.returncode == 0
     assert "    grow                Let a tree grow\n" in shown.stdout
-    assert run(tmp_path, "tree", "fell").returncode == 2
-    assert "usage: tfloom tree grow" in run(tmp_path, "tree", "grow", "-h").stdout
+    assert run_cli(tmp_path, "tree", "fell").returncode == 2
+    assert "usage: tfloom tree grow" in run_cli(tmp_path, "tree", "grow", "-h").stdout
 
 
 @pytest.mark.wire
@@ -57,9 +49,9 @@ def test_verb_asks_the_graph_and_ends_on_its_own_errors(
     start_program(
         sys.executable, "-m", "tfloom.cli", "topic", "pub", "/a_topic", "std_msgs/msg/String"
     ).wait_for("publishing #1")
-    first = run(tmp_path, "topic", "first", ROS_DOMAIN_ID=str(domain_id))
+    first = run_cli(tmp_path, "topic", "first", ROS_DOMAIN_ID=str(domain_id))
     assert (first.returncode, first.stdout, first.stderr) == (0, "/a_topic ['std_msgs/msg/String']\n", "")
-    failed = run(tmp_path, "topic", "first", "--fail")
+    failed = run_cli(tmp_path, "topic", "first", "--fail")
     assert (failed.returncode, failed.stdout, failed.stderr) == (1, "", "no topics today\n")
 
 
@@ -70,7 +62,7 @@ def test_broken_extension_is_a_line_and_the_others_run(tmp_path: Path) -> None:
         "new": "my_extensions:TooNewVerb",
     }
     install(tmp_path, {**ENTRY_POINTS, "ros2topic.verb": broken})
-    topic = run(tmp_path, "topic", "-h")
+    topic = run_cli(tmp_path, "topic", "-h")
     assert "    first " in topic.stdout
     assert "    gone " not in topic.stdout
     assert topic.stderr.splitlines() == [
@@ -83,7 +75,7 @@ def test_broken_extension_is_a_line_and_the_others_run(tmp_path: Path) -> None:
             "PluginException: Extension point version '0.1' is too small for '^0.2'"
         ),
     ]
-    gone = run(tmp_path, "topic", "gone")
+    gone = run_cli(tmp_path, "topic", "gone")
     assert (gone.returncode, gone.stdout) == (1, "")
     assert gone.stderr.startswith("the extension 'gone' of ros2topic.verb ")
 
@@ -92,7 +84,7 @@ def test_there_are_none_beside_another_rclpy(tmp_path: Path) -> None:
     install(tmp_path, ENTRY_POINTS)
     (tmp_path / "rclpy").mkdir()
     (tmp_path / "rclpy" / "__init__.py").touch()
-    topic = run(tmp_path, "topic", "-h")
+    topic = run_cli(tmp_path, "topic", "-h")
     assert "first" not in topic.stdout
     assert topic.stderr == ""
 
@@ -103,15 +95,8 @@ def test_known_verb_looks_for_no_extensions(tmp_path: Path) -> None:
         "import sys; from tfloom.cli.main import main; main(['pkg', 'prefix', 'turtlesim']); "
         "print('importlib.metadata' in sys.modules)"
     )
-    done = subprocess.run(
-        [sys.executable, "-c", code],
-        capture_output=True,
-        text=True,
-        timeout=60,
-        check=True,
-        env={**os.environ, "PYTHONPATH": str(tmp_path)},
-    )
-    assert done.stdout.endswith("False\n")
+    done = run_to_end([sys.executable, "-c", code], env={**os.environ, "PYTHONPATH": str(tmp_path)})
+    assert done.stdout.endswith("False\n"), done.stderr
 
 
 def test_loaded_entry_points_leave_out_broken_ones(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import re
 from collections.abc import Callable
 from pathlib import Path
@@ -11,7 +10,7 @@ from types import SimpleNamespace
 import pytest
 import transcript
 
-from tfloom.workspace import index
+from tfloom.launch import logging as launch_logging
 
 LAUNCH_FILES = Path(__file__).parents[1] / "golden" / "launch"
 
@@ -33,8 +32,18 @@ def masked(text: str) -> str:
     return text
 
 
-def launch(*words: str, **environment: str) -> transcript.Transcript:
-    return transcript.run("launch", *words, cwd=LAUNCH_FILES, env={**os.environ, **environment})
+@pytest.fixture(autouse=True)
+def in_the_folder(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(LAUNCH_FILES)
+
+
+def launch(*words: str) -> transcript.Transcript:
+    """Run `ros2 launch` in this process, in which nothing is left of the launch before."""
+    launch_logging.reset()
+    try:
+        return transcript.run_here("launch", *words)
+    finally:
+        launch_logging.reset()
 
 
 @pytest.mark.parametrize(
@@ -129,9 +138,12 @@ def test_error_of_a_tag_has_its_line(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("name", ["file_in_package", "package"])
-def test_first_line_of_an_unknown_name_equals_the_reference(name: str, tmp_path: Path) -> None:
+def test_first_line_of_an_unknown_name_equals_the_reference(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("AMENT_PREFIX_PATH", str(tmp_path))  # a workspace is sourced there
     recorded = transcript.golden(f"launch_bad_{name}")
-    ours = launch(*recorded.command[1:], AMENT_PREFIX_PATH=str(tmp_path))  # a workspace is sourced there
+    ours = launch(*recorded.command[1:])
     assert masked(ours.text.splitlines()[0]) == masked(recorded.text)
     assert ours.exit_code == recorded.exit_code
 
@@ -209,15 +221,11 @@ def test_a_broken_file_is_shown_without_a_traceback(flag: str) -> None:
 
 
 @pytest.fixture
-def package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[str, str], Path]:
+def package(prefix: Path) -> Callable[[str, str], Path]:
     """Return a function that adds a file to the share folder of the package `my_pkg`, from its path and its text."""
-    monkeypatch.setenv(index.PREFIX_PATH_VARIABLE, str(tmp_path))
-    marker = tmp_path / index.RESOURCE_INDEX / "packages" / "my_pkg"
-    marker.parent.mkdir(parents=True)
-    marker.touch()
 
     def add(name: str, text: str) -> Path:
-        path = tmp_path / "share" / "my_pkg" / name
+        path = prefix / "share" / "my_pkg" / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text)
         return path

@@ -24,14 +24,14 @@ def port() -> Iterator[str]:
 def test_datagram_is_received(port: str, start_program: Callable[..., Any]) -> None:
     receiver = start_program("tfloom", "multicast", "receive", "--port", port, "--timeout", "30")
     receiver.wait_for("Waiting for UDP multicast datagram...")
-    sent = transcript.run("multicast", "send", "--port", port, "--ttl", "0")
+    sent = transcript.run_here("multicast", "send", "--port", port, "--ttl", "0")
     assert (sent.text, sent.exit_code) == ("Sending one UDP multicast datagram...", 0)
     assert receiver.wait() == 0
     assert re.fullmatch(r"Received from 127\.0\.0\.1:\d+: 'Hello World!'", receiver.lines[1])
 
 
 def test_missing_datagram_gives_an_error_message(port: str) -> None:
-    answer = transcript.run("multicast", "receive", "--port", port, "--timeout", "0.2")
+    answer = transcript.run_here("multicast", "receive", "--port", port, "--timeout", "0.2")
     assert (answer.text.splitlines()[1:], answer.exit_code) == (["no datagram arrived within 0.2 s"], 1)
 
 
@@ -71,6 +71,6 @@ def test_interface_is_loopback_unless_the_discovery_range_is_wider(
     ],
 )
 def test_invalid_addresses_and_ports_are_rejected(words: tuple[str, ...]) -> None:
-    answer = transcript.run("multicast", *words)
+    answer = transcript.run_here("multicast", *words)
     assert answer.exit_code == 2
     assert "must be" in answer.text

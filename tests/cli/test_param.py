@@ -10,52 +10,40 @@ import pytest
 import transcript
 import yaml
 
-TURTLESIM = ("tfloom", "run", "turtlesim", "turtlesim_node")
-SPAWNED = "Spawning turtle [turtle1]"
-
-
-@pytest.fixture(scope="module", autouse=True)
-def turtlesim(module_domain_id: int, start_module_program: Callable[..., object]) -> None:
-    start_module_program(*TURTLESIM).wait_for(SPAWNED)
-
-
-@pytest.fixture
-def turtlesim_to_change(domain_id: int, start_program: Callable[..., object]) -> None:
-    """Start another turtlesim, on a separate domain."""
-    start_program(*TURTLESIM).wait_for(SPAWNED)
+pytestmark = pytest.mark.usefixtures("turtlesim")
 
 
 @pytest.mark.parametrize(
     "name", ["param_get", "param_get_bad", "param_set_bad", "param_set_range", "param_describe"]
 )
 def test_answers_match_the_recording(name: str) -> None:
-    recorded = transcript.golden(name)
-    assert transcript.run(*recorded.command) == recorded
+    transcript.check(name)
 
 
 @pytest.mark.usefixtures("turtlesim_to_change")
 def test_set_output_matches_the_recording() -> None:
-    recorded = transcript.golden("param_set")
-    assert transcript.run(*recorded.command) == recorded
+    transcript.check("param_set")
 
 
 def test_failed_deletion_prints_the_reason_of_the_node(deviations: dict[str, dict[str, str]]) -> None:
     assert "param-delete-text" in deviations
     recorded = transcript.golden("param_delete")
-    answer = transcript.run(*recorded.command)
+    answer = transcript.run_here(*recorded.command)
     assert answer.exit_code == recorded.exit_code
     assert answer.text.startswith("Deleting parameter failed: ")
-    assert transcript.run("param", "get", "--hide-type", "/turtlesim", "background_r").text == "69"
+    assert transcript.run_here("param", "get", "--hide-type", "/turtlesim", "background_r").text == "69"
 
 
 def test_lists_print_parameters_of_nodes() -> None:
     recorded = transcript.golden("param_list_node")
-    assert transcript.run(*recorded.command) == recorded
+    assert transcript.run_here(*recorded.command) == recorded
     lines = recorded.text.splitlines()
-    assert transcript.run("param", "list").text.splitlines() == ["/turtlesim:", *lines]
-    typed = transcript.run("param", "list", "/turtlesim", "--param-type", "--filter", "_r$").text
+    assert transcript.run_here("param", "list").text.splitlines() == ["/turtlesim:", *lines]
+    typed = transcript.run_here("param", "list", "/turtlesim", "--param-type", "--filter", "_r$").text
     assert typed == "  background_r (type: integer)"
-    assert json.loads(transcript.run("param", "list", "--json").text)["/turtlesim"]["background_g"] is None
+    assert (
+        json.loads(transcript.run_here("param", "list", "--json").text)["/turtlesim"]["background_g"] is None
+    )
 
 
 @pytest.mark.parametrize(
@@ -69,44 +57,31 @@ def test_the_node_is_found_after_prefixes_too(
     words: tuple[str, ...], deviations: dict[str, dict[str, str]]
 ) -> None:
     assert "param-prefixes-node" in deviations
-    assert transcript.run("param", "list", *words).text == "  start_type_description_service"
+    assert transcript.run_here("param", "list", *words).text == "  start_type_description_service"
 
 
 @pytest.mark.usefixtures("turtlesim_to_change")
 def test_dump_can_be_loaded(tmp_path: Path) -> None:
-    dumped = transcript.run("param", "dump", "/turtlesim").text
+    dumped = transcript.run_here("param", "dump", "/turtlesim").text
     recorded = yaml.safe_load(transcript.golden("param_dump").text)["/turtlesim"]["ros__parameters"]
     ours = yaml.safe_load(dumped)["/turtlesim"]["ros__parameters"]
     assert ours == {**recorded, "background_r": 69}
 
     file = tmp_path / "parameters.yaml"
     file.write_text(dumped.replace("background_r: 69", "background_r: 12"))
-    loaded = transcript.run("param", "load", "/turtlesim", str(file))
+    loaded = transcript.run_here("param", "load", "/turtlesim", str(file))
     assert "Set parameter background_r successful" in loaded.text.splitlines()
-    assert transcript.run("param", "get", "--hide-type", "/turtlesim", "background_r").text == "12"
-
-
-@pytest.mark.usefixtures("turtlesim_to_change")
-def test_wildcard_parameters_are_loaded_unless_disabled(tmp_path: Path) -> None:
-    file = tmp_path / "parameters.yaml"
-    file.write_text("/**:\n  ros__parameters:\n    background_g: 3\n")
-    refused = transcript.run("param", "load", "--no-use-wildcard", "/turtlesim", str(file))
-    assert (refused.text, refused.exit_code) == (
-        "Param file does not contain parameters for /turtlesim,only for nodes: ['/**'] ",
-        1,
-    )
-    assert (
-        transcript.run("param", "load", "/turtlesim", str(file)).text
-        == "Set parameter background_g successful"
-    )
+    assert transcript.run_here("param", "get", "--hide-type", "/turtlesim", "background_r").text == "12"
 
 
 def test_invalid_arguments_give_an_error_message(tmp_path: Path) -> None:
-    assert transcript.run("param", "list", "/turtlesin").text == "Node not found\ndid you mean /turtlesim?"
-    near = transcript.run("param", "get", "/turtlesim", "backgroundr").text
+    assert (
+        transcript.run_here("param", "list", "/turtlesin").text == "Node not found\ndid you mean /turtlesim?"
+    )
+    near = transcript.run_here("param", "get", "/turtlesim", "backgroundr").text
     assert near.startswith("Parameter not set\ndid you mean background_")
-    assert transcript.run("param", "describe", "/turtlesim", "nope").exit_code == 1
-    missing = transcript.run("param", "load", "/turtlesim", str(tmp_path / "none.yaml"))
+    assert transcript.run_here("param", "describe", "/turtlesim", "nope").exit_code == 1
+    missing = transcript.run_here("param", "load", "/turtlesim", str(tmp_path / "none.yaml"))
     assert missing.text == f"can't read {tmp_path / 'none.yaml'}: No such file or directory"
 
 
@@ -134,13 +109,13 @@ def test_values_of_every_type_survive_set_and_get(
     domain_id: int, tmp_path: Path, start_program: Callable[..., object]
 ) -> None:
     start_program("python", "-c", A_NODE).wait_for("ready")
-    dumped = transcript.run("param", "dump", "/ns/a_node").text
+    dumped = transcript.run_here("param", "dump", "/ns/a_node").text
     parameters = yaml.safe_load(dumped)["/ns/a_node"]["ros__parameters"]
     assert parameters["a"]["number"] == 5
     assert "unset" not in parameters
     file = tmp_path / "parameters.yaml"
     file.write_text(dumped)
-    loaded = transcript.run("param", "load", "/ns/a_node", str(file)).text
+    loaded = transcript.run_here("param", "load", "/ns/a_node", str(file)).text
     failed = [line for line in loaded.splitlines() if "failed" in line]
     assert [line.split()[2] for line in failed] == ["start_type_description_service"]  # It is read-only.
-    assert transcript.run("param", "dump", "/ns/a_node").text == dumped
+    assert transcript.run_here("param", "dump", "/ns/a_node").text == dumped

@@ -26,7 +26,7 @@ def no_workspace(monkeypatch: pytest.MonkeyPatch) -> None:
 )
 def test_answers_match_the_recording(name: str) -> None:
     recorded = transcript.golden(name)
-    answer = transcript.run(*recorded.command)
+    answer = transcript.run_here(*recorded.command)
     assert (answer.text, answer.exit_code) == (recorded.text, recorded.exit_code)
 
 
@@ -38,12 +38,12 @@ def test_answers_match_the_recording(name: str) -> None:
     ],
 )
 def test_proto_prints_the_request_or_goal(name: str, values: str) -> None:
-    answer = transcript.run("interface", "proto", "--no-quotes", name)
+    answer = transcript.run_here("interface", "proto", "--no-quotes", name)
     assert (answer.text.rstrip(), answer.exit_code) == (values.rstrip(), 0)
 
 
 def test_proto_of_an_unknown_service_gives_the_nearest() -> None:
-    answer = transcript.run("interface", "proto", "turtlesim/srv/Spwn")
+    answer = transcript.run_here("interface", "proto", "turtlesim/srv/Spwn")
     assert answer.text.endswith("\ndid you mean turtlesim/srv/Spawn?")
     assert answer.exit_code == 1
 
@@ -53,13 +53,13 @@ def test_no_comments_removes_all_comments(name: str, deviations: dict[str, dict[
     assert "cli-no-comments" in deviations
     recorded = transcript.golden(name)
     lines = [line.removesuffix(" #") for line in recorded.text.splitlines() if line != "#"]
-    assert transcript.run(*recorded.command).text.splitlines() == lines
+    assert transcript.run_here(*recorded.command).text.splitlines() == lines
 
 
 def test_interfaces_of_a_package_are_sorted(deviations: dict[str, dict[str, str]]) -> None:
     assert "cli-interface-order" in deviations
     recorded = transcript.golden("interface_package")
-    answer = transcript.run(*recorded.command)
+    answer = transcript.run_here(*recorded.command)
     assert sorted(answer.text.splitlines()) == sorted(recorded.text.splitlines())
 
 
@@ -67,46 +67,46 @@ def test_interfaces_of_a_package_are_sorted(deviations: dict[str, dict[str, str]
 def test_reference_interfaces_of_known_packages_are_listed(name: str) -> None:
     recorded = transcript.golden(name)
     words = recorded.command[: recorded.command.index("|")]
-    ours = transcript.run(*words).text.splitlines()
+    ours = transcript.run_here(*words).text.splitlines()
     for_tests = {"ros2cli_test_interfaces", "test_msgs"}
     assert [line for line in recorded.text.splitlines() if line not in ours and line not in for_tests] == []
     assert ours.index("std_msgs" if "packages" in name else "Messages:") >= 0
 
 
 def test_own_programs_are_listed() -> None:
-    listed = transcript.run("pkg", "executables").text.splitlines()
+    listed = transcript.run_here("pkg", "executables").text.splitlines()
     assert listed == [
         f"{package} {program}" for package in sorted(index.PROGRAMS) for program in index.PROGRAMS[package]
     ]
-    one = json.loads(transcript.run("pkg", "executables", "tf2_tools", "--json").text)
+    one = json.loads(transcript.run_here("pkg", "executables", "tf2_tools", "--json").text)
     assert one == [
         {"package": "tf2_tools", "executable": "view_frames", "target": "tfloom.tf2_tools.view_frames:main"}
     ]
 
 
 def test_bare_interface_name_gives_the_full_names() -> None:
-    answer = transcript.run("interface", "show", "twist")
+    answer = transcript.run_here("interface", "show", "twist")
     assert answer.exit_code == 1
     assert answer.text.endswith("not 'twist'\ndid you mean geometry_msgs/msg/Twist?")
 
 
 def test_turtlesim_programs_match_the_recording() -> None:
     recorded = transcript.golden("pkg_executables")
-    assert transcript.run(*recorded.command).text.splitlines() == recorded.text.splitlines()
+    assert transcript.run_here(*recorded.command).text.splitlines() == recorded.text.splitlines()
 
 
 def test_packages_of_tfloom_interfaces_are_listed_as_our_own() -> None:
-    assert "nav2_msgs" in transcript.run("pkg", "list").text.splitlines()
-    prefix = transcript.run("pkg", "prefix", "nav2_msgs").text
+    assert "nav2_msgs" in transcript.run_here("pkg", "list").text.splitlines()
+    prefix = transcript.run_here("pkg", "prefix", "nav2_msgs").text
     assert prefix == str(find_prefix(INTERFACES))
-    share = Path(transcript.run("pkg", "prefix", "--share", "nav2_msgs").text)
+    share = Path(transcript.run_here("pkg", "prefix", "--share", "nav2_msgs").text)
     assert (share / "action" / "NavigateToPose.action").is_file()
-    listed = transcript.run("interface", "list").text
+    listed = transcript.run_here("interface", "list").text
     assert "    nav2_msgs/action/NavigateToPose\n" in listed
     assert "    vision_msgs/msg/Detection3D\n" in listed
-    shown = transcript.run("interface", "show", "map_msgs/msg/ProjectedMap").text
+    shown = transcript.run_here("interface", "show", "map_msgs/msg/ProjectedMap").text
     assert shown.startswith("nav_msgs/OccupancyGrid map\n\tstd_msgs/Header header\n")
-    assert transcript.run("interface", "proto", "nav2_msgs/action/Wait").text.startswith('"time:\n')
+    assert transcript.run_here("interface", "proto", "nav2_msgs/action/Wait").text.startswith('"time:\n')
 
 
 def test_packages_with_definitions_and_no_marker_are_listed(
@@ -116,19 +116,19 @@ def test_packages_with_definitions_and_no_marker_are_listed(
     folder.mkdir(parents=True)
     (folder / "Ball.msg").write_text("float64 radius\n")
     monkeypatch.setenv(index.PREFIX_PATH_VARIABLE, str(tmp_path))
-    assert transcript.run("interface", "package", "my_interfaces").text == "my_interfaces/msg/Ball"
-    assert transcript.run("interface", "show", "my_interfaces/Ball").text == "float64 radius"
+    assert transcript.run_here("interface", "package", "my_interfaces").text == "my_interfaces/msg/Ball"
+    assert transcript.run_here("interface", "show", "my_interfaces/Ball").text == "float64 radius"
 
 
 def test_packages_are_listed() -> None:
-    listed = transcript.run("pkg", "list").text.splitlines()
+    listed = transcript.run_here("pkg", "list").text.splitlines()
     assert {"geometry_msgs", "rclpy", "tf2_ros", "turtlesim"} <= set(listed)
     assert listed == sorted(listed)
-    assert transcript.run("pkg", "prefix", "turtlesim").text == str(index.OWN_PREFIX)
-    share = Path(transcript.run("pkg", "prefix", "--share", "turtlesim").text)
+    assert transcript.run_here("pkg", "prefix", "turtlesim").text == str(index.OWN_PREFIX)
+    share = Path(transcript.run_here("pkg", "prefix", "--share", "turtlesim").text)
     assert (share / "msg" / "Pose.msg").is_file()
     assert "<name>turtlesim</name>" in (share / "package.xml").read_text("utf-8")
-    assert transcript.run("pkg", "xml", "rclpy", "-t", "name").text == "rclpy"
+    assert transcript.run_here("pkg", "xml", "rclpy", "-t", "name").text == "rclpy"
 
 
 def test_new_package_builds_and_runs(
@@ -144,9 +144,9 @@ def test_new_package_builds_and_runs(
         "my_node",
         "my_pkg",
     )
-    created = transcript.run(*words)
+    created = transcript.run_here(*words)
     assert created.exit_code == 0, created.text
-    again = transcript.run(*words)
+    again = transcript.run_here(*words)
     assert (again.exit_code, again.text.endswith("exists; nothing was written")) == (1, True)
     binaries = Path(sys.executable).parent
     built = run_to_end([binaries / "colcon", "build"], cwd=tmp_path)
@@ -174,12 +174,12 @@ def test_new_package_builds_and_runs(
 def test_package_that_cannot_be_built_is_rejected(
     words: tuple[str, ...], reason: str, tmp_path: Path
 ) -> None:
-    answer = transcript.run("pkg", "create", "--destination-directory", str(tmp_path), "my_pkg", *words)
+    answer = transcript.run_here("pkg", "create", "--destination-directory", str(tmp_path), "my_pkg", *words)
     assert (answer.exit_code, answer.text[: len(reason)]) == (1, reason)
     assert list(tmp_path.iterdir()) == []
 
 
 def test_licenses_are_listed() -> None:
-    listed = transcript.run("pkg", "create", "my_pkg", "--license", "?").text.splitlines()
+    listed = transcript.run_here("pkg", "create", "my_pkg", "--license", "?").text.splitlines()
     assert listed[0] == "Supported licenses:"
     assert {"Apache-2.0", "BSD-3-Clause", "GPL-3.0-only", "MIT"} < set(listed)

@@ -5,14 +5,13 @@ from __future__ import annotations
 import re
 import signal
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 from tests.conftest import Program
 
 from tfloom.cli.run import run_here
-from tfloom.node.context.context import Context
 from tfloom.node.node import Node
 from tfloom.workspace.index import PROGRAMS
 
@@ -46,18 +45,10 @@ RUNNING = {
 """Programs that run until they are stopped: the name of the node of each, and its words."""
 
 
-@pytest.fixture
-def graph(domain_id: int) -> Iterator[Node]:
-    context = Context()
-    context.init(args=[], domain_id=domain_id)
-    yield Node("onlooker", context=context)
-    context.destroy()
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=["INT", "TERM"])
 def test_programs_end_without_traceback_when_stopped(
-    graph: Node, number: int, start_program: Callable[..., Program], wait_until: Callable[..., None]
+    onlooker: Node, number: int, start_program: Callable[..., Program], wait_until: Callable[..., None]
 ) -> None:
     programs = {
         node: start_program(
@@ -69,7 +60,7 @@ def test_programs_end_without_traceback_when_stopped(
         for node in [RUNNING[name][0]]
     }
     assert len(programs) == len(RUNNING)
-    wait_until(lambda: programs.keys() <= set(graph.get_node_names()), 90, "all nodes")
+    wait_until(lambda: programs.keys() <= set(onlooker.get_node_names()), 90, "all nodes")
     for program in programs.values():
         program.signal(number)
     for program in programs.values():

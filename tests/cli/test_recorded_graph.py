@@ -38,4 +38,4 @@ def test_lists_match_the_recording(domain_id: int, start_program: Callable[..., 
     names = ("node_list", "param_list", "service_list_t", "topic_list", "topic_list_hidden", "topic_list_t")
     for name in names:
         recorded = transcript.golden(name)
-        assert masked(transcript.run(*recorded.command)) == masked(recorded)
+        assert masked(transcript.run_here(*recorded.command)) == masked(recorded)

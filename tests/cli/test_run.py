@@ -24,15 +24,11 @@ pytestmark = pytest.mark.skipif(os.name != "posix", reason="the programs under t
 
 
 @pytest.fixture
-def add_program(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., Path]:
-    """Put a Python program into the package `my_pkg` of a prefix on AMENT_PREFIX_PATH."""
-    monkeypatch.setenv(index.PREFIX_PATH_VARIABLE, str(tmp_path))
-    marker = tmp_path / index.RESOURCE_INDEX / "packages" / "my_pkg"
-    marker.parent.mkdir(parents=True)
-    marker.touch()
+def add_program(prefix: Path) -> Callable[..., Path]:
+    """Put a Python program into the package `my_pkg` of a workspace."""
 
     def add(name: str, code: str) -> Path:
-        path = tmp_path / "lib" / "my_pkg" / name
+        path = prefix / "lib" / "my_pkg" / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(f"#!{sys.executable}\n{code}\n")
         path.chmod(0o755)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import sys
 import urllib.request
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -13,7 +13,6 @@ import transcript
 from tests.conftest import Program, wait_until
 
 from tfloom.cli import rviz2, view
-from tfloom.node.context.context import Context
 from tfloom.node.node import Node
 from tfloom.viewer.extra import is_installed
 from tfloom.workspace import index
@@ -48,14 +47,6 @@ def config(tmp_path: Path) -> Path:
     return path
 
 
-@pytest.fixture
-def graph(domain_id: int) -> Iterator[Node]:
-    context = Context()
-    context.init(args=[], domain_id=domain_id)
-    yield Node("onlooker", context=context)
-    context.destroy()
-
-
 def opened(program: Program) -> str:
     """Return the address that a program prints, when its page is served."""
     program.wait_for("Open http://127.0.0.1:")
@@ -78,28 +69,28 @@ def fixed_frame(address: str) -> str:
 
 @needs_view
 def test_rviz2_says_one_sentence_and_serves_the_page(
-    config: Path, graph: Node, start_program: Callable[..., Program]
+    config: Path, onlooker: Node, start_program: Callable[..., Program]
 ) -> None:
     words = ("-d", config, "--ros-args", "-r", "/tf:=/a/tf", "-p", "use_sim_time:=true")
     program = start_program("tfloom", "run", "rviz2", "rviz2", *words)
     assert fixed_frame(opened(program)) == "odom"
     assert program.lines[0] == f"{SAID}{config}"
     assert any("the display My display of the class my_plugins/Fancy" in line for line in program.lines)
-    wait_until(lambda: graph.count_subscribers("/a/tf") == 1, what="the remapped topic")
-    wait_until(lambda: graph.count_subscribers("/clock") == 1, what="the time")
-    assert graph.count_subscribers("/tf") == 0
+    wait_until(lambda: onlooker.count_subscribers("/a/tf") == 1, what="the remapped topic")
+    wait_until(lambda: onlooker.count_subscribers("/clock") == 1, what="the time")
+    assert onlooker.count_subscribers("/tf") == 0
 
 
 @needs_view
 def test_launch_file_that_starts_rviz2_opens_the_page(
-    config: Path, graph: Node, tmp_path: Path, start_program: Callable[..., Program]
+    config: Path, onlooker: Node, tmp_path: Path, start_program: Callable[..., Program]
 ) -> None:
     launch_file = tmp_path / "robot.launch.py"
     launch_file.write_text(LAUNCH.format(config=str(config)))
     program = start_program("tfloom", "launch", launch_file)
     assert fixed_frame(opened(program)) == "base"
     assert any(line.endswith(f"{SAID}{config}") for line in program.lines)
-    wait_until(lambda: graph.count_subscribers("/robot1/tf") == 1, what="the topic in the namespace")
+    wait_until(lambda: onlooker.count_subscribers("/robot1/tf") == 1, what="the topic in the namespace")
 
 
 @needs_view
@@ -139,8 +130,8 @@ def test_programs_with_windows_say_what_stands_in_for_them() -> None:
     for package, sentence in index.STAND_INS.items():
         assert "`" in sentence
         if package in {"rqt_plot", "gazebo_ros"}:  # each takes a process
-            said = transcript.run("run", package, package)
+            said = transcript.run_here("run", package, package)
             assert (said.exit_code, said.text) == (1, f"Package '{package}' not found\n{sentence}")
-    asked = transcript.run("pkg", "prefix", "rqt_graph")
+    asked = transcript.run_here("pkg", "prefix", "rqt_graph")
     assert asked.exit_code == 1
     assert index.STAND_INS["rqt_graph"] in asked.text

@@ -5,35 +5,12 @@ from __future__ import annotations
 import math
 import shlex
 import signal
-import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
 from tests.tf2_tools.recordings import MS, START_NS, recorded, transform, write_bag
-
-DRIVER = """
-import math, time
-from tfloom.interfaces.geometry_msgs.msg import TransformStamped
-from tfloom.node.client_library import init
-from tfloom.node.node import Node
-from tfloom.tf2_ros.transform_broadcaster import TransformBroadcaster
-
-init()
-node = Node("driver")
-broadcaster = TransformBroadcaster(node)
-message = TransformStamped(child_frame_id="base")
-message.header.frame_id = "odom"
-print("running", flush=True)
-while True:
-    now = node.get_clock().now()
-    message.header.stamp = now.to_msg()
-    message.transform.translation.x = math.sin(now.nanoseconds / 1e9)
-    message.transform.rotation.w = 1.0
-    broadcaster.sendTransform(message)
-    time.sleep(0.02)
-"""
 
 
 @pytest.fixture(scope="module")
@@ -72,7 +49,7 @@ def test_a_live_graph_is_recorded_until_ctrl_c(
     plot = start_program(
         "tfloom", "tf", "plot", "odom", "base", "--seconds", "60", "--wait", "20", cwd=tmp_path
     )
-    start_program(sys.executable, "-c", DRIVER).wait_for("running")
+    start_program("python", Path(__file__).with_name("a_broadcaster.py")).wait_for("broadcasting")
     plot.wait_for("recording for 60 s; Ctrl-C ends it earlier")
     other = start_program(
         "tfloom", "tf", "plot", "odom", "base", "--seconds", "1", "-o", "1.svg", cwd=tmp_path

@@ -13,7 +13,7 @@ import pytest
 from tfloom.tf2_tools.static_transforms.file import file_text, read_statics
 from tfloom.tf2_tools.static_transforms.transform import StaticTransform
 
-Run = Callable[..., tuple[int, list[str]]]
+Run = Callable[..., tuple[int, str]]
 
 ROBOT = [
     StaticTransform("base", "laser", (0.1, 0.0, 0.3), (0.0, 0.0, 0.6, 0.8)),
@@ -30,33 +30,23 @@ def robot(tmp_path: Path) -> Path:
     return path
 
 
-@pytest.fixture
-def run(start_program: Callable[..., Any]) -> Run:
-    """Run `tfloom tf …` to its end; return exit code and lines."""
-
-    def run(*words: str | Path) -> tuple[int, list[str]]:
-        program = start_program("tfloom", "tf", *words)
-        return program.wait(), program.lines
-
-    return run
-
-
 def test_published_statics_are_saved_and_compared(
     domain_id: int,
     start_program: Callable[..., Any],
-    run: Run,
+    run_tf: Run,
     robot: Path,
     tmp_path: Path,
 ) -> None:
     publisher = start_program("tfloom", "tf", "publish", robot)
     publisher.wait_for("/static_transforms_robot_1: 2 static transforms on /tf_static, until Ctrl-C")
     saved = tmp_path / "saved.yaml"
-    assert run("save", saved) == (0, [f"{saved}: 2 static transforms"])
+    assert run_tf("save", saved) == (0, f"{saved}: 2 static transforms")
     assert read_statics(saved) == ROBOT
-    assert run("diff", robot, "live") == (0, [])
+    assert run_tf("diff", robot, "live") == (0, "")
     moved = tmp_path / "moved.yaml"
     moved.write_text(file_text(MOVED), "utf-8")
-    assert run("diff", "live", moved) == (
+    code, text = run_tf("diff", "live", moved)
+    assert (code, text.splitlines()) == (
         1,
         [
             "--- live",
@@ -73,7 +63,7 @@ def test_published_statics_are_saved_and_compared(
 def test_statics_of_two_nodes_that_differ_are_saved_with_a_warning(
     domain_id: int,
     start_program: Callable[..., Any],
-    run: Run,
+    run_tf: Run,
     robot: Path,
     tmp_path: Path,
 ) -> None:
@@ -81,36 +71,36 @@ def test_statics_of_two_nodes_that_differ_are_saved_with_a_warning(
     other.write_text(file_text(MOVED[:1]), "utf-8")
     for path in (robot, other):
         start_program("tfloom", "tf", "publish", path).wait_for("until Ctrl-C")
-    code, lines = run("save", "-")
+    code, text = run_tf("save", "-")
     assert code == 0
-    (warning,) = [line for line in lines if line.startswith("WARNING")]
+    (warning,) = [line for line in text.splitlines() if line.startswith("WARNING")]
     assert "'laser' has different static transforms" in warning
     assert "/static_transforms_robot_1" in warning
     assert "/static_transforms_other" in warning
 
 
-def test_a_graph_without_statics(domain_id: int, run: Run, tmp_path: Path) -> None:
+def test_a_graph_without_statics(domain_id: int, run_tf: Run, tmp_path: Path) -> None:
     path = tmp_path / "none.yaml"
-    assert run("save", path, "--wait", "0.1") == (1, ["no static transform on /tf_static: waited 0.1 s"])
+    assert run_tf("save", path, "--wait", "0.1") == (1, "no static transform on /tf_static: waited 0.1 s")
     assert not path.exists()
 
 
-def test_diff_of_files(run: Run, robot: Path, tmp_path: Path) -> None:
+def test_diff_of_files(run_tf: Run, robot: Path, tmp_path: Path) -> None:
     moved = tmp_path / "moved.yaml"
     moved.write_text(file_text([MOVED[0], ROBOT[1]]), "utf-8")
-    assert run("diff", robot, moved, "--translation", "0.06")[0] == 0
-    code, lines = run("diff", robot, moved, "--json")
-    (difference,) = json.loads("\n".join(lines))
+    assert run_tf("diff", robot, moved, "--translation", "0.06")[0] == 0
+    code, text = run_tf("diff", robot, moved, "--json")
+    (difference,) = json.loads(text)
     assert (code, difference["kind"], difference["child"]) == (1, "moved", "laser")
     assert difference["distance"] == pytest.approx(0.05)
 
 
-def test_diff_of_what_cannot_be_read_is_trouble(run: Run, robot: Path, tmp_path: Path) -> None:
+def test_diff_of_what_cannot_be_read_is_trouble(run_tf: Run, robot: Path, tmp_path: Path) -> None:
     broken = tmp_path / "broken.yaml"
     broken.write_text("static_transforms: 5", "utf-8")
     key = "a file of static transforms has one key, static_transforms, with a list of transforms"
-    assert run("diff", robot, broken) == (2, [f"{broken}:1: {key}"])
+    assert run_tf("diff", robot, broken) == (2, f"{broken}:1: {key}")
     missing = tmp_path / "missing.yaml"
-    assert run("diff", missing, robot) == (2, [f"{missing}: No such file or directory"])
-    assert run("diff", "live", "live")[0] == 2
-    assert run("publish", broken) == (1, [f"{broken}:1: {key}"])
+    assert run_tf("diff", missing, robot) == (2, f"{missing}: No such file or directory")
+    assert run_tf("diff", "live", "live")[0] == 2
+    assert run_tf("publish", broken) == (1, f"{broken}:1: {key}")

@@ -78,22 +78,21 @@ def log(module_domain_id: int, start_module_program: Callable[..., Program]) -> 
     ],
 )
 def test_messages_match_the_recording(name: str) -> None:
-    recorded = transcript.golden(name)
-    assert transcript.run(*recorded.command) == recorded
+    transcript.check(name)
 
 
 @pytest.mark.parametrize("name", ["topic_echo_bad", "topic_echo_badtype"])
 def test_errors_begin_as_recorded(name: str, domain_id: int, deviations: dict[str, dict[str, str]]) -> None:
     assert "cli-nearest-names" in deviations
     recorded = transcript.golden(name)
-    answer = transcript.run(*recorded.command)
+    answer = transcript.run_here(*recorded.command)
     assert answer.exit_code == recorded.exit_code
     assert answer.text.startswith(recorded.text)
 
 
 def test_misspelt_topic_or_type_gives_the_nearest(pose: None) -> None:
-    assert transcript.run("topic", "echo", "/turtle/pose").text.endswith("\ndid you mean /turtle1/pose?")
-    assert "turtlesim/msg/Pose" in transcript.run("topic", "echo", "/x", "turtlesim/msg/Poze").text
+    assert transcript.run_here("topic", "echo", "/turtle/pose").text.endswith("\ndid you mean /turtle1/pose?")
+    assert "turtlesim/msg/Pose" in transcript.run_here("topic", "echo", "/x", "turtlesim/msg/Poze").text
 
 
 def test_echo_with_a_type_waits_for_the_topic(
@@ -127,15 +126,15 @@ def test_earlier_messages_of_all_transient_publishers_are_received(
 
     with ThreadPoolExecutor() as pool:
         list(pool.map(publish_one, range(7)))
-    answer = transcript.run("topic", "echo", "--csv", "--timeout", "2", "/late")
+    answer = transcript.run_here("topic", "echo", "--csv", "--timeout", "2", "/late")
     assert sorted(answer.text.splitlines()) == [str(number) for number in range(7)]
 
 
 def test_filter_selects_messages(pose: None) -> None:
     words = ("topic", "echo", "/turtle1/pose")
-    assert transcript.run(*words, "--once", "--csv", "--filter", "m.x > 5").exit_code == 0
-    assert transcript.run(*words, "--timeout", "0.5", "--filter", "m.x < 5").text == ""
-    mistaken = transcript.run(*words, "--filter", "m.q")
+    assert transcript.run_here(*words, "--once", "--csv", "--filter", "m.x > 5").exit_code == 0
+    assert transcript.run_here(*words, "--timeout", "0.5", "--filter", "m.x < 5").text == ""
+    mistaken = transcript.run_here(*words, "--filter", "m.q")
     assert (mistaken.exit_code, mistaken.text) == (
         1,
         (
@@ -143,32 +142,31 @@ def test_filter_selects_messages(pose: None) -> None:
             "there are: x, y, theta, linear_velocity, angular_velocity"
         ),
     )
-    assert transcript.run(*words, "--filter", "m.x >").text.startswith("--filter isn't a Python expression")
 
 
 def test_field_path_with_an_index_selects_an_element(camera: None) -> None:
     words = ("topic", "echo", "--once", "/tf_static", "--field")
-    assert transcript.run(*words, "transforms[0].transform.translation.z").text == "3.0\n---"
+    assert transcript.run_here(*words, "transforms[0].transform.translation.z").text == "3.0\n---"
     assert (
-        transcript.run(*words, "transforms[0].header.stamp").text
+        transcript.run_here(*words, "transforms[0].header.stamp").text
         == "sec: 1795257442\nnanosec: 127281577\n---"
     )
-    outside = transcript.run(*words, "transforms[1].header")
+    outside = transcript.run_here(*words, "transforms[1].header")
     assert outside.exit_code == 1
     assert outside.text.startswith("Invalid field 'transforms[1].header': ")
-    wrong = transcript.run(*words, "transforms[0].header.q")
+    wrong = transcript.run_here(*words, "transforms[0].header.q")
     assert wrong.text.endswith("there are: stamp, frame_id")
 
 
 def test_csv_and_json_are_printed(camera: None) -> None:
     words = ("topic", "echo", "--once", "/tf_static")
-    message = json.loads(transcript.run(*words, "--json").text)
+    message = json.loads(transcript.run_here(*words, "--json").text)
     assert message["transforms"][0]["transform"]["translation"] == {"x": 1.0, "y": 2.0, "z": 3.0}
-    assert transcript.run(*words, "--raw").text.startswith("b'\\x00\\x01\\x00\\x00\\x01\\x00\\x00\\x00")
+    assert transcript.run_here(*words, "--raw").text.startswith("b'\\x00\\x01\\x00\\x00\\x01\\x00\\x00\\x00")
 
 
 def test_timeout_without_message_gives_an_error_message(domain_id: int) -> None:
-    answer = transcript.run("topic", "echo", "--once", "--timeout", "0.5", "/x", "std_msgs/msg/Empty")
+    answer = transcript.run_here("topic", "echo", "--once", "--timeout", "0.5", "/x", "std_msgs/msg/Empty")
     assert answer.exit_code == 1
     assert answer.text.endswith("no message on /x within 0.5 s")
 
@@ -177,10 +175,10 @@ def test_arrays_and_strings_are_truncated_as_requested(publish: Callable[..., ob
     values = f"{{data: {'x' * 200}}}"
     publish("/long", "std_msgs/msg/String", values)
     words = ("topic", "echo", "--once", "/long")
-    assert transcript.run(*words).text == f"data: {'x' * 128}...\n---"
-    assert transcript.run(*words, "--truncate-length", "5").text == "data: xxxxx...\n---"
-    assert transcript.run(*words, "--full-length").text == f"data: {'x' * 200}\n---"
-    assert transcript.run(*words, "--no-str").text == "data: '<string length: <200>>'\n---"
+    assert transcript.run_here(*words).text == f"data: {'x' * 128}...\n---"
+    assert transcript.run_here(*words, "--truncate-length", "5").text == "data: xxxxx...\n---"
+    assert transcript.run_here(*words, "--full-length").text == f"data: {'x' * 200}\n---"
+    assert transcript.run_here(*words, "--no-str").text == "data: '<string length: <200>>'\n---"
 
 
 INFO = ["publication_sequence_number", "received_timestamp", "reception_sequence_number", "source_timestamp"]
@@ -188,13 +186,13 @@ INFO = ["publication_sequence_number", "received_timestamp", "reception_sequence
 
 def test_message_info_is_printed_before_the_message(pose: None) -> None:
     words = ("topic", "echo", "--once", "--include-message-info", "/turtle1/pose")
-    info, message, _ = transcript.run(*words).text.split("---")
+    info, message, _ = transcript.run_here(*words).text.split("---")
     assert list(yaml.safe_load(info)) == INFO
     assert yaml.safe_load(info)["received_timestamp"] >= yaml.safe_load(info)["source_timestamp"] > 1e18
     assert yaml.safe_load(message)["x"] == 5.544444561004639
-    line = transcript.run(*words, "--csv").text
+    line = transcript.run_here(*words, "--csv").text
     assert re.fullmatch(r"\d{19},\d{19},None,None,5.544444561004639,5.544444561004639,0.0,0.0,0.0", line)
-    as_json = json.loads(transcript.run(*words, "--json").text)
+    as_json = json.loads(transcript.run_here(*words, "--json").text)
     assert sorted(as_json["message_info"]) == INFO
     assert as_json["message"]["theta"] == 0.0
 
@@ -203,12 +201,12 @@ def test_several_fields_are_printed(camera: None, deviations: dict[str, dict[str
     assert "echo-several-fields" in deviations
     words = ("topic", "echo", "--once", "/tf_static", "--field", "transforms[0].child_frame_id",
              "--field", "transforms[0].transform.translation")  # fmt: skip
-    assert transcript.run(*words).text == (
+    assert transcript.run_here(*words).text == (
         "transforms[0].child_frame_id: camera\n"
         "transforms[0].transform.translation:\n  x: 1.0\n  y: 2.0\n  z: 3.0\n---"
     )
-    assert transcript.run(*words, "--csv").text == "camera,1.0,2.0,3.0"
-    assert json.loads(transcript.run(*words, "--json").text) == {
+    assert transcript.run_here(*words, "--csv").text == "camera,1.0,2.0,3.0"
+    assert json.loads(transcript.run_here(*words, "--json").text) == {
         "transforms[0].child_frame_id": "camera",
         "transforms[0].transform.translation": {"x": 1.0, "y": 2.0, "z": 3.0},
     }
@@ -216,16 +214,16 @@ def test_several_fields_are_printed(camera: None, deviations: dict[str, dict[str
 
 def test_filter_receives_the_selected_field(pose: None) -> None:
     words = ("topic", "echo", "/turtle1/pose", "--field", "x", "--filter")
-    assert transcript.run(*words, "m > 5", "--once").text == "5.544444561004639\n---"
-    assert transcript.run(*words, "m < 5", "--timeout", "0.5").text == ""
+    assert transcript.run_here(*words, "m > 5", "--once").text == "5.544444561004639\n---"
+    assert transcript.run_here(*words, "m < 5", "--timeout", "0.5").text == ""
 
 
 def test_raw_bytes_work_with_filter_and_json(pose: None) -> None:
     words = ("topic", "echo", "/turtle1/pose", "--raw")
-    assert transcript.run(*words, "--filter", "m.x < 5", "--timeout", "0.5").text == ""
-    raw = bytes.fromhex(json.loads(transcript.run(*words, "--once", "--json").text))
+    assert transcript.run_here(*words, "--filter", "m.x < 5", "--timeout", "0.5").text == ""
+    raw = bytes.fromhex(json.loads(transcript.run_here(*words, "--once", "--json").text))
     assert cdr.decode(Pose, raw).x == 5.544444561004639
-    part = transcript.run(*words, "--field", "x")
+    part = transcript.run_here(*words, "--field", "x")
     assert (part.exit_code, part.text) == (
         1,
         "--raw prints the bytes of whole messages, and --field a part of them",
@@ -233,7 +231,7 @@ def test_raw_bytes_work_with_filter_and_json(pose: None) -> None:
 
 
 def test_unknown_field_is_rejected(pose: None) -> None:
-    answer = transcript.run("topic", "echo", "--once", "/turtle1/pose", "--field", "__class__")
+    answer = transcript.run_here("topic", "echo", "--once", "/turtle1/pose", "--field", "__class__")
     assert answer.exit_code == 1
     assert answer.text.endswith("there are: x, y, theta, linear_velocity, angular_velocity")
 
@@ -291,7 +289,7 @@ def test_lost_messages_are_reported(
 
 
 def test_mismatched_type_is_reported(pose: None) -> None:
-    answer = transcript.run("topic", "echo", "/turtle1/pose", "std_msgs/msg/Empty", "--timeout", "1")
+    answer = transcript.run_here("topic", "echo", "/turtle1/pose", "std_msgs/msg/Empty", "--timeout", "1")
     assert answer.text == (
         "WARNING: /turtle1/pose is published as turtlesim/msg/Pose, not as std_msgs/msg/Empty"
     )

@@ -54,7 +54,7 @@ def test_types_on_the_graph_are_suggested(
     words: tuple[str, ...], meant: str, domain_id: int, start_program: Callable[..., object]
 ) -> None:
     start_program("tfloom", "topic", "pub", "/other", "example_interfaces/msg/String").wait_for("#1")
-    answer = transcript.run(*words)
+    answer = transcript.run_here(*words)
     what = {"topic": "message"}.get(words[0], words[0])
     assert answer.exit_code == 1
     assert answer.text.startswith(

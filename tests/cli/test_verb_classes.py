@@ -5,10 +5,9 @@ from __future__ import annotations
 import argparse
 import inspect
 import json
-import os
-import subprocess
 import sys
 from collections.abc import Callable
+from functools import partial
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -42,8 +41,7 @@ from ros2topic.verb.delay import ROSTopicDelay
 from ros2topic.verb.hz import ROSTopicHz
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Header, Int8
-from tests.cli.extensions import install
-from tests.conftest import run_to_end
+from tests.cli.extensions import install, run_cli
 
 from tfloom.cli.main import COMMANDS
 from tfloom.cli.parser import Group
@@ -111,12 +109,7 @@ def test_derived_verb_runs_as_the_own_one_does(
         sys.executable, "-m", "tfloom.cli", "topic", "pub", "-r", "20", "/a", "std_msgs/msg/Int8", "{data: 7}"
     ).wait_for("publishing #1")
 
-    def run(*words: str) -> subprocess.CompletedProcess[str]:
-        return run_to_end(
-            [sys.executable, "-m", "tfloom.cli", "topic", "bridged", *words],
-            env={**os.environ, "PYTHONPATH": str(tmp_path), "ROS_DOMAIN_ID": str(domain_id)},
-        )
-
+    run = partial(run_cli, tmp_path, "topic", "bridged")
     done = run("--bridge", "me", "--once", "--field", "data", "/a")
     assert (done.returncode, done.stdout, done.stderr) == (0, "by me\n7\n---\n", "")
     assert "Print messages that a bridge sends" in run("-h").stdout

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import io
 import re
 import shlex
 import subprocess
 import sys
 from collections.abc import Mapping
+from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 from types import MappingProxyType
 from typing import NamedTuple
 
 from tests.conftest import python_with
+
+from tfloom.cli.main import main
 
 GOLDEN = Path(__file__).parents[1] / "golden" / "cli"
 PROGRAM = Path(sys.executable).with_name("tfloom")
@@ -66,9 +70,44 @@ def run(
     return Transcript(list(words), result.stdout.rstrip("\n"), result.returncode)
 
 
+def run_here(*words: str) -> Transcript:
+    """Run the command as `run` does, but in this process, because the start of a Python takes most of a verb's time."""
+    output = io.TextIOWrapper(io.BytesIO(), "utf-8")
+    with redirect_stdout(output), redirect_stderr(output):
+        try:
+            exit_code = main(words, prog="ros2")
+        except SystemExit as end:
+            exit_code = int(end.code or 0)
+    output.flush()
+    return Transcript(list(words), output.buffer.getvalue().decode().rstrip("\n"), exit_code)
+
+
+def check(name: str, without_end: str = "") -> None:
+    """Check that a recorded command prints here what it printed there, and ends with the same exit code.
+
+    Args:
+        name: Of the recording.
+        without_end: Characters at the end of the recorded text that don't count.
+    """
+    recorded = golden(name)
+    assert run_here(*recorded.command) == recorded._replace(text=recorded.text.rstrip(without_end))
+
+
+def check_call(name: str) -> None:
+    """Check a recorded `service call` as `check` does, but for a message about a wait and empty lines at the end."""
+    recorded, answer = golden(name), run_here(*golden(name).command)
+    text = without_waiting(answer.text)
+    assert answer._replace(text=text) == recorded._replace(text=recorded.text.rstrip("\n"))
+
+
 def without_waiting(text: str) -> str:
     """Remove the message of a call that waits longer than a second, as it may on a busy machine."""
     return text.removeprefix("waiting for service to become available...\n")
+
+
+def mask_goal(text: str) -> str:
+    """Replace the id of a goal, and each number, with `#`."""
+    return mask(re.sub(r"ID: [0-9a-f]{32}", "ID: #", text))
 
 
 def mask(text: str) -> str:

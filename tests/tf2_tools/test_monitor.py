@@ -10,9 +10,9 @@ from typing import Any
 import pytest
 from tests.tf2_tools.test_programs import SPINNING, STATIC, golden
 
+from tfloom.tf2_tools import monitor
 from tfloom.tf2_tools.monitor import Delays, NetDelay, Statistics
 
-MONITOR = ("tfloom", "run", "tf2_ros", "tf2_monitor")
 QUICK_MONITOR = """
 import sys
 from functools import partialmethod
@@ -112,7 +112,7 @@ def test_output_matches_the_reference(
 
 
 @pytest.mark.parametrize("words", [["world"], ["world", "camera", "turtle1"]])
-def test_usage_matches_the_reference(words: list[str], start_program: Callable[..., Any]) -> None:
-    program = start_program(*MONITOR, *words)
-    assert program.wait() == 255
-    assert program.lines[0].endswith("[tf2_monitor_main]: TF_Monitor: usage: tf2_monitor framea frameb")
+def test_usage_matches_the_reference(words: list[str], capfd: pytest.CaptureFixture[str]) -> None:
+    assert monitor.main(words) == 255
+    printed = "".join(capfd.readouterr())
+    assert printed.endswith("[tf2_monitor_main]: TF_Monitor: usage: tf2_monitor framea frameb\n")

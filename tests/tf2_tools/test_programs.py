@@ -11,6 +11,8 @@ from typing import Any
 
 import pytest
 
+from tfloom.tf2_tools import echo, static_publisher, view_frames
+
 GOLDEN = Path(__file__).parents[1] / "golden" / "cli"
 STATIC = ("tfloom", "run", "tf2_ros", "static_transform_publisher")
 ECHO = ("tfloom", "run", "tf2_ros", "tf2_echo")
@@ -41,47 +43,47 @@ def test_echo_of_a_static_transform_matches_the_reference(
     domain_id: int, start_program: Callable[..., Any], wait_until: Callable[..., None]
 ) -> None:
     expected = masked(golden("tf2_echo"))
-    echo = start_program(*ECHO, "world", "camera")
-    echo.wait_for("Waiting for transform")
+    program = start_program(*ECHO, "world", "camera")
+    program.wait_for("Waiting for transform")
     static = start_program(*STATIC, *CAMERA)
     static.wait_for("from 'world' to 'camera'")
     assert masked(static.lines) == masked(golden("static_log"))
-    wait_until(lambda: echo.output.count("At time") >= 3)
-    echo.signal(signal.SIGINT)
-    assert echo.wait() == 0
-    lines = [line for line in masked(echo.lines) if "Waiting" not in line]
-    assert masked(echo.lines)[0] == expected[0]
+    wait_until(lambda: program.output.count("At time") >= 3)
+    program.signal(signal.SIGINT)
+    assert program.wait() == 0
+    lines = [line for line in masked(program.lines) if "Waiting" not in line]
+    assert masked(program.lines)[0] == expected[0]
     assert lines[: len(expected) - 1] == expected[1:]
     static.signal(signal.SIGINT)
     assert static.wait() == 0
 
 
 def test_echo_waits_and_prints_the_reason(domain_id: int, start_program: Callable[..., Any]) -> None:
-    echo = start_program(*ECHO, "world", "nowhere")
-    echo.wait_for('"world" passed to canTransform argument target_frame')
+    program = start_program(*ECHO, "world", "nowhere")
+    program.wait_for('"world" passed to canTransform argument target_frame')
     start_program(*STATIC, *CAMERA)
-    echo.wait_for('"nowhere" passed to canTransform argument source_frame')
+    program.wait_for('"nowhere" passed to canTransform argument source_frame')
     expected = set(masked(golden("tf2_echo_wait")))
-    assert set(masked(echo.lines)) == expected
-    echo.signal(signal.SIGTERM)
-    assert echo.wait() == 0
+    assert set(masked(program.lines)) == expected
+    program.signal(signal.SIGTERM)
+    assert program.wait() == 0
 
 
-def test_echo_usage(start_program: Callable[..., Any]) -> None:
-    echo = start_program(*ECHO)
-    assert echo.wait() == 1
-    assert echo.lines == golden("tf2_echo_usage")
+def test_echo_usage(capsys: pytest.CaptureFixture[str]) -> None:
+    assert echo.main([]) == 1
+    *usage, last = golden("tf2_echo_usage")
+    assert capsys.readouterr().out.splitlines() == usage
+    assert last == "[ros2run]: Process exited with failure 1"
 
 
 @pytest.mark.parametrize(
     ("rate", "code"), [("fast", 2), ("1Hz", 3), ("", 2), ("0", 2), ("-1", 2), ("nan", 2)]
 )
-def test_echo_rates(start_program: Callable[..., Any], rate: str, code: int) -> None:
-    echo = start_program(*ECHO, "a", "b", rate)
-    assert echo.wait() == code
+def test_echo_rates(rate: str, code: int, capsys: pytest.CaptureFixture[str]) -> None:
+    assert echo.main(["a", "b", rate]) == code
     if rate in {"fast", "1Hz"}:
-        text = f"Failed to convert rate argument '{rate}' to a floating-point number"
-        assert text in echo.lines
+        text = f"Failed to convert rate argument '{rate}' to a floating-point number\n"
+        assert capsys.readouterr().err == text
 
 
 def test_child_frame_equal_to_frame_is_an_error(domain_id: int, start_program: Callable[..., Any]) -> None:
@@ -92,13 +94,12 @@ def test_child_frame_equal_to_frame_is_an_error(domain_id: int, start_program: C
     assert "static-same-frame" in (GOLDEN.parents[2] / "docs" / "deviations.md").read_text()
 
 
-def test_static_usage(start_program: Callable[..., Any]) -> None:
-    static = start_program(*STATIC, "--x", "one")
-    assert static.wait() == 1
-    assert static.lines[0] == "error parsing command line arguments: Failed to parse --x argument as float"
-    helped = start_program(*STATIC, "--help")
-    assert helped.wait() == 0
-    assert "--child-frame-id" in helped.output
+def test_static_usage(capsys: pytest.CaptureFixture[str]) -> None:
+    assert static_publisher.main(["--x", "one"]) == 1
+    first, *_ = capsys.readouterr().err.splitlines()
+    assert first == "error parsing command line arguments: Failed to parse --x argument as float"
+    assert static_publisher.main(["--help"]) == 0
+    assert "--child-frame-id" in capsys.readouterr().out
 
 
 def test_the_older_form_is_deprecated(domain_id: int, start_program: Callable[..., Any]) -> None:
@@ -141,10 +142,20 @@ def test_view_frames_names_the_publishing_node_in_each_format(
         assert "published by: /calibration" in (tmp_path / name).read_text("utf-8")
 
 
-def test_view_frames_names_its_formats(start_program: Callable[..., Any], tmp_path: Path) -> None:
-    view = start_program(*VIEW_FRAMES, "--format", "svg,jpg", cwd=tmp_path)
-    assert view.wait() == 2
-    assert "argument --format: 'jpg' is not one of gv, html, json, pdf, png, svg" in view.output
+@pytest.mark.parametrize(
+    ("words", "text"),
+    [
+        (["--format", "svg,jpg"], "argument --format: 'jpg' is not one of gv, html, json, pdf, png, svg"),
+        (["-o", "missing/out"], "argument -o/--output: there is no folder missing"),
+    ],
+)
+def test_view_frames_refuses_other_formats_and_a_missing_folder(
+    words: list[str], text: str, deviations: dict[str, dict[str, str]], capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert "view-frames-folder" in deviations
+    with pytest.raises(SystemExit, match="2"):
+        view_frames.main(words)
+    assert text in capsys.readouterr().err
 
 
 def test_view_frames_names_its_files_by_the_time(
@@ -159,15 +170,6 @@ def test_view_frames_names_its_files_by_the_time(
     assert len(names) == 3
     assert all(stamped.fullmatch(name) for name in names[1:])
     assert (tmp_path / names[1]).read_text() == 'digraph G { "No tf data received" }'
-
-
-def test_view_frames_into_a_missing_folder(
-    domain_id: int, start_program: Callable[..., Any], tmp_path: Path, deviations: dict[str, dict[str, str]]
-) -> None:
-    assert "view-frames-folder" in deviations
-    view = start_program(*VIEW_FRAMES, "-o", "missing/out", cwd=tmp_path)
-    assert view.wait() == 2
-    assert "argument -o/--output: there is no folder missing" in view.output
 
 
 def test_view_frames_with_an_unwritable_file(

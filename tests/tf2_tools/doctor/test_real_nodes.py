@@ -68,6 +68,13 @@ def report_of(start: Callable[..., Any], *words: str) -> dict[str, Any]:
     return report
 
 
+def start_buffer_server(start: Callable[..., Any]) -> None:
+    """Start a publisher, a buffer server, and a client that asks it for a frame that isn't there."""
+    start(*STATIC, "--x", "1", "--frame-id", "world", "--child-frame-id", "camera").wait_for(SPINNING)
+    start("tfloom", "run", "tf2_ros", "buffer_server")
+    start("python", "-c", ASKER).wait_for("server True")
+
+
 def found(report: dict[str, Any]) -> list[tuple[str, list[str]]]:
     return [(finding["code"], finding["nodes"]) for finding in report["findings"]]
 
@@ -83,9 +90,7 @@ def test_a_program_that_runs_twice(domain_id: int, start_program: Callable[..., 
 
 
 def test_requests_to_a_buffer_server(domain_id: int, start_program: Callable[..., Any]) -> None:
-    start_program(*STATIC, "--x", "1", "--frame-id", "world", "--child-frame-id", "camera").wait_for(SPINNING)
-    start_program("tfloom", "run", "tf2_ros", "buffer_server")
-    start_program("python", "-c", ASKER).wait_for("server True")
+    start_buffer_server(start_program)
     report = report_of(start_program, "--seconds", "0.8")
     assert found(report) == [("TF602", ["/asker"])]
     finding = report["findings"][0]
@@ -100,9 +105,7 @@ def test_a_buffer_server_on_zenoh_is_no_fault(
     """There, a client's question reaches the servers alone, so the doctor can't read it."""
     pytest.importorskip("zenoh", reason="eclipse-zenoh is not installed: pip install 'tfloom[zenoh]'")
     monkeypatch.setenv("RMW_IMPLEMENTATION", "rmw_zenoh_cpp")
-    start_program(*STATIC, "--x", "1", "--frame-id", "world", "--child-frame-id", "camera").wait_for(SPINNING)
-    start_program("tfloom", "run", "tf2_ros", "buffer_server")
-    start_program("python", "-c", ASKER).wait_for("server True")
+    start_buffer_server(start_program)
     assert found(report_of(start_program, "--seconds", "0.8")) == []
 
 

@@ -8,14 +8,13 @@ from contextlib import closing
 from dataclasses import replace
 
 import pytest
+from tests.tf2_tools.recordings import recorded, transform
 
-from tfloom.interfaces.geometry_msgs.msg import TransformStamped
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.rmw import local
 from tfloom.rmw.base import NodeName, Participant, Writer
 from tfloom.rmw.qos import QoS, ReliabilityPolicy
 from tfloom.rmw.typed_names import topic_of
-from tfloom.rosidl import cdr
 from tfloom.tf2.buffer import Buffer
 from tfloom.tf2_tools.explanation.advice import advise
 from tfloom.tf2_tools.explanation.lookup import Lookup, Outcome, look_up
@@ -39,11 +38,19 @@ class Graph:
         self.watch.observation()
         return writer
 
-    def lookup(self, target: str, source: str, *, asked_ns: int = 0, now_ns: int | None = None) -> Lookup:
-        """Look up at a time; `now_ns` replaces the time, also that of the observation."""
-        seen = self.watch.observation()
+    def lookup(
+        self,
+        target: str,
+        source: str,
+        *,
+        asked_ns: int = 0,
+        now_ns: int | None = None,
+        taken_ns: int | None = None,
+    ) -> Lookup:
+        """Look up at a time; `now_ns` replaces the time, and that of the observation unless `taken_ns` does."""
+        seen, taken_ns = self.watch.observation(), taken_ns or now_ns
         return look_up(
-            seen if now_ns is None else replace(seen, taken_ns=now_ns),
+            seen if taken_ns is None else replace(seen, taken_ns=taken_ns),
             self.buffer,
             target,
             source,
@@ -65,10 +72,7 @@ def graph() -> Iterator[Graph]:
 
 def send(writer: Writer, parent: str, child: str, stamp_ns: int) -> None:
     """Send one transform."""
-    transform = TransformStamped(child_frame_id=child)
-    transform.header.frame_id = parent
-    transform.header.stamp.sec, transform.header.stamp.nanosec = divmod(stamp_ns, S)
-    writer.write(cdr.encode(TFMessage(transforms=[transform])))
+    writer.write(recorded(0, transform(parent, child, stamp_ns))[2])
 
 
 def drive(writer: Writer, *, late_s: float = 0.0, length_s: float = 0.5) -> int:
@@ -172,14 +176,7 @@ def test_silence_is_measured_by_the_clock_of_receipts(graph: Graph) -> None:
     writer = graph.writer()
     for step in range(10):
         send(writer, "odom", "base", simulated_ns + step * S // 20)
-    lookup = look_up(
-        replace(graph.watch.observation(), taken_ns=time.time_ns() + 8 * S),
-        graph.buffer,
-        "odom",
-        "base",
-        asked_ns=simulated_ns + S,
-        now_ns=simulated_ns + S,
-        cache_time_ns=graph.buffer.cache_time_ns,
-    )
+    later_ns, taken_ns = simulated_ns + S, time.time_ns() + 8 * S
+    lookup = graph.lookup("odom", "base", asked_ns=later_ns, now_ns=later_ns, taken_ns=taken_ns)
     assert lookup.outcome == Outcome.FUTURE
     assert "/driver has sent none for 8.0" in said(lookup)

@@ -7,10 +7,8 @@ from collections.abc import Iterable
 from pathlib import Path
 
 import pytest
+from tests.tf2_tools.recordings import recorded, transform
 
-from tfloom.interfaces.geometry_msgs.msg import TransformStamped
-from tfloom.interfaces.tf2_msgs.msg import TFMessage
-from tfloom.rosidl import cdr
 from tfloom.tf2.buffer import Buffer
 from tfloom.tf2_tools.explanation.advice import advise, remark
 from tfloom.tf2_tools.explanation.lookup import Lookup, Outcome, look_up
@@ -27,15 +25,8 @@ def message(
 ) -> RecordedMessage:
     """Return a message stamped `stamp_s` after the start, and received later by the delay."""
     stamp_ns = START_S * S + round(stamp_s * S)
-    transform = TransformStamped(child_frame_id=child)
-    transform.header.frame_id = parent
-    transform.header.stamp.sec, transform.header.stamp.nanosec = divmod(stamp_ns, S)
-    transform.transform.translation.x = x
-    return (
-        "/tf_static" if static else "/tf",
-        stamp_ns + round(delay_s * S),
-        cdr.encode(TFMessage(transforms=[transform])),
-    )
+    sent = transform(parent, child, stamp_ns, (x, 0.0, 0.0))
+    return recorded(stamp_ns + round(delay_s * S), sent, topic="/tf_static" if static else "/tf")
 
 
 def robot() -> list[RecordedMessage]:

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import random
 
+from tests.tf2_tools.recordings import recorded, transform
+
 from tfloom._native import TfObserver
-from tfloom.interfaces.geometry_msgs.msg import TransformStamped
-from tfloom.interfaces.tf2_msgs.msg import TFMessage
-from tfloom.rosidl import cdr
 
 MAX_PUBLISHERS = 4096
 MAX_EDGES = 65536
@@ -16,10 +15,7 @@ MAX_NAME_SIZE = 1024
 
 def message(children: list[str], parent: str = "base") -> bytes:
     """Return a message with a transform for each child."""
-    transforms = [TransformStamped(child_frame_id=child) for child in children]
-    for transform in transforms:
-        transform.header.frame_id = parent
-    return cdr.encode(TFMessage(transforms=transforms))
+    return recorded(0, *(transform(parent, child, 0) for child in children))[2]
 
 
 def gid(number: int) -> bytes:

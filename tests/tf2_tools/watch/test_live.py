@@ -10,7 +10,6 @@ import pytest
 from tests.tf2_tools.recordings import recorded, transform
 
 from tfloom.interfaces.builtin_interfaces.msg import Time
-from tfloom.interfaces.geometry_msgs.msg import TransformStamped
 from tfloom.interfaces.rosgraph_msgs.msg import Clock
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.rmw import local
@@ -33,10 +32,7 @@ BEST_EFFORT = QoS(reliability=ReliabilityPolicy.BEST_EFFORT)
 
 def message(parent: str, child: str) -> bytes:
     """Return the bytes of a message with one transform, stamped now."""
-    transform = TransformStamped(child_frame_id=child)
-    transform.header.frame_id = parent
-    transform.header.stamp.sec, transform.header.stamp.nanosec = divmod(time.time_ns(), 1_000_000_000)
-    return cdr.encode(TFMessage(transforms=[transform]))
+    return recorded(0, transform(parent, child, time.time_ns()))[2]
 
 
 def observed(
