@@ -44,7 +44,7 @@ sys.exit(run_program([], lambda: spin(Talkative())))
 def test_busy_program_stopped_at_any_time_ends_without_traceback(
     numbers: list[int], start_program: Callable[..., Program]
 ) -> None:
-    programs = [start_program("python", "-c", TALKATIVE) for _ in range(4)]
+    programs = [start_program("python", "-c", TALKATIVE) for _ in range(2)]
     for program in programs:
         program.wait_for("up")
         time.sleep(random.random() * 0.01)  # the test is about a random time

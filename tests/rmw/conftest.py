@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.conftest import Program, wait_until
 from tests.zenoh_ports import NEEDS_ZENOH, use_port_of
 
 from tfloom.rmw.base import NodeName, Participant, Reader, Topic
@@ -38,8 +39,7 @@ class Peer:
 
     def send(self, verb: str, *arguments: object) -> None:
         self._next_line = len(self.program.lines)
-        self.program.process.stdin.write(json.dumps([verb, *arguments]) + "\n")
-        self.program.process.stdin.flush()
+        tell(self.program, json.dumps([verb, *arguments]))
 
     def answer(self) -> Any:
         end = time.monotonic() + 30
@@ -48,6 +48,25 @@ class Peer:
             assert time.monotonic() < end, "the peer doesn't answer"
             time.sleep(0.001)
         return json.loads(self.program.lines[self._next_line])
+
+
+def tell(program: Program, *words: object) -> None:
+    """Write a line to a program's stdin."""
+    program.process.stdin.write(" ".join(map(str, words)) + "\n")
+    program.process.stdin.flush()
+
+
+def ask(program: Program, *words: object, answer: str = "") -> list[str]:
+    """Give a command, and return the words of the line that answers it: one that begins with the same word."""
+    before = len(program.lines)
+    tell(program, *words)
+
+    def answers() -> list[list[str]]:
+        lines = [line.split() for line in program.lines[before:]]
+        return [line for line in lines if line[:1] == [answer or str(words[0])]]
+
+    wait_until(answers)
+    return answers()[0]
 
 
 @pytest.fixture

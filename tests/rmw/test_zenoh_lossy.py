@@ -14,6 +14,7 @@ from pathlib import Path
 import pytest
 from tests.conftest import Program, wait_until
 from tests.namespaces import CABLE, QUEUE_S, Host, hosts_on_a_lossy_link
+from tests.rmw.conftest import ask
 from tests.zenoh_ports import hold_zenoh_port
 
 pytest.importorskip("zenoh", reason="eclipse-zenoh is not installed: pip install 'tfloom[zenoh]'")
@@ -80,35 +81,20 @@ def network(start_program: Callable[..., Program], rate: float) -> Iterator[Netw
         yield Network(start_program, port, rate)
 
 
-def ask(program: Program, *words: object, answer: str = "") -> list[str]:
-    """Give a command, and return the words of its answer after the first."""
-    answer = answer or str(words[0])
-    before = len(program.lines)
-    assert program.process.stdin is not None
-    program.process.stdin.write(" ".join(map(str, words)) + "\n")
-    program.process.stdin.flush()
-
-    def answers() -> list[str]:
-        return [line for line in program.lines[before:] if line.split()[:1] == [answer]]
-
-    wait_until(lambda: bool(answers()))
-    return answers()[0].split()[1:]
-
-
 def send(sender: Program, count: int, transforms: int, period_s: float) -> int:
     """Send messages, and return the number of the first."""
-    return int(ask(sender, "send", count, transforms, period_s)[0])
+    return int(ask(sender, "send", count, transforms, period_s)[1])
 
 
 def count(receiver: Program, first: int) -> tuple[int, int]:
     """Return how many messages have come since a number, and how many have been told as lost, in all."""
-    came, lost = ask(receiver, "count", first)
+    _, came, lost = ask(receiver, "count", first)
     return int(came), int(lost)
 
 
 def packets(link: Program) -> tuple[int, int, int]:
     """Return how many packets went into the link, were lost by chance, and had no room."""
-    sent, _, lost, _, late = ask(link, "?", answer="packets")
+    _, sent, _, lost, _, late = ask(link, "?", answer="packets")
     return int(sent), int(lost), int(late)
 
 

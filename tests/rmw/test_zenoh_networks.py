@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 from tests.conftest import TIMEOUT_S, Program, run_to_end, wait_until
 from tests.namespaces import CABLE, Host, hosts_on_a_subnet
+from tests.rmw.conftest import ask
 from tests.zenoh_ports import hold_zenoh_port
 
 pytest.importorskip("zenoh", reason="eclipse-zenoh is not installed: pip install 'tfloom[zenoh]'")
@@ -62,15 +63,6 @@ def sites(
         near, far = hosts_on_a_subnet(start_program)
         listen = ("-l", f"tcp/127.0.0.1:{port}", "-l", f"tcp/{near.address}:{port}")
         yield Site(near, start_program, *listen), Site(far, start_program, "-e", f"tcp/{near.address}:{port}")
-
-
-def ask(program: Program, *words: object) -> list[str]:
-    """Give a command, and return the words of the line that answers it."""
-    before = len(program.lines)
-    program.process.stdin.write(" ".join(map(str, words)) + "\n")
-    program.process.stdin.flush()
-    wait_until(lambda: any(line.startswith(str(words[0])) for line in program.lines[before:]))
-    return next(line for line in program.lines[before:] if line.startswith(str(words[0]))).split()
 
 
 def graph(program: Program) -> list[str]:

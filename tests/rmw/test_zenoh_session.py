@@ -16,6 +16,7 @@ from typing import Any
 
 import pytest
 from tests.conftest import Program, run_to_end, wait_until
+from tests.rmw.conftest import ask, tell
 from tests.zenoh_ports import hold_zenoh_port
 
 from tfloom.cli import health
@@ -60,19 +61,6 @@ def start(start_program: Callable[..., Program]) -> Callable[..., Program]:
         return program
 
     return start_member
-
-
-def tell(program: Program, *words: object) -> None:
-    program.process.stdin.write(" ".join(map(str, words)) + "\n")
-    program.process.stdin.flush()
-
-
-def ask(program: Program, *words: object) -> list[str]:
-    """Give a command, and return the words of the line that answers it."""
-    before = len(program.lines)
-    tell(program, *words)
-    wait_until(lambda: any(line.startswith(str(words[0])) for line in program.lines[before:]))
-    return next(line for line in program.lines[before:] if line.startswith(str(words[0]))).split()
 
 
 def sees(program: Program, *names: str) -> bool:
