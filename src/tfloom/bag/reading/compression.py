@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, BinaryIO
 
@@ -55,12 +56,10 @@ def decompress(method: str, data: bytes, size: int) -> bytes:
     """
     if method == "zstd" and 0 < size <= min(MOST, len(data) * ZSTD_RATIO):
         module = zstd()
-        try:
+        with _told_as_damage("zstd"):
             if module.frame_content_size(data) == size:  # at once: a stream takes twice as long
                 content: bytes = module.ZstdDecompressor().decompress(data)
                 return content
-        except module.ZstdError as error:
-            raise DamagedError(f"the zstd data is damaged: {error}") from None
     content = decompress_part(method, data, size)
     if len(content) != size:
         raise DamagedError(f"{size} bytes are declared, and {len(content)} are there")
@@ -78,13 +77,9 @@ def decompress_part(method: str, data: bytes, size: int) -> bytes:
         raise DamagedError(f"{size} bytes are declared, more than the {MOST} that are accepted")
     if not method:
         return data[:size]
-    if method == "lz4":
-        return _part_of_lz4(data, size)
-    if method == "zstd":
-        return _part_of_zstd(data, size)
-    if method == "bz2":
-        return _part_of_bz2(data, size)
-    raise _unknown(method)
+    read = _reader_of(method, data)
+    with _told_as_damage(method):
+        return read(min(size, len(data) * ZSTD_RATIO) if method == "zstd" else size) if size and data else b""
 
 
 def pieces(method: str, data: bytes) -> Iterator[bytes]:
@@ -94,36 +89,41 @@ def pieces(method: str, data: bytes) -> Iterator[bytes]:
         CompressionError: the method is unknown, or its library isn't installed.
         DamagedError: the bytes are damaged.
     """
-    if method == "zstd":
-        yield from _pieces_of_zstd(data)
-        return
-    if method not in {"lz4", "bz2"}:
-        raise _unknown(method)
-    stream = lz4_frame().LZ4FrameDecompressor() if method == "lz4" else bz2_module().BZ2Decompressor()
-    try:
-        # The stream keeps the compressed bytes that it hasn't used yet, so the following calls pass none.
-        piece = stream.decompress(data, max_length=FIRST_PIECE)
+    read = _reader_of(method, data)
+    with _told_as_damage(method):
+        piece = read(FIRST_PIECE)
         while piece:
             yield piece
-            piece = b"" if stream.eof else stream.decompress(b"", max_length=PIECE)
-    except (RuntimeError, EOFError, MemoryError, OSError, ValueError) as error:
-        raise DamagedError(f"the {method} data is damaged: {error}") from None
+            piece = read(PIECE)
 
 
-def _pieces_of_zstd(data: bytes) -> Iterator[bytes]:
-    module = zstd()
+def _reader_of(method: str, data: bytes) -> Callable[[int], bytes]:
+    """Return a function that decompresses the next bytes, at most as many as its argument."""
+    if method == "zstd":
+        reader: Callable[[int], bytes] = zstd().ZstdDecompressor().stream_reader(data).read
+        return reader
+    if method not in {"lz4", "bz2"}:
+        raise CompressionError(f"the compression is '{method[:40]}', which is none of lz4 and zstd")
+    stream = lz4_frame().LZ4FrameDecompressor() if method == "lz4" else bz2_module().BZ2Decompressor()
+    # The stream keeps the compressed bytes that it hasn't used yet, so only the first call passes any.
+    left = [data]
+
+    def read(size: int) -> bytes:
+        given = left.pop() if left else b""
+        content: bytes = b"" if stream.eof else stream.decompress(given, max_length=size)
+        return content
+
+    return read
+
+
+@contextmanager
+def _told_as_damage(method: str) -> Iterator[None]:
+    """Raise DamagedError for what the library of a method raises for damaged bytes."""
+    of_library = (zstd().ZstdError,) if method == "zstd" else (RuntimeError, EOFError, OSError, ValueError)
     try:
-        with module.ZstdDecompressor().stream_reader(data) as reader:
-            piece = reader.read(FIRST_PIECE)
-            while piece:
-                yield piece
-                piece = reader.read(PIECE)
-    except (module.ZstdError, MemoryError) as error:
-        raise DamagedError(f"the zstd data is damaged: {error}") from None
-
-
-def _unknown(method: str) -> CompressionError:
-    return CompressionError(f"the compression is '{method[:40]}', which is none of lz4 and zstd")
+        yield
+    except (*of_library, MemoryError) as error:
+        raise DamagedError(f"the {method} data is damaged: {error}") from None
 
 
 def decompress_message(data: bytes) -> bytes:
@@ -172,15 +172,6 @@ def lz4_frame() -> Any:
     return lz4.frame
 
 
-def _part_of_lz4(data: bytes, size: int) -> bytes:
-    module = lz4_frame()
-    try:
-        content: bytes = module.LZ4FrameDecompressor().decompress(data, max_length=size) if size else b""
-    except (RuntimeError, EOFError, MemoryError) as error:
-        raise DamagedError(f"the lz4 data is damaged: {error}") from None
-    return content
-
-
 def bz2_module() -> Any:
     """Return the module bz2.
 
@@ -194,25 +185,6 @@ def bz2_module() -> Any:
     return bz2
 
 
-def _part_of_bz2(data: bytes, size: int) -> bytes:
-    stream = bz2_module().BZ2Decompressor()
-    try:
-        content: bytes = stream.decompress(data, max_length=size) if size else b""
-    except (OSError, EOFError, ValueError) as error:
-        raise DamagedError(f"the bz2 data is damaged: {error}") from None
-    return content
-
-
-def _part_of_zstd(data: bytes, size: int) -> bytes:
-    module = zstd()
-    try:
-        with module.ZstdDecompressor().stream_reader(data) as reader:
-            content: bytes = reader.read(min(size, len(data) * ZSTD_RATIO)) if size and data else b""
-    except (module.ZstdError, MemoryError) as error:
-        raise DamagedError(f"the zstd data is damaged: {error}") from None
-    return content
-
-
 def copy_decompressed(source: Path, target: BinaryIO) -> None:
     """Write the content of a zstd file into another file.
 
@@ -223,17 +195,14 @@ def copy_decompressed(source: Path, target: BinaryIO) -> None:
     """
     module = zstd()
     count = 0
-    try:
-        with source.open("rb") as file:
-            # The declared size, where there is one, also limits what is written: no more than one block beyond it.
-            size = module.frame_content_size(file.read(32))
-            file.seek(0)
-            with module.ZstdDecompressor().stream_reader(file) as reader:
-                while (block := reader.read(1 << 20)) and (size < 0 or count <= size):
-                    target.write(block)
-                    count += len(block)
-    except module.ZstdError as error:
-        raise DamagedError(f"the zstd data is damaged: {error}") from None
+    with _told_as_damage("zstd"), source.open("rb") as file:
+        # The declared size, where there is one, also limits what is written: no more than one block beyond it.
+        size = module.frame_content_size(file.read(32))
+        file.seek(0)
+        with module.ZstdDecompressor().stream_reader(file) as reader:
+            while (block := reader.read(1 << 20)) and (size < 0 or count <= size):
+                target.write(block)
+                count += len(block)
     if 0 <= size != count:
         less = "the file is cut off: " if count < size else ""
         raise DamagedError(f"{less}{size} bytes are declared, and {count} are there")

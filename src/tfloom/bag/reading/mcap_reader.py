@@ -11,7 +11,6 @@ from tfloom import _native
 from tfloom.bag.errors import BagError
 from tfloom.bag.metadata import is_message_compression
 from tfloom.bag.reading import mcap_records as records
-from tfloom.bag.reading.compression import CompressionError, decompress_message
 from tfloom.bag.reading.file_bytes import read_at
 from tfloom.bag.reading.mcap_layout import Layout, Span, warn_of_damage, whole_records
 from tfloom.bag.reading.mcap_scan import Scan
@@ -19,13 +18,13 @@ from tfloom.bag.reading.mcap_sparse import SparseReader
 from tfloom.bag.reading.mcap_summary import read_layout
 from tfloom.bag.reading.mcap_times import with_true_times
 from tfloom.bag.reading.message_order import Found, in_order
-from tfloom.bag.reading.message_transforms import insert_messages
+from tfloom.bag.reading.stored_messages import StoredMessages
 from tfloom.bag.values import EARLIEST, LATEST, Definition, Progress, RawMessage, TfTopic, Topic
 
 __all__ = ["McapFile"]
 
 
-class McapFile:
+class McapFile(StoredMessages):
     """A file of a recording. It is open while it is read only.
 
     Args:
@@ -35,14 +34,17 @@ class McapFile:
     Raises:
         BagError: it is no MCAP file, or damaged.
         OSError: it can't be read.
+
+    Attributes:
+        layout: What the file consists of.
     """
 
     def __init__(self, path: Path, is_message_compressed: bool | None = None) -> None:
         self.path = path
         with self._open() as file:
-            self._layout = read_layout(file, path)
-        self.start_ns, self.end_ns = self._layout.start_ns, self._layout.end_ns
-        self.message_count = self._layout.counts.total()
+            self.layout = read_layout(file, path)
+        self.start_ns, self.end_ns = self.layout.start_ns, self.layout.end_ns
+        self.message_count = self.layout.counts.total()
         self.is_message_compressed = (
             self._says_compressed() if is_message_compressed is None else is_message_compressed
         )
@@ -50,17 +52,12 @@ class McapFile:
     def _open(self) -> io.FileIO:
         return io.FileIO(self.path)
 
-    @property
-    def layout(self) -> Layout:
-        """What the file consists of."""
-        return self._layout
-
     @cached_property
     def topics(self) -> list[Topic]:
         """The topics; one for each name, with the type of its first channel."""
         # Several channels may have the same topic. Their messages are counted together.
         topics: dict[str, Topic] = {}
-        for channel in self._layout.channels.values():
+        for channel in self.layout.channels.values():
             topic = self._topic(channel)
             before = topics.get(topic.name)
             if before is not None:
@@ -69,7 +66,7 @@ class McapFile:
         return list(topics.values())
 
     def _topic(self, channel: records.Channel) -> Topic:
-        schema = self._layout.schemas.get(channel.schema_id)
+        schema = self.layout.schemas.get(channel.schema_id)
         definition = None
         if schema and schema.data:
             definition = Definition(schema.encoding, schema.data.decode(errors="replace"))
@@ -80,7 +77,7 @@ class McapFile:
             channel.metadata.get("topic_type_hash", ""),
             channel.metadata.get("offered_qos_profiles", ""),
             definition,
-            self._layout.counts[channel.id],
+            self.layout.counts[channel.id],
         )
 
     def metadata(self, name: str) -> dict[str, str] | None:
@@ -89,7 +86,7 @@ class McapFile:
         Raises:
             BagError: it is damaged.
         """
-        for record_name, offset in reversed(self._layout.metadata_offsets):
+        for record_name, offset in reversed(self.layout.metadata_offsets):
             if record_name == name:
                 with self._open() as file:
                     return self._read_metadata(file, offset)
@@ -120,7 +117,7 @@ class McapFile:
         Raises:
             BagError: the file can't be decompressed.
         """
-        names = {channel.id: channel.topic for channel in self._layout.channels.values()}
+        names = {channel.id: channel.topic for channel in self.layout.channels.values()}
         if topics is not None:
             names = {number: name for number, name in names.items() if name in topics}
         with self._open() as file:
@@ -130,14 +127,6 @@ class McapFile:
             ):
                 yield RawMessage(names[channel], log, publish, self._message(data))
 
-    def _message(self, data: bytes) -> bytes:
-        if not self.is_message_compressed:
-            return data
-        try:
-            return decompress_message(data)
-        except CompressionError as error:
-            raise BagError(self.path, str(error)) from None
-
     def _chosen_spans(
         self, file: io.FileIO, channels: Collection[int], start_ns: int, end_ns: int
     ) -> list[Span]:
@@ -145,7 +134,7 @@ class McapFile:
         # Chunks are chosen by their times, which they only declare. Where all times are read, a wrong declaration
         # leaves nothing out, so the true times are looked up for a part of the bag only.
         if start_ns > EARLIEST or end_ns < LATEST:
-            self._layout.spans = [with_true_times(file, self.path, span) for span in self._spans(file)]
+            self.layout.spans = [with_true_times(file, self.path, span) for span in self._spans(file)]
         spans = [
             span
             for span in self._spans(file)
@@ -156,11 +145,11 @@ class McapFile:
         return sorted(spans, key=lambda span: span.start_ns)
 
     def _spans(self, file: io.FileIO) -> list[Span]:
-        if self._layout.spans is None:  # messages are outside of chunks
-            scan = Scan(file, self.path, Layout(self._layout.header))
+        if self.layout.spans is None:  # messages are outside of chunks
+            scan = Scan(file, self.path, Layout(self.layout.header))
             scan.run()
-            self._layout.spans = scan.layout.spans or []
-        return self._layout.spans
+            self.layout.spans = scan.layout.spans or []
+        return self.layout.spans
 
     def _read(
         self, file: io.FileIO, span: Span, channels: Collection[int], start_ns: int, end_ns: int
@@ -189,9 +178,9 @@ class McapFile:
             BagError: the file can't be decompressed.
         """
         if self.is_message_compressed:
-            insert_messages(self.messages, into, topics, (start_ns, end_ns), progress)
+            super().insert_transforms(into, topics, start_ns, end_ns, progress)
             return
-        declared = self._layout.channels.values()
+        declared = self.layout.channels.values()
         channels = {
             channel.id: topics[channel.topic].number for channel in declared if channel.topic in topics
         }

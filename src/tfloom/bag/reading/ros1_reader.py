@@ -3,23 +3,22 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator
 from functools import cached_property
 from pathlib import Path
 
-from tfloom._native import TfRecords
 from tfloom.bag.errors import BagError
-from tfloom.bag.reading.message_transforms import insert_messages
 from tfloom.bag.reading.ros1_index import has_index, read_index
 from tfloom.bag.reading.ros1_layout import Ros1Layout
 from tfloom.bag.reading.ros1_records import MAGIC, DamagedRecordError
 from tfloom.bag.reading.ros1_scan import Ros1Scan
-from tfloom.bag.values import Progress, RawMessage, TfTopic, Topic
+from tfloom.bag.reading.stored_messages import StoredMessages
+from tfloom.bag.values import RawMessage, Topic
 
 __all__ = ["Ros1File"]
 
 
-class Ros1File:
+class Ros1File(StoredMessages):
     """A bag of ROS 1, whose messages are serialized in its own way. It is open while it is read only.
 
     Args:
@@ -29,8 +28,6 @@ class Ros1File:
         BagError: it is no bag of ROS 1, or its beginning is damaged, or a chunk can't be decompressed.
         OSError: it can't be read.
     """
-
-    is_message_compressed = False
 
     def __init__(self, path: Path) -> None:
         self.path = path
@@ -56,21 +53,6 @@ class Ros1File:
             BagError: a chunk can't be decompressed.
         """
         yield from self._layout.messages(topics, start_ns, end_ns)
-
-    def insert_transforms(
-        self,
-        into: TfRecords,
-        topics: Mapping[str, TfTopic],
-        start_ns: int,
-        end_ns: int,
-        progress: Progress,
-    ) -> None:
-        """Store the transforms of topics by name; moving ones if their log times are in [start, end].
-
-        Raises:
-            BagError: a chunk can't be decompressed.
-        """
-        insert_messages(self.messages, into, topics, (start_ns, end_ns), progress)
 
 
 def _read_layout(file: io.FileIO, path: Path) -> Ros1Layout:

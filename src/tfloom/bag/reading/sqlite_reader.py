@@ -12,13 +12,11 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from tfloom._native import TfRecords
 from tfloom.bag.errors import BagError, BagWarning
 from tfloom.bag.metadata import is_message_compression
-from tfloom.bag.reading.compression import CompressionError, decompress_message
 from tfloom.bag.reading.file_bytes import check_is_file
-from tfloom.bag.reading.message_transforms import insert_messages
-from tfloom.bag.values import EARLIEST, LATEST, Definition, Progress, RawMessage, TfTopic, Topic
+from tfloom.bag.reading.stored_messages import StoredMessages
+from tfloom.bag.values import EARLIEST, LATEST, Definition, RawMessage, Topic
 
 __all__ = ["SqliteFile"]
 
@@ -31,7 +29,7 @@ _READ_TABLES = {"topics", "messages", "metadata", "message_definitions"}
 _BESIDE = ("-wal", "-shm", "-journal")
 
 
-class SqliteFile:
+class SqliteFile(StoredMessages):
     """A file of a recording. It is open while it is read only.
 
     Args:
@@ -145,27 +143,7 @@ class SqliteFile:
     def _message(self, data: Any) -> bytes:
         if not isinstance(data, bytes):
             raise BagError(self.path, f"a message is no blob but {type(data).__name__}")
-        if not self.is_message_compressed:
-            return data
-        try:
-            return decompress_message(data)
-        except CompressionError as error:
-            raise BagError(self.path, str(error)) from None
-
-    def insert_transforms(
-        self,
-        into: TfRecords,
-        topics: Mapping[str, TfTopic],
-        start_ns: int,
-        end_ns: int,
-        progress: Progress,
-    ) -> None:
-        """Store the transforms of topics by name; moving ones if their log times are in [start, end].
-
-        Raises:
-            BagError: the file is damaged.
-        """
-        insert_messages(self.messages, into, topics, (start_ns, end_ns), progress)
+        return super()._message(data)
 
 
 def _check_signature(path: Path) -> None:
