@@ -19,7 +19,6 @@ from tfloom.bag.recording.record_options import RecordOptions
 from tfloom.bag.recording.recorder import Recorder
 from tfloom.bag.topic_choice import TopicChoice
 from tfloom.bag.writing.bag_writer import WriterSettings
-from tfloom.interfaces.rosbag2_interfaces.srv import Snapshot, SplitBagfile
 from tfloom.node.context.context import Context
 
 Start = Callable[[WriterSettings], tuple[Recorder, int]]
@@ -145,11 +144,11 @@ def test_failed_service_ends_the_recording(started: Start, monkeypatch: pytest.M
     fail = raising(BagError(recorder.writer.folder, "full"))
     monkeypatch.setattr(recorder.writer, "write_present", fail)
     monkeypatch.setattr(recorder.writer, "split", fail)
-    response = recorder._on_snapshot(Snapshot.Request(), Snapshot.Response())
-    assert not response.success
+    answers = {name: answer for name, (_, answer) in recorder._answers().items()}
+    assert answers["snapshot"](None) == {"success": False}
     assert "full" in str(recorder.failure)
     recorder.failure = None
-    recorder._on_split_bagfile(SplitBagfile.Request(), SplitBagfile.Response())
+    answers["split_bagfile"](None)
     assert "full" in str(recorder.failure)
 
 

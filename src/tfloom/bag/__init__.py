@@ -11,7 +11,7 @@
 - tf_frames, stamps, moved_clouds: frames of a recording, and what needs them
 - message_classes: also of types that only the recording knows
 - reading/, writing/: one form in each file; the numbers of topics, the folder
-- recording/, playing/: the nodes
+- recording/, playing/, node_running: the nodes
 - qos_profiles, topic_choice, key_presses, info_text, reindexing, converting: what the verbs of `bag` need
 - html: what notebooks show
 - rosbag2_names/: rosbag2_py

@@ -10,7 +10,7 @@ from tfloom.bag.errors import BagError
 from tfloom.bag.playing.play_options import PlayOptions
 from tfloom.bag.playing.playback import Playback
 from tfloom.bag.playing.played_topics import CLOCK, PlayedTopics
-from tfloom.bag.playing.player_services import PlayerServices
+from tfloom.bag.playing.player_services import serve_player
 from tfloom.bag.values import RawMessage
 from tfloom.interfaces.rosbag2_interfaces.msg import ReadSplitEvent
 from tfloom.interfaces.rosgraph_msgs.msg import Clock
@@ -74,7 +74,7 @@ class Player(Node):
         )
         # Before any key or request can pause it, which would be undone.
         self.playback.set_paused(options.is_start_paused)
-        self._services = PlayerServices(self)
+        serve_player(self)
         self._threads: list[threading.Thread] = []
         if options.has_keyboard:
             self.get_logger().info("Adding keyboard callbacks.")

@@ -8,10 +8,10 @@ from pathlib import Path
 
 from tfloom.bag.errors import BagError
 from tfloom.bag.key_presses import handled_keys
+from tfloom.bag.node_running import spin_until
 from tfloom.bag.opening import open_bag
 from tfloom.bag.playing.play_options import PlayOptions
 from tfloom.bag.playing.player import Player
-from tfloom.node.executing.executors import SingleThreadedExecutor
 
 __all__ = ["play"]
 
@@ -48,19 +48,9 @@ def play(
                 player.start()
                 if burst is not None:
                     player.playback.burst(burst)
-                _spin(player, stop)
+                spin_until(player, player.ended.is_set, stop)
             finally:
                 player.stop()
                 player.destroy_node()
     if player.failure is not None:
         raise player.failure
-
-
-def _spin(player: Player, stop: threading.Event | None) -> None:
-    executor = SingleThreadedExecutor(context=player.context)
-    executor.add_node(player)
-    try:
-        while player.context.ok() and not player.ended.is_set() and not (stop and stop.is_set()):
-            executor.spin_once(timeout_sec=0.1)
-    finally:
-        executor.shutdown(timeout_sec=1.0)

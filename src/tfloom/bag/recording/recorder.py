@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from tfloom.bag.errors import BagError
+from tfloom.bag.node_running import Answer, serve
 from tfloom.bag.recording.record_options import RecordOptions
 from tfloom.bag.recording.recorded_topics import RecordedTopics
 from tfloom.bag.writing.bag_writer import BagWriter, WriterSettings
@@ -77,7 +78,7 @@ class Recorder(Node):
             get_logger("rosbag2_storage").info(f"Opened database '{self.writer.file_path}' for READ_WRITE.")
         self.writer.queue.set_paused(self._is_paused)
         self._topics = RecordedTopics(self, self.writer, options, learn)
-        self._serve()
+        serve(self.create_service, self._answers())
 
     def start(self) -> None:
         """Subscribe to the topics that exist, and go on in threads: with discovery, and with writing.
@@ -184,40 +185,22 @@ class Recorder(Node):
             self.writer.write_present()
         return True
 
-    def _serve(self) -> None:
-        self.create_service(IsPaused, "~/is_paused", self._on_is_paused)
-        self.create_service(Pause, "~/pause", self._on_pause)
-        self.create_service(Resume, "~/resume", self._on_resume)
-        self.create_service(Snapshot, "~/snapshot", self._on_snapshot)
-        self.create_service(SplitBagfile, "~/split_bagfile", self._on_split_bagfile)
+    def _answers(self) -> dict[str, tuple[Any, Answer]]:
+        return {
+            "is_paused": (IsPaused, lambda _: {"paused": self._is_paused}),
+            "pause": (Pause, lambda _: self.pause()),
+            "resume": (Resume, lambda _: self.resume()),
+            "snapshot": (Snapshot, lambda _: {"success": self._try_to_write(self.take_snapshot)}),
+            "split_bagfile": (SplitBagfile, lambda _: self._try_to_write(self.split_bagfile)),
+        }
 
-    def _on_is_paused(self, _: IsPaused.Request, response: IsPaused.Response) -> IsPaused.Response:
-        response.paused = self._is_paused
-        return response
-
-    def _on_pause(self, _: Pause.Request, response: Pause.Response) -> Pause.Response:
-        self.pause()
-        return response
-
-    def _on_resume(self, _: Resume.Request, response: Resume.Response) -> Resume.Response:
-        self.resume()
-        return response
-
-    def _on_snapshot(self, _: Snapshot.Request, response: Snapshot.Response) -> Snapshot.Response:
+    def _try_to_write(self, write: Callable[[], bool | None]) -> bool:
+        """Return whether `write` has written, as it says itself; an error of it ends the recording."""
         try:
-            response.success = self.take_snapshot()
+            return bool(write())
         except BagError as error:
             self._fail(error)
-        return response
-
-    def _on_split_bagfile(
-        self, _: SplitBagfile.Request, response: SplitBagfile.Response
-    ) -> SplitBagfile.Response:
-        try:
-            self.split_bagfile()
-        except BagError as error:
-            self._fail(error)
-        return response
+            return False
 
     def _on_split(self, closed: Path, opened: Path) -> None:
         get_logger("rosbag2_cpp").info(

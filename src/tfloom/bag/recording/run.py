@@ -9,10 +9,10 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from tfloom.bag.key_presses import handled_keys
+from tfloom.bag.node_running import spin_until
 from tfloom.bag.recording.record_options import RecordOptions
 from tfloom.bag.recording.recorder import Learn, Recorder
 from tfloom.bag.writing.bag_writer import WriterSettings
-from tfloom.node.executing.executors import SingleThreadedExecutor
 
 __all__ = ["record"]
 
@@ -41,7 +41,7 @@ def record(
         recorder = Recorder(folder, settings, options, node_name, learn)
         try:
             recorder.start()
-            _spin(recorder, stop)
+            spin_until(recorder, lambda: recorder.failure is not None, stop)
         finally:
             with _uninterrupted():
                 try:
@@ -50,16 +50,6 @@ def record(
                     recorder.destroy_node()
     if recorder.failure is not None:
         raise recorder.failure
-
-
-def _spin(recorder: Recorder, stop: threading.Event | None) -> None:
-    executor = SingleThreadedExecutor(context=recorder.context)
-    executor.add_node(recorder)
-    try:
-        while recorder.context.ok() and recorder.failure is None and not (stop and stop.is_set()):
-            executor.spin_once(timeout_sec=0.2)
-    finally:
-        executor.shutdown(timeout_sec=1.0)
 
 
 @contextmanager

@@ -16,7 +16,6 @@ from tfloom.bag.values import Topic
 from tfloom.bag.writing.metadata_text import (
     METADATA_VERSION,
     NO_TIME_NS,
-    empty_metadata,
     metadata_file_text,
     metadata_text,
 )
@@ -319,8 +318,12 @@ class BagWriter:
     def _open_file(self) -> StorageFile:
         storage_id = self.settings.storage_id
         name = f"{self.folder.resolve().name}_{len(self._files)}{STORAGES[storage_id]}"
-        first = empty_metadata(storage_id, name, self.settings.custom_data, self.settings.compression_mode)
         path = self.folder / name
+        info = FileInformation(name, NO_TIME_NS, 0, 0)
+        # A file begins as the only one, without messages. It has the compression, because that is all that says of a
+        # file that its messages are compressed if its recorder is killed.
+        empty = self.info()._replace(duration_ns=0, start_ns=NO_TIME_NS, message_count=0, topics=[])
+        first = empty._replace(relative_file_paths=[name], files=[info])
         try:
             file = open_storage_file(
                 storage_id, path, self._topics, self.settings.storage, metadata_text(first)
@@ -329,7 +332,7 @@ class BagWriter:
             raise self._failure(error, path) from error
         # Only now that the file exists: the next try after a failure must use the same name, and metadata.yaml must
         # name no file that isn't there.
-        self._files.append(FileInformation(name, NO_TIME_NS, 0, 0))
+        self._files.append(info)
         self._paths.append(name)
         return file
 

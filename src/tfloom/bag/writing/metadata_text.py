@@ -6,12 +6,10 @@ from collections.abc import Mapping
 
 from tfloom.bag.metadata import FileInformation, Metadata
 from tfloom.bag.values import Topic
-from tfloom.ros_environment import ROS_DISTRO
 
 __all__ = [
     "METADATA_VERSION",
     "NO_TIME_NS",
-    "empty_metadata",
     "metadata_file_text",
     "metadata_text",
     "scalar",
@@ -20,30 +18,6 @@ __all__ = [
 METADATA_VERSION = 9
 NO_TIME_NS = 0x7FFF_FFFF_FFFF_FFFF
 """The start of a bag without messages [ns]."""
-
-
-def empty_metadata(
-    storage_id: str, file: str, custom_data: Mapping[str, str], compression_mode: str = ""
-) -> Metadata:
-    """Return the metadata of a bag of one file, without messages.
-
-    It has the compression, because it is all that says of a file that its messages are compressed if its recorder is
-    killed.
-    """
-    return Metadata(
-        version=METADATA_VERSION,
-        storage_identifier=storage_id,
-        duration_ns=0,
-        start_ns=NO_TIME_NS,
-        message_count=0,
-        topics=[],
-        compression_format="zstd" if compression_mode else "",
-        compression_mode=compression_mode,
-        relative_file_paths=[file],
-        files=[FileInformation(file, NO_TIME_NS, 0, 0)],
-        custom_data=dict(custom_data),
-        ros_distro=ROS_DISTRO,
-    )
 
 
 def metadata_file_text(info: Metadata) -> str:

@@ -1,0 +1,43 @@
+"""What the nodes that record and play have in common: how their services answer, and until when they spin."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from tfloom.node.executing.executors import SingleThreadedExecutor
+from tfloom.node.node import Node
+
+__all__ = ["Answer", "serve", "spin_until"]
+
+Answer = Callable[[Any], object]
+"""Returns the fields of the response to a request, as a dict; whatever else it returns, they keep their defaults."""
+_POLL_S = 0.1
+
+
+def serve(
+    create_service: Callable[[Any, str, Callable[[Any, Any], Any]], object],
+    answers: Mapping[str, tuple[Any, Answer]],
+) -> None:
+    """Create the private services of a node, by their names: each with its type, and what answers requests."""
+    for name, (srv_type, answer) in answers.items():
+
+        def on_request(request: Any, response: Any, answer: Answer = answer) -> Any:
+            fields = answer(request)
+            for field, value in fields.items() if isinstance(fields, dict) else ():
+                setattr(response, field, value)
+            return response
+
+        create_service(srv_type, f"~/{name}", on_request)
+
+
+def spin_until(node: Node, has_ended: Callable[[], bool], stop: threading.Event | None) -> None:
+    """Spin a node until it has ended, `stop` is set, or its context is shut down."""
+    executor = SingleThreadedExecutor(context=node.context)
+    executor.add_node(node)
+    try:
+        while node.context.ok() and not has_ended() and not (stop and stop.is_set()):
+            executor.spin_once(timeout_sec=_POLL_S)
+    finally:
+        executor.shutdown(timeout_sec=1.0)
