@@ -222,7 +222,7 @@ def test_full_disk_is_used_up_and_keeps_what_was_committed(
         )
     assert len(told) == 2
     for error in told:
-        assert re.search(rf"bag_0\.\w+: it can't be written: {reason}\. What was .* bag reindex", str(error))
+        assert re.search(rf"bag_0\.\w+: it can't be written: {reason}\. What was recorded .* bag reindex", str(error))
     found = read(folder)
     assert found == [row(number) for number in range(len(found))]
     assert len(acknowledged) - len(found) < 20  # those of the chunk that did not fit, which was told
