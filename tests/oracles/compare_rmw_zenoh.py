@@ -19,10 +19,9 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import zenoh
-from typing_extensions import Self
 
 from tfloom.interfaces.example_interfaces.srv import AddTwoInts
 from tfloom.rmw.base import NodeName
@@ -30,6 +29,9 @@ from tfloom.rmw.qos import QoS
 from tfloom.rmw.zenoh_attachment import pack, unpack
 from tfloom.rmw.zenoh_tokens import End, Kind, Token, data_key, gid_of, parse_token, token_key, token_pattern
 from tfloom.rosidl.cdr import encode
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
 
 PROGRAM = Path(__file__).parents[1] / "rmw" / "programs" / "zenoh_compared.py"
 TIMEOUT_S = 60.0

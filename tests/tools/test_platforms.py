@@ -22,9 +22,9 @@ def test_counts_of_both_parts_of_a_tier_are_added() -> None:
     lines = [
         "3 passed in 1.00s",
         "SKIPPED [1] a.py:2: 7 passed over",
-        "=== 1 failed, 40 passed, 2 skipped in 61.00s ===",
+        "=== 1 failed, 40 passed, 2 skipped, 1 rerun in 61.00s ===",
     ]
-    assert total_counts(lines) == "43 passed, 1 failed, 2 skipped"
+    assert total_counts(lines) == "43 passed, 1 failed, 2 skipped, 1 rerun"
     assert total_counts(["nothing ran"]) == ""
 
 
