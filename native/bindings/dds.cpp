@@ -131,6 +131,15 @@ nb::tuple snapshot(Graph& graph) {
 
 using ReleaseGil = nb::call_guard<ReleasedGil>;
 
+// The constructor of a writer, a reader or a graph.
+template <typename T>
+void init_on_topic(T* self, Participant& participant, const std::string& topic_name, const std::string& type_name,
+                   const QosFields& qos, const nb::bytes& user_data) {
+  const std::string user_text = to_string(user_data);
+  const ReleasedGil released;
+  new (self) T(participant, {topic_name, type_name}, to_qos(qos), user_text);
+}
+
 void bind_participant(nb::module_& m) {
   nb::class_<Participant>(m, "DdsParticipant", "This process on one DDS domain.")
       .def(
@@ -156,16 +165,9 @@ void bind_writer(nb::module_& m) {
   nb::class_<Writer> writer(m, "DdsWriter", "A writer of a DDS topic.");
   bind_endpoint(writer);
   writer
-      .def(
-          "__init__",
-          [](Writer* self, Participant& participant, const std::string& topic_name,
-             const std::string& type_name, const QosFields& qos, const nb::bytes& user_data) {
-            const std::string user_text = to_string(user_data);
-            const ReleasedGil released;
-            new (self) Writer(participant, {topic_name, type_name}, to_qos(qos), user_text);
-          },
-          "participant"_a, "topic_name"_a, "type_name"_a, "qos"_a, "user_data"_a, nb::keep_alive<1, 2>(),
-          "Create a writer of a topic, given by its names on the wire; `qos` is a resolved tfloom.rmw.qos.QoS.")
+      .def("__init__", &init_on_topic<Writer>, "participant"_a, "topic_name"_a, "type_name"_a, "qos"_a, "user_data"_a,
+           nb::keep_alive<1, 2>(),
+           "Create a writer of a topic, given by its names on the wire; `qos` is a resolved tfloom.rmw.qos.QoS.")
       .def("write", &write, "data"_a, "Send a sample: encapsulation header 00 01 xx xx and little-endian CDR.")
       .def(
           "join_service",
@@ -191,16 +193,9 @@ void bind_reader(nb::module_& m) {
   nb::class_<Reader> reader(m, "DdsReader", "A reader of a DDS topic.");
   bind_endpoint(reader);
   reader
-      .def(
-          "__init__",
-          [](Reader* self, Participant& participant, const std::string& topic_name,
-             const std::string& type_name, const QosFields& qos, const nb::bytes& user_data) {
-            const std::string user_text = to_string(user_data);
-            const ReleasedGil released;
-            new (self) Reader(participant, {topic_name, type_name}, to_qos(qos), user_text);
-          },
-          "participant"_a, "topic_name"_a, "type_name"_a, "qos"_a, "user_data"_a, nb::keep_alive<1, 2>(),
-          "Create a reader of a topic, given by its names on the wire; `qos` is a resolved tfloom.rmw.qos.QoS.")
+      .def("__init__", &init_on_topic<Reader>, "participant"_a, "topic_name"_a, "type_name"_a, "qos"_a, "user_data"_a,
+           nb::keep_alive<1, 2>(),
+           "Create a reader of a topic, given by its names on the wire; `qos` is a resolved tfloom.rmw.qos.QoS.")
       .def("notify", &Reader::notify, "queue"_a.none(), "token"_a, nb::keep_alive<1, 2>(),
            "Post `token` to `queue` when there are samples to take; None ends it.")
       .def("take", &take_sample, nb::sig("def take(self) -> tuple[bytes, int, int, bytes] | None"),
@@ -213,16 +208,9 @@ void bind_reader(nb::module_& m) {
 
 void bind_graph(nb::module_& m) {
   nb::class_<Graph>(m, "DdsGraph", "The participants and endpoints discovered on a DDS domain.")
-      .def(
-          "__init__",
-          [](Graph* self, Participant& participant, const std::string& topic_name,
-             const std::string& type_name, const QosFields& qos, const nb::bytes& user_data) {
-            const std::string user_text = to_string(user_data);
-            const ReleasedGil released;
-            new (self) Graph(participant, {topic_name, type_name}, to_qos(qos), user_text);
-          },
-          "participant"_a, "topic_name"_a, "type_name"_a, "qos"_a, "user_data"_a, nb::keep_alive<1, 2>(),
-          "Start to listen. The names are those of the topic in which participants list their nodes.")
+      .def("__init__", &init_on_topic<Graph>, "participant"_a, "topic_name"_a, "type_name"_a, "qos"_a, "user_data"_a,
+           nb::keep_alive<1, 2>(),
+           "Start to listen. The names are those of the topic in which participants list their nodes.")
       .def("snapshot", &snapshot,
            nb::sig("def snapshot(self) -> tuple[list[tuple[bytes, bytes, bytes]], list[tuple[bytes, bytes, bool, "
                    "bytes, bytes, bytes, tuple[int, int, int, int, int, int, int, int]]]]"),

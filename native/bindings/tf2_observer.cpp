@@ -6,12 +6,12 @@
 #include <nanobind/stl/unique_ptr.h>
 #include <nanobind/stl/vector.h>
 
-#include <cstring>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "bag/tf_records.hpp"
+#include "bindings/bytes.hpp"
 #include "bindings/gil.hpp"
 #include "bindings/tf2_arguments.hpp"
 #include "bindings/tf2_buffer.hpp"
@@ -35,7 +35,7 @@ using tf2::EdgeStatistics;
 using tf2::Spread;
 using tf2::Step;
 
-nb::bytes bytes_of(const Gid& gid) { return nb::bytes(gid.data(), gid.size()); }
+nb::bytes to_bytes(const Gid& gid) { return nb::bytes(gid.data(), gid.size()); }
 
 nb::tuple translation_of(const EdgeStatistics& statistics) {
   const auto& p = statistics.value.translation;
@@ -57,12 +57,7 @@ std::unique_ptr<TfObserverSink> make_observer_sink(const std::shared_ptr<TfObser
   return std::make_unique<TfObserverSink>(observer, is_static, buffer == nullptr ? nullptr : buffer->buffer);
 }
 
-Gid gid_of(const nb::bytes& bytes) {
-  Gid gid{};
-  if (bytes.size() != gid.size()) throw nb::value_error("a gid must have 16 bytes");
-  std::memcpy(gid.data(), bytes.data(), gid.size());
-  return gid;
-}
+Gid gid_of(const nb::bytes& bytes) { return bytes_of<16>(bytes, "a gid must have 16 bytes"); }
 
 std::vector<tf2::Entry> read_entries(std::span<const std::byte> bytes, bool is_ros1, bool& is_readable) {
   std::vector<tf2::Entry> entries;
@@ -165,7 +160,7 @@ void bind_statistics(nb::module_& m) {
 
 void bind_snapshot(nb::module_& m) {
   nb::class_<TfTraffic>(m, "TfTraffic", "What one publisher has sent on /tf, or on /tf_static.")
-      .def_prop_ro("gid", [](const TfTraffic& self) { return bytes_of(self.gid); }, "Its gid: 16 bytes.")
+      .def_prop_ro("gid", [](const TfTraffic& self) { return to_bytes(self.gid); }, "Its gid: 16 bytes.")
       .def_ro("is_static", &TfTraffic::is_static, "Whether this is on /tf_static.")
       .def_ro("has_left", &TfTraffic::has_left, "Whether it has left.")
       .def_ro("messages", &TfTraffic::messages, "Number of messages.")
@@ -181,7 +176,7 @@ void bind_snapshot(nb::module_& m) {
   nb::class_<TfEdge>(m, "TfEdge", "One edge of one publisher.")
       .def_ro("child", &TfEdge::child, "The child frame.")
       .def_ro("parent", &TfEdge::parent, "The parent frame.")
-      .def_prop_ro("gid", [](const TfEdge& self) { return bytes_of(self.gid); }, "The publisher's gid: 16 bytes.")
+      .def_prop_ro("gid", [](const TfEdge& self) { return to_bytes(self.gid); }, "The publisher's gid: 16 bytes.")
       .def_ro("is_static", &TfEdge::is_static, "Whether it came on /tf_static.")
       .def_ro("statistics", &TfEdge::statistics, "Its figures.");
   nb::class_<TfChild>(m, "TfChild", "A frame that was a child, on either topic and from any publisher.")

@@ -80,92 +80,15 @@ class Resolver {
   void* handle_;  // never closed, because the library's threads may outlive all objects of this process
 };
 
-void resolve_entities(Library& l, const Resolver& resolve) {
-  resolve(l.create_domain, "dds_create_domain");
-  resolve(l.create_participant, "dds_create_participant");
-  resolve(l.create_publisher, "dds_create_publisher");
-  resolve(l.create_subscriber, "dds_create_subscriber");
-  resolve(l.create_topic, "dds_create_topic");
-  resolve(l.create_writer, "dds_create_writer");
-  resolve(l.create_reader, "dds_create_reader");
+void resolve_all(Library& l, const Resolver& resolve) {
+#define TFLOOM_RESOLVE(prefix, result, name, parameters) resolve(l.name, #prefix #name);
+  TFLOOM_DDS_FUNCTIONS(TFLOOM_RESOLVE)
+#undef TFLOOM_RESOLVE
   resolve(l.delete_entity, "dds_delete");
-  resolve(l.get_guid, "dds_get_guid");
   resolve.find(l.get_entity_sertype, "dds_get_entity_sertype");
-  if (l.get_entity_sertype == nullptr) {
-    resolve(l.entity_pin, "dds_entity_pin");
-    resolve(l.entity_unpin, "dds_entity_unpin");
-  }
-  resolve(l.set_listener, "dds_set_listener");
-  resolve(l.strretcode, "dds_strretcode");
-  resolve(l.free, "dds_free");
-  resolve(l.get_matched_publications, "dds_get_matched_publications");
-  resolve(l.get_matched_subscriptions, "dds_get_matched_subscriptions");
-  resolve(l.get_matched_publication_data, "dds_get_matched_publication_data");
-  resolve(l.get_matched_subscription_data, "dds_get_matched_subscription_data");
-  resolve(l.builtintopic_free_endpoint, "dds_builtintopic_free_endpoint");
-  resolve(l.create_listener, "dds_create_listener");
-  resolve(l.delete_listener, "dds_delete_listener");
-  resolve(l.lset_data_available_arg, "dds_lset_data_available_arg");
-}
-
-void resolve_data(Library& l, const Resolver& resolve) {
-  resolve(l.write, "dds_write");
-  resolve(l.writecdr, "dds_writecdr");
-  resolve(l.unregister_instance, "dds_unregister_instance");
-  resolve(l.readcdr, "dds_readcdr");
-  resolve(l.takecdr, "dds_takecdr");
-  resolve(l.take, "dds_take");
-  resolve(l.return_loan, "dds_return_loan");
-  resolve(l.serdata_from_ser_iov, "ddsi_serdata_from_ser_iov");
-  resolve(l.serdata_size, "ddsi_serdata_size");
-  resolve(l.serdata_to_ser_ref, "ddsi_serdata_to_ser_ref");
-  resolve(l.serdata_to_ser_unref, "ddsi_serdata_to_ser_unref");
-  resolve(l.serdata_unref, "ddsi_serdata_unref");
-}
-
-void resolve_events(Library& l, const Resolver& resolve) {
-  resolve(l.lset_publication_matched_arg, "dds_lset_publication_matched_arg");
-  resolve(l.lset_subscription_matched_arg, "dds_lset_subscription_matched_arg");
-  resolve(l.lset_offered_incompatible_qos_arg, "dds_lset_offered_incompatible_qos_arg");
-  resolve(l.lset_requested_incompatible_qos_arg, "dds_lset_requested_incompatible_qos_arg");
-  resolve(l.lset_offered_deadline_missed_arg, "dds_lset_offered_deadline_missed_arg");
-  resolve(l.lset_requested_deadline_missed_arg, "dds_lset_requested_deadline_missed_arg");
-  resolve(l.lset_liveliness_lost_arg, "dds_lset_liveliness_lost_arg");
-  resolve(l.lset_liveliness_changed_arg, "dds_lset_liveliness_changed_arg");
-  resolve(l.lset_sample_lost_arg, "dds_lset_sample_lost_arg");
-  resolve(l.get_publication_matched_status, "dds_get_publication_matched_status");
-  resolve(l.get_subscription_matched_status, "dds_get_subscription_matched_status");
-  resolve(l.get_offered_incompatible_qos_status, "dds_get_offered_incompatible_qos_status");
-  resolve(l.get_requested_incompatible_qos_status, "dds_get_requested_incompatible_qos_status");
-  resolve(l.get_offered_deadline_missed_status, "dds_get_offered_deadline_missed_status");
-  resolve(l.get_requested_deadline_missed_status, "dds_get_requested_deadline_missed_status");
-  resolve(l.get_liveliness_lost_status, "dds_get_liveliness_lost_status");
-  resolve(l.get_liveliness_changed_status, "dds_get_liveliness_changed_status");
-  resolve(l.get_sample_lost_status, "dds_get_sample_lost_status");
-  resolve(l.assert_liveliness, "dds_assert_liveliness");
-  resolve(l.wait_for_acks, "dds_wait_for_acks");
-}
-
-void resolve_qos(Library& l, const Resolver& resolve) {
-  resolve(l.create_qos, "dds_create_qos");
-  resolve(l.delete_qos, "dds_delete_qos");
-  resolve(l.qset_userdata, "dds_qset_userdata");
-  resolve(l.qset_reliability, "dds_qset_reliability");
-  resolve(l.qset_durability, "dds_qset_durability");
-  resolve(l.qset_durability_service, "dds_qset_durability_service");
-  resolve(l.qset_history, "dds_qset_history");
-  resolve(l.qset_deadline, "dds_qset_deadline");
-  resolve(l.qset_lifespan, "dds_qset_lifespan");
-  resolve(l.qset_liveliness, "dds_qset_liveliness");
-  resolve(l.qset_data_representation, "dds_qset_data_representation");
-  resolve(l.qset_writer_data_lifecycle, "dds_qset_writer_data_lifecycle");
-  resolve(l.qget_userdata, "dds_qget_userdata");
-  resolve(l.qget_reliability, "dds_qget_reliability");
-  resolve(l.qget_durability, "dds_qget_durability");
-  resolve(l.qget_history, "dds_qget_history");
-  resolve(l.qget_deadline, "dds_qget_deadline");
-  resolve(l.qget_lifespan, "dds_qget_lifespan");
-  resolve(l.qget_liveliness, "dds_qget_liveliness");
+  if (l.get_entity_sertype != nullptr) return;
+  resolve(l.entity_pin, "dds_entity_pin");
+  resolve(l.entity_unpin, "dds_entity_unpin");
 }
 
 void check_major_version(const std::string& path, const std::string& version) {
@@ -198,10 +121,7 @@ const Library& Library::open(const std::string& path, bool is_common_build) {
   if (!library) {
     auto opened = std::make_unique<Library>();
     const Resolver resolve(path);
-    resolve_entities(*opened, resolve);
-    resolve_data(*opened, resolve);
-    resolve_events(*opened, resolve);
-    resolve_qos(*opened, resolve);
+    resolve_all(*opened, resolve);
     opened->handle = resolve.handle();
     opened->version = resolve.version();
     check_major_version(path, opened->version);
