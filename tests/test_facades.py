@@ -165,6 +165,16 @@ def test_facades_equal_what_is_generated() -> None:
     assert not differ, f"{differ}: `make facades` writes them anew"
 
 
+def test_generated_files_that_differ_are_written(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(rooms, "ROOT", tmp_path)
+    for text in ("old", "new", "new"):
+        rooms.write_differing({"names/a.py": text, "b.py": ""})
+    assert capsys.readouterr().out.split("\n")[:-1] == ["wrote names/a.py", "wrote b.py", "wrote names/a.py"]
+    assert (tmp_path / "names" / "a.py").read_text() == "new"
+
+
 def test_each_facade_is_generated() -> None:
     """Either by this command, or with the messages."""
     messages = {name.split("/")[0] for name in load_definitions()}

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from xml.sax.saxutils import escape
 
-from tools.facades.rooms import ROOT
+from tools.facades.rooms import ROOT, write_differing
 from tools.facades.table import read_table
 
 from tfloom import __version__
@@ -88,12 +88,7 @@ def _manifest(name: str, description: str, *, has_interfaces: bool) -> str:
 
 def main() -> int:
     """Write each file that differs, and return 0."""
-    for name, text in generate_all().items():
-        path = ROOT / name
-        if not path.is_file() or path.read_text("utf-8") != text:
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text, "utf-8")
-            print(f"wrote {name}")
+    write_differing(generate_all())
     return 0
 
 

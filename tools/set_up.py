@@ -469,6 +469,22 @@ def digest_of(values: object, files: Sequence[Path] = ()) -> str:
     return digest.hexdigest()
 
 
+def output_of(command: Sequence[object], *, last: int = 20, **options: Any) -> str:
+    """Run a command in the checkout, and return what it prints, errors apart. Options are those of `subprocess.run`.
+
+    Raises:
+        SetUpError: it failed; the text ends with its last lines, as many as `last`.
+    """
+    words = [str(word) for word in command]
+    done: subprocess.CompletedProcess[str] = subprocess.run(
+        words, capture_output=True, text=True, errors="replace", check=False, **{"cwd": ROOT, **options}
+    )
+    if done.returncode:
+        lines = (done.stdout + done.stderr).strip().splitlines()[-last:]
+        raise SetUpError(f"{Path(words[0]).name} failed:\n" + "\n".join(lines))
+    return done.stdout
+
+
 def base_python() -> str:
     """Return the interpreter from which this one's environment was created, or this one."""
     return str(getattr(sys, "_base_executable", None) or sys.executable)

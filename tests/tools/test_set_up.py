@@ -295,3 +295,10 @@ def test_extra_all_is_the_union_of_the_others() -> None:
     assert not [
         requirement for requirement in together if set_up.distribution(requirement).startswith("tfloom")
     ]
+
+
+def test_failed_command_is_named_with_its_last_lines() -> None:
+    code = "import sys; print(*range(9), sep='\\n'); sys.exit('the end')"
+    with pytest.raises(set_up.SetUpError) as raised:
+        set_up.output_of([sys.executable, "-c", code], last=2)
+    assert str(raised.value) == f"{Path(sys.executable).name} failed:\n8\nthe end"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 
 from tools.facades.generate import generate_all
-from tools.facades.rooms import ROOT
+from tools.facades.rooms import ROOT, write_differing
 from tools.facades.table import TableError, read_table
 
 
@@ -16,12 +16,7 @@ def main() -> int:
     except TableError as error:
         print(error, file=sys.stderr)
         return 1
-    for name, text in files.items():
-        path = ROOT / name
-        if not path.is_file() or path.read_text("utf-8") != text:
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text, "utf-8")
-            print(f"wrote {name}")
+    write_differing(files)
     for package, rows in read_table().items():
         for path in (ROOT / rows.folder / package).rglob("*.py"):
             name = path.relative_to(ROOT).as_posix()

@@ -4,18 +4,28 @@ from __future__ import annotations
 
 import ast
 from collections import defaultdict
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
-__all__ = ["HOUSES", "ROOT", "Provider", "exported", "index_names"]
+__all__ = ["HOUSES", "ROOT", "Provider", "exported", "index_names", "write_differing"]
 
 ROOT = Path(__file__).parents[2]
 HOUSES = (ROOT / "src" / "tfloom", ROOT / "packages" / "tfloom-sensing" / "src" / "tfloom_sensing")
 """The import packages that implement names."""
 _NOT_ROOMS = {"ros_names", "interfaces", "share", "__pycache__"}
 """Folders without implementations: the façades themselves, generated messages, and launch files."""
+
+
+def write_differing(files: Mapping[str, str]) -> None:
+    """Write each file that differs, by its path within the repository, and print its name."""
+    for name, text in files.items():
+        path = ROOT / name
+        if not path.is_file() or path.read_text("utf-8") != text:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, "utf-8")
+            print(f"wrote {name}")
 
 
 class Provider(NamedTuple):

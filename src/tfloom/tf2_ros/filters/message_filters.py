@@ -211,6 +211,9 @@ class TimeSynchronizer(SimpleFilter):
         queue_size: Most messages of each to keep; the oldest are dropped.
     """
 
+    allow_headerless = False
+    """Whether a message without a header is stamped with its time of arrival."""
+
     def __init__(self, fs: Sequence[Any], queue_size: int) -> None:
         if (error := _filters_error(fs)) is not None:
             raise error
@@ -235,17 +238,26 @@ class TimeSynchronizer(SimpleFilter):
         ]
 
     def add(self, msg: Any, my_queue: dict[int, Any], my_queue_index: int | None = None) -> None:  # noqa: ARG002
-        """Keep a message, and pass on the complete sets."""
-        stamp = _stamp(msg, False, self._clock)
+        """Keep a message, and pass it on with those of the other filters that match it, if all have one."""
+        stamp = _stamp(msg, self.allow_headerless, self._clock)
         if stamp is None:
             return
         at = time_ns(stamp)
+        # Choose and remove under the lock, because other filters add messages on other threads, and a message must be
+        # in one set only. Call the callbacks after it, because they may add messages.
         with self.lock:
-            _keep(my_queue, at, msg, self.queue_size)
-            is_complete = all(at in queue for queue in self.queues)
-            matched = [queue.pop(at) for queue in self.queues] if is_complete else []
+            my_queue[at] = msg
+            while len(my_queue) > self.queue_size:
+                del my_queue[min(my_queue)]
+            # A message older than all of a full queue is not kept, so it may be gone already.
+            chosen = self._match(my_queue, at) if at in my_queue else None
+            matched = [queue.pop(at) for queue, at in zip(self.queues, chosen, strict=True)] if chosen else []
         if matched:
             self.signalMessage(*matched)
+
+    def _match(self, own: dict[int, Any], stamp: int) -> tuple[int, ...] | None:  # noqa: ARG002
+        """Return the stamps in the queues of a set with a message of the queue `own`; None if there is no such set."""
+        return (stamp,) * len(self.queues) if all(stamp in queue for queue in self.queues) else None
 
 
 def _filters_error(filters: Any) -> TypeError | AttributeError | None:
@@ -281,24 +293,6 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
         self.slop = Duration(seconds=slop)
         self.allow_headerless = allow_headerless
 
-    def add(self, msg: Any, my_queue: dict[int, Any], my_queue_index: int | None = None) -> None:  # noqa: ARG002
-        """Keep a message, and pass it on with the nearest of each other filter, if all are near enough."""
-        stamp = _stamp(msg, self.allow_headerless, self._clock)
-        if stamp is None:
-            return
-        at = time_ns(stamp)
-        # Choose and remove under the lock, because other filters add messages on other threads, and a message must be
-        # in one set only. Call the callbacks after it, because they may add messages.
-        with self.lock:
-            # A message older than all of a full queue is not kept, so it may be gone already.
-            _keep(my_queue, at, msg, self.queue_size)
-            chosen = self._match(my_queue, at) if at in my_queue else None
-            matched = (
-                [queue.pop(stamp) for queue, stamp in zip(self.queues, chosen, strict=True)] if chosen else []
-            )
-        if matched:
-            self.signalMessage(*matched)
-
     def _match(self, own: dict[int, Any], stamp: int) -> tuple[int, ...] | None:
         slop = self.slop.nanoseconds
         choices = [
@@ -309,12 +303,6 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
         ]
         # The nearest of each first; any two of a set must be near each other.
         return next((stamps for stamps in product(*choices) if max(stamps) - min(stamps) < slop), None)
-
-
-def _keep(queue: dict[int, Any], stamp: int, msg: Any, size: int) -> None:
-    queue[stamp] = msg
-    while len(queue) > size:
-        del queue[min(queue)]
 
 
 def _stamp(msg: Any, allow_headerless: bool, clock: Clock | None) -> Any:

@@ -66,10 +66,8 @@ def dtype_from_fields(
     end = MAX_POINT_STEP if point_step is None else point_step
     if end > MAX_POINT_STEP:
         raise ValueError(f"the point_step of {point_step} is more than {MAX_POINT_STEP}")
-    known: set[str] = set()
-    names: list[str] = []
-    formats: list[str] = []
-    offsets: list[int] = []
+    columns: dict[str, tuple[np.dtype[Any], int]] = {}
+    """The type and the offset of each number, by its name."""
     for index, field in enumerate(fields):
         if field.datatype not in _DATATYPES:
             raise ValueError(f"field {field.name!r} has the unknown datatype {field.datatype}")
@@ -84,19 +82,17 @@ def dtype_from_fields(
                 f"field {field.name!r} with the offset {field.offset} and the count {field.count} takes {needed} bytes "
                 f"of a point, more than {limit}: {end}"
             )
-        if len(names) + field.count > MAX_NUMBERS:
+        if len(columns) + field.count > MAX_NUMBERS:
             raise ValueError(
                 f"field {field.name!r} with the count {field.count} gives each point more than {MAX_NUMBERS} numbers"
             )
         for element in range(field.count):
             name = base if field.count == 1 else f"{base}_{element}"
-            if name in known:
+            if name in columns:
                 raise AssertionError("Duplicate field names are not allowed!")
-            known.add(name)
-            names.append(name)
-            formats.append(kind.str)
-            offsets.append(field.offset + element * kind.itemsize)
-    layout: Any = {"names": names, "formats": formats, "offsets": offsets}
+            columns[name] = kind, field.offset + element * kind.itemsize
+    kinds, offsets = zip(*columns.values(), strict=True) if columns else ((), ())
+    layout: Any = {"names": list(columns), "formats": kinds, "offsets": offsets}
     if point_step is not None:
         layout["itemsize"] = point_step
     dtype: np.dtype[Any] = np.dtype(layout)
