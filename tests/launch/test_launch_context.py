@@ -13,8 +13,7 @@ from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.substitutions.text_substitution import TextSubstitution
 from tfloom.launch.utilities.class_tools import is_a, is_a_subclass, isclassinstance
 from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
-from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
-from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 
 
 def test_variables_are_attributes() -> None:

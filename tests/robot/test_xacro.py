@@ -12,9 +12,9 @@ from typing import Any
 import pytest
 
 from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.substitution import SubstitutionFailure
 from tfloom.launch.substitutions.command import Command
 from tfloom.launch.substitutions.find_executable import FindExecutable
-from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure
 from tfloom.robot import xacro_program
 from tfloom.robot.urdf import parse_urdf
 

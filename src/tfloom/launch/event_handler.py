@@ -6,8 +6,7 @@ from collections.abc import Callable
 
 from tfloom.launch.event import Event
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
-from tfloom.launch.some_entities_type import SomeEntitiesType
+from tfloom.launch.launch_description_entity import LaunchDescriptionEntity, SomeEntitiesType
 from tfloom.launch.utilities.normalize_to_list_of_entities import normalize_to_list_of_entities
 from tfloom.ros_guard import ros_repr
 

@@ -13,8 +13,7 @@ from tfloom.launch.events.include_launch_description import IncludeLaunchDescrip
 from tfloom.launch.events.process import ProcessExited, ProcessIO, ProcessStarted
 from tfloom.launch.events.shutdown import Shutdown
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
-from tfloom.launch.some_entities_type import SomeEntitiesType
+from tfloom.launch.launch_description_entity import LaunchDescriptionEntity, SomeEntitiesType
 from tfloom.launch.utilities.normalize_to_list_of_entities import normalize_to_list_of_entities
 
 __all__ = [

@@ -1,9 +1,9 @@
-"""The base class of what a launch description consists of."""
+"""The base class of what a launch description consists of, and what arguments accept in its place."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Union
 
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.ros_guard import ros_repr
@@ -11,7 +11,7 @@ from tfloom.ros_guard import ros_repr
 if TYPE_CHECKING:
     from asyncio import Future
 
-__all__ = ["LaunchDescriptionEntity"]
+__all__ = ["LaunchDescriptionEntity", "SomeEntitiesType", "SomeEntitiesType_types_tuple"]
 
 
 class LaunchDescriptionEntity:
@@ -41,3 +41,10 @@ class LaunchDescriptionEntity:
     def get_asyncio_future(self) -> Future[Any] | None:
         """Return a future that is done when the entity has ended; None if it ends with its visit."""
         return None
+
+
+SomeEntitiesType = Union[LaunchDescriptionEntity, Iterable[LaunchDescriptionEntity]]
+"""What an argument accepts where it takes entities: one, or several."""
+
+SomeEntitiesType_types_tuple = (LaunchDescriptionEntity, Iterable)
+"""The same for `isinstance`."""

@@ -11,10 +11,9 @@ from tfloom.launch.actions.log import Log
 from tfloom.launch.event_handler import BaseEventHandler
 from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
-from tfloom.launch.substitutions.described import described
+from tfloom.launch.substitution import SomeSubstitutionsType, described
 from tfloom.launch.utilities.normalize_to_list_of_entities import normalize_to_list_of_entities
-from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
+from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions
 
 __all__ = [
     "LaunchIntrospector",

@@ -15,7 +15,7 @@ from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.launch_description_sources.any_launch_file_utilities import (
     get_launch_description_from_any_launch_file,
 )
-from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure
+from tfloom.launch.substitution import SubstitutionFailure
 from tfloom.launch.utilities.visit_all_entities_and_collect_futures import (
     visit_all_entities_and_collect_futures,
 )

@@ -11,8 +11,8 @@ from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.ros.actions.node_defaults import SetParameter
 from tfloom.launch.ros.substitutions.find_package import FindPackage, FindPackagePrefix, FindPackageShare
 from tfloom.launch.ros.substitutions.parameter import Parameter
-from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure
-from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+from tfloom.launch.substitution import SubstitutionFailure
+from tfloom.launch.utilities.substitutions import perform_substitutions
 from tfloom.workspace.ament import PackageNotFoundError
 
 

@@ -6,14 +6,12 @@ import os
 from typing import Any
 
 from tfloom.launch.action import Action
-from tfloom.launch.actions.named_value import NamedValue
+from tfloom.launch.actions.texts import ActionOfTexts, NamedValue
 from tfloom.launch.frontend.entity import Entity, ParsesActions
 from tfloom.launch.frontend.expose import expose_action
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
-from tfloom.launch.substitution import Substitution
-from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
-from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+from tfloom.launch.substitution import SomeSubstitutionsType, Substitution
+from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 from tfloom.launch.utilities.type_utils import (
     NormalizedValueType,
     normalize_typed_substitution,
@@ -106,7 +104,7 @@ class SetEnvironmentVariable(NamedValue):
 
 
 @expose_action("unset_env")
-class UnsetEnvironmentVariable(Action):
+class UnsetEnvironmentVariable(ActionOfTexts):
     """Removes an environment variable, when it is executed; one that isn't set is no error.
 
     Args:
@@ -114,18 +112,11 @@ class UnsetEnvironmentVariable(Action):
         kwargs: As for Action.
     """
 
+    _attributes = (("name", "name"),)
+
     def __init__(self, name: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)
         self.__name = normalize_to_list_of_substitutions(name)
-
-    @classmethod
-    def parse(
-        cls, entity: Entity, parser: ParsesActions
-    ) -> tuple[type[UnsetEnvironmentVariable], dict[str, Any]]:
-        """Return the class and its arguments, read from the tag `unset_env`: `name`."""
-        _, kwargs = super().parse(entity, parser)
-        kwargs["name"] = parser.parse_substitution(entity.get_attr("name"))
-        return cls, kwargs
 
     @property
     def name(self) -> list[Substitution]:
@@ -154,14 +145,8 @@ class PopEnvironment(Action):
 
 
 @expose_action("reset_env")
-class ResetEnvironment(Action):
+class ResetEnvironment(ActionOfTexts):
     """Restores, when it is executed, the environment variables that the context was created with."""
-
-    @classmethod
-    def parse(cls, entity: Entity, parser: ParsesActions) -> tuple[type[ResetEnvironment], dict[str, Any]]:
-        """Return the class and its arguments, read from the tag `reset_env`."""
-        _, kwargs = super().parse(entity, parser)
-        return cls, kwargs
 
     def execute(self, context: LaunchContext) -> None:
         """Restore the variables that the launch began with."""

@@ -43,22 +43,24 @@ class EmitEvent(Action):
         context.emit_event_sync(self._event)
 
 
-class RegisterEventHandler(Action):
-    """Registers an event handler.
-
-    Args:
-        event_handler: The handler.
-        kwargs: As for Action.
-    """
-
+class _OfHandler(Action):
     def __init__(self, event_handler: BaseEventHandler, **kwargs: Any) -> None:
         super().__init__(**kwargs)
         self._event_handler = event_handler
 
     @property
     def event_handler(self) -> BaseEventHandler:
-        """Handler that is registered."""
+        """Handler that is registered or removed."""
         return self._event_handler
+
+
+class RegisterEventHandler(_OfHandler):
+    """Registers an event handler.
+
+    Args:
+        event_handler: The handler.
+        kwargs: As for Action.
+    """
 
     def execute(self, context: LaunchContext) -> None:
         """Add the handler to those that are asked for each event."""
@@ -72,22 +74,13 @@ class RegisterEventHandler(Action):
         return [(text, normalize_to_list_of_entities(entities))] if entities else []
 
 
-class UnregisterEventHandler(Action):
+class UnregisterEventHandler(_OfHandler):
     """Removes an event handler.
 
     Args:
         event_handler: The handler.
         kwargs: As for Action.
     """
-
-    def __init__(self, event_handler: BaseEventHandler, **kwargs: Any) -> None:
-        super().__init__(**kwargs)
-        self._event_handler = event_handler
-
-    @property
-    def event_handler(self) -> BaseEventHandler:
-        """Handler that is removed."""
-        return self._event_handler
 
     def execute(self, context: LaunchContext) -> None:
         """Remove the handler, which gets no later event."""

@@ -24,14 +24,12 @@ from tfloom.launch.events.process import (
     SignalProcess,
 )
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
+from tfloom.launch.launch_description_entity import LaunchDescriptionEntity, SomeEntitiesType
 from tfloom.launch.logging import OutputConfig, get_logger
-from tfloom.launch.some_entities_type import SomeEntitiesType
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
+from tfloom.launch.substitution import SomeSubstitutionsType
 from tfloom.launch.substitutions.variables import LaunchConfiguration
 from tfloom.launch.utilities.normalize_to_list_of_entities import normalize_to_list_of_entities
-from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
-from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 from tfloom.launch.utilities.type_utils import (
     coerce_to_type,
     normalize_typed_substitution,

@@ -12,8 +12,7 @@ from tfloom.launch.descriptions.executable import Executable
 from tfloom.launch.frontend.entity import Entity, ParsesActions
 from tfloom.launch.frontend.expose import expose_action
 from tfloom.launch.frontend.pairs import parse_pairs
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
-from tfloom.launch.substitution import Substitution
+from tfloom.launch.substitution import SomeSubstitutionsType, Substitution
 from tfloom.launch.substitutions.text_substitution import TextSubstitution
 from tfloom.launch.utilities.argument_errors import unknown_argument_error, words_error
 

@@ -20,9 +20,9 @@ from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.launch_description_source import LaunchDescriptionSource
 from tfloom.launch.launch_description_sources.sources import AnyLaunchDescriptionSource
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
+from tfloom.launch.substitution import SomeSubstitutionsType
 from tfloom.launch.utilities.argument_errors import substitutions_error
-from tfloom.launch.utilities.perform_substitutions import perform_some_substitutions
+from tfloom.launch.utilities.substitutions import perform_some_substitutions
 
 __all__ = ["IncludeLaunchDescription"]
 

@@ -6,15 +6,17 @@ from collections.abc import Mapping
 from typing import Any
 
 from tfloom.launch.action import Action
-from tfloom.launch.actions.named_value import NamedValue
+from tfloom.launch.actions.texts import NamedValue
 from tfloom.launch.frontend.entity import Entity, ParsesActions
 from tfloom.launch.frontend.expose import expose_action
 from tfloom.launch.frontend.pairs import parse_pairs
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
-from tfloom.launch.substitution import Substitution
-from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
-from tfloom.launch.utilities.perform_substitutions import perform_some_substitutions, perform_substitutions
+from tfloom.launch.substitution import SomeSubstitutionsType, Substitution
+from tfloom.launch.utilities.substitutions import (
+    normalize_to_list_of_substitutions,
+    perform_some_substitutions,
+    perform_substitutions,
+)
 
 __all__ = [
     "PopLaunchConfigurations",

@@ -10,11 +10,9 @@ from tfloom.launch.frontend.entity import Entity, ParsesActions
 from tfloom.launch.frontend.expose import expose_action
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.logging import get_logger
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
-from tfloom.launch.substitution import Substitution
+from tfloom.launch.substitution import SomeSubstitutionsType, Substitution
 from tfloom.launch.utilities.argument_errors import substitutions_error
-from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
-from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 
 __all__ = ["Log", "LogDebug", "LogError", "LogInfo", "LogWarning"]
 

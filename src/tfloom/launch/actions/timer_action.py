@@ -15,7 +15,7 @@ from tfloom.launch.frontend.expose import expose_action
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.logging import get_logger
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
+from tfloom.launch.substitution import SomeSubstitutionsType
 from tfloom.launch.utilities.argument_errors import entities_error
 from tfloom.launch.utilities.type_utils import normalize_typed_substitution, perform_typed_substitution
 

@@ -10,11 +10,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
-from tfloom.launch.substitution import Substitution
+from tfloom.launch.substitution import SomeSubstitutionsType, Substitution
 from tfloom.launch.substitutions.variables import LaunchConfiguration
-from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
-from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 
 if TYPE_CHECKING:
     from tfloom.launch.action import Action

@@ -11,8 +11,7 @@ from typing import Any, TypeVar
 from tfloom.launch.frontend.entity import Entity, ParsesActions
 from tfloom.launch.frontend.exposed import ACTION_MODULES, SUBSTITUTION_MODULES
 from tfloom.launch.frontend.extensions import load_launch_extensions
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
-from tfloom.launch.substitution import Substitution
+from tfloom.launch.substitution import SomeSubstitutionsType, Substitution
 from tfloom.launch.utilities.nearest import did_you_mean
 
 __all__ = [

@@ -14,7 +14,7 @@ from tfloom.launch.launch_description_sources.frontend_launch_file_utilities imp
 from tfloom.launch.launch_description_sources.python_launch_file_utilities import (
     get_launch_description_from_python_launch_file,
 )
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
+from tfloom.launch.substitution import SomeSubstitutionsType
 
 __all__ = ["AnyLaunchDescriptionSource", "FrontendLaunchDescriptionSource", "PythonLaunchDescriptionSource"]
 

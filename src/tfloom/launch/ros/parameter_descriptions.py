@@ -8,11 +8,9 @@ from pathlib import Path
 from typing import Any, Union, cast
 
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple
-from tfloom.launch.substitution import Substitution
+from tfloom.launch.substitution import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple, Substitution
 from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
-from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
-from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 from tfloom.launch.utilities.type_utils import (
     AllowedTypesType,
     SomeValueType,
@@ -196,7 +194,7 @@ def _substitutions_of_path(path: FilePath | SomeSubstitutionsType) -> list[Subst
 def _file_with_substitutions(context: LaunchContext, path: Path) -> Path:
     from tfloom.launch.frontend.parse_substitution import parse_substitution
     from tfloom.launch.ros.temporary_files import write_temporary_file
-    from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure
+    from tfloom.launch.substitution import SubstitutionFailure
     from tfloom.rosidl.user_yaml import YamlError, load
 
     try:

@@ -12,8 +12,7 @@ from tfloom.launch.ros.parameter_descriptions import (
     ParameterFile,
 )
 from tfloom.launch.ros.parameter_descriptions import ParameterValue as ParameterValueDescription
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
-from tfloom.launch.substitution import Substitution
+from tfloom.launch.substitution import SomeSubstitutionsType, Substitution
 
 __all__ = [
     "EvaluatedParameterValue",

@@ -3,42 +3,30 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
-from typing import Any
 
 from tfloom.launch.frontend.expose import expose_substitution
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
-from tfloom.launch.substitution import Substitution
-from tfloom.launch.substitutions.described import described
-from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
-from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+from tfloom.launch.substitution import SomeSubstitutionsType, Substitution, described
+from tfloom.launch.substitutions.parsed import ParsedSubstitution
+from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 
 __all__ = ["AnonName"]
 
 
 @expose_substitution("anon")
-class AnonName(Substitution):
+class AnonName(ParsedSubstitution):
     """A name made unique: the same for the same text everywhere in a launch, and another in each launch.
 
     Args:
         name: The text that the name begins with.
     """
 
+    _arguments = ("name",)
+    _fault = "anon substitution expects 1 argument"
+
     def __init__(self, name: SomeSubstitutionsType) -> None:
         super().__init__()
         self._name = normalize_to_list_of_substitutions(name)
-
-    @classmethod
-    def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[AnonName], dict[str, Any]]:
-        """Return the class and the arguments of `$(anon name)`.
-
-        Raises:
-            TypeError: there is not exactly one argument.
-        """
-        if len(data) != 1:
-            raise TypeError("anon substitution expects 1 argument")
-        return cls, {"name": data[0]}
 
     @property
     def name(self) -> list[Substitution]:

@@ -2,19 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
-
 from tfloom.launch.frontend.expose import expose_substitution
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.logging import get_logger
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
-from tfloom.launch.substitution import Substitution
-from tfloom.launch.substitutions.described import described
-from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure
+from tfloom.launch.substitution import SomeSubstitutionsType, Substitution, SubstitutionFailure, described
+from tfloom.launch.substitutions.parsed import ParsedSubstitution
 from tfloom.launch.utilities.find_program import command_of
-from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
-from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 
 __all__ = ["Command"]
 
@@ -22,7 +16,7 @@ _CHOICES = ("fail", "ignore", "warn", "capture")
 
 
 @expose_substitution("command")
-class Command(Substitution):
+class Command(ParsedSubstitution):
     """What a command writes to its standard output.
 
     Args:
@@ -31,21 +25,15 @@ class Command(Substitution):
             is a part of the output).
     """
 
+    _arguments = ("command", "on_stderr")
+    _optional = 1
+    _fault = "command substitution expects 1 or 2 arguments"
+    _error = ValueError
+
     def __init__(self, command: SomeSubstitutionsType, *, on_stderr: SomeSubstitutionsType = "fail") -> None:
         super().__init__()
         self._command = normalize_to_list_of_substitutions(command)
         self._on_stderr = normalize_to_list_of_substitutions(on_stderr)
-
-    @classmethod
-    def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[Command], dict[str, Any]]:
-        """Return the class and the arguments of `$(command 'line' on_stderr)`.
-
-        Raises:
-            ValueError: there are not one or two arguments.
-        """
-        if len(data) not in {1, 2}:
-            raise ValueError("command substitution expects 1 or 2 arguments")
-        return cls, dict(zip(("command", "on_stderr"), data, strict=False))
 
     @property
     def command(self) -> list[Substitution]:

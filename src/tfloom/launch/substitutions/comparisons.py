@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from typing import Any
 
 from tfloom.launch.frontend.expose import expose_substitution
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
-from tfloom.launch.substitution import Substitution
-from tfloom.launch.substitutions.described import described
-from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure
-from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
-from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+from tfloom.launch.substitution import SomeSubstitutionsType, Substitution, SubstitutionFailure, described
+from tfloom.launch.substitutions.parsed import ParsedSubstitution
+from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 from tfloom.launch.utilities.type_utils import is_substitution, perform_typed_substitution
 
 __all__ = [
@@ -30,7 +27,7 @@ __all__ = [
 ]
 
 
-class TwoValues(Substitution):
+class TwoValues(ParsedSubstitution):
     """A text that two values decide, as derived classes define.
 
     Args:
@@ -38,24 +35,12 @@ class TwoValues(Substitution):
         right: Second value.
     """
 
-    _word: str
-    """Name of the substitution in launch files."""
+    _arguments = ("left", "right")
 
     def __init__(self, left: list[Substitution], right: list[Substitution]) -> None:
         super().__init__()
         self._left = left
         self._right = right
-
-    @classmethod
-    def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[TwoValues], dict[str, Any]]:
-        """Return the class and the arguments of `$(name left right)`.
-
-        Raises:
-            TypeError: there are not exactly two arguments.
-        """
-        if len(data) != 2:
-            raise TypeError(f"{cls._word} substitution expects 2 arguments")
-        return cls, {"left": data[0], "right": data[1]}
 
     @property
     def left(self) -> list[Substitution]:
@@ -109,7 +94,7 @@ class EqualsSubstitution(TwoValues):
         right: Second value.
     """
 
-    _word = "equals"
+    _fault = "equals substitution expects 2 arguments"
 
     def __init__(self, left: Any | Iterable[Any] | None, right: Any | Iterable[Any] | None) -> None:
         super().__init__(_normalized_operand(left), _normalized_operand(right))
@@ -150,27 +135,19 @@ def _text(value: object) -> str:
 
 
 @expose_substitution("not")
-class NotSubstitution(Substitution):
+class NotSubstitution(ParsedSubstitution):
     """`true` for false, and `false` for true.
 
     Args:
         value: What is negated.
     """
 
+    _arguments = ("value",)
+    _fault = "not substitution expects 1 argument"
+
     def __init__(self, value: SomeSubstitutionsType) -> None:
         super().__init__()
         self._value = normalize_to_list_of_substitutions(value)
-
-    @classmethod
-    def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[NotSubstitution], dict[str, Any]]:
-        """Return the class and the arguments of `$(not value)`.
-
-        Raises:
-            TypeError: there is not exactly one argument.
-        """
-        if len(data) != 1:
-            raise TypeError("not substitution expects 1 argument")
-        return cls, {"value": data[0]}
 
     @property
     def value(self) -> list[Substitution]:
@@ -217,7 +194,7 @@ class AndSubstitution(_OfTwo):
         right: Second value.
     """
 
-    _word = "and"
+    _fault = "and substitution expects 2 arguments"
     _join = staticmethod(all)
 
 
@@ -230,7 +207,7 @@ class OrSubstitution(_OfTwo):
         right: Second value.
     """
 
-    _word = "or"
+    _fault = "or substitution expects 2 arguments"
     _join = staticmethod(any)
 
 
@@ -290,7 +267,7 @@ class AllSubstitution(_OfMany):
 
 
 @expose_substitution("if")
-class IfElseSubstitution(Substitution):
+class IfElseSubstitution(ParsedSubstitution):
     """One text where a condition is true, and another where it is false.
 
     Args:
@@ -301,6 +278,10 @@ class IfElseSubstitution(Substitution):
     Raises:
         RuntimeError: neither text is given.
     """
+
+    _arguments = ("condition", "if_value", "else_value")
+    _optional = 1
+    _fault = "if substitution expects from 2 or 3 arguments"
 
     def __init__(
         self,
@@ -314,17 +295,6 @@ class IfElseSubstitution(Substitution):
         self._condition = normalize_to_list_of_substitutions(condition)
         self._if_value = normalize_to_list_of_substitutions(if_value)
         self._else_value = normalize_to_list_of_substitutions(else_value)
-
-    @classmethod
-    def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[IfElseSubstitution], dict[str, Any]]:
-        """Return the class and the arguments of `$(if condition if_value else_value)`.
-
-        Raises:
-            TypeError: there are not two or three arguments.
-        """
-        if len(data) not in {2, 3}:
-            raise TypeError("if substitution expects from 2 or 3 arguments")
-        return cls, dict(zip(("condition", "if_value", "else_value"), data, strict=False))
 
     @property
     def condition(self) -> list[Substitution]:

@@ -2,44 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 from tfloom.launch.frontend.expose import expose_substitution
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
-from tfloom.launch.substitution import Substitution
-from tfloom.launch.substitutions.described import described
-from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure
-from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
-from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+from tfloom.launch.substitution import SomeSubstitutionsType, Substitution, SubstitutionFailure, described
+from tfloom.launch.substitutions.parsed import ParsedSubstitution
+from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 
 __all__ = ["FileContent"]
 
 
 @expose_substitution("file-content")
-class FileContent(Substitution):
+class FileContent(ParsedSubstitution):
     """The text of a file.
 
     Args:
         path: Path of the file, in UTF-8.
     """
 
+    _arguments = ("path",)
+    _fault = "file content substitutions expect 1 argument"
+    _error = AttributeError
+
     def __init__(self, path: SomeSubstitutionsType) -> None:
         super().__init__()
         self._path = normalize_to_list_of_substitutions(path)
-
-    @classmethod
-    def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[FileContent], dict[str, Any]]:
-        """Return the class and the arguments of `$(file-content path)`.
-
-        Raises:
-            AttributeError: there is not exactly one argument.
-        """
-        if len(data) != 1:
-            raise AttributeError("file content substitutions expect 1 argument")
-        return cls, {"path": data[0]}
 
     @property
     def path(self) -> list[Substitution]:

@@ -9,12 +9,9 @@ from typing import Any
 
 from tfloom.launch.frontend.expose import expose_substitution
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
-from tfloom.launch.substitution import Substitution
-from tfloom.launch.substitutions.described import described
+from tfloom.launch.substitution import SomeSubstitutionsType, Substitution, described
 from tfloom.launch.utilities.argument_errors import substitutions_error
-from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
-from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 
 __all__ = ["PathJoinSubstitution", "PathSubstitution", "StringJoinSubstitution"]
 

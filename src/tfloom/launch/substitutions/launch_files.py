@@ -2,37 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
+from typing import ClassVar
 
 from tfloom.launch.frontend.expose import expose_substitution
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.logging import launch_config
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
-from tfloom.launch.substitution import Substitution
-from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure
+from tfloom.launch.substitution import SubstitutionFailure
+from tfloom.launch.substitutions.parsed import ParsedSubstitution
 
 __all__ = ["LaunchLogDir", "ThisLaunchFile", "ThisLaunchFileDir"]
 
 
-@expose_substitution("filename")
-class ThisLaunchFile(Substitution):
-    """The absolute path of the launch file that the substitution is in."""
+class _OfLaunchFile(ParsedSubstitution):
+    """A path that the context has while a launch file is launched."""
 
-    @classmethod
-    def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[ThisLaunchFile], dict[str, Any]]:
-        """Return the class and the arguments of `$(filename)`.
-
-        Raises:
-            TypeError: there are arguments.
-        """
-        if data:
-            raise TypeError("filename substitution doesn't expect arguments")
-        return cls, {}
+    _local: ClassVar[str]
+    """Name of the context's variable that has it."""
 
     def describe(self) -> str:
         """Return a description for people."""
-        return "ThisLaunchFile()"
+        return f"{type(self).__name__}()"
 
     def perform(self, context: LaunchContext) -> str:
         """Return the path.
@@ -40,58 +29,34 @@ class ThisLaunchFile(Substitution):
         Raises:
             SubstitutionFailure: no launch file is being launched.
         """
-        path = context.get_locals_as_dict().get("current_launch_file_path")
+        path = context.get_locals_as_dict().get(self._local)
         if path is None:
-            raise SubstitutionFailure("ThisLaunchFile used outside of a launch file (in a script)")
+            raise SubstitutionFailure(f"{type(self).__name__} used outside of a launch file (in a script)")
         return str(path)
 
 
+@expose_substitution("filename")
+class ThisLaunchFile(_OfLaunchFile):
+    """The absolute path of the launch file that the substitution is in."""
+
+    _fault = "filename substitution doesn't expect arguments"
+    _local = "current_launch_file_path"
+
+
 @expose_substitution("dirname")
-class ThisLaunchFileDir(Substitution):
+class ThisLaunchFileDir(_OfLaunchFile):
     """The absolute folder of the launch file that the substitution is in."""
 
-    @classmethod
-    def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[ThisLaunchFileDir], dict[str, Any]]:
-        """Return the class and the arguments of `$(dirname)`.
-
-        Raises:
-            TypeError: there are arguments.
-        """
-        if data:
-            raise TypeError("dirname substitution doesn't expect arguments")
-        return cls, {}
-
-    def describe(self) -> str:
-        """Return a description for people."""
-        return "ThisLaunchFileDir()"
-
-    def perform(self, context: LaunchContext) -> str:
-        """Return the path.
-
-        Raises:
-            SubstitutionFailure: no launch file is being launched.
-        """
-        folder = context.get_locals_as_dict().get("current_launch_file_directory")
-        if folder is None:
-            raise SubstitutionFailure("ThisLaunchFileDir used outside of a launch file (in a script)")
-        return str(folder)
+    _fault = "dirname substitution doesn't expect arguments"
+    _local = "current_launch_file_directory"
 
 
 @expose_substitution("launch_log_dir")
 @expose_substitution("log_dir")
-class LaunchLogDir(Substitution):
+class LaunchLogDir(ParsedSubstitution):
     """The absolute path of the folder of the launch's log."""
 
-    @classmethod
-    def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[LaunchLogDir], dict[str, Any]]:
-        """Return the class and the arguments of `$(launch_log_dir)`.
-
-        Raises:
-            TypeError: there are arguments.
-        """
-        if data:
-            raise TypeError("launch_log_dir/log_dir substitution doesn't expect arguments")
-        return cls, {}
+    _fault = "launch_log_dir/log_dir substitution doesn't expect arguments"
 
     def describe(self) -> str:
         """Return a description for people."""

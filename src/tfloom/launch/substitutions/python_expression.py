@@ -7,13 +7,14 @@ from typing import Any
 
 from tfloom.launch.frontend.expose import expose_substitution
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
-from tfloom.launch.substitution import Substitution
-from tfloom.launch.substitutions.described import described
+from tfloom.launch.substitution import SomeSubstitutionsType, Substitution, described
 from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
 from tfloom.launch.utilities.error_places import add_to_error
-from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
-from tfloom.launch.utilities.perform_substitutions import perform_some_substitutions, perform_substitutions
+from tfloom.launch.utilities.substitutions import (
+    normalize_to_list_of_substitutions,
+    perform_some_substitutions,
+    perform_substitutions,
+)
 
 __all__ = ["PythonExpression"]
 

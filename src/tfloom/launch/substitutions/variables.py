@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from typing import Any
 
 from tfloom.launch.frontend.expose import expose_substitution
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
-from tfloom.launch.substitution import Substitution
-from tfloom.launch.substitutions.described import described
-from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure
+from tfloom.launch.substitution import SomeSubstitutionsType, Substitution, SubstitutionFailure, described
+from tfloom.launch.substitutions.parsed import ParsedSubstitution
 from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
 from tfloom.launch.utilities.nearest import did_you_mean
-from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
-from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 
 __all__ = [
     "EnvironmentVariable",
@@ -26,7 +23,7 @@ __all__ = [
 ]
 
 
-class NamedValue(Substitution):
+class NamedValue(ParsedSubstitution):
     """The value of a name, as derived classes define.
 
     Args:
@@ -63,16 +60,9 @@ class EnvironmentVariable(NamedValue):
         default_value: Text where there is no such variable; None: that is an error.
     """
 
-    @classmethod
-    def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[EnvironmentVariable], dict[str, Any]]:
-        """Return the class and the arguments of `$(env name default)`.
-
-        Raises:
-            TypeError: there are not one or two arguments.
-        """
-        if len(data) not in {1, 2}:
-            raise TypeError("env substitution expects 1 or 2 arguments")
-        return cls, dict(zip(("name", "default_value"), data, strict=False))
+    _arguments = ("name", "default_value")
+    _optional = 1
+    _fault = "env substitution expects 1 or 2 arguments"
 
     def describe(self) -> str:
         """Return a description for people."""
@@ -95,13 +85,17 @@ class EnvironmentVariable(NamedValue):
 
 
 @expose_substitution("var")
-class LaunchConfiguration(Substitution):
+class LaunchConfiguration(ParsedSubstitution):
     """The value of a launch configuration, as arguments and SetLaunchConfiguration set it.
 
     Args:
         variable_name: Name of the configuration.
         default: Value where it isn't set: anything that has a text, or a list of such; None: that is an error.
     """
+
+    _arguments = ("variable_name", "default")
+    _optional = 1
+    _fault = "var substitution expects 1 or 2 arguments"
 
     def __init__(
         self, variable_name: SomeSubstitutionsType, *, default: Any | Iterable[Any] | None = None
@@ -114,17 +108,6 @@ class LaunchConfiguration(Substitution):
             self._default = normalize_to_list_of_substitutions(
                 [part if isinstance(part, (str, Substitution)) else str(part) for part in parts]
             )
-
-    @classmethod
-    def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[LaunchConfiguration], dict[str, Any]]:
-        """Return the class and the arguments of `$(var name default)`.
-
-        Raises:
-            TypeError: there are not one or two arguments.
-        """
-        if len(data) not in {1, 2}:
-            raise TypeError("var substitution expects 1 or 2 arguments")
-        return cls, dict(zip(("variable_name", "default"), data, strict=False))
 
     @property
     def variable_name(self) -> list[Substitution]:
@@ -201,16 +184,10 @@ class ForEachVar(NamedValue):
         default_value: Text in iterations that give it no value; None: that is an error.
     """
 
-    @classmethod
-    def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[ForEachVar], dict[str, Any]]:
-        """Return the class and the arguments of `$(for-var name default)`.
-
-        Raises:
-            ValueError: there are not one or two arguments.
-        """
-        if len(data) not in {1, 2}:
-            raise ValueError(f"{cls.__name__} substitution expects 1 or 2 arguments")
-        return cls, dict(zip(("name", "default_value"), data, strict=False))
+    _arguments = ("name", "default_value")
+    _optional = 1
+    _fault = "{class_name} substitution expects 1 or 2 arguments"
+    _error = ValueError
 
     @classmethod
     def get_local_arg_name(cls, name: str) -> str:

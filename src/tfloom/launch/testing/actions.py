@@ -16,7 +16,7 @@ from tfloom.launch.events.process import ShutdownProcess
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.logging import get_logger
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
+from tfloom.launch.substitution import SomeSubstitutionsType
 
 __all__ = ["GTest", "PyTest", "ReadyToTest", "Test", "TestsCanBegin"]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from tfloom.launch.launch_description import LaunchDescription
-from tfloom.launch.substitutions.described import described
+from tfloom.launch.substitution import described
 
 __all__ = ["parse_launch_arguments", "print_arguments_of_launch_description"]
 

@@ -9,8 +9,7 @@ from typing import Any, TypeVar
 from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.event_handlers import OnProcessIO
 from tfloom.launch.events.process import ProcessIO
-from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
-from tfloom.launch.some_entities_type import SomeEntitiesType
+from tfloom.launch.launch_description_entity import LaunchDescriptionEntity, SomeEntitiesType
 
 __all__ = [
     "DEFAULT_TIMEOUT_S",

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
-from tfloom.launch.some_entities_type import SomeEntitiesType
+from tfloom.launch.launch_description_entity import LaunchDescriptionEntity, SomeEntitiesType
 
 __all__ = ["normalize_to_list_of_entities"]
 

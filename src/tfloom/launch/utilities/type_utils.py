@@ -6,11 +6,9 @@ from collections.abc import Iterable, Sequence
 from typing import Any, List, Union  # noqa: UP035  # programs pass typing.List
 
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
-from tfloom.launch.substitution import Substitution
-from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
-from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+from tfloom.launch.substitution import SomeSubstitutionsType, Substitution
 from tfloom.launch.utilities.plain_values import plain_value
+from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 
 __all__ = [
     "AllowedTypesTuple",

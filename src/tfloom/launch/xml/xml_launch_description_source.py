@@ -5,7 +5,7 @@ from __future__ import annotations
 from tfloom.launch.launch_description_sources.sources import (
     FrontendLaunchDescriptionSource,
 )
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
+from tfloom.launch.substitution import SomeSubstitutionsType
 from tfloom.launch.xml.parser import Parser
 
 __all__ = ["XMLLaunchDescriptionSource"]

@@ -63,13 +63,13 @@ if TYPE_CHECKING:
     from tfloom.launch.launch_context import LaunchContext as LaunchContext
     from tfloom.launch.launch_description import LaunchDescription as LaunchDescription
     from tfloom.launch.launch_description_entity import LaunchDescriptionEntity as LaunchDescriptionEntity
+    from tfloom.launch.launch_description_entity import SomeEntitiesType as SomeEntitiesType
+    from tfloom.launch.launch_description_entity import SomeEntitiesType_types_tuple as SomeEntitiesType_types_tuple
     from tfloom.launch.launch_description_source import LaunchDescriptionSource as LaunchDescriptionSource
     from tfloom.launch.launch_introspector import LaunchIntrospector as LaunchIntrospector
     from tfloom.launch.launch_service import LaunchService as LaunchService
-    from tfloom.launch.some_entities_type import SomeEntitiesType as SomeEntitiesType
-    from tfloom.launch.some_entities_type import SomeEntitiesType_types_tuple as SomeEntitiesType_types_tuple
-    from tfloom.launch.some_substitutions_type import SomeSubstitutionsType as SomeSubstitutionsType
-    from tfloom.launch.some_substitutions_type import SomeSubstitutionsType_types_tuple as SomeSubstitutionsType_types_tuple
+    from tfloom.launch.substitution import SomeSubstitutionsType as SomeSubstitutionsType
+    from tfloom.launch.substitution import SomeSubstitutionsType_types_tuple as SomeSubstitutionsType_types_tuple
     from tfloom.launch.substitution import Substitution as Substitution
 else:
     from tfloom.ros_modules import deferred
@@ -87,10 +87,10 @@ else:
         LaunchDescriptionSource="tfloom.launch.launch_description_source",
         LaunchIntrospector="tfloom.launch.launch_introspector",
         LaunchService="tfloom.launch.launch_service",
-        SomeEntitiesType="tfloom.launch.some_entities_type",
-        SomeEntitiesType_types_tuple="tfloom.launch.some_entities_type",
-        SomeSubstitutionsType="tfloom.launch.some_substitutions_type",
-        SomeSubstitutionsType_types_tuple="tfloom.launch.some_substitutions_type",
+        SomeEntitiesType="tfloom.launch.launch_description_entity",
+        SomeEntitiesType_types_tuple="tfloom.launch.launch_description_entity",
+        SomeSubstitutionsType="tfloom.launch.substitution",
+        SomeSubstitutionsType_types_tuple="tfloom.launch.substitution",
         Substitution="tfloom.launch.substitution",
         action="launch",
         actions="launch",

@@ -4,15 +4,15 @@
 from tfloom.launch.ros.parameter_descriptions import Parameter as Parameter
 from tfloom.launch.ros.parameter_descriptions import ParameterFile as ParameterFile
 from tfloom.launch.ros.parameter_descriptions import ParameterValue as ParameterValue
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType_types_tuple as SomeSubstitutionsType_types_tuple
+from tfloom.launch.substitution import SomeSubstitutionsType_types_tuple as SomeSubstitutionsType_types_tuple
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from tfloom.launch.some_substitutions_type import SomeSubstitutionsType as SomeSubstitutionsType
+    from tfloom.launch.substitution import SomeSubstitutionsType as SomeSubstitutionsType
 else:
     from tfloom.ros_modules import deferred
 
     __getattr__, __dir__ = deferred(
         __name__,
-        SomeSubstitutionsType="tfloom.launch.some_substitutions_type",
+        SomeSubstitutionsType="tfloom.launch.substitution",
     )

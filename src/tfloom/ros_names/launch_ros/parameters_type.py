@@ -13,7 +13,7 @@ from tfloom.launch.ros.parameters_type import SomeParameterValue as SomeParamete
 from tfloom.launch.ros.parameters_type import SomeParameterValue_types_tuple as SomeParameterValue_types_tuple
 from tfloom.launch.ros.parameters_type import SomeParameters as SomeParameters
 from tfloom.launch.ros.parameters_type import SomeParametersDict as SomeParametersDict
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType_types_tuple as SomeSubstitutionsType_types_tuple
+from tfloom.launch.substitution import SomeSubstitutionsType_types_tuple as SomeSubstitutionsType_types_tuple
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

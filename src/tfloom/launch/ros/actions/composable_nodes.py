@@ -30,10 +30,13 @@ from tfloom.launch.ros.utilities.names import (
     prefix_namespace,
 )
 from tfloom.launch.ros.utilities.to_parameters_list import to_parameters_list
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple
-from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure
+from tfloom.launch.substitution import (
+    SomeSubstitutionsType,
+    SomeSubstitutionsType_types_tuple,
+    SubstitutionFailure,
+)
 from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
-from tfloom.launch.utilities.perform_substitutions import perform_some_substitutions, perform_substitutions
+from tfloom.launch.utilities.substitutions import perform_some_substitutions, perform_substitutions
 from tfloom.workspace.ament import PackageNotFoundError
 
 if TYPE_CHECKING:

@@ -19,7 +19,7 @@ from tfloom.launch.ros.actions.node import Node
 from tfloom.launch.ros.events.lifecycle_events import ChangeState, StateTransition
 from tfloom.launch.ros.ros_adapters import get_ros_node
 from tfloom.launch.ros.service_calls import call_service
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
+from tfloom.launch.substitution import SomeSubstitutionsType
 
 if TYPE_CHECKING:
     from tfloom.node.endpoints.client import Client

@@ -15,9 +15,8 @@ from tfloom.launch.logging import get_logger
 from tfloom.launch.ros.event_handlers.on_state_transition import OnStateTransition
 from tfloom.launch.ros.events.lifecycle_events import ChangeState, StateTransition
 from tfloom.launch.ros.events.matchers import matches_node_name
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
-from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
-from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+from tfloom.launch.substitution import SomeSubstitutionsType
+from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 
 __all__ = ["LifecycleTransition", "match_node_name_goal", "match_node_name_start_goal"]
 

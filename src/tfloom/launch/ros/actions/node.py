@@ -16,9 +16,9 @@ from tfloom.launch.logging import get_logger
 from tfloom.launch.ros import configurations
 from tfloom.launch.ros.parameter_descriptions import Parameter
 from tfloom.launch.ros.parameters_type import SomeParameters
-from tfloom.launch.ros.remap_rule_type import SomeRemapRules
 from tfloom.launch.ros.substitutions.executable_in_package import ExecutableInPackage
 from tfloom.launch.ros.utilities.names import (
+    SomeRemapRules,
     add_node_name,
     get_node_name_count,
     make_namespace_absolute,
@@ -27,11 +27,14 @@ from tfloom.launch.ros.utilities.names import (
     remappings_error,
 )
 from tfloom.launch.ros.utilities.normalize_parameters import normalize_parameters, parameters_error
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
+from tfloom.launch.substitution import SomeSubstitutionsType
 from tfloom.launch.substitutions.variables import LocalSubstitution
 from tfloom.launch.utilities.argument_errors import substitutions_error, unknown_argument_error, words_error
-from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
-from tfloom.launch.utilities.perform_substitutions import perform_some_substitutions, perform_substitutions
+from tfloom.launch.utilities.substitutions import (
+    normalize_to_list_of_substitutions,
+    perform_some_substitutions,
+    perform_substitutions,
+)
 
 __all__ = ["Node"]
 

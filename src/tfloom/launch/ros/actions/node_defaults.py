@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from tfloom.launch.action import Action
+from tfloom.launch.actions.texts import ActionOfTexts
 from tfloom.launch.frontend.entity import Entity, ParsesActions
 from tfloom.launch.frontend.expose import expose_action
 from tfloom.launch.launch_context import LaunchContext
@@ -15,11 +16,8 @@ from tfloom.launch.ros.ros_adapters import get_ros_node
 from tfloom.launch.ros.utilities.evaluate_parameters import evaluate_parameter_dict
 from tfloom.launch.ros.utilities.names import make_namespace_absolute, prefix_namespace
 from tfloom.launch.ros.utilities.normalize_parameters import normalize_parameter_dict
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
-from tfloom.launch.substitution import Substitution
-from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure
-from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
-from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+from tfloom.launch.substitution import SomeSubstitutionsType, Substitution, SubstitutionFailure
+from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 
 __all__ = [
     "PushROSNamespace",
@@ -33,7 +31,7 @@ __all__ = [
 
 
 @expose_action("set_parameter")
-class SetParameter(Action):
+class SetParameter(ActionOfTexts):
     """Sets a parameter of all nodes in the rest of the scope; a node's own parameters take precedence.
 
     Args:
@@ -42,18 +40,12 @@ class SetParameter(Action):
         kwargs: As for Action.
     """
 
+    _attributes = (("name", "name"), ("value", "value"))
+
     def __init__(self, name: SomeSubstitutionsType, value: SomeParameterValue, **kwargs: Any) -> None:
         super().__init__(**kwargs)
         key = tuple(normalize_to_list_of_substitutions(name))
         self._parameters = normalize_parameter_dict({key: value})
-
-    @classmethod
-    def parse(cls, entity: Entity, parser: ParsesActions) -> tuple[type[Action], dict[str, Any]]:
-        """Return the class, and the arguments that the element of a launch file gives its constructor."""
-        _, kwargs = super().parse(entity, parser)
-        kwargs["name"] = parser.parse_substitution(entity.get_attr("name"))
-        kwargs["value"] = parser.parse_substitution(entity.get_attr("value"))
-        return cls, kwargs
 
     @property
     def name(self) -> ParameterName:
@@ -72,7 +64,7 @@ class SetParameter(Action):
 
 
 @expose_action("set_parameters_from_file")
-class SetParametersFromFile(Action):
+class SetParametersFromFile(ActionOfTexts):
     """Gives all nodes in the rest of the scope the parameters of a file; a node's own parameters take precedence.
 
     Args:
@@ -80,16 +72,11 @@ class SetParametersFromFile(Action):
         kwargs: As for Action.
     """
 
+    _attributes = (("filename", "filename"),)
+
     def __init__(self, filename: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)
         self._filename = normalize_to_list_of_substitutions(filename)
-
-    @classmethod
-    def parse(cls, entity: Entity, parser: ParsesActions) -> tuple[type[Action], dict[str, Any]]:
-        """Return the class, and the arguments that the element of a launch file gives its constructor."""
-        _, kwargs = super().parse(entity, parser)
-        kwargs["filename"] = parser.parse_substitution(entity.get_attr("filename"))
-        return cls, kwargs
 
     def execute(self, context: LaunchContext) -> None:
         """Give later nodes the file."""
@@ -131,7 +118,7 @@ class SetUseSimTime(Action):
 
 
 @expose_action("set_remap")
-class SetRemap(Action):
+class SetRemap(ActionOfTexts):
     """Remaps a name for all nodes in the rest of the scope.
 
     Args:
@@ -140,18 +127,12 @@ class SetRemap(Action):
         kwargs: As for Action.
     """
 
+    _attributes = (("src", "from"), ("dst", "to"))
+
     def __init__(self, src: SomeSubstitutionsType, dst: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)
         self._src = normalize_to_list_of_substitutions(src)
         self._dst = normalize_to_list_of_substitutions(dst)
-
-    @classmethod
-    def parse(cls, entity: Entity, parser: ParsesActions) -> tuple[type[Action], dict[str, Any]]:
-        """Return the class, and the arguments that the element of a launch file gives its constructor."""
-        _, kwargs = super().parse(entity, parser)
-        kwargs["src"] = parser.parse_substitution(entity.get_attr("from"))
-        kwargs["dst"] = parser.parse_substitution(entity.get_attr("to"))
-        return cls, kwargs
 
     @property
     def src(self) -> list[Substitution]:
@@ -171,7 +152,7 @@ class SetRemap(Action):
 
 
 @expose_action("set_ros_log_dir")
-class SetROSLogDir(Action):
+class SetROSLogDir(ActionOfTexts):
     """Sets the folder of the logs of processes that are started later, by the variable ROS_LOG_DIR.
 
     Args:
@@ -179,16 +160,11 @@ class SetROSLogDir(Action):
         kwargs: As for Action.
     """
 
+    _attributes = (("new_log_dir", "new_log_dir"),)
+
     def __init__(self, new_log_dir: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)
         self._log_dir = normalize_to_list_of_substitutions(new_log_dir)
-
-    @classmethod
-    def parse(cls, entity: Entity, parser: ParsesActions) -> tuple[type[Action], dict[str, Any]]:
-        """Return the class, and the arguments that the element of a launch file gives its constructor."""
-        _, kwargs = super().parse(entity, parser)
-        kwargs["new_log_dir"] = parser.parse_substitution(entity.get_attr("new_log_dir"))
-        return cls, kwargs
 
     @property
     def log_dir(self) -> list[Substitution]:
@@ -204,7 +180,7 @@ class SetROSLogDir(Action):
 
 @expose_action("push_ros_namespace")
 @expose_action("push-ros-namespace")
-class PushROSNamespace(Action):
+class PushROSNamespace(ActionOfTexts):
     """Puts the nodes of the rest of the scope into a namespace, under the one that they are in already.
 
     Args:
@@ -212,16 +188,11 @@ class PushROSNamespace(Action):
         kwargs: As for Action.
     """
 
+    _attributes = (("namespace", "namespace"),)
+
     def __init__(self, namespace: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)
         self._namespace = normalize_to_list_of_substitutions(namespace)
-
-    @classmethod
-    def parse(cls, entity: Entity, parser: ParsesActions) -> tuple[type[Action], dict[str, Any]]:
-        """Return the class, and the arguments that the element of a launch file gives its constructor."""
-        _, kwargs = super().parse(entity, parser)
-        kwargs["namespace"] = parser.parse_substitution(entity.get_attr("namespace"))
-        return cls, kwargs
 
     @property
     def namespace(self) -> list[Substitution]:

@@ -8,13 +8,11 @@ from typing import Any
 from tfloom.launch.condition import Condition
 from tfloom.launch.frontend.entity import Entity, ParsesActions
 from tfloom.launch.ros.parameters_type import Parameters, SomeParameters
-from tfloom.launch.ros.remap_rule_type import RemapRules, SomeRemapRules
-from tfloom.launch.ros.utilities.names import normalize_remap_rules
+from tfloom.launch.ros.utilities.names import RemapRules, SomeRemapRules, normalize_remap_rules
 from tfloom.launch.ros.utilities.normalize_parameters import normalize_parameters
 from tfloom.launch.ros.utilities.parse_node_tags import parse_parameters, parse_remappings
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
-from tfloom.launch.substitution import Substitution
-from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
+from tfloom.launch.substitution import SomeSubstitutionsType, Substitution
+from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions
 
 __all__ = ["ComposableNode", "parse_composable_nodes"]
 

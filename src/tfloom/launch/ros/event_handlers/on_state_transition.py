@@ -7,10 +7,10 @@ from typing import Any
 
 from tfloom.launch.event import Event
 from tfloom.launch.event_handler import EventHandler
+from tfloom.launch.launch_description_entity import SomeEntitiesType
 from tfloom.launch.ros.actions.lifecycle_node import LifecycleNode
 from tfloom.launch.ros.events.lifecycle_events import StateTransition
-from tfloom.launch.some_entities_type import SomeEntitiesType
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
+from tfloom.launch.substitution import SomeSubstitutionsType
 
 __all__ = ["OnStateTransition"]
 

@@ -2,21 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from pathlib import Path
-from typing import Any
 
 from tfloom.launch.frontend.expose import expose_substitution
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.missing import marked_as_missing
 from tfloom.launch.ros.substitutions.find_package import FindPackagePrefix
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
-from tfloom.launch.substitution import Substitution
-from tfloom.launch.substitutions.described import described
-from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure
+from tfloom.launch.substitution import SomeSubstitutionsType, Substitution, SubstitutionFailure, described
 from tfloom.launch.utilities.nearest import did_you_mean
-from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
-from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 from tfloom.workspace import index
 
 __all__ = ["ExecutableInPackage"]
@@ -32,20 +27,12 @@ class ExecutableInPackage(FindPackagePrefix):
         package: Name of the package, or substitutions for it.
     """
 
+    _arguments = ("executable", "package")
+    _fault = "exec-in-pkg substitution expects 2 arguments, got {count}"
+
     def __init__(self, executable: SomeSubstitutionsType, package: SomeSubstitutionsType) -> None:
         super().__init__(package)
         self._executable = normalize_to_list_of_substitutions(executable)
-
-    @classmethod
-    def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[ExecutableInPackage], dict[str, Any]]:
-        """Return the class, and the arguments that the text of a launch file gives its constructor.
-
-        Raises:
-            AttributeError: there are not exactly two arguments.
-        """
-        if len(data) != 2:
-            raise AttributeError(f"exec-in-pkg substitution expects 2 arguments, got {len(data)}")
-        return cls, {"executable": data[0], "package": data[1]}
 
     @property
     def executable(self) -> list[Substitution]:

@@ -2,43 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
+from typing import ClassVar
 
 from tfloom.launch.frontend.expose import expose_substitution
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
-from tfloom.launch.substitution import Substitution
-from tfloom.launch.substitutions.described import described
+from tfloom.launch.substitution import SomeSubstitutionsType, Substitution, described
+from tfloom.launch.substitutions.parsed import ParsedSubstitution
 from tfloom.launch.utilities.nearest import did_you_mean
-from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
-from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 from tfloom.workspace.ament import PackageNotFoundError, get_package_prefix, get_package_share_directory
 
 __all__ = ["FindPackage", "FindPackagePrefix", "FindPackageShare"]
 
 
-class FindPackage(Substitution):
+class FindPackage(ParsedSubstitution):
     """A folder of a package; derived classes define which.
 
     Args:
         package: Name of the package, or substitutions for it.
     """
 
+    _arguments: ClassVar[tuple[str, ...]] = ("package",)
+    _fault = "{class_name} substitution expects 1 argument, got {count}"
+    _error = AttributeError
+
     def __init__(self, package: SomeSubstitutionsType) -> None:
         super().__init__()
         self._package = normalize_to_list_of_substitutions(package)
-
-    @classmethod
-    def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[FindPackage], dict[str, Any]]:
-        """Return the class, and the arguments that the text of a launch file gives its constructor.
-
-        Raises:
-            AttributeError: there is not exactly one argument.
-        """
-        if len(data) != 1:
-            raise AttributeError(f"{cls.__name__} substitution expects 1 argument, got {len(data)}")
-        return cls, {"package": data[0]}
 
     @property
     def package(self) -> list[Substitution]:

@@ -2,24 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from typing import Any
 
 from tfloom.launch.frontend.expose import expose_substitution
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.ros.configurations import global_parameters
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
-from tfloom.launch.substitution import Substitution
-from tfloom.launch.substitutions.described import described
-from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure
-from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
-from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+from tfloom.launch.substitution import SomeSubstitutionsType, Substitution, SubstitutionFailure, described
+from tfloom.launch.substitutions.parsed import ParsedSubstitution
+from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 
 __all__ = ["Parameter"]
 
 
 @expose_substitution("param")
-class Parameter(Substitution):
+class Parameter(ParsedSubstitution):
     """The value of a parameter that SetParameter has set in this scope.
 
     Args:
@@ -27,21 +24,14 @@ class Parameter(Substitution):
         default: Value if it isn't set, or substitutions for it.
     """
 
+    _arguments = ("name", "default")
+    _optional = 1
+    _fault = "param substitution expects 1 or 2 arguments"
+
     def __init__(self, name: SomeSubstitutionsType, *, default: Any | Iterable[Any] | None = None) -> None:
         super().__init__()
         self._name = normalize_to_list_of_substitutions(name)
         self._default = None if default is None else normalize_to_list_of_substitutions(_as_texts(default))
-
-    @classmethod
-    def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[Parameter], dict[str, Any]]:
-        """Return the class, and the arguments that the text of a launch file gives its constructor.
-
-        Raises:
-            TypeError: there are not one or two arguments.
-        """
-        if not 1 <= len(data) <= 2:
-            raise TypeError("param substitution expects 1 or 2 arguments")
-        return cls, {"name": data[0], **({"default": data[1]} if len(data) == 2 else {})}
 
     @property
     def name(self) -> list[Substitution]:

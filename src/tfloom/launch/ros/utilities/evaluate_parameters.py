@@ -15,7 +15,7 @@ from tfloom.launch.ros.parameters_type import (
 )
 from tfloom.launch.substitution import Substitution
 from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
-from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+from tfloom.launch.utilities.substitutions import perform_substitutions
 
 __all__ = ["evaluate_parameter_dict", "evaluate_parameters"]
 

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, TypeVar
 
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.ros.remap_rule_type import RemapRule, SomeRemapRule, SomeRemapRules
+from tfloom.launch.substitution import SomeSubstitutionsType, Substitution
 from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
-from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
+from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions
 
 __all__ = [
     "OptionalText",
+    "RemapRule",
+    "RemapRules",
+    "SomeRemapRule",
+    "SomeRemapRules",
     "add_node_name",
     "get_node_name_count",
     "is_namespace_absolute",
@@ -24,6 +28,16 @@ __all__ = [
     "remappings_error",
 ]
 
+
+SomeRemapRule = tuple[SomeSubstitutionsType, SomeSubstitutionsType]
+"""A name and its replacement, as a launch file gives them."""
+
+SomeRemapRules = Iterable[SomeRemapRule]
+
+RemapRule = tuple[Sequence[Substitution], Sequence[Substitution]]
+"""A name and its replacement, normalized."""
+
+RemapRules = Iterable[RemapRule]
 
 OptionalText = TypeVar("OptionalText", str, None)
 

@@ -20,7 +20,7 @@ from tfloom.launch.ros.parameters_type import (
 from tfloom.launch.substitution import Substitution
 from tfloom.launch.substitutions.text_substitution import TextSubstitution
 from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
-from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
+from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions
 
 __all__ = ["normalize_parameter_dict", "normalize_parameters", "parameters_error"]
 

@@ -52,6 +52,7 @@ if TYPE_CHECKING:
     from launch.substitutions import text_substitution as text_substitution
     from launch.substitutions import this_launch_file as this_launch_file
     from launch.substitutions import this_launch_file_dir as this_launch_file_dir
+    from tfloom.launch.substitution import SubstitutionFailure as SubstitutionFailure
     from tfloom.launch.substitutions.anon_name import AnonName as AnonName
     from tfloom.launch.substitutions.command import Command as Command
     from tfloom.launch.substitutions.comparisons import AllSubstitution as AllSubstitution
@@ -71,7 +72,6 @@ if TYPE_CHECKING:
     from tfloom.launch.substitutions.launch_files import ThisLaunchFile as ThisLaunchFile
     from tfloom.launch.substitutions.launch_files import ThisLaunchFileDir as ThisLaunchFileDir
     from tfloom.launch.substitutions.python_expression import PythonExpression as PythonExpression
-    from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure as SubstitutionFailure
     from tfloom.launch.substitutions.text_substitution import TextSubstitution as TextSubstitution
     from tfloom.launch.substitutions.variables import EnvironmentVariable as EnvironmentVariable
     from tfloom.launch.substitutions.variables import ForEachVar as ForEachVar
@@ -105,7 +105,7 @@ else:
         PathSubstitution="tfloom.launch.substitutions.joins",
         PythonExpression="tfloom.launch.substitutions.python_expression",
         StringJoinSubstitution="tfloom.launch.substitutions.joins",
-        SubstitutionFailure="tfloom.launch.substitutions.substitution_failure",
+        SubstitutionFailure="tfloom.launch.substitution",
         TextSubstitution="tfloom.launch.substitutions.text_substitution",
         ThisLaunchFile="tfloom.launch.substitutions.launch_files",
         ThisLaunchFileDir="tfloom.launch.substitutions.launch_files",

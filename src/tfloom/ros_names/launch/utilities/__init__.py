@@ -29,9 +29,9 @@ if TYPE_CHECKING:
     from tfloom.launch.utilities.class_tools import isclassinstance as isclassinstance
     from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type as ensure_argument_type
     from tfloom.launch.utilities.normalize_to_list_of_entities import normalize_to_list_of_entities as normalize_to_list_of_entities
-    from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions as normalize_to_list_of_substitutions
-    from tfloom.launch.utilities.perform_substitutions import perform_substitutions as perform_substitutions
     from tfloom.launch.utilities.signal_management import AsyncSafeSignalManager as AsyncSafeSignalManager
+    from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions as normalize_to_list_of_substitutions
+    from tfloom.launch.utilities.substitutions import perform_substitutions as perform_substitutions
     from tfloom.launch.utilities.visit_all_entities_and_collect_futures import visit_all_entities_and_collect_futures as visit_all_entities_and_collect_futures
 else:
     from tfloom.ros_modules import deferred
@@ -47,9 +47,9 @@ else:
         isclassinstance="tfloom.launch.utilities.class_tools",
         normalize_to_list_of_entities="tfloom.launch.utilities.normalize_to_list_of_entities",
         normalize_to_list_of_entities_impl="launch.utilities",
-        normalize_to_list_of_substitutions="tfloom.launch.utilities.normalize_to_list_of_substitutions",
+        normalize_to_list_of_substitutions="tfloom.launch.utilities.substitutions",
         normalize_to_list_of_substitutions_impl="launch.utilities",
-        perform_substitutions="tfloom.launch.utilities.perform_substitutions",
+        perform_substitutions="tfloom.launch.utilities.substitutions",
         perform_substitutions_impl="launch.utilities",
         signal_management="launch.utilities",
         type_utils="launch.utilities",

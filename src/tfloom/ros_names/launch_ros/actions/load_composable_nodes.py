@@ -3,7 +3,7 @@
 
 from tfloom.launch.ros.actions.composable_nodes import LoadComposableNodes as LoadComposableNodes
 from tfloom.launch.ros.actions.composable_nodes import get_composable_node_load_request as get_composable_node_load_request
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType_types_tuple as SomeSubstitutionsType_types_tuple
+from tfloom.launch.substitution import SomeSubstitutionsType_types_tuple as SomeSubstitutionsType_types_tuple
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.launch.actions.execute_process import ExecuteProcess as ExecuteProcess
     from tfloom.launch.ros.parameter_descriptions import ParameterFile as ParameterFile
-    from tfloom.launch.ros.remap_rule_type import SomeRemapRules as SomeRemapRules
+    from tfloom.launch.ros.utilities.names import SomeRemapRules as SomeRemapRules
 else:
     from tfloom.ros_modules import deferred
 
@@ -18,5 +18,5 @@ else:
         __name__,
         ExecuteProcess="tfloom.launch.actions.execute_process",
         ParameterFile="tfloom.launch.ros.parameter_descriptions",
-        SomeRemapRules="tfloom.launch.ros.remap_rule_type",
+        SomeRemapRules="tfloom.launch.ros.utilities.names",
     )

@@ -3,4 +3,4 @@
 
 from tfloom.launch.ros.utilities.normalize_parameters import normalize_parameter_dict as normalize_parameter_dict
 from tfloom.launch.ros.utilities.normalize_parameters import normalize_parameters as normalize_parameters
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType_types_tuple as SomeSubstitutionsType_types_tuple
+from tfloom.launch.substitution import SomeSubstitutionsType_types_tuple as SomeSubstitutionsType_types_tuple

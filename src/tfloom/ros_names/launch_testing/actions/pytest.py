@@ -5,13 +5,13 @@ from tfloom.launch.testing.actions import PyTest as PyTest
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from tfloom.launch.some_substitutions_type import SomeSubstitutionsType as SomeSubstitutionsType
+    from tfloom.launch.substitution import SomeSubstitutionsType as SomeSubstitutionsType
     from tfloom.launch.testing.actions import Test as Test
 else:
     from tfloom.ros_modules import deferred
 
     __getattr__, __dir__ = deferred(
         __name__,
-        SomeSubstitutionsType="tfloom.launch.some_substitutions_type",
+        SomeSubstitutionsType="tfloom.launch.substitution",
         Test="tfloom.launch.testing.actions",
     )

@@ -7,7 +7,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.launch.actions.execute_process import ExecuteProcess as ExecuteProcess
     from tfloom.launch.event_handlers import OnProcessIO as OnProcessIO
-    from tfloom.launch.some_entities_type import SomeEntitiesType as SomeEntitiesType
+    from tfloom.launch.launch_description_entity import SomeEntitiesType as SomeEntitiesType
 else:
     from tfloom.ros_modules import deferred
 
@@ -15,5 +15,5 @@ else:
         __name__,
         ExecuteProcess="tfloom.launch.actions.execute_process",
         OnProcessIO="tfloom.launch.event_handlers",
-        SomeEntitiesType="tfloom.launch.some_entities_type",
+        SomeEntitiesType="tfloom.launch.launch_description_entity",
     )

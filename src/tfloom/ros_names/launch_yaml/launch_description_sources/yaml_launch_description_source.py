@@ -6,7 +6,7 @@ from tfloom.launch.yaml.yaml_launch_description_source import YAMLLaunchDescript
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.launch.launch_description_sources.sources import FrontendLaunchDescriptionSource as FrontendLaunchDescriptionSource
-    from tfloom.launch.some_substitutions_type import SomeSubstitutionsType as SomeSubstitutionsType
+    from tfloom.launch.substitution import SomeSubstitutionsType as SomeSubstitutionsType
     from tfloom.launch.yaml.parser import Parser as Parser
 else:
     from tfloom.ros_modules import deferred
@@ -15,5 +15,5 @@ else:
         __name__,
         FrontendLaunchDescriptionSource="tfloom.launch.launch_description_sources.sources",
         Parser="tfloom.launch.yaml.parser",
-        SomeSubstitutionsType="tfloom.launch.some_substitutions_type",
+        SomeSubstitutionsType="tfloom.launch.substitution",
     )

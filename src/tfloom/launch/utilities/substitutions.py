@@ -1,20 +1,46 @@
-"""The text of several substitutions."""
+"""Substitutions in every form as a list, and the text of a list of them."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
 
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
-from tfloom.launch.substitution import Substitution
-from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure
-from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
+from tfloom.launch.substitution import SomeSubstitutionsType, Substitution, SubstitutionFailure
+from tfloom.launch.substitutions.text_substitution import TextSubstitution
 
-__all__ = ["perform_some_substitutions", "perform_substitutions"]
+__all__ = ["normalize_to_list_of_substitutions", "perform_some_substitutions", "perform_substitutions"]
 
 
 MAX_CHARACTERS = 10_000_000
 """Length of the longest text of substitutions; that of a robot with all its meshes named has a tenth."""
+
+
+def normalize_to_list_of_substitutions(subs: SomeSubstitutionsType) -> list[Substitution]:
+    """Return the substitutions of a text, a substitution, a path, or a list of them.
+
+    Raises:
+        TypeError: it is, or holds, something else.
+    """
+    if isinstance(subs, (str, Path, Substitution)):
+        return [_as_substitution(subs)]
+    if isinstance(subs, Iterable):
+        return [_as_substitution(part) for part in subs]
+    raise TypeError(
+        f"'{subs}' of type '{type(subs).__name__}' is no text, no Substitution, and no list of them"
+    )
+
+
+def _as_substitution(value: Any) -> Substitution:
+    if isinstance(value, Substitution):
+        return value
+    if isinstance(value, (str, Path)):
+        return TextSubstitution(text=str(value))
+    raise TypeError(
+        "Failed to normalize given item of type "
+        f"'{type(value)}', when only 'str' or 'launch.Substitution' were expected."
+    )
 
 
 def perform_substitutions(context: LaunchContext, subs: Iterable[Substitution]) -> str:
