@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 from tfloom.interfaces.example_interfaces.srv import AddTwoInts
 from tfloom.node.client_library import ok, spin_until_future_complete
 from tfloom.node.endpoints.client import Client
+from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
 from tfloom.node.program import expect_no_arguments, run_program
 
@@ -27,14 +29,21 @@ def _print(text: str) -> None:
     print(text, flush=True)
 
 
-def call() -> None:
-    """Send a request, spin until the response arrives, and log it."""
+def call(
+    spin: Callable[[Node, Future[Any]], object] = spin_until_future_complete, *, logs_waits: bool = False
+) -> None:
+    """Send a request once the server is there, spin until the response arrives, and log it.
+
+    Args:
+        spin: Spins a node until a future is done, or the program is stopped.
+        logs_waits: Whether waits for the server are logged, too; else they are printed.
+    """
     node = Node("add_two_ints_client")
     client = node.create_client(AddTwoInts, "add_two_ints")
-    if not wait_for_server(client):
+    if not wait_for_server(client, node.get_logger().info if logs_waits else None):
         return
     future = client.call_async(AddTwoInts.Request(a=2, b=3))
-    spin_until_future_complete(node, future)
+    spin(node, future)
     response = future.result()
     if response is not None:
         node.get_logger().info(f"Result of add_two_ints: {response.sum}")
