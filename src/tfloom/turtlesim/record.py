@@ -69,9 +69,7 @@ class Still:
         self._last = picture
         self._added += 1
         if self._added % (STILL_MS // FRAME_MS) == 0:
-            with suppress(
-                RecordingError
-            ):  # a disk that is full now may have room at the end, which tells of an error
+            with suppress(RecordingError):  # a full disk may have room at the end, which tells of an error
                 self.finish()
 
     def finish(self) -> None:
@@ -124,28 +122,10 @@ class Film:
             self._replacement = Replacement(path)
         except OSError as error:
             raise RecordingError(f"can't record to {path}: {error.strerror}") from None
-        source = [
-            "-f",
-            "rawvideo",
-            "-pix_fmt",
-            "rgb24",
-            "-s",
-            f"{SIDE_PX}x{SIDE_PX}",
-            "-r",
-            str(1000 // FRAME_MS),
-        ]
-        command = [
-            ffmpeg,
-            "-y",
-            "-loglevel",
-            "error",
-            *source,
-            "-i",
-            "-",
-            "-pix_fmt",
-            "yuv420p",
-            str(self._replacement.partial),
-        ]
+        side, rate = f"{SIDE_PX}x{SIDE_PX}", str(1000 // FRAME_MS)
+        source = ["-f", "rawvideo", "-pix_fmt", "rgb24", "-s", side, "-r", rate, "-i", "-"]
+        target = ["-pix_fmt", "yuv420p", str(self._replacement.partial)]
+        command = [ffmpeg, "-y", "-loglevel", "error", *source, *target]
         # In a separate session, because Ctrl-C must end the recording first, and ffmpeg at the end of its input.
         self._ffmpeg = subprocess.Popen(
             command, stdin=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True

@@ -178,6 +178,9 @@ def _turned(
     return vector + w * cross + np.cross(axis, cross)
 
 
+_SHADOWLESS: dict[str, Any] = {"cast_shadow": False, "receive_shadow": False}
+
+
 def _add_points(scene: SceneApi, name: str, shape: shapes.Points) -> Any:
     return scene.add_point_cloud(
         name,
@@ -199,12 +202,7 @@ def _add_lines(scene: SceneApi, name: str, shape: shapes.Lines) -> Any:
 def _add_arrows(scene: SceneApi, name: str, shape: shapes.Arrows) -> Any:
     radius = shape.shaft_radius_m
     return scene.add_arrows(
-        name,
-        shape.ends,
-        shape.color,
-        shaft_radius=radius,
-        head_radius=2.5 * radius,
-        head_length=5.0 * radius,
+        name, shape.ends, shape.color, shaft_radius=radius, head_radius=2.5 * radius, head_length=5.0 * radius
     )
 
 
@@ -227,8 +225,7 @@ def _add_mesh(scene: SceneApi, name: str, shape: shapes.Mesh) -> Any:
         opacity=_opacity(shape.opacity),
         side="double",
         flat_shading=True,
-        cast_shadow=False,
-        receive_shadow=False,
+        **_SHADOWLESS,
     )
 
 
@@ -239,8 +236,7 @@ def _add_box(scene: SceneApi, name: str, shape: shapes.Box) -> Any:
         color=shape.color,
         dimensions=(x, y, z),
         opacity=_opacity(shape.opacity),
-        cast_shadow=False,
-        receive_shadow=False,
+        **_SHADOWLESS,
     )
 
 
@@ -252,8 +248,7 @@ def _add_ball(scene: SceneApi, name: str, shape: shapes.Ball) -> Any:
         color=shape.color,
         opacity=_opacity(shape.opacity),
         scale=(x, y, z),
-        cast_shadow=False,
-        receive_shadow=False,
+        **_SHADOWLESS,
     )
 
 
@@ -264,8 +259,7 @@ def _add_cylinder(scene: SceneApi, name: str, shape: shapes.Cylinder) -> Any:
         height=max(shape.height_m, MIN_SIZE_M),
         color=shape.color,
         opacity=_opacity(shape.opacity),
-        cast_shadow=False,
-        receive_shadow=False,
+        **_SHADOWLESS,
     )
 
 
@@ -287,8 +281,7 @@ def _add_copies(scene: SceneApi, name: str, shape: shapes.Copies) -> Any:
         batched_colors=shape.colors,
         opacity=_opacity(shape.opacity),
         flat_shading=shape.kind == "box",
-        cast_shadow=False,
-        receive_shadow=False,
+        **_SHADOWLESS,
     )
 
 
@@ -304,18 +297,11 @@ def _flipped(shape: shapes.Picture) -> NDArray[np.uint8]:
 
 
 def _add_picture(scene: SceneApi, name: str, shape: shapes.Picture) -> Any:
-    return scene.add_image(
-        name,
-        _flipped(shape),
-        shape.size[0],
-        shape.size[1],
-        cast_shadow=False,
-        receive_shadow=False,
-    )
+    return scene.add_image(name, _flipped(shape), *shape.size, **_SHADOWLESS)
 
 
 def _add_model(scene: SceneApi, name: str, shape: shapes.Model) -> Any:
-    return scene.add_glb(name, shape.glb, scale=shape.scale, cast_shadow=False, receive_shadow=False)
+    return scene.add_glb(name, shape.glb, scale=shape.scale, **_SHADOWLESS)
 
 
 def _opacity(opacity: float) -> float | None:

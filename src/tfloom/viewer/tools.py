@@ -7,7 +7,6 @@ import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.interfaces.geometry_msgs.msg import (
     Point,
     PointStamped,
@@ -25,6 +24,7 @@ from tfloom.rmw.errors import WireError
 from tfloom.rmw.qos import QoS
 from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl import cdr
+from tfloom.viewer.forms.filling import stamp_of_ns
 from tfloom.viewer.page_command import PageError
 
 if TYPE_CHECKING:
@@ -88,7 +88,7 @@ class Tools:
         Raises:
             PageError: there is no such tool.
         """
-        header = Header(frame_id=frame, stamp=self._stamp())
+        header = Header(frame_id=frame, stamp=stamp_of_ns(self._now_ns()))
         x, y = start
         if tool == "point":
             self._publish(POINT_TOPIC, PointStamped(header=header, point=Point(x=x, y=y)))
@@ -142,7 +142,7 @@ class Tools:
         if "geometry_msgs/msg/Twist" in types:
             self._publish(topic, twist)
         else:
-            self._publish(topic, TwistStamped(header=Header(stamp=self._stamp()), twist=twist))
+            self._publish(topic, TwistStamped(header=Header(stamp=stamp_of_ns(self._now_ns())), twist=twist))
 
     def stop_silent(self, *, all_topics: bool = False) -> None:
         """Stop what is driven and was not told so for `SILENCE_S`; or all."""
@@ -160,10 +160,6 @@ class Tools:
         for writer in self._writers.values():
             writer.close()
         self._writers.clear()
-
-    def _stamp(self) -> Time:
-        sec, nanosec = divmod(self._now_ns(), 1_000_000_000)
-        return Time(sec=sec, nanosec=nanosec)
 
     def _writer(self, topic: str, message_class: type[Any]) -> Writer:
         key = topic, message_class

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from tfloom.tf2_ros.point_clouds.point_cloud2 import points_view
-from tfloom.viewer.displays.display import rainbow, stamp_of
+from tfloom.viewer.displays.display import Latest, rainbow, stamp_of
 from tfloom.viewer.shapes import DisplayError, Placed, Points
 
 if TYPE_CHECKING:
@@ -26,23 +25,13 @@ USUAL_FIELDS = (*COLOR_FIELDS, "intensity", "z")
 """Fields that colour the points where none is chosen, the first one that the cloud has."""
 
 
-class PointCloudDisplay:
-    """Shows the last `sensor_msgs/msg/PointCloud2`."""
-
-    keeps_all = False
+class PointCloudDisplay(Latest):
+    """Shows the last `sensor_msgs/msg/PointCloud2`; one of a wrong layout, or without x, y and z, is an error."""
 
     def __init__(self) -> None:
-        self.choices: Sequence[str] = ()
-        self.choice = ""
-        self._shapes: list[Placed] = []
+        super().__init__(self._points_of)
 
-    def take(self, message: Any, stamp_ns: int) -> None:  # noqa: ARG002  # the header's stamp counts
-        """Take a cloud.
-
-        Raises:
-            DisplayError: its layout is wrong, or it has no x, y and z.
-        """
-        self._shapes = []
+    def _points_of(self, message: Any) -> list[Placed]:
         # A field is a column for each of its elements, of which a message may claim billions.
         if sum(int(field.count) for field in message.fields) > MAX_COLUMNS:
             raise DisplayError(f"its points have more than {MAX_COLUMNS} numbers each")
@@ -61,18 +50,10 @@ class PointCloudDisplay:
         if not is_finite.all():
             positions, points = positions[is_finite], points[is_finite]
         if not len(points):
-            return
+            return []
         chosen = self.choice if self.choice in names else next(name for name in USUAL_FIELDS if name in names)
         shape = Points(np.ascontiguousarray(positions), _colors(points[chosen], chosen))
-        self._shapes = [Placed(shape, message.header.frame_id, stamp_of(message.header))]
-
-    def clear(self) -> None:
-        """Forget the cloud."""
-        self._shapes = []
-
-    def shapes(self, now_ns: int) -> list[Placed]:  # noqa: ARG002  # they stay until the next message
-        """Return the cloud's points."""
-        return self._shapes
+        return [Placed(shape, message.header.frame_id, stamp_of(message.header))]
 
 
 def _colors(values: NDArray[Any], field: str) -> NDArray[np.uint8]:

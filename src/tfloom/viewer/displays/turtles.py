@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -12,6 +11,7 @@ from tfloom.tf2.transform import Transform
 from tfloom.turtlesim.art import LOOKS, sprite
 from tfloom.turtlesim.canvas import DEFAULT_BACKGROUND
 from tfloom.turtlesim.world import WORLD_SIZE_M
+from tfloom.viewer.displays.display import Latest
 from tfloom.viewer.shapes import DisplayError, Picture, Placed
 
 __all__ = ["WORLD_FRAME", "TurtleDisplay"]
@@ -25,26 +25,16 @@ TURTLE_M = 0.02
 """Heights of water and turtle above the floor, so that one hides the other [m]."""
 
 
-class TurtleDisplay:
-    """Shows the last `turtlesim/msg/Pose`, and the water that all turtles share."""
-
-    keeps_all = False
-    choices: Sequence[str] = ()
-    choice = ""
+class TurtleDisplay(Latest):
+    """Shows the last `turtlesim/msg/Pose`, and the water that all turtles share; what is not finite is an error."""
 
     def __init__(self, topic: str = "") -> None:
+        super().__init__(self._turtle_of)
         # The same name has the same look each time; turtlesim itself chooses by chance.
         self._kind = sum(topic.encode("utf-8", "replace")) % len(LOOKS)
         self._pictures: tuple[Picture, Picture] | None = None
-        self._shapes: list[Placed] = []
 
-    def take(self, message: Any, stamp_ns: int) -> None:  # noqa: ARG002  # the pose has no header
-        """Take a pose.
-
-        Raises:
-            DisplayError: a number is not finite.
-        """
-        self._shapes = []
+    def _turtle_of(self, message: Any) -> list[Placed]:
         x, y, theta = float(message.x), float(message.y), float(message.theta)
         if not all(map(math.isfinite, (x, y, theta))):
             raise DisplayError("a number of its pose is not finite")
@@ -53,7 +43,7 @@ class TurtleDisplay:
         pose = Transform.from_rpy(0.0, 0.0, theta, (x, y, TURTLE_M))
         half = turtle.size[0] / 2.0
         corner = pose.apply((-half, -half, 0.0))
-        self._shapes = [
+        return [
             Placed(water, WORLD_FRAME, position=(0.0, 0.0, WATER_M)),
             Placed(turtle, WORLD_FRAME, position=corner, rotation_xyzw=pose.rotation_xyzw),
         ]
@@ -64,16 +54,6 @@ class TurtleDisplay:
             water = np.full((1, 1, 3), DEFAULT_BACKGROUND, np.uint8)
             turtle = np.asarray(sprite(self._kind, 0.0, TURTLE_PX))
             size_m = len(turtle) / TURTLE_PX
-            self._pictures = (
-                Picture(water, (WORLD_SIZE_M, WORLD_SIZE_M)),
-                Picture(turtle, (size_m, size_m)),
-            )
+            sides = (WORLD_SIZE_M, WORLD_SIZE_M), (size_m, size_m)
+            self._pictures = Picture(water, sides[0]), Picture(turtle, sides[1])
         return self._pictures
-
-    def clear(self) -> None:
-        """Forget the pose."""
-        self._shapes = []
-
-    def shapes(self, now_ns: int) -> list[Placed]:  # noqa: ARG002  # they stay until the next message
-        """Return water and turtle."""
-        return self._shapes

@@ -86,12 +86,8 @@ class Call(Task):
         self._tell("done", _text_of(response) or "the response has no fields")
         return True
 
-    def cancel(self) -> bool:
-        """Wait no longer; return whether the call is over: a server can't be told."""
-        return True
-
     def close(self) -> None:
-        """Leave the service."""
+        """Leave the service; a server can't be told that nobody waits."""
         self._question.close()
 
 

@@ -32,10 +32,6 @@ class Learning(Task):
         self._tell(self._search.reasons)
         return True
 
-    def cancel(self) -> bool:
-        """Search no longer; return True, because nobody has to be told."""
-        return True
-
     def close(self) -> None:
         """Leave the node that is asked."""
         self._search.close()

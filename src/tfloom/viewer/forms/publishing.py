@@ -57,10 +57,6 @@ class Publication(Task):
         """Write a further message, when the first one is written."""
         self._writer.write(data)
 
-    def cancel(self) -> bool:
-        """Write nothing; return True."""
-        return True
-
     def close(self) -> None:
         """Leave the writer open for the next message."""
 
@@ -98,7 +94,7 @@ class Repetition(Task):
     @property
     def last_word(self) -> tuple[str, str]:
         """Return how many messages were published, as what is done."""
-        return "done", self.summary()
+        return "done", f"published {self._count} message{'s' * (self._count != 1)} on {self._first.name}"
 
     def step(self) -> bool:
         """Write a message if it is time for it; return False, because it goes on."""
@@ -115,16 +111,8 @@ class Repetition(Task):
         self._count += 1
         if now_s >= self._next_told_s:
             self._next_told_s = now_s + TOLD_S
-            self._tell("feedback", self.summary())
+            self._tell("feedback", self.last_word[1])
         return False
-
-    def summary(self) -> str:
-        """Return how many messages were published, as a sentence."""
-        return f"published {self._count} message{'s' * (self._count != 1)} on {self._first.name}"
-
-    def cancel(self) -> bool:
-        """Write no further message; return True."""
-        return True
 
     def close(self) -> None:
         """Leave the writer open for the next message."""

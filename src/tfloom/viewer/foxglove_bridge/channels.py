@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from tfloom.viewer.foxglove_bridge.known_types import KnownTypes
     from tfloom.viewer.foxglove_bridge.settings import Settings
 
-__all__ = ["Channels"]
+__all__ = ["Channels", "schema_of"]
 
 MAX_CHANGES = 100
 """Number of channels that are opened or closed at once. Clients get a message for each, and the server closes the
@@ -72,10 +72,7 @@ class Channels:
         return len(gone) + len(new) <= max_changes
 
     def _open(self, name: str, message_class: type[Any]) -> _TopicChannel:
-        type_name = message_class._TYPE_NAME
-        definition = find_definition(type_name)
-        encoding, text = ("ros2msg", "") if definition is None else (definition.encoding, definition.text)
-        schema = Schema(name=type_name, encoding=encoding, data=text.encode())
+        schema = schema_of(message_class._TYPE_NAME)
         channel = Channel(name, schema=schema, message_encoding="cdr", context=self._context)
         return _TopicChannel(self._node, channel, message_class, self._settings)
 
@@ -95,6 +92,13 @@ class Channels:
             channel.close()
         self._channels.clear()
         self._by_id.clear()
+
+
+def schema_of(type_name: str) -> Schema:
+    """Return the definition of a type, empty where it has none here."""
+    definition = find_definition(type_name)
+    encoding, text = ("ros2msg", "") if definition is None else (definition.encoding, definition.text)
+    return Schema(name=type_name, encoding=encoding, data=text.encode())
 
 
 class _TopicChannel:

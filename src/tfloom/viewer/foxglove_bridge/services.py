@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from foxglove import MessageSchema, Schema, Service, ServiceRequest, ServiceSchema
+from foxglove import MessageSchema, Service, ServiceRequest, ServiceSchema
 
-from tfloom.bag.writing.definition_text import find_definition
 from tfloom.rosidl import cdr
 from tfloom.viewer.foxglove_bridge.calls import Call
+from tfloom.viewer.foxglove_bridge.channels import schema_of
 
 if TYPE_CHECKING:
     from foxglove.websocket import WebSocketServer
@@ -80,6 +80,4 @@ class Services:
 
 
 def _schema(type_name: str) -> MessageSchema:
-    definition = find_definition(type_name)
-    encoding, text = ("ros2msg", "") if definition is None else (definition.encoding, definition.text)
-    return MessageSchema(encoding="cdr", schema=Schema(name=type_name, encoding=encoding, data=text.encode()))
+    return MessageSchema(encoding="cdr", schema=schema_of(type_name))

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from tfloom.rosidl import user_yaml
 from tfloom.viewer.layout.layout import LayoutError
 
 __all__ = ["PlacedYaml"]
 
+Container = TypeVar("Container", dict[Any, Any], list[Any])
 MAX_BYTES = 4 * 1024 * 1024
 
 
@@ -56,12 +57,7 @@ class PlacedYaml:
         Raises:
             LayoutError: it is none.
         """
-        value = holder.get(key)
-        if value is None:
-            return {}
-        if not isinstance(value, dict):
-            raise self.error(holder, f"{key} has to be a mapping")
-        return value
+        return self._container(holder, key, dict, "a mapping")
 
     def items(self, holder: Mapping[Any, Any], key: str) -> list[Any]:
         """Return a list in a mapping; an empty one where there is none.
@@ -69,11 +65,14 @@ class PlacedYaml:
         Raises:
             LayoutError: it is none.
         """
+        return self._container(holder, key, list, "a list")
+
+    def _container(self, holder: Mapping[Any, Any], key: str, kind: type[Container], what: str) -> Container:
         value = holder.get(key)
         if value is None:
-            return []
-        if not isinstance(value, list):
-            raise self.error(holder, f"{key} has to be a list")
+            return kind()
+        if not isinstance(value, kind):
+            raise self.error(holder, f"{key} has to be {what}")
         return value
 
     def text(self, holder: Mapping[Any, Any], key: str, default: str = "") -> str:
