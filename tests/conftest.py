@@ -371,16 +371,17 @@ class Program:
     def output(self) -> str:
         return "\n".join(self.lines)
 
-    def wait_for(self, text: str, timeout_s: float = TIMEOUT_S) -> None:
-        """Wait until a line contains `text`; fail with the whole output if the program ends before."""
+    def wait_for(self, text: str, timeout_s: float = TIMEOUT_S) -> str:
+        """Wait until a line contains `text`, and return it; fail with the whole output if the program ends before."""
         end = time.monotonic() + timeout_s
         while True:
             count = len(self.lines)
             ended = self.process.poll() is not None
             if ended:
                 self._reader.join(1.0)
-            if any(text in line for line in list(self.lines)):
-                return
+            for line in list(self.lines):
+                if text in line:
+                    return line
             if ended or time.monotonic() > end:
                 pytest.fail(f"{self.command} never printed {text!r}; it printed:\n{self.output}")
             with self._printed:

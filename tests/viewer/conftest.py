@@ -20,6 +20,7 @@ from tfloom.node.node import Node
 if TYPE_CHECKING:
     from websockets.sync.client import ClientConnection
 
+    from tfloom.node.endpoints.publisher import Publisher
     from tfloom.viewer.program import Viewer
 
 HAS_VISER = all(find_spec(name) is not None for name in ("viser", "websockets", "msgspec", "trimesh"))
@@ -78,11 +79,51 @@ class Page:
         """Wait for an answer, and return its value."""
         return self.wait_for(lambda: [message for message in self.answers if key in message])[0][key]
 
+    def ask(self, key: str, /, **command: Any) -> Any:
+        """Send a command, and return the value of its answer; earlier answers are forgotten."""
+        self.answers.clear()
+        self.send(**command)
+        return self.answer(key)
+
+    def show(self, topic: str, publisher: Publisher[Any]) -> None:
+        """Switch a display on as soon as its topic is offered, and wait for its reader."""
+        self.wait_for(lambda: self.display(topic))
+        self.send(op="display", topic=topic, on=True)
+        self.wait_for(publisher.get_subscription_count)
+
     def row(self, frame: str) -> dict[str, Any] | None:
         return next((row for row in self.state.get("rows", []) if row["frame"] == frame), None)
 
     def display(self, topic: str) -> dict[str, Any] | None:
         return next((row for row in self.state.get("displays", []) if row["topic"] == topic), None)
+
+
+@contextmanager
+def running_node(domain_id: int, name: str) -> Iterator[Node]:
+    """Have a node with a context of its own for the block."""
+    context = Context()
+    context.init(args=[], domain_id=domain_id)
+    node = Node(name, context=context)
+    try:
+        yield node
+    finally:
+        node.destroy_node()
+        context.try_shutdown()
+
+
+@contextmanager
+def spinning(*nodes: Node) -> Iterator[None]:
+    """Spin nodes of one context on a thread for the block."""
+    executor = SingleThreadedExecutor(context=nodes[0].context)
+    for node in nodes:
+        executor.add_node(node)
+    thread = threading.Thread(target=executor.spin)
+    thread.start()
+    try:
+        yield
+    finally:
+        executor.shutdown()
+        thread.join(TIMEOUT_S)
 
 
 @contextmanager
@@ -101,24 +142,15 @@ def running(viewer: Viewer) -> Iterator[Viewer]:
 
 @pytest.fixture
 def node(domain_id: int) -> Iterator[Node]:
-    context = Context()
-    context.init(args=[], domain_id=domain_id)
-    made = Node("feeder", context=context)
-    yield made
-    made.destroy_node()
-    context.try_shutdown()
+    with running_node(domain_id, "feeder") as made:
+        yield made
 
 
 @pytest.fixture
 def spun(node: Node) -> Iterator[Node]:
     """The node, spun on a thread."""
-    executor = SingleThreadedExecutor(context=node.context)
-    executor.add_node(node)
-    thread = threading.Thread(target=executor.spin)
-    thread.start()
-    yield node
-    executor.shutdown()
-    thread.join(10.0)
+    with spinning(node):
+        yield node
 
 
 @pytest.fixture
@@ -152,3 +184,8 @@ def open_page() -> Iterator[Callable[[Viewer], Page]]:
             return page
 
         yield open_one
+
+
+@pytest.fixture
+def page(viewer: Viewer, open_page: Callable[[Viewer], Page]) -> Page:
+    return open_page(viewer)

@@ -10,6 +10,7 @@ import sys
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import partial
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
@@ -18,14 +19,13 @@ import numpy as np
 import pytest
 from tests import conftest
 from tests.conftest import Program
+from tests.spun import SpunNode, spun
 from tests.viewer.a_robot import EVIL
 from tests.viewer.test_layout import RVIZ
 
 import tfloom
 from tfloom.interfaces.geometry_msgs.msg import PointStamped, PoseStamped, Twist
 from tfloom.interfaces.turtlesim.msg import Pose as TurtlePose
-from tfloom.node.context.context import Context
-from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.transform_listener import TransformListener
@@ -68,30 +68,20 @@ def browser() -> Iterator[Any]:
 
 
 @pytest.fixture(scope="module")
-def node(module_domain_id: int) -> Iterator[Node]:
-    """A node of the test, spun by `spin_until`."""
-    context = Context()
-    context.init(args=[], domain_id=module_domain_id)
-    made = Node("test", context=context)
-    yield made
-    made.destroy_node()
-    context.try_shutdown()
+def spun_node(module_domain_id: int) -> Iterator[SpunNode]:
+    with spun(SpunNode("test", module_domain_id)) as made:
+        yield made
 
 
 @pytest.fixture(scope="module")
-def spin_until(node: Node) -> Iterator[Callable[[Callable[[], object]], None]]:
-    executor = SingleThreadedExecutor(context=node.context)
-    executor.add_node(node)
+def node(spun_node: SpunNode) -> Node:
+    """A node of the test, spun by `spin_until`."""
+    return spun_node.node
 
-    def spin(condition: Callable[[], object]) -> None:
-        def is_met() -> object:
-            executor.spin_once(timeout_sec=0.05)
-            return condition()
 
-        conftest.wait_until(is_met, TIMEOUT_S)
-
-    yield spin
-    executor.shutdown()
+@pytest.fixture(scope="module")
+def spin_until(spun_node: SpunNode) -> Callable[..., None]:
+    return partial(spun_node.spin_until, timeout_s=TIMEOUT_S)
 
 
 @pytest.fixture(scope="module")
@@ -99,8 +89,7 @@ def address(module_domain_id: int, start_module_program: Callable[..., Program])
     start_module_program(sys.executable, Path(__file__).parent / "a_robot.py")
     start_module_program("tfloom", "run", "turtlesim", "turtlesim_node", "--headless")
     view = start_module_program("tfloom", "view", "--no-open", "--port", "0")
-    view.wait_for("Open http://127.0.0.1:")
-    return next(line for line in view.lines if line.startswith("Open ")).removeprefix("Open ")
+    return view.wait_for("Open http://127.0.0.1:").removeprefix("Open ")
 
 
 class Tab:
@@ -563,9 +552,8 @@ def test_layout_of_rviz_is_shown_and_saved_as_ours(
     config = tmp_path / "robot.rviz"
     config.write_text(RVIZ.replace("/points", "/no_points").replace("Distance: 10", "Distance: 7"))
     view = start_module_program("tfloom", "view", "--config", config, "--no-open", "--port", "0")
-    view.wait_for("Open http://127.0.0.1:")
+    opened = view.wait_for("Open http://127.0.0.1:").removeprefix("Open ")
     assert any("shown without what is not known here: the display Handles" in line for line in view.lines)
-    opened = next(line for line in view.lines if line.startswith("Open ")).removeprefix("Open ")
     saved = Tab(browser, opened)
     wait_until(lambda: "base_link" in saved.text("#rows"), what="the tree")
     wait_until(

@@ -19,7 +19,6 @@ from tests.viewer.scenes import Scene, connect_scene, take_all
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import connect
 
-from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
 from tfloom.interfaces.sensor_msgs.msg import PointCloud2
 from tfloom.interfaces.std_msgs.msg import String
@@ -30,6 +29,7 @@ from tfloom.rmw.base import NodeName, Topic
 from tfloom.rmw.qos import QoS
 from tfloom.tf2_ros.transform_broadcaster import TransformBroadcaster
 from tfloom.viewer import page_server
+from tfloom.viewer.forms.filling import stamp_of_ns
 from tfloom.viewer.program import Viewer
 
 OpenPage = Callable[[Viewer], Page]
@@ -66,18 +66,13 @@ def shows(scene: Scene, frames: Frames) -> bool:
     return positions is not None and bool(positions.max() > frames.x - 20.0 and positions.max() > 1.0)
 
 
-def stamp_now() -> Time:
-    sec, nanosec = divmod(time.time_ns(), 1_000_000_000)
-    return Time(sec=sec, nanosec=nanosec)
-
-
 def points(number: int) -> PointCloud2:
     """Return a cloud whose points all have another place, and whose first one's x is a number."""
     table = np.zeros(POINTS, [("x", "<f4"), ("y", "<f4"), ("z", "<f4")])
     table["x"] = number
     table["y"] = np.random.default_rng(number).normal(size=POINTS)
     message = cloud(table, "world")
-    message.header.stamp = stamp_now()  # messages of one time would all stay in the history
+    message.header.stamp = stamp_of_ns(time.time_ns())  # messages of one time would all stay in the history
     return message
 
 
@@ -87,8 +82,7 @@ def show_cloud(page: Page, publisher: Publisher[PointCloud2], frames: Frames) ->
         return page.display("/points") is not None and page.row("moving") is not None
 
     page.wait_for(is_there)
-    page.send(op="display", topic="/points", on=True)
-    page.wait_for(lambda: publisher.get_subscription_count() == 1)
+    page.show("/points", publisher)
 
 
 def test_ten_pages_and_one_that_takes_nothing(node: Node, viewer: Viewer, open_page: OpenPage) -> None:
@@ -115,8 +109,7 @@ def test_scene_that_takes_nothing_costs_no_queue(
     publisher = node.create_publisher(PointCloud2, "/points", 1)
     frames = Frames(node)
     program = start_program("tfloom", "view", "--no-open", "--port", "0", "--history", "1")
-    program.wait_for("http://127.0.0.1:")
-    (line,) = (line for line in program.lines if "http://127.0.0.1:" in line)
+    line = program.wait_for("http://127.0.0.1:")
     port = int(line.partition("http://127.0.0.1:")[2].partition("/")[0])
     with connect(f"ws://127.0.0.1:{port}/api", max_size=None, proxy=None, ping_interval=None) as socket:
         page = Page(socket)
@@ -181,9 +174,8 @@ def test_pages_that_are_killed_while_a_cloud_is_sent_leave_nothing(
     lasting.wait_for(lambda: lasting.state["axes_m"] == 0.6)
 
 
-def test_page_has_one_scene_which_ends_with_it(viewer: Viewer, open_page: OpenPage) -> None:
+def test_page_has_one_scene_which_ends_with_it(viewer: Viewer, page: Page) -> None:
     """A page can't open scenes without number, and a scene that outlives its page would cost what a page does."""
-    page = open_page(viewer)
     scenes = [connect_scene(port_of(viewer), page.name) for _ in range(5)]
     assert isinstance(scenes[-1].recv(timeout=10.0), bytes)
     for scene in scenes[:-1]:
@@ -217,9 +209,7 @@ def test_names_of_nodes_and_topics_are_data(domain_id: int, viewer: Viewer, open
         page = open_page(viewer)
 
         def has_node() -> bool:
-            page.answers.clear()
-            page.send(op="graph")
-            return any(EVIL in name for name, _ in page.answer("graph")["published"])
+            return any(EVIL in name for name, _ in page.ask("graph", op="graph")["published"])
 
         wait_until(has_node, what="the node")
     finally:
@@ -242,8 +232,7 @@ def test_program_asks_for_the_token_and_says_so(
 ) -> None:
     local = ("tfloom", "view", "--no-open", "--host", "127.0.0.1", "--port", "0")
     program = start_program(*(("python", "-c", REMOTE) if is_remote else local))
-    program.wait_for("http://127.0.0.1:")
-    (line,) = (line for line in program.lines if "http://127.0.0.1:" in line)
+    line = program.wait_for("http://127.0.0.1:")
     address = line[line.index("http://") :].split()[0]
     assert ("?token=" in address) is is_remote
     bare = address.partition("?")[0]

@@ -145,10 +145,8 @@ def test_page_plots_fields_and_ends_them(node: Node, viewer: Viewer, open_page: 
     publisher = node.create_publisher(LaserScan, "/scan", 10)
     page = open_page(viewer)
     wait_until(lambda: "/scan" in viewer.view.topics.types(), what="the topic")
-    page.send(op="plot_topics")
-    assert ["/scan", "sensor_msgs/msg/LaserScan"] in page.answer("plot_topics")
-    page.send(op="plot_fields", topic="/scan")
-    assert page.answer("plot_fields")["fields"][:3] == [
+    assert ["/scan", "sensor_msgs/msg/LaserScan"] in page.ask("plot_topics", op="plot_topics")
+    assert page.ask("plot_fields", op="plot_fields", topic="/scan")["fields"][:3] == [
         "header.stamp.sec",
         "header.stamp.nanosec",
         "angle_min",
@@ -191,10 +189,9 @@ def test_plot_waits_for_its_topic(node: Node, viewer: Viewer, open_page: OpenPag
 
 
 def test_wrong_plots_get_a_sentence(
-    node: Node, viewer: Viewer, open_page: OpenPage, monkeypatch: pytest.MonkeyPatch
+    node: Node, viewer: Viewer, page: Page, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     node.create_publisher(Float64, "/number", 10)
-    page = open_page(viewer)
     wait_until(lambda: "/number" in viewer.view.topics.types(), what="the topic")
     wrong: list[tuple[dict[str, Any], str]] = [
         ({"op": "plot", "topic": "/number", "field": "date", "on": True}, "has no field date"),
@@ -203,21 +200,16 @@ def test_wrong_plots_get_a_sentence(
         ({"op": "plot_fields", "topic": "/none"}, "nobody publishes /none"),
     ]
     for command, sentence in wrong:
-        page.answers.clear()
-        page.send(**command)
-        assert sentence in page.answer("error"), command
+        assert sentence in page.ask("error", **command), command
     assert viewer.view.plots.names() == []
     monkeypatch.setattr(plots_module, "MAX_PLOTS", 0)
-    page.answers.clear()
-    page.send(op="plot", topic="/number", field="data", on=True)
-    assert "there are 0 plots already" in page.answer("error")
+    assert "there are 0 plots already" in page.ask("error", op="plot", topic="/number", field="data", on=True)
 
 
 def test_damaged_message_is_a_sentence_and_the_next_one_counts(
-    node: Node, viewer: Viewer, open_page: OpenPage
+    node: Node, viewer: Viewer, page: Page
 ) -> None:
     publisher = node.create_publisher(Float64, "/number", 10)
-    page = open_page(viewer)
     wait_until(lambda: "/number" in viewer.view.topics.types(), what="the topic")
     page.send(op="plot", topic="/number", field="data", on=True)
     wait_until(publisher.get_subscription_count, what="the reader")
@@ -234,19 +226,18 @@ def test_field_of_a_type_that_another_process_alone_has(
     page = open_page(viewer)
     start_program("python", OWN_TYPES).wait_for("ready")
     page.wait_for(lambda: (plot_of(page, "at[2]") or {}).get("shown") == 3.0)
-    page.send(op="plot_fields", topic="/samples")
-    assert page.answer("plot_fields")["fields"][-1] == "at[0]"
+    assert page.ask("plot_fields", op="plot_fields", topic="/samples")["fields"][-1] == "at[0]"
 
 
 def test_fields_come_when_the_type_is_known_and_a_wrong_description_is_a_sentence(
-    viewer: Viewer, open_page: OpenPage, start_program: Callable[..., Program]
+    viewer: Viewer, page: Page, start_program: Callable[..., Program]
 ) -> None:
-    page = open_page(viewer)
     lab = start_program("python", OWN_TYPES, "lie")
     lab.wait_for("ready")
     wait_until(lambda: "/samples" in viewer.view.topics.types(), what="the topic")
-    page.send(op="plot_fields", topic="/samples")
-    assert "; the description from /lab can't be used: " in page.answer("error")
+    assert "; the description from /lab can't be used: " in page.ask(
+        "error", op="plot_fields", topic="/samples"
+    )
     lab.signal(signal.SIGINT)
     lab.wait()
     wait_until(lambda: "/samples" not in viewer.view.topics.types(), what="the end of the topic")

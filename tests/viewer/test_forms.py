@@ -41,6 +41,8 @@ from tfloom.viewer.page_command import PageError
 from tfloom.viewer.program import Viewer
 
 OpenPage = Callable[[Viewer], Page]
+FIBONACCI = "example_interfaces/action/Fibonacci"
+SET_BOOL = "std_srvs/srv/SetBool"
 
 
 def sent(page: Page, state: str) -> str:
@@ -54,6 +56,12 @@ def sent(page: Page, state: str) -> str:
 def send(page: Page, what: str, name: str, values: Any, type_name: str = "", key: str = "1") -> None:
     page.answers.clear()
     page.send(op="send", key=key, what=what, name=name, type=type_name, values=values)
+
+
+def ask(page: Page, *words: Any, state: str = "done", **options: Any) -> str:
+    """Send what `send` does, wait until it is in a state, and return the text."""
+    send(page, *words, **options)
+    return sent(page, state)
 
 
 # The form of a type.
@@ -172,37 +180,30 @@ def test_message_that_a_short_text_makes_large_is_refused(monkeypatch: pytest.Mo
 # On a graph.
 
 
-def test_page_gets_names_and_the_form_of_a_name(spun: Node, viewer: Viewer, open_page: OpenPage) -> None:
+def test_page_gets_names_and_the_form_of_a_name(spun: Node, page: Page) -> None:
     spun.create_subscription(PoseStamped, "/aim", lambda _: None, 10)
     spun.create_service(SetBool, "/lamp", lambda _, response: response)
     ActionServer(spun, Fibonacci, "/count", lambda _: Fibonacci.Result())
-    page = open_page(viewer)
 
     def names(what: str, name: str) -> Any:
-        page.answers.clear()
-        page.send(op="form_names", what=what)
-        return dict(page.answer("form_names")["names"]).get(name)
+        return dict(page.ask("form_names", op="form_names", what=what)["names"]).get(name)
 
     wait_until(lambda: names("topic", "/aim") == "geometry_msgs/msg/PoseStamped", what="the topic")
-    wait_until(lambda: names("service", "/lamp") == "std_srvs/srv/SetBool", what="the service")
-    wait_until(lambda: names("action", "/count") == "example_interfaces/action/Fibonacci", what="the action")
+    wait_until(lambda: names("service", "/lamp") == SET_BOOL, what="the service")
+    wait_until(lambda: names("action", "/count") == FIBONACCI, what="the action")
     assert names("service", "/count/_action/send_goal") is None
-    page.answers.clear()
-    page.send(op="form", what="action", name="count", type="")
-    form = page.answer("form")
+    form = page.ask("form", op="form", what="action", name="count", type="")
     assert form["name"] == "/count"
     assert [field["name"] for field in form["types"][form["root"]]] == ["order"]
-    page.answers.clear()
     page.send(op="form", what="topic", name="/aim", type="std_msgs/String", key="form")
     assert "/aim has the type geometry_msgs/msg/PoseStamped, not std_msgs/msg/String" in sent(page, "error")
 
 
 def test_message_is_published_at_a_rate_until_it_is_stopped_or_its_page_is_closed(
-    spun: Node, viewer: Viewer, open_page: OpenPage
+    spun: Node, viewer: Viewer, page: Page
 ) -> None:
     heard: list[tuple[float, PoseStamped]] = []
     spun.create_subscription(PoseStamped, "/aim", lambda said: heard.append((time.monotonic(), said)), 100)
-    page = open_page(viewer)
     command = {"op": "send", "what": "topic", "name": "aim", "type": "geometry_msgs/msg/PoseStamped"}
     command |= {"values": {"header": {"stamp": "now"}, "pose": {"position": {"x": "2.5"}}}}
     for rate_hz in (-1.0, 1000.0):
@@ -228,7 +229,7 @@ def test_message_is_published_at_a_rate_until_it_is_stopped_or_its_page_is_close
 
 
 def test_message_is_published_to_all_subscriptions_of_the_graph(
-    spun: Node, viewer: Viewer, open_page: OpenPage
+    spun: Node, viewer: Viewer, page: Page
 ) -> None:
     plain: list[PoseStamped] = []
     kept: list[PoseStamped] = []
@@ -236,7 +237,6 @@ def test_message_is_published_to_all_subscriptions_of_the_graph(
     spun.create_subscription(
         PoseStamped, "/aim", kept.append, QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
     )
-    page = open_page(viewer)
     graph = viewer._live.participant.graph
     wait_until(lambda: sum(end.topic.name == "/aim" for end in graph.endpoints()) == 2, what="subscriptions")
     before_s = time.time()
@@ -283,35 +283,32 @@ def test_message_waits_until_its_writer_is_matched_and_not_for_ever(monkeypatch:
     assert said[-1][1].endswith("0 subscriptions; 2 more with another quality of service, which get nothing")
 
 
-def test_service_is_called_and_its_response_shown(spun: Node, viewer: Viewer, open_page: OpenPage) -> None:
+def test_service_is_called_and_its_response_shown(spun: Node, page: Page) -> None:
     def spawn(request: Spawn.Request, response: Spawn.Response) -> Spawn.Response:
         response.name = f"{request.name} at {request.x:g}"
         return response
 
     spun.create_service(Spawn, "/spawn", spawn)
-    page = open_page(viewer)
     send(page, "service", "/spawn", {"name": "t2", "x": "3"}, "turtlesim/srv/Spawn")
     assert sent(page, "done") == "name: t2 at 3\n"
-    send(page, "service", "/spawn", {"x": "three"}, "turtlesim/srv/Spawn")
-    assert "x: " in sent(page, "error")
+    assert "x: " in ask(page, "service", "/spawn", {"x": "three"}, "turtlesim/srv/Spawn", state="error")
 
 
 def test_service_that_is_not_there_or_does_not_respond_is_an_error_in_time(
-    node: Node, viewer: Viewer, open_page: OpenPage, monkeypatch: pytest.MonkeyPatch
+    node: Node, viewer: Viewer, page: Page, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setitem(Question.ask.__kwdefaults__, "server_s", 0.3)
-    page = open_page(viewer)
-    send(page, "service", "/gone", {}, "std_srvs/srv/SetBool")
+    send(page, "service", "/gone", {}, SET_BOOL)
     assert sent(page, "error") == "there is no server of /gone: waited 0.3 s for it"
-    send(page, "action", "/gone", {}, "example_interfaces/action/Fibonacci")
+    send(page, "action", "/gone", {}, FIBONACCI)
     assert "there is no server of /gone/_action/send_goal" in sent(page, "error")
     monkeypatch.setitem(Question.ask.__kwdefaults__, "response_s", 0.5)
     service = node.create_service(SetBool, "/silent", lambda _, response: response)  # nobody spins the node
     monkeypatch.setitem(Question.ask.__kwdefaults__, "server_s", 20.0)
-    send(page, "service", "/silent", {}, "std_srvs/srv/SetBool")
+    send(page, "service", "/silent", {}, SET_BOOL)
     assert sent(page, "error") == "no response from /silent within 0.5 s"
     monkeypatch.setitem(Question.ask.__kwdefaults__, "response_s", 60.0)
-    send(page, "service", "/silent", {}, "std_srvs/srv/SetBool", key="2")
+    send(page, "service", "/silent", {}, SET_BOOL, key="2")
     tasks = viewer._live.forms._tasks
     wait_until(
         lambda: any(one.key == "2" and one.task._question.is_sent for one in tasks), what="the request"
@@ -350,27 +347,24 @@ class Counting:
         self._gate.set_result(None)
 
 
-def test_goal_tells_its_feedback_and_its_result(spun: Node, viewer: Viewer, open_page: OpenPage) -> None:
+def test_goal_tells_its_feedback_and_its_result(spun: Node, page: Page) -> None:
     server = Counting(spun)
-    page = open_page(viewer)
-    send(page, "action", "/count", {"order": "3"}, "example_interfaces/action/Fibonacci")
+    send(page, "action", "/count", {"order": "3"}, FIBONACCI)
     assert sent(page, "accepted") == "the goal is accepted"
     assert sent(page, "feedback") == "sequence:\n- 7\n"
     assert server.handles[0].request.order == 3
     server.release()
     assert sent(page, "done") == "SUCCEEDED\nsequence:\n- 1\n- 2\n"
-    send(page, "action", "/count", {"order": "10"}, "example_interfaces/action/Fibonacci")
+    send(page, "action", "/count", {"order": "10"}, FIBONACCI)
     assert sent(page, "error") == "the server rejected the goal"
 
 
 def test_goal_is_canceled_by_its_page_alone(spun: Node, viewer: Viewer, open_page: OpenPage) -> None:
     server = Counting(spun)
     page, other = open_page(viewer), open_page(viewer)
-    send(page, "action", "/count", {"order": "3"}, "example_interfaces/action/Fibonacci", key="a")
-    sent(page, "accepted")
+    ask(page, "action", "/count", {"order": "3"}, FIBONACCI, key="a", state="accepted")
     other.send(op="cancel", key="a")
-    send(other, "topic", "/x", {}, "std_msgs/msg/Empty")
-    sent(other, "done")  # after the cancel, which was not its own
+    ask(other, "topic", "/x", {}, "std_msgs/msg/Empty")  # after the cancel, which was not its own
     goal = viewer._live.forms._tasks[0].task
     assert not goal._is_cancel_wanted
     assert not goal._is_cancelling
@@ -380,11 +374,9 @@ def test_goal_is_canceled_by_its_page_alone(spun: Node, viewer: Viewer, open_pag
     assert server.handles[0].status == GoalStatus.STATUS_CANCELED
 
 
-def test_closed_page_cancels_its_goal(spun: Node, viewer: Viewer, open_page: OpenPage) -> None:
+def test_closed_page_cancels_its_goal(spun: Node, viewer: Viewer, page: Page) -> None:
     server = Counting(spun)
-    page = open_page(viewer)
-    send(page, "action", "/count", {"order": "3"}, "example_interfaces/action/Fibonacci")
-    sent(page, "accepted")
+    ask(page, "action", "/count", {"order": "3"}, FIBONACCI, state="accepted")
     page.socket.close()
     wait_until(lambda: server.handles[0].status == GoalStatus.STATUS_CANCELED, what="the goal's end")
     forms = viewer._live.forms
@@ -399,7 +391,7 @@ def test_goal_of_a_page_that_was_closed_at_once_is_not_left(
     idle = sending.Sending(forms._participant, forms._node, forms._now_ns)
     said: list[dict[str, Any]] = []
     command = {"op": "send", "key": "1", "what": "action", "name": "/x", "values": {}}
-    idle.ask("page", {**command, "type": "example_interfaces/action/Fibonacci"}, said.append)
+    idle.ask("page", {**command, "type": FIBONACCI}, said.append)
     idle.forget("page")
     idle._take_commands()
     assert [one["sent"]["state"] for one in said] == ["waiting"]
@@ -442,10 +434,7 @@ def test_goal_that_cannot_be_opened_leaves_nothing_open(size: int) -> None:
     assert small.open_count == 0
 
 
-def test_wrong_commands_get_a_sentence_and_forms_go_on(
-    viewer: Viewer, open_page: OpenPage, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    page = open_page(viewer)
+def test_wrong_commands_get_a_sentence_and_forms_go_on(page: Page, monkeypatch: pytest.MonkeyPatch) -> None:
     wrong: list[tuple[dict[str, Any], str]] = [
         ({"op": "form", "what": "dream", "name": "/x", "type": ""}, "what has to be topic, service, action"),
         ({"op": "form", "what": "topic", "name": "/x", "type": ""}, "nobody has /x: say its type"),
@@ -456,37 +445,18 @@ def test_wrong_commands_get_a_sentence_and_forms_go_on(
         ({"op": "send", "what": "topic", "name": "/x", "type": "std_msgs/String", "values": 1}, "key has to"),
     ]
     for command, sentence in wrong:
-        page.answers.clear()
-        page.send(**command)
-        assert sentence in page.answer("error"), command
+        assert sentence in page.ask("error", **command), command
     for values in (None, [], {"data": {"a": "b"}, "x": 1}, {"data": [[[[[]]]]]}):
-        send(page, "topic", "/x", values, "std_msgs/msg/Int64")
-        assert sent(page, "error")
+        assert ask(page, "topic", "/x", values, "std_msgs/msg/Int64", state="error")
     monkeypatch.setattr(sending, "MAX_OPEN", 0)
-    send(page, "topic", "/x", {}, "std_msgs/msg/Int64")
-    assert "are under way already" in sent(page, "error")
+    assert "are under way already" in ask(page, "topic", "/x", {}, "std_msgs/msg/Int64", state="error")
     monkeypatch.setattr(sending, "MAX_OPEN", 5)
-    send(page, "topic", "/x", {"data": "5"}, "std_msgs/msg/Int64")
-    assert sent(page, "done")
+    assert ask(page, "topic", "/x", {"data": "5"}, "std_msgs/msg/Int64")
 
 
 ODD = (
-    None,
-    True,
-    -1,
-    1e400,
-    "",
-    "now",
-    "auto",
-    "x",
-    "9" * 500,
-    [],
-    {},
-    [[]],
-    [{}],
-    ["1", None],
-    {"x": 1},
-    "\ud800",
+    *(None, True, -1, 1e400, "", "now", "auto", "x", "9" * 500),
+    *([], {}, [[]], [{}], ["1", None], {"x": 1}, "\ud800"),
 )
 
 
@@ -534,36 +504,29 @@ def test_form_of_a_type_that_another_process_alone_has(
     name: str,
     values: dict[str, Any],
     answer: str,
-    viewer: Viewer,
-    open_page: OpenPage,
+    page: Page,
     start_program: Callable[..., Program],
 ) -> None:
     start_program("python", OWN_TYPES).wait_for("ready")
-    page = open_page(viewer)
     names = wait_for_name(page, what, name)
-    page.send(op="form", what=what, name=name, type="", key="form")
-    form = page.answer("form")
+    form = page.ask("form", op="form", what=what, name=name, type="", key="form")
     assert (form["name"], form["type"]) == (name, names[name])
     assert form["types"][form["root"]][0]["name"] in {"header", "part", "parts"}
-    send(page, what, name, values)
-    assert sent(page, "done").startswith(answer)
+    assert ask(page, what, name, values).startswith(answer)
 
 
 def wait_for_name(page: Page, what: str, name: str) -> dict[str, str]:
     """Wait until forms offer a name; return all names with their types."""
     while True:
-        page.answers.clear()
-        page.send(op="form_names", what=what)
-        names = dict(page.answer("form_names")["names"])
+        names = dict(page.ask("form_names", op="form_names", what=what)["names"])
         if name in names:
             return names
 
 
 def test_description_that_was_not_announced_is_an_error_of_the_form(
-    viewer: Viewer, open_page: OpenPage, start_program: Callable[..., Program]
+    page: Page, start_program: Callable[..., Program]
 ) -> None:
     start_program("python", OWN_TYPES, "lie").wait_for("ready")
-    page = open_page(viewer)
     wait_for_name(page, "topic", "/samples")
     page.send(op="form", what="topic", name="/samples", type="", key="form")
     said = sent(page, "error")
@@ -599,8 +562,7 @@ def test_node_that_describes_nothing_is_an_error_in_time_and_nobody_else_waits_f
     page.send(op="form", what="topic", name="/plan", type="", key="form")
     wait_until(lambda: len(tasks) == 1, what="the search")
     wait_for_name(other, "service", "/set")
-    send(other, "service", "/set", {})
-    assert "success: false" in sent(other, "done")
+    assert "success: false" in ask(other, "service", "/set", {})
     page.send(op="cancel", key="form")
     assert sent(page, "error") == "it was given up"
     page.send(op="form", what="topic", name="/plan", type="", key="form")

@@ -240,21 +240,8 @@ def test_manager_without_anything_is_an_empty_layout(write: Write) -> None:
 
 
 ODD = (
-    None,
-    3,
-    -1.5,
-    float("nan"),
-    float("inf"),
-    True,
-    "",
-    "text",
-    [],
-    {},
-    [1],
-    [{}],
-    {"Value": 3},
-    {3: 4},
-    10**400,
+    *(None, 3, -1.5, float("nan"), float("inf"), True, "", "text"),
+    *([], {}, [1], [{}], {"Value": 3}, {3: 4}, 10**400),
 )
 
 
@@ -274,7 +261,7 @@ def test_odd_values_anywhere_are_a_sentence_or_are_passed_over(write: Write) -> 
     outcomes = set()
     for text in (RVIZ, layout_text(FULL)):
         values = yaml.safe_load(text)
-        for _ in range(400):
+        for _ in range(100):
             path = write(yaml.safe_dump(damaged(values, chance)))
             outcomes.add(outcome(path))
     assert outcomes == {"error", "named", "read"}

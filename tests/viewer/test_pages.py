@@ -17,9 +17,9 @@ import pytest
 from tests.conftest import wait_until
 from tests.viewer.conftest import Page
 from tests.viewer.messages import cloud, header, pose
-from tests.viewer.scenes import Scene
+from tests.viewer.scenes import Scene, take_all
 from websockets.exceptions import ConnectionClosed, InvalidStatus
-from websockets.sync.client import ClientConnection, connect
+from websockets.sync.client import connect
 
 from tfloom.interfaces.geometry_msgs.msg import PoseStamped, TransformStamped, Twist
 from tfloom.interfaces.sensor_msgs.msg import CameraInfo, Image, PointCloud2
@@ -58,21 +58,19 @@ def feed(node: Node, viewer: Viewer, evil: str = EVIL) -> None:
     wait_until(lambda: viewer.view.buffer.can("map", "base", 111 * 10**9), what="moving transforms")
 
 
-def take_all(socket: ClientConnection) -> None:
-    """Take messages until the connection is closed."""
-    while True:
-        socket.recv(timeout=10.0)
+def shown(viewer: Viewer, name: str) -> Any:
+    """Return a node of the scene; None where there is none of this name."""
+    return viewer._server.scene.get_handle_by_name(name)
 
 
 def axes_of(viewer: Viewer) -> Any:
-    handle = viewer._server.scene.get_handle_by_name("/frames/axes")
+    handle = shown(viewer, "/frames/axes")
     return None if handle is None else np.sort(handle.batched_positions[:, 0]).tolist()
 
 
 def test_page_shows_frames_their_publisher_and_the_transform_as_tf2_echo_says_it(
-    node: Node, viewer: Viewer, open_page: OpenPage
+    node: Node, viewer: Viewer, page: Page
 ) -> None:
-    page = open_page(viewer)
     feed(node, viewer)
     page.wait_for(lambda: page.row("base") and page.row("laser") and page.row(EVIL))
     assert page.row("base")["publisher"] == "/feeder"
@@ -92,13 +90,12 @@ def test_page_shows_frames_their_publisher_and_the_transform_as_tf2_echo_says_it
 
 
 def test_a_click_on_a_finding_marks_its_frames_as_long_as_it_is_there(
-    node: Node, viewer: Viewer, open_page: OpenPage
+    node: Node, viewer: Viewer, page: Page
 ) -> None:
     def boxes() -> Any:
-        handle = viewer._server.scene.get_handle_by_name("/marks")
+        handle = shown(viewer, "/marks")
         return None if handle is None else handle.points.reshape(-1, 24, 3).mean(axis=1).round(3).tolist()
 
-    page = open_page(viewer)
     others = [Node(name, context=node.context) for name in ("first", "second")]
     try:
         broadcasters = [TransformBroadcaster(other) for other in others]
@@ -130,8 +127,7 @@ def test_a_click_on_a_finding_marks_its_frames_as_long_as_it_is_there(
             other.destroy_node()
 
 
-def test_time_is_turned_back_and_live_again(node: Node, viewer: Viewer, open_page: OpenPage) -> None:
-    page = open_page(viewer)
+def test_time_is_turned_back_and_live_again(node: Node, viewer: Viewer, page: Page) -> None:
     feed(node, viewer)
     page.wait_for(lambda: page.row("base"))
     wait_until(
@@ -146,32 +142,26 @@ def test_time_is_turned_back_and_live_again(node: Node, viewer: Viewer, open_pag
     page.wait_for(lambda: page.state["held_ns"] is None)
 
 
-def test_fixed_frame_is_chosen_and_a_trail_drawn(node: Node, viewer: Viewer, open_page: OpenPage) -> None:
-    page = open_page(viewer)
+def test_fixed_frame_is_chosen_and_a_trail_drawn(node: Node, viewer: Viewer, page: Page) -> None:
     feed(node, viewer)
     page.send(op="hold", stamp_ns=str(111 * 10**9))
     page.send(op="fixed_frame", frame="base")
     page.send(op="trail", frame="map", on=True)
     page.wait_for(lambda: page.state["fixed_frame"] == "base" and page.state["trails"] == ["map"])
     wait_until(lambda: axes_of(viewer) == [-10.0, 0.0, 0.0, 0.5], what="the frames in base")
-    scene = viewer._server.scene
-    wait_until(lambda: scene.get_handle_by_name("/trails/0") is not None, what="the trail")
-    assert scene.get_handle_by_name("/trails/0").points[:, 0, 0].tolist() == [-x for x in range(10)]
+    wait_until(lambda: shown(viewer, "/trails/0") is not None, what="the trail")
+    assert shown(viewer, "/trails/0").points[:, 0, 0].tolist() == [-x for x in range(10)]
     page.send(op="trail", frame="map", on=False)
-    wait_until(lambda: scene.get_handle_by_name("/trails/0") is None, what="the trail's end")
+    wait_until(lambda: shown(viewer, "/trails/0") is None, what="the trail's end")
 
 
-def test_length_of_axes_is_changed(node: Node, viewer: Viewer, open_page: OpenPage) -> None:
-    page = open_page(viewer)
+def test_length_of_axes_is_changed(node: Node, viewer: Viewer, page: Page) -> None:
     feed(node, viewer)
     page.send(op="hold", stamp_ns=str(111 * 10**9))
-    scene = viewer._server.scene
-    wait_until(lambda: scene.get_handle_by_name("/frames/arrows") is not None, what="arrows")
+    wait_until(lambda: shown(viewer, "/frames/arrows") is not None, what="arrows")
     page.send(op="axes", length=2.0)
-    wait_until(
-        lambda: getattr(scene.get_handle_by_name("/frames/axes"), "axes_length", 0) == 2.0, what="longer axes"
-    )
-    assert scene.get_handle_by_name("/frames/arrows").shaft_radius == pytest.approx(0.04)
+    wait_until(lambda: getattr(shown(viewer, "/frames/axes"), "axes_length", 0) == 2.0, what="longer axes")
+    assert shown(viewer, "/frames/arrows").shaft_radius == pytest.approx(0.04)
 
 
 def test_cloud_is_shown_where_it_stood_and_a_closed_page_reads_nothing(
@@ -182,17 +172,15 @@ def test_cloud_is_shown_where_it_stood_and_a_closed_page_reads_nothing(
     feed(node, viewer)
     page.wait_for(lambda: page.display("/points"))
     assert publisher.get_subscription_count() == 0
-    page.send(op="display", topic="/points", on=True)
-    wait_until(lambda: publisher.get_subscription_count() == 1, what="the reader")
+    page.show("/points", publisher)
     points = np.zeros(2, [("x", "<f4"), ("y", "<f4"), ("z", "<f4")])
     for sec in (104, 108):
         message = cloud(points, "base")
         message.header.stamp.sec = sec
         publisher.publish(message)
-    scene = viewer._server.scene
 
     def place() -> float | None:
-        handle = scene.get_handle_by_name("/displays/0/0")
+        handle = shown(viewer, "/displays/0/0")
         return None if handle is None else float(handle.position[0] + handle.points[0, 0])
 
     wait_until(lambda: place() == 7.0, what="the newest cloud")
@@ -207,13 +195,10 @@ def test_cloud_is_shown_where_it_stood_and_a_closed_page_reads_nothing(
     assert again.wait_for(lambda: again.display("/points"))["on"]
 
 
-def test_display_says_why_it_shows_nothing(node: Node, viewer: Viewer, open_page: OpenPage) -> None:
+def test_display_says_why_it_shows_nothing(node: Node, viewer: Viewer, page: Page) -> None:
     publisher = node.create_publisher(PoseStamped, "/pose", 10)
-    page = open_page(viewer)
     feed(node, viewer)
-    page.wait_for(lambda: page.display("/pose"))
-    page.send(op="display", topic="/pose", on=True)
-    wait_until(lambda: publisher.get_subscription_count() == 1)
+    page.show("/pose", publisher)
     publisher.publish(PoseStamped(header=header("nowhere"), pose=pose()))
     page.wait_for(lambda: "nowhere" in page.display("/pose")["status"])
     publisher.publish(PoseStamped(header=header("map", 2), pose=pose(math.nan)))
@@ -222,12 +207,9 @@ def test_display_says_why_it_shows_nothing(node: Node, viewer: Viewer, open_page
     page.wait_for(lambda: page.display("/pose")["status"] == "")
 
 
-def test_image_is_a_file_that_browsers_show(node: Node, viewer: Viewer, open_page: OpenPage) -> None:
+def test_image_is_a_file_that_browsers_show(node: Node, viewer: Viewer, page: Page) -> None:
     publisher = node.create_publisher(Image, "/camera", 10)
-    page = open_page(viewer)
-    page.wait_for(lambda: page.display("/camera"))
-    page.send(op="display", topic="/camera", on=True)
-    wait_until(lambda: publisher.get_subscription_count() == 1)
+    page.show("/camera", publisher)
     publisher.publish(Image(header=header(), width=4, height=3, step=12, encoding="rgb8", data=bytes(36)))
 
     def picture() -> bytes:
@@ -249,21 +231,18 @@ def test_image_is_a_file_that_browsers_show(node: Node, viewer: Viewer, open_pag
 
 
 def test_fault_of_one_display_ends_that_one_alone(
-    node: Node, viewer: Viewer, open_page: OpenPage, monkeypatch: pytest.MonkeyPatch
+    node: Node, viewer: Viewer, page: Page, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    publishers = [node.create_publisher(PoseStamped, topic, 10) for topic in ("/bad", "/good")]
-    page = open_page(viewer)
+    publishers = {topic: node.create_publisher(PoseStamped, topic, 10) for topic in ("/bad", "/good")}
     feed(node, viewer)
-    page.wait_for(lambda: page.display("/bad") and page.display("/good"))
-    for topic in ("/bad", "/good"):
-        page.send(op="display", topic=topic, on=True)
-    wait_until(lambda: all(publisher.get_subscription_count() for publisher in publishers))
+    for topic, publisher in publishers.items():
+        page.show(topic, publisher)
 
     def fail(*_: object) -> None:
         raise ZeroDivisionError("a fault")
 
     monkeypatch.setattr(viewer.view.feed("/bad").display, "shapes", fail)
-    for publisher in publishers:
+    for publisher in publishers.values():
         publisher.publish(PoseStamped(header=header("map"), pose=pose()))
     page.wait_for(lambda: "ZeroDivisionError: a fault" in page.display("/bad")["status"])
     page.wait_for(lambda: page.display("/good")["status"] == "")
@@ -290,16 +269,11 @@ WRONG = [
 ]
 
 
-def test_wrong_commands_get_a_sentence_and_the_viewer_goes_on(
-    node: Node, viewer: Viewer, open_page: OpenPage
-) -> None:
-    page = open_page(viewer)
+def test_wrong_commands_get_a_sentence_and_the_viewer_goes_on(node: Node, page: Page) -> None:
     page.wait_for(lambda: page.state)
     node.get_logger().info("so that /rosout is there")
     for command, sentence in WRONG:
-        page.answers.clear()
-        page.send(**command)
-        assert sentence in page.answer("error"), command
+        assert sentence in page.ask("error", **command), command
     for text in ("no JSON", "[1]", "[" * 10_000, '{"op": "names", "on": NaN}', b"\x00\xff"):
         page.answers.clear()
         page.socket.send(text)
@@ -321,13 +295,12 @@ def test_end_of_a_page_is_taken_among_too_many_commands(
 
 
 def test_reader_and_writer_that_the_wire_refuses_end_nothing(
-    node: Node, viewer: Viewer, open_page: OpenPage, monkeypatch: pytest.MonkeyPatch
+    node: Node, viewer: Viewer, page: Page, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def refuse(*_: object) -> None:
         raise WireError("there is no room for a reader")
 
     node.create_publisher(PoseStamped, "/pose", 1)
-    page = open_page(viewer)
     page.wait_for(lambda: any(row["topic"] == "/pose" for row in page.state["displays"]))
     topics: Any = viewer._topics
     full = argparse.Namespace(graph=topics._participant.graph, create_reader=refuse)
@@ -336,18 +309,14 @@ def test_reader_and_writer_that_the_wire_refuses_end_nothing(
         {"op": "display", "topic": "/pose", "on": True},
         {"op": "plot", "topic": "/pose", "field": "pose.position.x", "on": True},
     ):
-        page.answers.clear()
-        page.send(**command)
-        assert page.answer("error") == "there is no room for a reader"
+        assert page.ask("error", **command) == "there is no room for a reader"
     node.create_subscription(Twist, "/cmd_vel", lambda _: None, 1)
     page.wait_for(lambda: page.state["drive_topics"] == ["/cmd_vel"])
     tools: Any = viewer._live.tools
     full = argparse.Namespace(graph=tools._participant.graph, create_writer=refuse)
     monkeypatch.setattr(tools, "_participant", full)
     monkeypatch.setattr("tfloom.viewer.tools.SILENCE_S", 0.05)
-    page.answers.clear()
-    page.send(op="drive", topic="/cmd_vel", ahead=1, left=0)
-    assert page.answer("error") == "there is no room for a reader"
+    assert page.ask("error", op="drive", topic="/cmd_vel", ahead=1, left=0) == "there is no room for a reader"
     wait_until(lambda: not tools._driven, what="the end of the drive")
     page.send(op="names", on=False)
     page.wait_for(lambda: page.state["with_names"] is False)
@@ -408,8 +377,7 @@ def test_page_that_takes_nothing_gets_the_newest_state_and_no_queue(
     assert len({number for number in taken if number is not None}) < count / 2
 
 
-def test_viser_is_reached_through_the_relay_alone(viewer: Viewer, open_page: OpenPage) -> None:
-    page = open_page(viewer)
+def test_viser_is_reached_through_the_relay_alone(viewer: Viewer, page: Page) -> None:
     port = viewer._server.port
     with connect(f"ws://127.0.0.1:{port}", subprotocols=["viser-v1.1.1"], proxy=None) as socket:
         with pytest.raises(ConnectionClosed) as closed:
@@ -488,15 +456,12 @@ def test_log_of_nodes_with_texts_as_they_are(node: Node, viewer: Viewer, open_pa
     late.wait_for(lambda: any(line["text"] == EVIL for line in late.log))
 
 
-def test_graph_of_nodes(node: Node, viewer: Viewer, open_page: OpenPage) -> None:
+def test_graph_of_nodes(node: Node, page: Page) -> None:
     publisher = node.create_publisher(Twist, "/cmd_vel", 10)
     subscription = node.create_subscription(Twist, "/cmd_vel", lambda _: None, 10)
-    page = open_page(viewer)
 
     def has_both() -> bool:
-        page.answers.clear()
-        page.send(op="graph")
-        graph = page.answer("graph")
+        graph = page.ask("graph", op="graph")
         return ["/feeder", "/cmd_vel"] in graph["published"] and ["/cmd_vel", "/feeder"] in graph[
             "subscribed"
         ]
@@ -506,9 +471,8 @@ def test_graph_of_nodes(node: Node, viewer: Viewer, open_page: OpenPage) -> None
     del publisher, subscription
 
 
-def test_parameters_are_read_and_set(spun: Node, viewer: Viewer, open_page: OpenPage) -> None:
+def test_parameters_are_read_and_set(spun: Node, page: Page) -> None:
     spun.declare_parameter("speed", 1.5)
-    page = open_page(viewer)
 
     def values() -> dict[str, str]:
         page.answers.clear()
@@ -518,23 +482,21 @@ def test_parameters_are_read_and_set(spun: Node, viewer: Viewer, open_page: Open
         return {value["name"]: value["value"] for value in found["values"]}
 
     wait_until(lambda: values().get("speed") == "1.5", what="the parameter")
-    page.answers.clear()
-    page.send(op="set_parameter", node="/feeder", name="speed", value="2.5")
-    assert page.answer("done") == "speed of /feeder is 2.5"
+    assert (
+        page.ask("done", op="set_parameter", node="/feeder", name="speed", value="2.5")
+        == "speed of /feeder is 2.5"
+    )
     assert spun.get_parameter("speed").value == 2.5
-    page.answers.clear()
-    page.send(op="set_parameter", node="/feeder", name="speed", value="fast")
-    assert "did not set speed" in page.answer("error")
+    assert "did not set speed" in page.ask(
+        "error", op="set_parameter", node="/feeder", name="speed", value="fast"
+    )
 
 
-def test_robot_is_driven_and_stopped_when_its_page_says_nothing(
-    spun: Node, viewer: Viewer, open_page: OpenPage
-) -> None:
+def test_robot_is_driven_and_stopped_when_its_page_says_nothing(spun: Node, page: Page) -> None:
     velocities: list[tuple[float, float]] = []
     spun.create_subscription(
         Twist, "/cmd_vel", lambda twist: velocities.append((twist.linear.x, twist.angular.z)), 10
     )
-    page = open_page(viewer)
     page.wait_for(lambda: "/cmd_vel" in page.state.get("drive_topics", []))
 
     def is_driven() -> bool:
@@ -598,12 +560,10 @@ def test_layout_is_applied_and_saved(node: Node, viewer: Viewer, open_page: Open
     # The scene has told no camera, because this page has no scene.
     assert read_layout(saved) == (layout._replace(camera=None), [])
     viewer.layout_path = tmp_path / "written.yaml"
-    page.send(op="layout")
-    assert "written.yaml" in page.answer("done")
+    assert "written.yaml" in page.ask("done", op="layout")
     assert (tmp_path / "written.yaml").read_text() == saved.read_text()
     viewer.layout_path = tmp_path / "no" / "such"
-    page.send(op="layout")
-    assert "can't write" in page.answer("error")
+    assert "can't write" in page.ask("error", op="layout")
 
 
 def test_camera_of_a_layout_stands_at_its_frame_at_once_or_when_the_frame_is_known(
@@ -643,20 +603,16 @@ def test_camera_of_a_layout_turns_with_its_frame_if_that_is_wanted(node: Node, v
 
 
 def test_images_of_a_camera_are_exchanged_in_its_pyramid_at_the_time_that_is_shown(
-    node: Node, viewer: Viewer, open_page: OpenPage
+    node: Node, viewer: Viewer, page: Page
 ) -> None:
     infos = node.create_publisher(CameraInfo, "/camera/camera_info", 10)
     images = node.create_publisher(Image, "/camera/image", 10)
-    page = open_page(viewer)
     feed(node, viewer)
-    page.wait_for(lambda: page.display("/camera/camera_info") and page.display("/camera/image"))
-    for topic in ("/camera/camera_info", "/camera/image"):
-        page.send(op="display", topic=topic, on=True)
-    wait_until(lambda: infos.get_subscription_count() and images.get_subscription_count())
-    scene = viewer._server.scene
+    page.show("/camera/camera_info", infos)
+    page.show("/camera/image", images)
 
-    def shown() -> int | None:
-        handle = scene.get_handle_by_name("/displays/0/1")
+    def level_shown() -> int | None:
+        handle = shown(viewer, "/displays/0/1")
         return None if handle is None else int(handle.image[0, 0, 0])
 
     k = [2.0, 0, 1.0, 0, 2.0, 1.0, 0, 0, 1]
@@ -667,13 +623,13 @@ def test_images_of_a_camera_are_exchanged_in_its_pyramid_at_the_time_that_is_sho
         images.publish(
             Image(header=header("base", sec), width=4, height=2, step=12, encoding="rgb8", data=data)
         )
-        wait_until(lambda level=level: shown() == level, what="the image")
-        nodes |= {id(scene.get_handle_by_name(f"/displays/0/{part}")) for part in (0, 1)}
+        wait_until(lambda level=level: level_shown() == level, what="the image")
+        nodes |= {id(shown(viewer, f"/displays/0/{part}")) for part in (0, 1)}
     assert len(nodes) == 2  # they are changed, not replaced
     page.send(op="hold", stamp_ns=str(105 * 10**9))
-    wait_until(lambda: shown() == 40, what="the image before")
+    wait_until(lambda: level_shown() == 40, what="the image before")
     page.send(op="choose", topic="/camera/camera_info", choice="no image")
-    wait_until(lambda: shown() is None, what="the pyramid alone")
+    wait_until(lambda: level_shown() is None, what="the pyramid alone")
 
 
 def test_wire_that_refuses_the_log_or_the_tools_leaves_the_rest_and_the_page_says_why(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import signal
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import closing
 from pathlib import Path
 
@@ -61,8 +61,7 @@ def place_of(viewer: Viewer, name: str) -> float | None:
     return None if handle is None else float(handle.position[0])
 
 
-def test_slider_goes_through_the_whole_recording(viewer: Viewer, open_page: Callable[[Viewer], Page]) -> None:
-    page = open_page(viewer)
+def test_slider_goes_through_the_whole_recording(viewer: Viewer, page: Page) -> None:
     page.wait_for(lambda: page.row("base") and page.display("/pose"))
     assert page.state["is_live"] is False
     assert page.state["span"] == [str(START_NS), str(START_NS + 100 * S)]
@@ -76,18 +75,14 @@ def test_slider_goes_through_the_whole_recording(viewer: Viewer, open_page: Call
     wait_until(lambda: place_of(viewer, "/displays/0/0") == 10.0, what="the pose of second 10")
 
 
-def test_recording_is_played_and_stands_at_its_end(
-    viewer: Viewer, open_page: Callable[[Viewer], Page]
-) -> None:
-    page = open_page(viewer)
+def test_recording_is_played_and_stands_at_its_end(page: Page) -> None:
     page.wait_for(lambda: page.state["span"])
     page.send(op="hold", stamp_ns=str(START_NS + 99 * S + S // 2))
     page.send(op="play", on=True)
     page.wait_for(lambda: page.state["is_playing"])
     page.wait_for(lambda: not page.state["is_playing"])
     assert page.state["held_ns"] == str(START_NS + 100 * S)
-    page.send(op="drive", topic="/cmd_vel", ahead=1, left=0)
-    assert "this is a recording" in page.answer("error")
+    assert "this is a recording" in page.ask("error", op="drive", topic="/cmd_vel", ahead=1, left=0)
 
 
 def test_message_of_a_time_is_found_however_long_it_is_ago(recording: Path) -> None:

@@ -9,12 +9,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from tests.viewer.test_browser import Tab, browser, wait_until
+from tests.spun import SpunNode, spun
+from tests.viewer.test_browser import TIMEOUT_S, Tab, browser, wait_until
 
 from tfloom.interfaces.nav_msgs.msg import Odometry
-from tfloom.node.context.context import Context
-from tfloom.node.executing.executors import SingleThreadedExecutor
-from tfloom.node.node import Node
 
 __all__ = ["browser"]
 pytestmark = pytest.mark.slow
@@ -24,8 +22,8 @@ def test_robot_maps_its_room_and_is_driven_by_keys(
     browser: Any, start_program: Callable[..., Any], tmp_path: Path
 ) -> None:
     demo = start_program("tfloom", "demo", "robot", "--seconds", "600", cwd=tmp_path)
-    demo.wait_for("See it in a browser: http://127.0.0.1:")
-    address = re.search(r"See it in a browser: (\S+)", demo.output)[1]
+    line = demo.wait_for("See it in a browser: http://127.0.0.1:")
+    address = line.removeprefix("See it in a browser: ")
     tab = Tab(browser, address, "&camera=-4.7,-1.5,2.3&look_at=-0.4,1.0,0.1")
     wait_until(lambda: "tool" in tab.text("#rows"), what="the frames of the arm")
     for frame in ("map", "odom", "base_link", "laser"):
@@ -41,40 +39,25 @@ def test_robot_maps_its_room_and_is_driven_by_keys(
     wait_until(lambda: shows((140, 50, 0), (255, 180, 100), 50), what="the robot")
     tab.keep("robot_in_a_room")
 
-    context = Context()
-    context.init(args=[], domain_id=int(re.search(r"export ROS_DOMAIN_ID=(\d+)", demo.output)[1]))
-    node = Node("observer", context=context)
-    executor = SingleThreadedExecutor(context=context)
-    executor.add_node(node)
-    speeds: list[tuple[float, float]] = []
-    node.create_subscription(
-        Odometry,
-        "/odom",
-        lambda odom: speeds.append((odom.twist.twist.linear.x, odom.twist.twist.angular.z)),
-        10,
-    )
+    domain_id = int(re.search(r"export ROS_DOMAIN_ID=(\d+)", demo.output)[1])
+    with spun(SpunNode("observer", domain_id)) as observer:
+        odometry = observer.received(Odometry, "/odom")
 
-    def is_driven(condition: Callable[[float, float], bool]) -> Callable[[], bool]:
-        def is_met() -> bool:
-            executor.spin_once(timeout_sec=0.05)
-            return bool(speeds) and condition(*speeds[-1])
+        def wait_for(condition: Callable[[float, float], bool], what: str) -> None:
+            def is_met() -> bool:
+                twist = odometry[-1].twist.twist if odometry else None
+                return twist is not None and condition(twist.linear.x, twist.angular.z)
 
-        return is_met
+            observer.spin_until(is_met, what, TIMEOUT_S)
 
-    tab.click("[data-tool=drive]")
-    wait_until(lambda: "/cmd_vel" in tab.text("#drive-topic"), what="the robot's topic")
-    tab.page.keyboard.down("ArrowLeft")
-    # The tour turns by 1.2 rad/s at most.
-    wait_until(
-        is_driven(lambda linear, angular: abs(linear) < 0.05 and angular > 1.5), what="a turn by the key"
-    )
-    tab.page.keyboard.up("ArrowLeft")
-    wait_until(is_driven(lambda linear, angular: linear == angular == 0.0), what="its end")
-    wait_until(is_driven(lambda linear, _: linear > 0.3), what="the tour that goes on")
-    executor.shutdown()
-    node.destroy_node()
-    context.try_shutdown()
-    context.destroy()
+        tab.click("[data-tool=drive]")
+        wait_until(lambda: "/cmd_vel" in tab.text("#drive-topic"), what="the robot's topic")
+        tab.page.keyboard.down("ArrowLeft")
+        # The tour turns by 1.2 rad/s at most.
+        wait_for(lambda linear, angular: abs(linear) < 0.05 and angular > 1.5, "a turn by the key")
+        tab.page.keyboard.up("ArrowLeft")
+        wait_for(lambda linear, angular: linear == angular == 0.0, "its end")
+        wait_for(lambda linear, _: linear > 0.3, "the tour that goes on")
     tab.page.close()
     assert tab.faults == []
     demo.signal(signal.SIGINT)

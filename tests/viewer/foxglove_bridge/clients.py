@@ -5,19 +5,19 @@ from __future__ import annotations
 import json
 import socket
 import struct
-import threading
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from ssl import SSLContext
 from typing import Any
 
+import pytest
 from tests.conftest import Program
+from tests.viewer.conftest import running_node, spinning
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
 
 from tfloom.node.context.context import Context
-from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.viewer.foxglove_bridge.bridge import FoxgloveBridge
 
@@ -39,6 +39,8 @@ class Client:
             proxy=None,
             ping_interval=None,
         )  # type: ignore[list-item]
+        self.bridge: Any = None
+        """The bridge, if `connect_to` has connected it to one of this process."""
         self.info: dict[str, Any] = {}
         self.channels: dict[str, dict[str, Any]] = {}
         self.services: dict[str, dict[str, Any]] = {}
@@ -208,20 +210,6 @@ class RawClient:
 
 
 @contextmanager
-def spinning(context: Context, *nodes: Node) -> Iterator[None]:
-    executor = SingleThreadedExecutor(context=context)
-    for node in nodes:
-        executor.add_node(node)
-    thread = threading.Thread(target=executor.spin)
-    thread.start()
-    try:
-        yield
-    finally:
-        executor.shutdown()
-        thread.join(TIMEOUT_S)
-
-
-@contextmanager
 def bridging(domain_id: int, *parameters: str) -> Iterator[FoxgloveBridge]:
     """Run a bridge on a thread for the block, with a context of its own."""
     context = Context()
@@ -230,7 +218,7 @@ def bridging(domain_id: int, *parameters: str) -> Iterator[FoxgloveBridge]:
     try:
         bridge = FoxgloveBridge(context)
         try:
-            with spinning(context, bridge):
+            with spinning(bridge):
                 yield bridge
         finally:
             bridge.close()
@@ -239,21 +227,35 @@ def bridging(domain_id: int, *parameters: str) -> Iterator[FoxgloveBridge]:
 
 
 @contextmanager
-def running_node(domain_id: int, name: str) -> Iterator[Node]:
+def spun_node(domain_id: int, name: str) -> Iterator[Node]:
     """Run another node of the graph on a thread for the block."""
-    context = Context()
-    context.init(args=[], domain_id=domain_id)
-    node = Node(name, context=context)
-    try:
-        with spinning(context, node):
-            yield node
-    finally:
-        node.destroy_node()
-        context.try_shutdown()
+    with running_node(domain_id, name) as node, spinning(node):
+        yield node
+
+
+def connect_to(bridge: FoxgloveBridge) -> Client:
+    assert bridge.server is not None
+    client = Client(bridge.server.port)
+    client.bridge = bridge
+    client.wait_for(lambda: client.info, "serverInfo")
+    return client
+
+
+@contextmanager
+def connected(domain_id: int, *parameters: str) -> Iterator[Client]:
+    """Run a bridge for the block, as `bridging` does, with a client that is connected to it."""
+    with bridging(domain_id, *parameters) as bridge:
+        client = connect_to(bridge)
+        with closing(client.socket):
+            yield client
+
+
+def expect_refusal(domain_id: int, error: type[Exception], text: str, *parameters: str) -> None:
+    """Check that a bridge with these parameters does not start, and that its error has a text."""
+    with pytest.raises(error, match=text), bridging(domain_id, *parameters):
+        pass
 
 
 def port_of(program: Program) -> int:
     """Wait until a bridge serves, and return its port."""
-    program.wait_for("Server listening at ws")
-    (line,) = (line for line in program.lines if "Server listening" in line)
-    return int(line.rpartition(":")[2])
+    return int(program.wait_for("Server listening at ws").rpartition(":")[2])

@@ -1,19 +1,17 @@
-"""A graph's other node, and clients of bridges."""
+"""A graph's other node, and bridges as processes."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from contextlib import ExitStack
 from importlib.util import find_spec
 from typing import TYPE_CHECKING
 
 import pytest
 
 if TYPE_CHECKING:
-    from tests.viewer.foxglove_bridge.clients import Client
+    from tests.conftest import Program
 
     from tfloom.node.node import Node
-    from tfloom.viewer.foxglove_bridge.bridge import FoxgloveBridge
 
 HAS_SDK = find_spec("foxglove") is not None and find_spec("websockets") is not None
 collect_ignore_glob = [] if HAS_SDK else ["test_*.py"]
@@ -22,23 +20,20 @@ collect_ignore_glob = [] if HAS_SDK else ["test_*.py"]
 @pytest.fixture
 def node(domain_id: int) -> Iterator[Node]:
     """Another node of the graph, which is spun."""
-    from tests.viewer.foxglove_bridge.clients import running_node
+    from tests.viewer.foxglove_bridge.clients import spun_node
 
-    with running_node(domain_id, "other") as made:
+    with spun_node(domain_id, "other") as made:
         yield made
 
 
 @pytest.fixture
-def client_of() -> Iterator[Callable[[FoxgloveBridge], Client]]:
-    from tests.viewer.foxglove_bridge.clients import Client
+def start_bridge(start_program: Callable[..., Program]) -> Callable[..., tuple[Program, int]]:
+    """Start bridges as processes, with parameters: `start_bridge("tls:=true")`; return each with its port."""
+    from tests.viewer.foxglove_bridge.clients import port_of
 
-    with ExitStack() as stack:
+    def start(*parameters: str) -> tuple[Program, int]:
+        words = [word for text in ("port:=0", *parameters) for word in ("-p", text)]
+        program = start_program("tfloom", "run", "foxglove_bridge", "foxglove_bridge", "--ros-args", *words)
+        return program, port_of(program)
 
-        def open_one(bridge: FoxgloveBridge) -> Client:
-            assert bridge.server is not None
-            client = Client(bridge.server.port)
-            stack.callback(client.socket.close)
-            client.wait_for(lambda: client.info, "serverInfo")
-            return client
-
-        yield open_one
+    return start

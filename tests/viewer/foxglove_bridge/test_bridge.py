@@ -13,12 +13,20 @@ from typing import Any
 
 import pytest
 from tests.conftest import Program, run_to_end, wait_until
-from tests.viewer.foxglove_bridge.clients import SUBPROTOCOL, TIMEOUT_S, Client, bridging
+from tests.viewer.conftest import running_node
+from tests.viewer.foxglove_bridge.clients import (
+    SUBPROTOCOL,
+    TIMEOUT_S,
+    Client,
+    bridging,
+    connect_to,
+    connected,
+    expect_refusal,
+)
 
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.interfaces.std_srvs.srv import SetBool
 from tfloom.interfaces.visualization_msgs.msg import MarkerArray
-from tfloom.node.context.context import Context
 from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import QoSProfile
@@ -27,7 +35,7 @@ from tfloom.rmw.errors import ClosedError
 from tfloom.rmw.qos import DurabilityPolicy, ReliabilityPolicy
 from tfloom.rosidl import cdr
 from tfloom.viewer.foxglove_bridge.assets import AssetError, read_asset
-from tfloom.viewer.foxglove_bridge.bridge import BridgeError, FoxgloveBridge
+from tfloom.viewer.foxglove_bridge.bridge import BridgeError
 from tfloom.viewer.foxglove_bridge.calls import Call, Calls
 from tfloom.viewer.foxglove_bridge.commands import Commands
 from tfloom.viewer.foxglove_bridge.settings import SettingsError
@@ -36,15 +44,12 @@ pytestmark = pytest.mark.wire
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 
 
-ClientOf = Callable[[FoxgloveBridge], Client]
+StartBridge = Callable[..., tuple[Program, int]]
 
 
-def test_topics_have_their_definitions_and_exactly_the_published_bytes(
-    domain_id: int, node: Node, client_of: ClientOf
-) -> None:
+def test_topics_have_their_definitions_and_exactly_the_published_bytes(domain_id: int, node: Node) -> None:
     publisher = node.create_publisher(MarkerArray, "/markers", 10)
-    with bridging(domain_id) as bridge:
-        client = client_of(bridge)
+    with connected(domain_id) as client:
         assert client.socket.subprotocol == SUBPROTOCOL
         assert client.info["supportedEncodings"] == ["cdr"]
         assert set(client.info["capabilities"]) == {
@@ -68,14 +73,12 @@ def test_topics_have_their_definitions_and_exactly_the_published_bytes(
         client.wait_for(lambda: "/markers" not in client.channels, "the end of the topic")
 
 
-def test_each_client_gets_kept_messages_and_a_lost_one_is_forgotten(
-    domain_id: int, node: Node, client_of: ClientOf
-) -> None:
+def test_each_client_gets_kept_messages_and_a_lost_one_is_forgotten(domain_id: int, node: Node) -> None:
     publisher = node.create_publisher(String, "/map_name", LATCHED)
     publisher.publish(String(data="kept"))
     with bridging(domain_id) as bridge:
         for _ in range(2):
-            client = client_of(bridge)
+            client = connect_to(bridge)
             client.subscribe("/map_name", 1)
             client.wait_for(lambda client=client: client.messages, "the kept message")
             assert cdr.decode(String, client.messages[0][1]).data == "kept"
@@ -83,12 +86,9 @@ def test_each_client_gets_kept_messages_and_a_lost_one_is_forgotten(
         wait_until(lambda: publisher.get_subscription_count() == 0)
 
 
-def test_best_effort_publisher_that_comes_later_is_heard(
-    domain_id: int, node: Node, client_of: ClientOf
-) -> None:
+def test_best_effort_publisher_that_comes_later_is_heard(domain_id: int, node: Node) -> None:
     reliable = node.create_publisher(String, "/mixed", 1)
-    with bridging(domain_id) as bridge:
-        client = client_of(bridge)
+    with connected(domain_id) as client:
         client.subscribe("/mixed", 1)
         wait_until(lambda: reliable.get_subscription_count() == 1)
         late = node.create_publisher(
@@ -99,11 +99,10 @@ def test_best_effort_publisher_that_comes_later_is_heard(
         client.wait_for(lambda: client.messages, "the late publisher's message")
 
 
-def test_client_publishes(domain_id: int, node: Node, client_of: ClientOf) -> None:
+def test_client_publishes(domain_id: int, node: Node) -> None:
     heard: list[bytes] = []
     subscription = node.create_subscription(String, "/said", heard.append, 10, raw=True)
-    with bridging(domain_id, "client_topic_whitelist:=['/sai.', '/x y', '/other']") as bridge:
-        client = client_of(bridge)
+    with connected(domain_id, "client_topic_whitelist:=['/sai.', '/x y', '/other']") as client:
         client.advertise(3, "/said", "std_msgs/msg/String")
         wait_until(lambda: subscription.get_publisher_count() == 1)
         data = cdr.encode(String(data="by a client"))
@@ -127,14 +126,13 @@ def test_client_publishes(domain_id: int, node: Node, client_of: ClientOf) -> No
         wait_until(lambda: subscription.get_publisher_count() == 0)
 
 
-def test_client_calls_services(domain_id: int, node: Node, client_of: ClientOf) -> None:
+def test_client_calls_services(domain_id: int, node: Node) -> None:
     def switch(request: Any, response: Any) -> Any:
         response.success, response.message = request.data, "switched"
         return response
 
     service = node.create_service(SetBool, "/switch", switch)
-    with bridging(domain_id) as bridge:
-        client = client_of(bridge)
+    with connected(domain_id) as client:
         client.call("/switch", 8, cdr.encode(SetBool.Request(data=True)))
         assert client.services["/switch"]["type"] == "std_srvs/srv/SetBool"
         assert client.services["/switch"]["request"]["schema"].strip() == "bool data"
@@ -149,7 +147,7 @@ def test_client_calls_services(domain_id: int, node: Node, client_of: ClientOf) 
 
 
 def test_server_that_does_not_respond_is_an_error(
-    domain_id: int, node: Node, client_of: ClientOf, monkeypatch: pytest.MonkeyPatch
+    domain_id: int, node: Node, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("tfloom.viewer.foxglove_bridge.services.TIMEOUT_S", 0.3)
     go_on = threading.Event()
@@ -159,15 +157,14 @@ def test_server_that_does_not_respond_is_an_error(
         return response
 
     node.create_service(SetBool, "/slow", hold)
-    with bridging(domain_id) as bridge:
-        client = client_of(bridge)
+    with connected(domain_id) as client:
         client.call("/slow", 1, cdr.encode(SetBool.Request()))
         failure = client.text("serviceCallFailure", callId=1)
         assert "no response from /slow within 0.3 s" in failure["message"]
         go_on.set()
 
 
-def test_parameters_are_got_set_and_followed(domain_id: int, node: Node, client_of: ClientOf) -> None:
+def test_parameters_are_got_set_and_followed(domain_id: int, node: Node) -> None:
     values = {
         "flag": True,
         "count": 3,
@@ -181,9 +178,8 @@ def test_parameters_are_got_set_and_followed(domain_id: int, node: Node, client_
     }
     for name, value in values.items():
         node.declare_parameter(name, value)
-    with bridging(domain_id, "param_whitelist:=['/other\\..*']") as bridge:
-        client = client_of(bridge)
-        wait_until(lambda: "/other/list_parameters" in dict(bridge.get_service_names_and_types()))
+    with connected(domain_id, "param_whitelist:=['/other\\..*']") as client:
+        wait_until(lambda: "/other/list_parameters" in dict(client.bridge.get_service_names_and_types()))
         client.send(op="getParameters", parameterNames=[], id="all")
         answer = client.text("parameterValues", id="all")["parameters"]
         given = {one["name"].removeprefix("/other."): one for one in answer}
@@ -236,38 +232,25 @@ def test_parameters_are_got_set_and_followed(domain_id: int, node: Node, client_
 
 
 def test_silent_node_delays_the_others_only_once(
-    domain_id: int, node: Node, client_of: ClientOf, monkeypatch: pytest.MonkeyPatch
+    domain_id: int, node: Node, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("tfloom.viewer.foxglove_bridge.parameters.TIMEOUT_S", 0.5)
-    context = Context()
-    context.init(args=[], domain_id=domain_id)
-    silent = Node("silent", context=context)  # nobody spins it
     node.declare_parameter("count", 3)
-    try:
-        with bridging(domain_id) as bridge:
-            client = client_of(bridge)
-            wait_until(
-                lambda: (
-                    {"/other/list_parameters", "/silent/list_parameters"}
-                    <= dict(bridge.get_service_names_and_types()).keys()
-                )
-            )
-            client.send(op="getParameters", parameterNames=[], id="all")
-            names = {one["name"] for one in client.text("parameterValues", id="all")["parameters"]}
-            assert "/other.count" in names
-            assert not any(name.startswith("/silent") for name in names)
-            assert bridge.parameters_of_nodes._silent == {"/silent"}
-    finally:
-        silent.destroy_node()
-        context.try_shutdown()
+    with running_node(domain_id, "silent"), connected(domain_id) as client:  # nobody spins it
+        both = {"/other/list_parameters", "/silent/list_parameters"}
+        wait_until(lambda: both <= dict(client.bridge.get_service_names_and_types()).keys())
+        client.send(op="getParameters", parameterNames=[], id="all")
+        names = {one["name"] for one in client.text("parameterValues", id="all")["parameters"]}
+        assert "/other.count" in names
+        assert not any(name.startswith("/silent") for name in names)
+        assert client.bridge.parameters_of_nodes._silent == {"/silent"}
 
 
-def test_connection_graph(domain_id: int, node: Node, client_of: ClientOf) -> None:
+def test_connection_graph(domain_id: int, node: Node) -> None:
     node.create_publisher(String, "/chatter", 1)
     node.create_subscription(String, "/orders", lambda _: None, 1)
     node.create_service(SetBool, "/switch", lambda _, response: response)
-    with bridging(domain_id) as bridge:
-        client = client_of(bridge)
+    with connected(domain_id) as client:
         client.wait_for(lambda: "/chatter" in client.channels and "/switch" in client.services)
         client.send(op="subscribeConnectionGraph")
 
@@ -284,18 +267,16 @@ def test_connection_graph(domain_id: int, node: Node, client_of: ClientOf) -> No
         client.wait_for(lambda: knows("advertisedServices", "/switch", "providerIds"))
 
 
-def test_whitelists_capabilities_and_hidden_names(domain_id: int, node: Node, client_of: ClientOf) -> None:
+def test_whitelists_capabilities_and_hidden_names(domain_id: int, node: Node) -> None:
     for name in ("/shown", "/_hidden", "/other_topic"):
         node.create_publisher(String, name, 1)
     parameters = ("topic_whitelist:=['/shown', '/_h.*']", "capabilities:=[connectionGraph]")
-    with bridging(domain_id, *parameters) as bridge:
-        client = client_of(bridge)
+    with connected(domain_id, *parameters) as client:
         client.wait_for(lambda: client.channels)
         assert list(client.channels) == ["/shown"]
         assert client.info["capabilities"] == ["connectionGraph"]
         assert client.services == {}
-    with bridging(domain_id, *parameters, "include_hidden:=true") as bridge:
-        client = client_of(bridge)
+    with connected(domain_id, *parameters, "include_hidden:=true") as client:
         client.wait_for(lambda: set(client.channels) == {"/shown", "/_hidden"})
 
 
@@ -309,18 +290,15 @@ def test_wrong_parameters_and_a_used_port_are_one_sentence(domain_id: int) -> No
         "tls:=true": "parameter certfile: tls needs a file",
     }
     for parameter, text in wrong.items():
-        with pytest.raises(SettingsError, match=text), bridging(domain_id, parameter):
-            pass
+        expect_refusal(domain_id, SettingsError, text, parameter)
     with bridging(domain_id) as bridge:
         assert bridge.server is not None
         port = bridge.server.port
-        text = rf"can't listen at 127\.0\.0\.1:{port}: "
-        with pytest.raises(BridgeError, match=text), bridging(domain_id, f"port:={port}"):
-            pass
+        expect_refusal(domain_id, BridgeError, rf"can't listen at 127\.0\.0\.1:{port}: ", f"port:={port}")
 
 
 def test_files_are_read_where_they_are_allowed(
-    domain_id: int, client_of: ClientOf, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    domain_id: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     share = tmp_path / "arm_description"
     (share / "meshes").mkdir(parents=True)
@@ -328,8 +306,7 @@ def test_files_are_read_where_they_are_allowed(
     (tmp_path / "secret.stl").write_bytes(b"secret")
     (share / "secret.txt").write_bytes(b"secret")
     monkeypatch.setattr(read_asset, "__defaults__", (lambda _: share,))
-    with bridging(domain_id) as bridge:
-        client = client_of(bridge)
+    with connected(domain_id) as client:
         uris = [
             "package://arm_description/meshes/link%201.stl",
             "package://arm_description/../secret.stl",
@@ -346,7 +323,7 @@ def test_files_are_read_where_they_are_allowed(
             status, _, data = client.assets[number]
             assert (status, data) == (1, b"")
         with pytest.raises(AssetError, match="leads out of its package"):
-            read_asset("package://a/%2e%2e/secret.stl", bridge.settings, lambda _: share)
+            read_asset("package://a/%2e%2e/secret.stl", client.bridge.settings, lambda _: share)
 
 
 def test_failed_request_is_logged_and_the_next_one_is_done(node: Node) -> None:
@@ -361,13 +338,10 @@ def test_failed_request_is_logged_and_the_next_one_is_done(node: Node) -> None:
     wait_until(lambda: done)
 
 
-def test_program_serves_until_it_is_stopped(domain_id: int, start_program: Callable[..., Program]) -> None:
-    program = start_program(
-        *("tfloom", "run", "foxglove_bridge", "foxglove_bridge", "--ros-args", "-p", "port:=0")
-    )
-    program.wait_for("Server listening at ws://127.0.0.1:")
-    (line,) = (line for line in program.lines if "Server listening" in line)
-    client = Client(int(line.rpartition(":")[2]))
+def test_program_serves_until_it_is_stopped(domain_id: int, start_bridge: StartBridge) -> None:
+    program, port = start_bridge()
+    client = Client(port)
+    assert "Server listening at ws://127.0.0.1:" in program.output
     client.wait_for(lambda: client.info)
     client.socket.close()
     program.signal(signal.SIGINT)

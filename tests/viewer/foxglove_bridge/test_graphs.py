@@ -15,7 +15,14 @@ from typing import Any
 import pytest
 from tests.conftest import Program, wait_until
 from tests.viewer.conftest import OWN_TYPES
-from tests.viewer.foxglove_bridge.clients import Client, bridging, port_of, running_node
+from tests.viewer.foxglove_bridge.clients import (
+    Client,
+    bridging,
+    connected,
+    expect_refusal,
+    port_of,
+    spun_node,
+)
 from websockets.exceptions import InvalidMessage
 
 from tfloom.interfaces.builtin_interfaces.msg import Time
@@ -28,21 +35,19 @@ from tfloom.rmw.base import NodeName, Topic
 from tfloom.rmw.qos import QoS
 from tfloom.rosidl import cdr
 from tfloom.rosidl.registry import get_message_class, get_service_class
-from tfloom.viewer.foxglove_bridge.bridge import BridgeError, FoxgloveBridge
+from tfloom.viewer.foxglove_bridge.bridge import BridgeError
 from tfloom.viewer.foxglove_bridge.complaints import MAX_IN_PERIOD, PERIOD_S, Complaints
 from tfloom.viewer.foxglove_bridge.settings import SettingsError
 
 pytestmark = pytest.mark.wire
-ClientOf = Callable[[FoxgloveBridge], Client]
+StartBridge = Callable[..., tuple[Program, int]]
 TOPICS = 200
 
 
-def test_two_hundred_topics(node: Node, start_program: Callable[..., Program]) -> None:
+def test_two_hundred_topics(node: Node, start_bridge: StartBridge) -> None:
     """They are found while a client is connected, each is read, and closed when it is gone."""
-    program = start_program(
-        *("tfloom", "run", "foxglove_bridge", "foxglove_bridge", "--ros-args", "-p", "port:=0")
-    )
-    client = Client(port_of(program))
+    program, port = start_bridge()
+    client = Client(port)
     with closing(client.socket):
         client.wait_for(lambda: client.info)
         names = [f"/many/topic_{number}" for number in range(TOPICS)]
@@ -72,14 +77,11 @@ def test_two_hundred_topics(node: Node, start_program: Callable[..., Program]) -
     assert program.wait() == 0
 
 
-def test_client_stays_connected_while_many_topics_come_and_go(
-    domain_id: int, node: Node, client_of: ClientOf
-) -> None:
+def test_client_stays_connected_while_many_topics_come_and_go(domain_id: int, node: Node) -> None:
     """Each topic is a message to each client, and of too many at once, the server would disconnect them."""
     node.create_publisher(String, "/lasting", 1)
-    with bridging(domain_id, "message_backlog_size:=128") as bridge:
-        client = client_of(bridge)
-        with running_node(domain_id, "many") as many:
+    with connected(domain_id, "message_backlog_size:=128") as client:
+        with spun_node(domain_id, "many") as many:
             for number in range(TOPICS * 2):
                 many.create_publisher(String, f"/many/topic_{number}", 1)
             client.wait_for(lambda: len(client.channels) > TOPICS * 2, "the topics")
@@ -88,15 +90,14 @@ def test_client_stays_connected_while_many_topics_come_and_go(
 
 
 def test_topic_of_an_unknown_type_is_said_once(
-    domain_id: int, node: Node, client_of: ClientOf, capfd: pytest.CaptureFixture[str]
+    domain_id: int, node: Node, capfd: pytest.CaptureFixture[str]
 ) -> None:
     wire = open_participant(domain_id)
     for number in range(3):
         topic = Topic(f"/unknown_{number}", "secret_msgs/msg/Plan", "")
         wire.create_writer(NodeName("/", "planner"), topic, QoS())
     known = node.create_publisher(String, "/known", 1)
-    with bridging(domain_id) as bridge:
-        client = client_of(bridge)
+    with connected(domain_id) as client:
         client.subscribe("/known", 1)
         wait_until(lambda: known.get_subscription_count() == 1)
         known.publish(String(data="x"))
@@ -110,11 +111,8 @@ def test_topic_of_an_unknown_type_is_said_once(
     wire.close()
 
 
-def test_types_that_another_process_alone_has(
-    domain_id: int, client_of: ClientOf, start_program: Callable[..., Program]
-) -> None:
-    with bridging(domain_id) as bridge:
-        client = client_of(bridge)
+def test_types_that_another_process_alone_has(domain_id: int, start_program: Callable[..., Program]) -> None:
+    with connected(domain_id) as client:
         start_program("python", OWN_TYPES).wait_for("ready")
         client.subscribe("/samples", 1)
         client.wait_for(lambda: client.messages, "a message")
@@ -152,15 +150,13 @@ rclpy.spin(node)
 def test_service_whose_process_is_killed_during_a_call(
     domain_id: int,
     node: Node,
-    client_of: ClientOf,
     start_program: Callable[..., Program],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """The call fails with a reason, other calls go on, and the service is there again when it comes back."""
     monkeypatch.setattr("tfloom.viewer.foxglove_bridge.services.TIMEOUT_S", 1.0)
     node.create_service(SetBool, "/lasting", lambda _, response: response)
-    with bridging(domain_id) as bridge:
-        client = client_of(bridge)
+    with connected(domain_id) as client:
         program = start_program("python", "-c", VANISHING)
         client.call("/vanishing", 1, cdr.encode(SetBool.Request()))
         program.wait_for("called")
@@ -169,16 +165,15 @@ def test_service_whose_process_is_killed_during_a_call(
         client.wait_for(lambda: 2 in client.responses, "the other service's response")
         assert "no response from /vanishing" in client.text("serviceCallFailure", callId=1)["message"]
         client.wait_for(lambda: "/vanishing" not in client.services, "the end of the service")
-        with running_node(domain_id, "vanishing") as vanishing:
+        with spun_node(domain_id, "vanishing") as vanishing:
             vanishing.create_service(SetBool, "/vanishing", lambda _, response: response)
             client.call("/vanishing", 3, cdr.encode(SetBool.Request()))
             client.wait_for(lambda: 3 in client.responses, "the response of the service that came back")
 
 
-def test_clients_get_the_time_of_the_clock(domain_id: int, node: Node, client_of: ClientOf) -> None:
+def test_clients_get_the_time_of_the_clock(domain_id: int, node: Node) -> None:
     publisher = node.create_publisher(Clock, "/clock", 1)
-    with bridging(domain_id, "use_sim_time:=true") as bridge:
-        client = client_of(bridge)
+    with connected(domain_id, "use_sim_time:=true") as client:
         assert "time" in client.info["capabilities"]
 
         def has_come() -> bool:
@@ -188,10 +183,10 @@ def test_clients_get_the_time_of_the_clock(domain_id: int, node: Node, client_of
 
         client.wait_for(has_come, "the time")
         assert set(client.times) <= {0, 1_234_000_000_005}
-    with bridging(domain_id, "capabilities:=[time]") as bridge:
-        assert client_of(bridge).info["capabilities"] == ["time"]
-    with bridging(domain_id) as bridge:
-        assert "time" not in client_of(bridge).info["capabilities"]
+    with connected(domain_id, "capabilities:=[time]") as client:
+        assert client.info["capabilities"] == ["time"]
+    with connected(domain_id) as client:
+        assert "time" not in client.info["capabilities"]
 
 
 @pytest.fixture
@@ -237,15 +232,10 @@ def encrypted_client(port: int, certificate: Path) -> Client:
     return clients[0]
 
 
-def test_encrypted_connections(
-    certificate: tuple[Path, Path], node: Node, start_program: Callable[..., Program]
-) -> None:
+def test_encrypted_connections(certificate: tuple[Path, Path], node: Node, start_bridge: StartBridge) -> None:
     node.create_publisher(String, "/chatter", 1)
-    program = start_program(
-        *("tfloom", "run", "foxglove_bridge", "foxglove_bridge", "--ros-args", "-p", "port:=0"),
-        *("-p", "tls:=true", "-p", f"certfile:={certificate[0]}", "-p", f"keyfile:={certificate[1]}"),
-    )
-    port = port_of(program)
+    files = f"certfile:={certificate[0]}", f"keyfile:={certificate[1]}"
+    program, port = start_bridge("tls:=true", *files)
     assert "Server listening at wss://127.0.0.1:" in program.output
     client = encrypted_client(port, certificate[0])
     with closing(client.socket):
@@ -263,32 +253,21 @@ def test_certificates_that_are_none_are_one_sentence(
     wrong.write_text("no certificate")
     for first, second in ((wrong, certificate[1]), (certificate[0], wrong), (certificate[1], certificate[0])):
         parameters = ("tls:=true", f"certfile:={first}", f"keyfile:={second}")
-        with (
-            pytest.raises(BridgeError, match=r"can't listen at 127\.0\.0\.1:0: "),
-            bridging(domain_id, *parameters),
-        ):
-            pass
-    with (
-        pytest.raises(SettingsError, match=f"parameter certfile: {tmp_path / 'none'}: No such file"),
-        bridging(domain_id, "tls:=true", f"certfile:={tmp_path / 'none'}"),
-    ):
-        pass
+        expect_refusal(domain_id, BridgeError, r"can't listen at 127\.0\.0\.1:0: ", *parameters)
+    text = f"parameter certfile: {tmp_path / 'none'}: No such file"
+    expect_refusal(domain_id, SettingsError, text, "tls:=true", f"certfile:={tmp_path / 'none'}")
 
 
-def test_names_match_as_those_of_foxglove_bridge(domain_id: int, node: Node, client_of: ClientOf) -> None:
+def test_names_match_as_those_of_foxglove_bridge(domain_id: int, node: Node) -> None:
     """Capitals don't matter, the whole name has to match, and the names of later versions are understood."""
     for name in ("/Camera", "/camera2", "/lidar"):
         node.create_publisher(String, name, 1)
     for parameter in ("topic_whitelist", "topic_allowlist"):
-        with bridging(domain_id, f"{parameter}:=['/cAMERA']") as bridge:
-            client = client_of(bridge)
+        with connected(domain_id, f"{parameter}:=['/cAMERA']") as client:
             client.wait_for(lambda client=client: client.channels)
             assert list(client.channels) == ["/Camera"]
-    with (
-        pytest.raises(SettingsError, match=r"parameter topic_whitelist: '\(' is no"),
-        bridging(domain_id, "topic_allowlist:=['(']"),
-    ):
-        pass
+    text = r"parameter topic_whitelist: '\(' is no"
+    expect_refusal(domain_id, SettingsError, text, "topic_allowlist:=['(']")
 
 
 def test_parameters_without_effect_are_said(domain_id: int, capfd: pytest.CaptureFixture[str]) -> None:
@@ -299,21 +278,16 @@ def test_parameters_without_effect_are_said(domain_id: int, capfd: pytest.Captur
     assert "The parameter use_compression has no effect here" in said
 
 
-def test_system_is_served_if_that_is_wanted(domain_id: int, client_of: ClientOf) -> None:
+def test_system_is_served_if_that_is_wanted(domain_id: int) -> None:
     parameters = ("sysinfo:=true", "sysinfo_topic:=/load", "sysinfo_refresh_interval:=200")
-    with bridging(domain_id, *parameters) as bridge:
-        client = client_of(bridge)
+    with connected(domain_id, *parameters) as client:
         client.subscribe("/load", 1)
         client.wait_for(lambda: client.messages, "a message")
         assert client.channels["/load"]["encoding"] == "json"
         assert json.loads(client.messages[0][1])["process_memory"] > 1_000_000
-    with (
-        pytest.raises(SettingsError, match="parameter sysinfo_refresh_interval: 10 is not from 200"),
-        bridging(domain_id, "sysinfo_refresh_interval:=10"),
-    ):
-        pass
-    with bridging(domain_id) as bridge:
-        client = client_of(bridge)
+    text = "parameter sysinfo_refresh_interval: 10 is not from 200"
+    expect_refusal(domain_id, SettingsError, text, "sysinfo_refresh_interval:=10")
+    with connected(domain_id) as client:
         client.wait_for(lambda: "/rosout" in client.channels)
         assert "/foxglove_bridge/sysinfo" not in client.channels
 

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import psutil
 import pytest
 from tests.conftest import Program, wait_until
-from tests.viewer.foxglove_bridge.clients import Client, RawClient, port_of
+from tests.viewer.foxglove_bridge.clients import Client, RawClient
 
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.interfaces.std_srvs.srv import SetBool
@@ -35,7 +35,7 @@ class Served(NamedTuple):
 
 
 @pytest.fixture
-def served(node: Node, start_program: Callable[..., Program]) -> Iterator[Served]:
+def served(node: Node, start_bridge: Callable[..., tuple[Program, int]]) -> Iterator[Served]:
     """Serve a graph; afterwards, a good client has to find all in order, and the memory bounded."""
     node.declare_parameter("count", 3)
     node.declare_parameter("names", ["a"])
@@ -48,10 +48,7 @@ def served(node: Node, start_program: Callable[..., Program]) -> Iterator[Served
     publisher = node.create_publisher(String, "/chatter", 10)
     heard: list[bytes] = []
     subscription = node.create_subscription(String, "/said", heard.append, 10, raw=True)
-    program = start_program(
-        *("tfloom", "run", "foxglove_bridge", "foxglove_bridge", "--ros-args", "-p", "port:=0")
-    )
-    port = port_of(program)
+    program, port = start_bridge()
     process = psutil.Process(program.process.pid)
     served = Served(program, port, node, heard)
     check_a_good_client(served, publisher, 0)

@@ -9,14 +9,12 @@ from typing import Any
 
 import pytest
 from tests.conftest import Program, wait_until
-from tests.viewer.foxglove_bridge.clients import Client, bridging, port_of
+from tests.viewer.foxglove_bridge.clients import Client, bridging, connected
 
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.node.node import Node
 from tfloom.viewer.foxglove_bridge import own_client
-from tfloom.viewer.foxglove_bridge.bridge import FoxgloveBridge
 
-ClientOf = Callable[[FoxgloveBridge], Client]
 ROUNDS = 20
 """Number of times that a client subscribes and unsubscribes; where the SDK's lock was waited for with the GIL held, the
 bridge hung after some of them."""
@@ -33,14 +31,11 @@ def publishes(client: Client, topic: str) -> bool:
 
 
 def test_bridge_lives_while_clients_subscribe_and_all_changes(
-    node: Node, start_program: Callable[..., Program]
+    node: Node, start_bridge: Callable[..., tuple[Program, int]]
 ) -> None:
     """A program of its own, because a bridge that hangs holds the GIL."""
     node.declare_parameter("count", 0)
-    program = start_program(
-        *("tfloom", "run", "foxglove_bridge", "foxglove_bridge", "--ros-args", "-p", "port:=0")
-    )
-    port = port_of(program)
+    _, port = start_bridge()
     is_done = threading.Event()
 
     def change() -> None:
@@ -70,16 +65,13 @@ def test_bridge_lives_while_clients_subscribe_and_all_changes(
         changing.join()
 
 
-def test_own_client_connects_again(
-    domain_id: int, node: Node, client_of: ClientOf, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_own_client_connects_again(domain_id: int, node: Node, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(own_client, "RETRY_S", 0.05)
     node.declare_parameter("count", 0)
-    with bridging(domain_id) as bridge:
-        client = client_of(bridge)
+    with connected(domain_id) as client:
         client.send(op="subscribeConnectionGraph")
         client.send(op="subscribeParameterUpdates", parameterNames=["/other.count"])
-        own = bridge.own_client
+        own = client.bridge.own_client
         assert own is not None
         wait_until(lambda: own._is_subscribed)
         connection = own._connection
@@ -100,7 +92,7 @@ def test_own_client_connects_again(
 
 
 def test_no_connection_is_said_once(
-    domain_id: int, client_of: ClientOf, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+    domain_id: int, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:
     """Clients get all else, and `close` returns."""
     tries = []
@@ -111,10 +103,9 @@ def test_no_connection_is_said_once(
 
     monkeypatch.setattr(own_client, "RETRY_S", 0.01)
     monkeypatch.setattr(own_client, "connect", refuse)
-    with bridging(domain_id) as bridge:
-        client = client_of(bridge)
+    with connected(domain_id) as client:
         wait_until(lambda: len(tries) > 3)
-        bridge.publish_connections()
+        client.bridge.publish_connections()
         client.wait_for(lambda: "/rosout" in client.channels)
     assert (
         capfd.readouterr().err.count("Clients get no connection graph and no changed parameters until") == 1
@@ -122,15 +113,14 @@ def test_no_connection_is_said_once(
 
 
 def test_no_thread_is_a_warning(
-    domain_id: int, client_of: ClientOf, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+    domain_id: int, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:
     def refuse(_: own_client.OwnClient) -> None:
         raise RuntimeError("can't start new thread")
 
     monkeypatch.setattr(own_client.OwnClient, "start", refuse)
-    with bridging(domain_id) as bridge:
-        client = client_of(bridge)
-        bridge.publish_connections()
+    with connected(domain_id) as client:
+        client.bridge.publish_connections()
         client.wait_for(lambda: "/rosout" in client.channels)
     warning = "Clients get no connection graph and no changed parameters: can't start new thread"
     assert warning in capfd.readouterr().err

@@ -11,13 +11,12 @@ from contextlib import closing, contextmanager
 import psutil
 import pytest
 from tests.conftest import Program, wait_until
-from tests.viewer.foxglove_bridge.clients import TIMEOUT_S, Client, RawClient, bridging, port_of
+from tests.viewer.foxglove_bridge.clients import TIMEOUT_S, Client, RawClient, bridging, connected
 
 from tfloom.interfaces.std_msgs.msg import UInt8MultiArray
 from tfloom.node.endpoints.publisher import Publisher
 from tfloom.node.node import Node
 from tfloom.rosidl import cdr
-from tfloom.viewer.foxglove_bridge.bridge import FoxgloveBridge
 
 pytestmark = pytest.mark.wire
 SIZE = 1_000_000
@@ -53,15 +52,11 @@ def is_refused(port: int) -> bool:
     return False
 
 
-def test_client_that_takes_nothing_delays_nobody(
-    domain_id: int, node: Node, client_of: Callable[[FoxgloveBridge], Client]
-) -> None:
+def test_client_that_takes_nothing_delays_nobody(domain_id: int, node: Node) -> None:
     publisher = node.create_publisher(UInt8MultiArray, "/big", 1)
-    with bridging(domain_id) as bridge:
-        assert bridge.server is not None
-        reader = client_of(bridge)
+    with connected(domain_id) as reader:
         reader.subscribe("/big", 2)
-        with stuck_client(bridge.server.port):
+        with stuck_client(reader.bridge.server.port):
             wait_until(lambda: publisher.get_subscription_count() == 1)
             publish(publisher, reader, MESSAGES)
 
@@ -93,11 +88,10 @@ def test_close_returns_while_a_client_takes_nothing(
 
 
 def test_close_waits_for_clients_that_take_their_messages(
-    domain_id: int, client_of: Callable[[FoxgloveBridge], Client], capfd: pytest.CaptureFixture[str]
+    domain_id: int, capfd: pytest.CaptureFixture[str]
 ) -> None:
-    with bridging(domain_id) as bridge:
-        client = client_of(bridge)
-        bridge.close()
+    with connected(domain_id) as client:
+        client.bridge.close()
         assert STOPPER not in {thread.name for thread in threading.enumerate()}
         client.wait_for(client.is_closed, "the closing message")
         assert "takes nothing" not in capfd.readouterr().err
@@ -120,14 +114,10 @@ def test_close_without_a_thread(domain_id: int, monkeypatch: pytest.MonkeyPatch)
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_program_ends_and_is_bounded_while_a_client_takes_nothing(
-    number: signal.Signals, node: Node, start_program: Callable[..., Program]
+    number: signal.Signals, node: Node, start_bridge: Callable[..., tuple[Program, int]]
 ) -> None:
     publisher = node.create_publisher(UInt8MultiArray, "/big", 1)
-    program = start_program(
-        *("tfloom", "run", "foxglove_bridge", "foxglove_bridge", "--ros-args", "-p", "port:=0"),
-        *("-p", "message_backlog_size:=8"),
-    )
-    port = port_of(program)
+    program, port = start_bridge("message_backlog_size:=8")
     reader = Client(port)
     reader.subscribe("/big", 2)
     with closing(reader.socket), stuck_client(port):
