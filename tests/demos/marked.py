@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import os
+import signal
 from pathlib import Path
+
+from tests.conftest import wait_until
 
 
 def read(path: Path) -> bytes:
@@ -20,3 +24,14 @@ def alive(mark: str) -> dict[int, str]:
         for folder in Path("/proc").glob("[0-9]*")
         if mark.encode() in read(folder / "environ")
     }
+
+
+def kill_when_there(part: str, mark: str) -> None:
+    """Kill the marked process with this part in its command, as soon as it runs."""
+
+    def found() -> list[int]:
+        return [process for process, command in alive(mark).items() if part in command]
+
+    wait_until(found, what=part)
+    (process,) = found()
+    os.kill(process, signal.SIGKILL)

@@ -38,29 +38,32 @@ def test_clients_log_the_sum_of_two_and_three(start: Callable[..., Program], nam
     end(server, number=signal.SIGTERM)
 
 
-@pytest.mark.parametrize("language", ["py", "xml", "yaml"])
-def test_launch_of_talker_and_listener(start: Callable[..., Program], language: str) -> None:
-    launch = start("launch", "demo_nodes_cpp", f"talker_listener_launch.{language}")
+def test_launch_of_talker_and_listener(start: Callable[..., Program]) -> None:
+    launch = start("launch", "demo_nodes_cpp", "talker_listener_launch.xml")
     launch.wait_for("[listener]: I heard: [Hello World: ")
     launch.signal(signal.SIGINT)
     assert launch.wait() == 0
 
 
-@pytest.mark.parametrize("name", ["add_two_ints", "add_two_ints_async"])
+@pytest.mark.parametrize(
+    ("file", "programs"),
+    [
+        ("topics/talker_listener", ["talker", "listener"]),
+        ("services/add_two_ints", ["add_two_ints_server", "add_two_ints_client"]),
+        ("services/add_two_ints_async", ["add_two_ints_server", "add_two_ints_client_async"]),
+    ],
+)
 @pytest.mark.parametrize("language", ["py", "xml", "yaml"])
-def test_other_launch_files_start_programs_that_exist(name: str, language: str) -> None:
+def test_launch_files_start_their_programs(file: str, programs: list[str], language: str) -> None:
     from launch import LaunchContext
     from launch.launch_description_sources import AnyLaunchDescriptionSource
     from launch.utilities import normalize_to_list_of_substitutions, perform_substitutions
     from launch_ros.substitutions import FindPackageShare
 
     share = FindPackageShare("demo_nodes_cpp").perform(LaunchContext())
-    path = Path(share, "launch", "services", f"{name}_launch.{language}")
+    path = Path(share, "launch", f"{file}_launch.{language}")
     description = AnyLaunchDescriptionSource(str(path)).get_launch_description(LaunchContext())
-    programs = (node.node_executable for node in description.entities)
-    executables = [
-        perform_substitutions(LaunchContext(), normalize_to_list_of_substitutions(program))
-        for program in programs
-    ]
-    assert executables[0] == "add_two_ints_server"
-    assert executables[1] in {"add_two_ints_client", "add_two_ints_client_async"}
+    assert [
+        perform_substitutions(LaunchContext(), normalize_to_list_of_substitutions(node.node_executable))
+        for node in description.entities
+    ] == programs

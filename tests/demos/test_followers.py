@@ -8,13 +8,10 @@ from typing import Any
 
 import pytest
 from tests.conftest import python_with
+from tests.spun import SpunNode, spun
 
 from tfloom.interfaces.turtlesim.msg import Pose
 from tfloom.interfaces.turtlesim.srv import TeleportAbsolute
-from tfloom.node.client_library import init
-from tfloom.node.context.utilities import try_shutdown
-from tfloom.node.executing.executors import SingleThreadedExecutor
-from tfloom.node.node import Node
 
 CENTRE = 5.544
 START = ("tfloom", "run", "turtle_tf2_py")
@@ -29,47 +26,27 @@ def quick(name: str, *words: str) -> list[str]:
     return ["python", *python_with(QUICK, main, *words)]
 
 
-class Observer:
+class Observer(SpunNode):
     """Subscribes to the pose of turtle2, and moves turtle1."""
 
-    def __init__(self) -> None:
-        init(args=[])
-        self.place = (math.nan, math.nan)
-        self._node = Node("observer")
-        self._node.create_subscription(Pose, "/turtle2/pose", self._on_pose, 10)
-        self._teleport = self._node.create_client(TeleportAbsolute, "/turtle1/teleport_absolute")
-        self._executor = SingleThreadedExecutor()
-        self._executor.add_node(self._node)
-
-    def _on_pose(self, pose: Pose) -> None:
-        self.place = pose.x, pose.y
-
-    def spin_until(self, condition: Callable[[], object], wait_until: Callable[..., None]) -> None:
-        def spin_and_look() -> object:
-            self._executor.spin_once(timeout_sec=0.01)
-            return condition()
-
-        wait_until(spin_and_look)
+    def __init__(self, domain_id: int) -> None:
+        super().__init__("observer", domain_id)
+        self._poses = self.received(Pose, "/turtle2/pose")
+        self._teleport = self.node.create_client(TeleportAbsolute, "/turtle1/teleport_absolute")
 
     def distance_to(self, x: float, y: float) -> float:
-        return math.dist(self.place, (x, y))
+        return math.dist((self._poses[-1].x, self._poses[-1].y), (x, y)) if self._poses else math.nan
 
-    def teleport(self, x: float, y: float, wait_until: Callable[..., None]) -> None:
-        self.spin_until(self._teleport.service_is_ready, wait_until)
-        self.spin_until(self._teleport.call_async(TeleportAbsolute.Request(x=x, y=y)).done, wait_until)
-
-    def end(self) -> None:
-        self._executor.shutdown()
-        self._node.destroy_node()
-        try_shutdown()
+    def teleport(self, x: float, y: float) -> None:
+        self.spin_until(self._teleport.service_is_ready)
+        self.spin_until(self._teleport.call_async(TeleportAbsolute.Request(x=x, y=y)).done)
 
 
 @pytest.fixture
 def observer(domain_id: int, monkeypatch: pytest.MonkeyPatch) -> Iterator[Observer]:
     monkeypatch.delenv("ROS_DISTRO", raising=False)
-    observer = Observer()
-    yield observer
-    observer.end()
+    with spun(Observer(domain_id)) as observer:
+        yield observer
 
 
 @pytest.fixture
@@ -83,29 +60,23 @@ def start_turtles(observer: Observer, start_program: Callable[..., Any]) -> Call
 
 
 def test_follower_reaches_the_fixed_frame(
-    observer: Observer,
-    start_turtles: Callable[[], None],
-    start_program: Callable[..., Any],
-    wait_until: Callable[..., None],
+    observer: Observer, start_turtles: Callable[[], None], start_program: Callable[..., Any]
 ) -> None:
     start_turtles()
     start_program(*START, "fixed_frame_tf2_broadcaster")
     listener = start_program(*quick("turtle_tf2_listener", "--ros-args", "-p", "target_frame:=carrot1"))
     listener.wait_for("Successfully spawned turtle2")
-    observer.spin_until(lambda: observer.distance_to(CENTRE, CENTRE + 2.0) < 0.3, wait_until)
+    observer.spin_until(lambda: observer.distance_to(CENTRE, CENTRE + 2.0) < 0.3)
 
 
 def test_follower_uses_the_past_pose(
-    observer: Observer,
-    start_turtles: Callable[[], None],
-    start_program: Callable[..., Any],
-    wait_until: Callable[..., None],
+    observer: Observer, start_turtles: Callable[[], None], start_program: Callable[..., Any]
 ) -> None:
     start_turtles()
     traveller = start_program(*quick("turtle_tf2_time_travel", "--ros-args", "-p", "delay:=1.5"))
     traveller.wait_for("Successfully spawned turtle2")
     traveller.wait_for("Could not transform turtle2 to turtle1: ")
-    observer.spin_until(lambda: observer.distance_to(4.0, 2.0) > 0.2, wait_until)
-    observer.teleport(10.0, 10.0, wait_until)
-    observer.spin_until(lambda: observer.distance_to(CENTRE, CENTRE) < 2.0, wait_until)
-    observer.spin_until(lambda: observer.distance_to(10.0, 10.0) < 1.0, wait_until)
+    observer.spin_until(lambda: observer.distance_to(4.0, 2.0) > 0.2)
+    observer.teleport(10.0, 10.0)
+    observer.spin_until(lambda: observer.distance_to(CENTRE, CENTRE) < 2.0)
+    observer.spin_until(lambda: observer.distance_to(10.0, 10.0) < 1.0)

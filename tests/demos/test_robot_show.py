@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import re
 import signal
 import urllib.request
@@ -11,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from tests.demos.marked import alive
+from tests.demos.marked import alive, kill_when_there
 
 from tfloom.bag.opening import open_bag
 from tfloom.demos import robot_show
@@ -45,8 +44,7 @@ def test_ctrl_c_ends_it_and_compares(
     pytest.importorskip("viser", reason="the page needs the extra: pip install 'tfloom[view]'")
     monkeypatch.setenv("BROWSER", "true")
     demo = start_program("tfloom", "demo", "robot", "--view", cwd=tmp_path)
-    demo.wait_for("See it in a browser: http://127.0.0.1:")
-    line = next(line for line in demo.lines if line.startswith("See it in a browser: "))
+    line = demo.wait_for("See it in a browser: http://127.0.0.1:")
     with urllib.request.urlopen(line.removeprefix("See it in a browser: ")) as response:
         assert b"<title>tfloom view</title>" in response.read()
     demo.wait_for("the corrected pose off by")
@@ -75,9 +73,7 @@ def test_no_process_is_left_by_an_early_end(
 @pytest.mark.wire
 def test_program_that_ends_unexpectedly_is_reported(start_program: Start, tmp_path: Path, mark: str) -> None:
     demo = start_program("tfloom", "demo", "robot", "--seconds", "60", cwd=tmp_path)
-    demo.wait_for("the corrected pose off by")
-    (mapper,) = (process for process, command in alive(mark).items() if "mapper.py" in command)
-    os.kill(mapper, signal.SIGKILL)
+    kill_when_there("mapper.py", mark)
     assert demo.wait() == 1
     assert "mapper ended unexpectedly with exit code -9" in demo.output
     assert alive(mark) == {}

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import signal
 import urllib.error
 import urllib.request
@@ -11,15 +10,15 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from tests.demos.marked import alive
+from tests.conftest import wait_until
+from tests.demos.marked import alive, kill_when_there
 
 pytestmark = pytest.mark.wire
+Start = Callable[..., Any]
 DRAWN = "The tree of frames is drawn in "
 
 
-def test_demonstration_prints_draws_and_ends(
-    start_program: Callable[..., Any], tmp_path: Path, mark: str
-) -> None:
+def test_demonstration_prints_draws_and_ends(start_program: Start, tmp_path: Path, mark: str) -> None:
     demo = start_program("tfloom", "demo", "--seconds", "1", cwd=tmp_path)
     assert demo.wait(60.0) == 0
     assert f"{DRAWN}{tmp_path / 'frames.pdf'}" in demo.lines
@@ -32,8 +31,8 @@ def test_demonstration_prints_draws_and_ends(
     assert alive(mark) == {}
 
 
-def test_page_is_served_beside_the_demonstration(
-    start_program: Callable[..., Any], tmp_path: Path, mark: str, monkeypatch: pytest.MonkeyPatch
+def test_page_is_served_beside_the_demonstration_and_no_process_is_left(
+    start_program: Start, tmp_path: Path, mark: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     pytest.importorskip("viser", reason="the page needs the extra: pip install 'tfloom[view]'")
     browser = tmp_path / "browser"
@@ -41,29 +40,29 @@ def test_page_is_served_beside_the_demonstration(
     browser.chmod(0o755)
     monkeypatch.setenv("BROWSER", str(browser))
     demo = start_program("tfloom", "demo", "--view", cwd=tmp_path)
-    demo.wait_for("See it in a browser: http://127.0.0.1:")
-    line = next(line for line in demo.lines if line.startswith("See it in a browser: "))
+    line = demo.wait_for("See it in a browser: http://127.0.0.1:")
     address = line.removeprefix("See it in a browser: ")
     with urllib.request.urlopen(address) as response:
         assert b"<title>tfloom view</title>" in response.read()
+    demo.wait_for("At time")
+    assert len(alive(mark)) >= 9
     demo.signal(signal.SIGINT)
     assert demo.wait() == 0
     assert (tmp_path / "opened").read_text().strip() == address
-    assert alive(mark) == {}
+    assert "Traceback" not in demo.output
+    wait_until(lambda: alive(mark) == {}, what="the end of all processes")
     with pytest.raises(urllib.error.URLError):
         urllib.request.urlopen(address)
 
 
 @pytest.mark.parametrize(
-    "number", [signal.SIGINT, pytest.param(signal.SIGTERM, marks=pytest.mark.slow), signal.SIGKILL]
+    "number",  # the page's test sends SIGINT
+    [
+        *(pytest.param(number, marks=pytest.mark.slow) for number in (signal.SIGINT, signal.SIGTERM)),
+        signal.SIGKILL,
+    ],
 )
-def test_no_process_is_left(
-    start_program: Callable[..., Any],
-    wait_until: Callable[..., None],
-    tmp_path: Path,
-    mark: str,
-    number: signal.Signals,
-) -> None:
+def test_no_process_is_left(start_program: Start, tmp_path: Path, mark: str, number: signal.Signals) -> None:
     demo = start_program("tfloom", "demo", cwd=tmp_path)
     demo.wait_for("At time")
     assert len(alive(mark)) >= 8
@@ -73,13 +72,9 @@ def test_no_process_is_left(
     assert "Traceback" not in demo.output
 
 
-def test_program_that_ends_unexpectedly_is_reported(
-    start_program: Callable[..., Any], tmp_path: Path, mark: str
-) -> None:
+def test_program_that_ends_unexpectedly_is_reported(start_program: Start, tmp_path: Path, mark: str) -> None:
     demo = start_program("tfloom", "demo", cwd=tmp_path)
-    demo.wait_for("At time")
-    (driver,) = (process for process, command in alive(mark).items() if "curve_driver" in command)
-    os.kill(driver, signal.SIGKILL)
+    kill_when_there("curve_driver", mark)
     assert demo.wait() == 1
     assert "driver ended unexpectedly with exit code -9" in demo.output
     assert alive(mark) == {}

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Iterator
 
 import pytest
+from tests import spun
 
 from tfloom.demos.turtle_tf2_py import static_turtle_tf2_broadcaster
 from tfloom.demos.turtle_tf2_py.dynamic_frame_tf2_broadcaster import DynamicFrameBroadcaster
@@ -16,61 +17,35 @@ from tfloom.demos.turtle_tf2_py.turtle_tf2_message_broadcaster import PointPubli
 from tfloom.interfaces.geometry_msgs.msg import PointStamped, TransformStamped
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.interfaces.turtlesim.msg import Pose
-from tfloom.node.client_library import init
-from tfloom.node.context.utilities import try_shutdown
-from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
 
 
-class Stage:
+class Stage(spun.Stage):
     """A demo's node, and a node that receives its messages."""
 
-    def __init__(self, make: Callable[[], Node], args: list[str]) -> None:
-        init(args=args)
+    def __init__(self, make: Callable[[], Node], *args: str) -> None:
+        super().__init__(args)
         self.transforms: list[TransformStamped] = []
-        self.ear = Node("ear")
         kept = QoSProfile(depth=10, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+        self.ear = Node("ear")
         self.ear.create_subscription(TFMessage, "/tf", self._hear, 10)
         self.ear.create_subscription(TFMessage, "/tf_static", self._hear, kept)
-        self._nodes = [make(), self.ear]
-        self._executor = SingleThreadedExecutor()
-        for node in self._nodes:
-            self._executor.add_node(node)
+        self.add(make())
+        self.add(self.ear)
 
     def _hear(self, message: TFMessage) -> None:
         self.transforms += message.transforms
 
-    def spin_until(self, condition: Callable[[], object]) -> None:
-        for _ in range(500):
-            if condition():
-                return
-            self._executor.spin_once(timeout_sec=0.05)
-        pytest.fail("it never came")
-
     def first(self) -> TransformStamped:
-        self.spin_until(lambda: self.transforms)
+        self.spin_until(lambda: self.transforms, turns=500)
         return self.transforms[0]
-
-    def end(self) -> None:
-        self._executor.shutdown()
-        for node in self._nodes:
-            node.destroy_node()
-        try_shutdown()
 
 
 @pytest.fixture
-def start(monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[..., Stage]]:
-    monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
-    stages: list[Stage] = []
-
-    def start(make: Callable[[], Node], *args: str) -> Stage:
-        stages.append(Stage(make, ["--ros-args", *args] if args else []))
-        return stages[-1]
-
-    yield start
-    for stage in stages:
-        stage.end()
+def start() -> Iterator[Callable[..., Stage]]:
+    with spun.staging(Stage) as start:
+        yield start
 
 
 def ends(transform: TransformStamped) -> tuple[str, str]:
@@ -103,7 +78,7 @@ def test_a_pose_that_is_no_number_is_not_broadcast(start: Callable[..., Stage], 
     turtle = stage.ear.create_publisher(Pose, "/turtle1/pose", 1)
     turtle.publish(pose)
     for _ in range(3):  # its subscription, and a turn of each node
-        stage._executor.spin_once(timeout_sec=0.05)
+        stage.executor.spin_once(timeout_sec=0.05)
     turtle.publish(Pose(x=1.0))
     assert where(stage.first()) == (1.0, 0.0, 0.0)
 
@@ -145,6 +120,6 @@ def test_pose_of_a_turtle_becomes_a_point(start: Callable[..., Stage]) -> None:
     points: list[PointStamped] = []
     stage.ear.create_subscription(PointStamped, "/turtle3/turtle_point_stamped", points.append, 1)
     stage.ear.create_publisher(Pose, "/turtle3/pose", 1).publish(Pose(x=1.5, y=2.5))
-    stage.spin_until(lambda: points)
+    stage.spin_until(lambda: points, turns=500)
     assert points[0].header.frame_id == "world"
     assert (points[0].point.x, points[0].point.y, points[0].point.z) == (1.5, 2.5, 0.0)

@@ -12,14 +12,10 @@ from typing import Any
 
 import pytest
 
+BROADCASTER = "tfloom.demos.turtle_tf2_py.turtle_tf2_broadcaster"
 PROGRAMS = {
     "turtlesim": ("tfloom", "run", "turtlesim", "turtlesim_node", "--headless"),
-    "broadcaster": (
-        "python",
-        "-m",
-        "tfloom.demos.child",
-        "tfloom.demos.turtle_tf2_py.turtle_tf2_broadcaster:main",
-    ),
+    "broadcaster": ("python", "-m", "tfloom.demos.child", f"{BROADCASTER}:main"),
     "echo": ("tfloom", "run", "tf2_ros", "tf2_echo", "world", "turtle1", "20"),
 }
 BLOCK = re.compile(
@@ -38,13 +34,10 @@ class Echo:
         matches = list(BLOCK.finditer("\n".join(list(self.program.lines)[-40:])))
         return matches[-1] if matches else None
 
-    def stamp(self) -> float:
+    def number(self, part: str) -> float:
+        """Return its `stamp` or its `x`; 0 before the first one."""
         last = self.last()
-        return float(last["stamp"]) if last else 0.0
-
-    def x(self) -> float:
-        last = self.last()
-        return float(last["x"]) if last else 0.0
+        return float(last[part]) if last else 0.0
 
 
 @pytest.fixture
@@ -73,11 +66,11 @@ def test_frame_follows_the_keys(
     start("turtlesim")
     start("broadcaster")
     echo = Echo(start("echo"))
-    wait_until(lambda: echo.x() == 5.544)
+    wait_until(lambda: echo.number("x") == 5.544)
 
     def pressed_forward() -> bool:
         press(b"\x1b[A")
-        return echo.x() > 6.0
+        return echo.number("x") > 6.0
 
     wait_until(pressed_forward)
     last = echo.last()
@@ -97,13 +90,13 @@ def test_each_program_can_be_killed_and_restarted(
 ) -> None:
     programs = {name: start(name) for name in PROGRAMS}
     echo = Echo(programs["echo"])
-    wait_until(lambda: echo.stamp() > 0.0)
+    wait_until(lambda: echo.number("stamp") > 0.0)
     programs[victim].signal(signal.SIGKILL)
     assert programs[victim].wait() == -signal.SIGKILL
     killed_s = time.time()
     programs[victim] = start(victim)
     echo = Echo(programs["echo"])
-    wait_until(lambda: echo.stamp() > killed_s + 0.5, what="newer transforms")
+    wait_until(lambda: echo.number("stamp") > killed_s + 0.5, what="newer transforms")
     for name, program in programs.items():
         assert program.process.poll() is None, name
         program.signal(signal.SIGINT)

@@ -13,14 +13,13 @@ from typing import Any
 import numpy as np
 import pytest
 from tests import conftest
+from tests.examples.test_processes import end_well
+from tests.spun import SpunNode, spun
 
 from tfloom.interfaces.geometry_msgs.msg import Twist
 from tfloom.interfaces.nav_msgs.msg import OccupancyGrid, Odometry
 from tfloom.interfaces.rosgraph_msgs.msg import Clock
 from tfloom.interfaces.sensor_msgs.msg import LaserScan
-from tfloom.node.context.context import Context
-from tfloom.node.executing.executors import SingleThreadedExecutor
-from tfloom.node.node import Node
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile, qos_profile_sensor_data
 from tfloom.node.values.time import Time
 from tfloom.tf2_ros.buffer import Buffer
@@ -28,19 +27,19 @@ from tfloom.tf2_ros.transform_listener import TransformListener
 
 pytestmark = pytest.mark.wire
 FOLDER = Path(__file__).parents[2] / "examples" / "robot_in_a_room"
+STATES = ("tfloom", "run", "robot_state_publisher", "robot_state_publisher")
+DESCRIPTION = f"robot_description:={(FOLDER / 'robot.urdf').read_text('utf-8')}"
 LAUNCH = FOLDER / "room.launch.py"
 TIMEOUT_S = 90.0
 """The robot has to drive some way, also on a busy machine."""
 Start = Callable[..., Any]
 
 
-class Observer:
+class Observer(SpunNode):
     """A node that keeps the last message of each topic, and a buffer."""
 
     def __init__(self, domain_id: int) -> None:
-        self.context = Context()
-        self.context.init(args=[], domain_id=domain_id)
-        self.node = Node("observer", context=self.context)
+        super().__init__("observer", domain_id)
         self.buffer = Buffer()
         self.listener = TransformListener(self.buffer, self.node)
         self.last: dict[str, Any] = {}
@@ -48,20 +47,14 @@ class Observer:
         self.follow(OccupancyGrid, "/map", latched)
         self.follow(Odometry, "/ground_truth", 10)
         self.follow(LaserScan, "/scan", qos_profile_sensor_data)
-        self.executor = SingleThreadedExecutor(context=self.context)
-        self.executor.add_node(self.node)
 
     def follow(self, message_type: Any, topic: str, qos: object) -> None:
         self.node.create_subscription(
             message_type, topic, lambda message: self.last.__setitem__(topic, message), qos
         )
 
-    def spin_until(self, condition: Callable[[], object], what: str = "") -> None:
-        def is_met() -> object:
-            self.executor.spin_once(timeout_sec=0.05)
-            return condition()
-
-        conftest.wait_until(is_met, TIMEOUT_S, what)
+    def wait_for(self, condition: Callable[[], object], what: str = "") -> None:
+        self.spin_until(condition, what, TIMEOUT_S)
 
     def position(self, frame: str, child: str = "base_link") -> np.ndarray | None:
         if not self.buffer.can_transform(frame, child, Time()):
@@ -77,18 +70,11 @@ class Observer:
         place = truth.pose.pose.position
         return math.hypot(position[0] - place.x, position[1] - place.y)
 
-    def close(self) -> None:
-        self.executor.shutdown()
-        self.node.destroy_node()
-        self.context.try_shutdown()
-        self.context.destroy()
-
 
 @pytest.fixture
 def observer(domain_id: int) -> Iterator[Observer]:
-    made = Observer(domain_id)
-    yield made
-    made.close()
+    with spun(Observer(domain_id)) as made:
+        yield made
 
 
 def check_walls(room: Any, message: OccupancyGrid) -> None:
@@ -122,17 +108,15 @@ def test_robot_maps_its_room_and_the_correction_is_better_than_the_odometry(
     )
     recorder.wait_for("Recording...")
     launch = start_program("tfloom", "launch", LAUNCH, "speed:=0.8")
-    observer.spin_until(lambda: observer.position("map", "laser") is not None, "the chain of frames")
+    observer.wait_for(lambda: observer.position("map", "laser") is not None, "the chain of frames")
     for parent, child in (("map", "odom"), ("odom", "base_link"), ("base_link", "laser")):
         assert observer.position(parent, child) is not None
     np.testing.assert_allclose(observer.position("base_link", "laser"), [0.12, 0.0, 0.26], atol=1e-9)
     tool = observer.position("base_link", "tool")
-    observer.spin_until(
-        lambda: np.linalg.norm(observer.position("base_link", "tool") - tool) > 0.1, "the arm"
-    )
-    observer.spin_until(lambda: observer.error("odom") > 0.5, "a drift of the odometry")
+    observer.wait_for(lambda: np.linalg.norm(observer.position("base_link", "tool") - tool) > 0.1, "the arm")
+    observer.wait_for(lambda: observer.error("odom") > 0.5, "a drift of the odometry")
     assert observer.error("map") < 0.15
-    observer.spin_until(lambda: "/map" in observer.last)
+    observer.wait_for(lambda: "/map" in observer.last)
     check_walls(load_room("room"), observer.last["/map"])
     recorder.signal(signal.SIGINT)
     assert recorder.wait() == 0, recorder.output
@@ -169,21 +153,18 @@ def test_what_cannot_be_compared_is_one_line(start_program: Start, words: list[s
 def test_mapper_that_is_killed_and_a_laser_that_stops(observer: Observer, start_program: Start) -> None:
     robot = start_program("python", FOLDER / "robot.py")
     mapper = start_program("python", FOLDER / "mapper.py")
-    start_program(
-        *("tfloom", "run", "robot_state_publisher", "robot_state_publisher", "--ros-args", "-p"),
-        f"robot_description:={(FOLDER / 'robot.urdf').read_text('utf-8')}",
-    )
-    observer.spin_until(lambda: "/map" in observer.last, "the first map")
+    start_program(*STATES, "--ros-args", "-p", DESCRIPTION)
+    observer.wait_for(lambda: "/map" in observer.last, "the first map")
     mapper.signal(signal.SIGKILL)
     mapper.wait()
     observer.last.clear()
     again = start_program("python", FOLDER / "mapper.py")
-    observer.spin_until(lambda: "/map" in observer.last, "the map of the second mapper")
+    observer.wait_for(lambda: "/map" in observer.last, "the map of the second mapper")
     off = start_program("tfloom", "param", "set", "/robot", "laser", "false")
     assert off.wait() == 0, off.output
     again.wait_for("No scan for 2 s: map → odom stays as it is")
     stamp = observer.buffer.lookup_transform("map", "odom", Time()).header.stamp.sec
-    observer.spin_until(
+    observer.wait_for(
         lambda: observer.buffer.lookup_transform("map", "odom", Time()).header.stamp.sec > stamp,
         "map → odom without scans",
     )
@@ -193,20 +174,17 @@ def test_mapper_that_is_killed_and_a_laser_that_stops(observer: Observer, start_
     for program in (robot, second):
         program.wait_for("Another node publishes /odom, too: start a second robot under another name")
     assert sum("Another node" in line for line in robot.lines) == 1
-    for program in (again, second, robot):
-        program.signal(signal.SIGINT)
-        assert program.wait() == 0, program.output
-        assert "Traceback" not in program.output
+    end_well(signal.SIGINT, again, second, robot)
 
 
 def test_second_robot_has_its_own_names(observer: Observer, start_program: Start) -> None:
     first = start_program("tfloom", "launch", LAUNCH, "tour:=false")
     second = start_program("tfloom", "launch", LAUNCH, "name:=second")
-    observer.spin_until(lambda: observer.position("map", "tool") is not None, "the frames of the first")
-    observer.spin_until(
+    observer.wait_for(lambda: observer.position("map", "tool") is not None, "the frames of the first")
+    observer.wait_for(
         lambda: observer.position("second/map", "second/tool") is not None, "the frames of the second"
     )
-    observer.spin_until(
+    observer.wait_for(
         lambda: np.linalg.norm(observer.position("second/odom", "second/base_link")) > 0.5, "its drive"
     )
     assert np.linalg.norm(observer.position("odom")) < 0.1
@@ -222,10 +200,7 @@ def test_robot_at_a_wall_and_a_clock_that_jumps_back(observer: Observer, start_p
     words = ["--ros-args", "-p", "use_sim_time:=true"]
     robot = start_program("python", FOLDER / "robot.py", *words)
     mapper = start_program("python", FOLDER / "mapper.py", *words)
-    start_program(
-        *("tfloom", "run", "robot_state_publisher", "robot_state_publisher", *words, "-p"),
-        f"robot_description:={(FOLDER / 'robot.urdf').read_text('utf-8')}",
-    )
+    start_program(*STATES, *words, "-p", DESCRIPTION)
     clock = observer.node.create_publisher(Clock, "/clock", 10)
     driver = observer.node.create_publisher(Twist, "/cmd_vel", 10)
     now_ns = 1000 * 10**9
@@ -257,8 +232,5 @@ def test_robot_at_a_wall_and_a_clock_that_jumps_back(observer: Observer, start_p
     let_time_pass(lambda: observer.position("map") is not None, 0.6, "the chain after the jump")
     let_time_pass(lambda: observer.error("map") < 0.2, 0.6, "a pose after the jump")
     assert observer.error("odom") > 0.8
-    for program in (mapper, robot):
-        program.signal(signal.SIGINT)
-        assert program.wait() == 0, program.output
-        assert "Traceback" not in program.output
+    end_well(signal.SIGINT, mapper, robot)
     assert "The time jumped back by" in robot.output

@@ -30,7 +30,22 @@ TF = "0/tf/tf2_msgs::msg::dds_::TFMessage_/RIHS01_0"
 STATIC = "0/tf_static/tf2_msgs::msg::dds_::TFMessage_/RIHS01_0"
 CMD_VEL = "0/cmd_vel/geometry_msgs::msg::dds_::Twist_/RIHS01_0"
 SERVICE = "0/reboot/std_srvs::srv::dds_::Empty_/RIHS01_0"
+StartRouter = Callable[..., Program]
 TOKEN = "@ros2_lv/0/1/0/0/NN/%/%/driver"
+
+
+def direct(function: Callable[[Any], object]) -> Any:
+    """Return a handler that calls a function on the session's own thread."""
+    return zenoh.handlers.Callback(function, indirect=False)
+
+
+def replaced(file: Path, changes: dict[str, str]) -> str:
+    """Return a file's text with each of some parts, which are there, replaced."""
+    text = file.read_text()
+    for old, new in changes.items():
+        assert old in text
+        text = text.replace(old, new)
+    return text
 
 
 class Machine:
@@ -40,32 +55,18 @@ class Machine:
         self.samples: list[str] = []
         self.tokens: set[str] = set()
         self.session = zenoh.open(config)
-        direct = zenoh.handlers.Callback
-        self._kept = [
-            self.session.declare_subscriber(
-                "**", direct(lambda sample: self.samples.append(str(sample.key_expr)), indirect=False)
-            ),
-            self.session.liveliness().declare_subscriber(
-                "@ros2_lv/0/**",
-                direct(lambda sample: self.tokens.add(str(sample.key_expr)), indirect=False),
-                history=True,
-            ),
-        ]
+        note_token = direct(lambda sample: self.tokens.add(str(sample.key_expr)))
+        self._kept = [self.session.liveliness().declare_subscriber("@ros2_lv/0/**", note_token, history=True)]
+        self.subscribe("**")
 
     def keep(self, entity: Any) -> None:
         """Keep an entity, which would be undeclared with its last reference."""
         self._kept.append(entity)
 
     def subscribe(self, key: str) -> None:
-        """Subscribe to one topic, because the router's rules let a laptop ask for no other."""
-        self.keep(
-            self.session.declare_subscriber(
-                key,
-                zenoh.handlers.Callback(
-                    lambda sample: self.samples.append(str(sample.key_expr)), indirect=False
-                ),
-            )
-        )
+        """Subscribe to one topic by its name, too, because the router's rules let a laptop ask for no other."""
+        note = direct(lambda sample: self.samples.append(str(sample.key_expr)))
+        self.keep(self.session.declare_subscriber(key, note))
 
 
 @pytest.fixture
@@ -79,16 +80,28 @@ def folder(
             text = file.read_text().replace("tls/robot:", "tls/127.0.0.1:").replace("0.0.0.0", "127.0.0.1")
             text = text.replace(":7447", f":{base if file.name == 'base_router.json5' else port}")
             (tmp_path / file.name).write_text(text.replace(":7448", f":{port + 1}"))
-        words = ("certificates", "robot=127.0.0.1", "base", "laptop", "stranger")
-        subprocess.run([sys.executable, EXAMPLE / "make_certificates.py", *words], cwd=tmp_path, check=True)
         (tmp_path / "of_others").mkdir()
-        subprocess.run(
-            [sys.executable, EXAMPLE / "make_certificates.py", "of_others", "laptop"],
-            cwd=tmp_path,
-            check=True,
-        )
+        for words in (
+            ("certificates", "robot=127.0.0.1", "base", "laptop", "stranger"),
+            ("of_others", "laptop"),
+        ):
+            subprocess.run(
+                [sys.executable, EXAMPLE / "make_certificates.py", *words], cwd=tmp_path, check=True
+            )
         monkeypatch.chdir(tmp_path)
         yield tmp_path
+
+
+@pytest.fixture
+def start_router(start_program: Callable[..., Program]) -> StartRouter:
+    """Start a router with a file of the example, and wait until it listens."""
+
+    def start(file: str = "robot_router.json5") -> Program:
+        program = start_program("tfloom", "zenoh", "router", "-c", file)
+        program.wait_for("listening on")
+        return program
+
+    return start
 
 
 @pytest.fixture
@@ -96,14 +109,10 @@ def join(folder: Path) -> Iterator[Callable[..., Machine]]:
     """Open a session with a file of the example, or, without one, as one of the robot's own programs."""
     with ExitStack() as stack, pytest.MonkeyPatch.context() as patch:
 
-        def open_machine(file: str = "", **replaced: str) -> Machine:
+        def open_machine(file: str = "", **changes: str) -> Machine:
             patch.delenv(SESSION_VARIABLE, raising=False)
             if file:
-                text = (folder / file).read_text()
-                for old, new in replaced.items():
-                    assert old in text
-                    text = text.replace(old, new)
-                (folder / "session.json5").write_text(text)
+                (folder / "session.json5").write_text(replaced(folder / file, changes))
                 patch.setenv(SESSION_VARIABLE, "session.json5")
             machine = Machine(session_configuration())
             stack.callback(machine.session.close)
@@ -116,13 +125,8 @@ def serve(robot: Machine) -> list[str]:
     """Let the robot have a node, a service and static transforms of before; return the requests that reach it."""
     asked: list[str] = []
     robot.keep(robot.session.liveliness().declare_token(TOKEN))
-    robot.keep(
-        robot.session.declare_queryable(
-            SERVICE,
-            zenoh.handlers.Callback(lambda query: asked.append(str(query.key_expr)), indirect=False),
-            complete=True,
-        )
-    )
+    note = direct(lambda query: asked.append(str(query.key_expr)))
+    robot.keep(robot.session.declare_queryable(SERVICE, note, complete=True))
     static = zenoh.ext.declare_advanced_publisher(
         robot.session, STATIC, cache=zenoh.ext.CacheConfig(max_samples=1), publisher_detection=True
     )
@@ -133,22 +137,17 @@ def serve(robot: Machine) -> list[str]:
 
 @pytest.mark.parametrize("file", ["robot_router.json5", "robot_router_tf_only.json5"])
 def test_laptop_reads_tf_and_nothing_else(
-    file: str, join: Callable[..., Machine], start_program: Callable[..., Program]
+    file: str, join: Callable[..., Machine], start_router: StartRouter
 ) -> None:
-    start_program("tfloom", "zenoh", "router", "-c", file).wait_for("listening on")
+    start_router(file)
     robot = join()
     asked = serve(robot)
     laptop = join("laptop.json5")
     laptop.subscribe(TF)
     statics: list[bytes] = []
-    laptop.keep(
-        zenoh.ext.declare_advanced_subscriber(
-            laptop.session,
-            STATIC,
-            zenoh.handlers.Callback(lambda sample: statics.append(sample.payload.to_bytes()), indirect=False),
-            history=zenoh.ext.HistoryConfig(detect_late_publishers=True, max_samples=1),
-        )
-    )
+    note = direct(lambda sample: statics.append(sample.payload.to_bytes()))
+    history = zenoh.ext.HistoryConfig(detect_late_publishers=True, max_samples=1)
+    laptop.keep(zenoh.ext.declare_advanced_subscriber(laptop.session, STATIC, note, history=history))
 
     def tf_arrives() -> bool:
         robot.session.put(CMD_VEL, b"secret")
@@ -174,14 +173,11 @@ def test_laptop_reads_tf_and_nothing_else(
     assert asked == []
 
 
-def test_routers_join_two_machines(
-    join: Callable[..., Machine], start_program: Callable[..., Program]
-) -> None:
-    router = start_program("tfloom", "zenoh", "router", "-c", "robot_router.json5")
-    router.wait_for("listening on")
+def test_routers_join_two_machines(join: Callable[..., Machine], start_router: StartRouter) -> None:
+    router = start_router()
     robot = join()
     robot.keep(robot.session.liveliness().declare_token(TOKEN))
-    start_program("tfloom", "zenoh", "router", "-c", "base_router.json5").wait_for("listening on")
+    start_router("base_router.json5")
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("TFLOOM_ZENOH_PORT", str(zenoh_config.port() + 2))
         base = join()
@@ -190,7 +186,7 @@ def test_routers_join_two_machines(
     # The router ends and comes back: the link is made anew, with nothing to start on the other machine.
     router.end()
     base.samples.clear()
-    start_program("tfloom", "zenoh", "router", "-c", "robot_router.json5").wait_for("listening on")
+    start_router()
     wait_until(lambda: robot.session.put(CMD_VEL, b"") or CMD_VEL in base.samples)
 
 
@@ -226,14 +222,11 @@ CASES = {
 
 @pytest.mark.parametrize("case", REASONS)
 def test_client_and_doctor_say_why_there_is_no_link(
-    case: str, folder: Path, start_program: Callable[..., Program], monkeypatch: pytest.MonkeyPatch
+    case: str, folder: Path, start_router: StartRouter, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    start_program("tfloom", "zenoh", "router", "-c", "robot_router.json5").wait_for("listening on")
-    text = (folder / "laptop.json5").read_text()
-    for old, new in CASES[case].items():
-        assert old in text
-        text = text.replace(old, new)
-    (folder / "laptop.json5").write_text(text)
+    start_router()
+    file = folder / "laptop.json5"
+    file.write_text(replaced(file, CASES[case]))
     monkeypatch.setenv(SESSION_VARIABLE, "laptop.json5")
     with pytest.raises(WireError) as told:
         open_session()
@@ -245,9 +238,9 @@ def test_client_and_doctor_say_why_there_is_no_link(
 
 
 def test_a_router_says_that_another_refuses_its_certificate(
-    folder: Path, start_program: Callable[..., Program]
+    folder: Path, start_router: StartRouter, start_program: Callable[..., Program]
 ) -> None:
-    start_program("tfloom", "zenoh", "router", "-c", "robot_router.json5").wait_for("listening on")
+    start_router()
     file = folder / "base_router.json5"
     file.write_text(file.read_text().replace("certificates/base", "of_others/laptop"))
     base = start_program("tfloom", "zenoh", "router", "-c", "base_router.json5")
@@ -255,12 +248,14 @@ def test_a_router_says_that_another_refuses_its_certificate(
 
 
 def test_doctor_names_the_router_and_the_transport(
-    folder: Path, start_program: Callable[..., Program], monkeypatch: pytest.MonkeyPatch
+    folder: Path,
+    start_router: StartRouter,
+    start_program: Callable[..., Program],
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     own = f"tcp/127.0.0.1:{zenoh_config.port()}"
     assert check_router()[:2] == (Verdict.OK, f"no router at {own} yet: the first program opens one")
-    router = start_program("tfloom", "zenoh", "router", "-c", "robot_router.json5")
-    router.wait_for("listening on")
+    router = start_router()
     zid = router.lines[-1].split("id ")[1].split(",")[0]
     finding = check_router()
     assert finding.verdict is Verdict.OK
@@ -276,9 +271,9 @@ def test_doctor_names_the_router_and_the_transport(
 
 @pytest.mark.parametrize("stranger", STRANGERS)
 def test_strangers_get_nothing(
-    stranger: str, join: Callable[..., Machine], start_program: Callable[..., Program]
+    stranger: str, join: Callable[..., Machine], start_router: StartRouter
 ) -> None:
-    start_program("tfloom", "zenoh", "router", "-c", "robot_router.json5").wait_for("listening on")
+    start_router()
     robot = join()
     robot.keep(robot.session.liveliness().declare_token(TOKEN))
     laptop = join("laptop.json5")

@@ -8,12 +8,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from tests import spun
 from tests.robot.test_urdf import joint, robot
 
 from tfloom.interfaces.sensor_msgs.msg import JointState
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.node import client_library as rclpy
-from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.parameters.exceptions import InvalidParameterValueException
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
@@ -23,23 +23,16 @@ ARM = Path(__file__).parents[1] / "golden" / "arm.urdf"
 NAMES = ["shoulder", "elbow", "rail", "roll"]
 
 
-class Stage:
+class Stage(spun.Stage):
     """A joint_state_publisher, a node beside it, and the states that it receives."""
 
-    def __init__(self, file: Path | None, *parameters: str) -> None:
-        rclpy.init(args=["--ros-args", *(word for parameter in parameters for word in ("-p", parameter))])
-        self.executor = SingleThreadedExecutor()
-        self.user = Node("user")
+    def __init__(self, file: Path | None = ARM, *parameters: str) -> None:
+        super().__init__([word for parameter in parameters for word in ("-p", parameter)])
+        self.user = self.add(Node("user"))
         self.states: list[JointState] = []
         self.user.create_subscription(JointState, "joint_states", self.states.append, 10)
-        self.executor.add_node(self.user)
-        self.publisher = JointStatePublisher(None if file is None else str(file))
+        self.publisher = self.add(JointStatePublisher(None if file is None else str(file)))
         self.publisher.timer.cancel()
-        self.executor.add_node(self.publisher)
-
-    def run(self) -> None:
-        for _ in range(20):
-            self.executor.spin_once(timeout_sec=0.0)
 
     def publish(self) -> JointState:
         """Return the next state."""
@@ -52,19 +45,9 @@ class Stage:
 
 
 @pytest.fixture
-def start(monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[..., Stage]]:
-    monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
-    stages: list[Stage] = []
-
-    def start(file: Path | None = ARM, *parameters: str) -> Stage:
-        stages.append(Stage(file, *parameters))
-        return stages[-1]
-
-    yield start
-    for stage in stages:
-        stage.executor.shutdown()
-    rclpy.try_shutdown()
-    rclpy.get_default_context().destroy()
+def start() -> Iterator[Callable[..., Stage]]:
+    with spun.staging(Stage) as start:
+        yield start
 
 
 def test_joints_rest_at_zero(start: Callable[..., Stage]) -> None:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from tests.conftest import run_to_end
 from tests.robot.test_urdf import LIMIT, joint, robot
 
 from tfloom.robot.model import RobotModel
@@ -193,6 +194,6 @@ def test_a_missing_file(tmp_path: Path) -> None:
         RobotModel.from_urdf(tmp_path / "nothere.urdf")
 
 
-def test_importing_the_model_does_not_import_numpy(run_python: Callable[[str], str]) -> None:
+def test_importing_the_model_does_not_import_numpy() -> None:
     code = "import sys, tfloom.robot.model; print([m for m in ('numpy', 'tfloom.interfaces') if m in sys.modules])"
-    assert run_python(code) == "[]"
+    assert run_to_end([sys.executable, "-c", code]).stdout == "[]\n"

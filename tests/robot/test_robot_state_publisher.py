@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tests import spun
 from tests.robot.test_model import arm_by_hand
 from tests.robot.test_urdf import joint, robot
 
@@ -18,7 +19,6 @@ from tfloom.interfaces.sensor_msgs.msg import JointState
 from tfloom.interfaces.std_msgs.msg import Header, String
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.node import client_library as rclpy
-from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.parameters.parameter import Parameter
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
@@ -33,14 +33,12 @@ MOVED = ["lower", "slide", "spin", "upper"]
 """The child frames of the moving joints in order of the joints' names: elbow, rail, roll, shoulder."""
 
 
-class Stage:
+class Stage(spun.Stage):
     """A robot_state_publisher, a node that publishes states, and what it receives."""
 
-    def __init__(self, *arguments: str) -> None:
-        rclpy.init(args=["--ros-args", *arguments])
-        self.publisher: Any = None
-        self.executor = SingleThreadedExecutor()
-        self.user = Node("user")
+    def __init__(self, path: Path, *arguments: str) -> None:
+        super().__init__(arguments)
+        self.user = self.add(Node("user"))
         self.moving: list[TFMessage] = []
         self.static: list[TFMessage] = []
         self.descriptions: list[str] = []
@@ -50,21 +48,13 @@ class Stage:
             String, "robot_description", lambda message: self.descriptions.append(message.data), KEPT
         )
         self.states = self.user.create_publisher(JointState, "joint_states", 10)
-        self.executor.add_node(self.user)
-
-    def start(self, path: Path) -> None:
-        self.publisher = RobotStatePublisher([str(path)])
-        self.executor.add_node(self.publisher)
+        self.publisher: Any = self.add(RobotStatePublisher([str(path)]))
+        self.run()
 
     def send(self, names: list[str], positions: list[float], sec: int = 1, nanosec: int = 0) -> None:
         stamp = Time(sec=sec, nanosec=nanosec)
         self.states.publish(JointState(header=Header(stamp=stamp), name=names, position=positions))
         self.run()
-
-    def run(self) -> None:
-        """Run what is ready; all messages of this wire are delivered at once."""
-        for _ in range(20):
-            self.executor.spin_once(timeout_sec=0.0)
 
     def set(self, name: str, value: object) -> Any:
         result = self.publisher.set_parameters_atomically([Parameter(name, value=value)])
@@ -79,24 +69,15 @@ class Stage:
 
 
 @pytest.fixture
-def start(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[Callable[..., Stage]]:
-    monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
-    stages: list[Stage] = []
+def start(tmp_path: Path) -> Iterator[Callable[..., Stage]]:
+    path = tmp_path / "robot.urdf"
 
-    def start(urdf: str = ARM, *arguments: str) -> Stage:
-        path = tmp_path / "robot.urdf"
+    def start_robot(urdf: str = ARM, *arguments: str) -> Stage:
         path.write_text(urdf)
-        stage = Stage(*arguments)
-        stages.append(stage)
-        stage.start(path)
-        stage.run()
-        return stage
+        return start(path, *arguments)
 
-    yield start
-    for stage in stages:
-        stage.executor.shutdown()
-    rclpy.try_shutdown()
-    rclpy.get_default_context().destroy()
+    with spun.staging(Stage) as start:
+        yield start_robot
 
 
 def test_states_become_transforms(start: Callable[..., Stage]) -> None:

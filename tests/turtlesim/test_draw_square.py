@@ -24,8 +24,7 @@ def test_turtle_drives_stops_and_turns(stage: Any, capfd: pytest.CaptureFixture[
     turtle = stage.turtlesim.sim.world.turtles["turtle1"]
     turtle.teleport(1.0, 1.0, 2.0)
     capfd.readouterr()
-    square = DrawSquare()
-    stage.add(square)
+    square = stage.add(DrawSquare())
     stage.spin_until(lambda: square._is_turning)
     lines = capfd.readouterr().err.splitlines()
     texts = [line.partition("]: ")[2] for line in lines if "[draw_square]" in line]
@@ -39,8 +38,7 @@ def test_turtle_drives_stops_and_turns(stage: Any, capfd: pytest.CaptureFixture[
 def test_a_pose_that_is_no_number_is_ignored(
     stage: Any, capfd: pytest.CaptureFixture[str], pose: Pose
 ) -> None:
-    square = DrawSquare()
-    stage.add(square)
+    square = stage.add(DrawSquare())
     stage.spin_until(lambda: square._goal is not None)
     sim = stage.user.create_publisher(Pose, "/turtle1/pose", 1)
     warnings: list[str] = []

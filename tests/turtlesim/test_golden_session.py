@@ -52,7 +52,7 @@ def replay(turtlesim: Any, start_program: Callable[..., Any]) -> Callable[[str],
     return replay
 
 
-def test_services_and_actions_match_the_recording(
+def test_services_actions_and_parameters_match_the_recording(
     turtlesim: Any, replay: Callable[[str], None], start_program: Callable[..., Any]
 ) -> None:
     for name in ("service_call", "service_call_again", "service_call_empty", "action_list_t", "action_info"):
@@ -62,8 +62,5 @@ def test_services_and_actions_match_the_recording(
         replay("action_send_goal")
     _, log, _ = recorded("turtlesim_log")
     assert masked(turtlesim.lines) == masked([line for line in log if line.startswith("[")])
-
-
-@pytest.mark.parametrize("name", ["param_set", "param_set_bad", "param_set_range", "param_describe"])
-def test_parameters_match_the_recording(replay: Callable[[str], None], name: str) -> None:
-    replay(name)
+    for name in ("param_set", "param_set_bad", "param_set_range", "param_describe"):
+        replay(name)

@@ -2,33 +2,25 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
+import runpy
 
 import pytest
 
-CODE = """
-import tfloom.turtlesim.messages as ours
 import tfloom.demos.turtle_tf2_py.messages as theirs
-print(ours.Pose._TYPE_NAME, theirs.Pose._TYPE_NAME)
-"""
+import tfloom.turtlesim.messages as ours
+
+PACKAGES = {
+    **dict.fromkeys((None, "humble", "jazzy"), "turtlesim"),
+    **dict.fromkeys(("kilted", "rolling"), "turtlesim_msgs"),
+}
 
 
-@pytest.mark.parametrize(
-    ("distro", "package"),
-    [
-        (None, "turtlesim"),
-        ("humble", "turtlesim"),
-        ("jazzy", "turtlesim"),
-        ("kilted", "turtlesim_msgs"),
-        ("rolling", "turtlesim_msgs"),
-    ],
-)
-def test_package_name_depends_on_the_distribution(distro: str | None, package: str) -> None:
-    environment = {name: value for name, value in os.environ.items() if name != "ROS_DISTRO"}
+@pytest.mark.parametrize("distro", PACKAGES)
+def test_package_name_depends_on_the_distribution(
+    distro: str | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv("ROS_DISTRO", raising=False)
     if distro:
-        environment["ROS_DISTRO"] = distro
-    command = [sys.executable, "-c", CODE]
-    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
-    assert done.stdout.split() == [f"{package}/msg/Pose"] * 2
+        monkeypatch.setenv("ROS_DISTRO", distro)
+    for module in (ours, theirs):
+        assert f"{PACKAGES[distro]}/msg/Pose" == runpy.run_path(module.__file__)["Pose"]._TYPE_NAME

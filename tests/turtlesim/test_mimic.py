@@ -12,10 +12,8 @@ from tfloom.turtlesim.mimic import Mimic
 
 def test_mimic_publishes_the_velocities_of_the_pose(start_stage: Callable[..., Any]) -> None:
     stage = start_stage("-r", "input/pose:=/a/pose", "-r", "output/cmd_vel:=/b/cmd_vel")
-    mimic = Mimic()
-    stage.add(mimic)
-    commands: list[Twist] = []
-    stage.user.create_subscription(Twist, "/b/cmd_vel", commands.append, 10)
+    stage.add(Mimic())
+    commands = stage.heard(Twist, "/b/cmd_vel")
     seen = stage.user.create_publisher(Pose, "/a/pose", 10)
     seen.publish(Pose(x=1.0, linear_velocity=1.5, angular_velocity=-0.5))
     stage.spin_until(lambda: commands)

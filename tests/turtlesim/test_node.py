@@ -25,9 +25,7 @@ def twist(ahead: float = 0.0, left: float = 0.0, turn: float = 0.0) -> Twist:
 
 
 def poses_of(stage: Any, turtle: str = "turtle1") -> list[Pose]:
-    poses: list[Pose] = []
-    stage.user.create_subscription(Pose, f"/{turtle}/pose", poses.append, 7)
-    return poses
+    return stage.heard(Pose, f"/{turtle}/pose")
 
 
 def commander(stage: Any, turtle: str = "turtle1") -> Any:
@@ -100,8 +98,7 @@ def test_hitting_the_wall_logs_a_warning(stage: Any, capfd: pytest.CaptureFixtur
 
 
 def test_sensor_reads_the_stroke_under_the_turtle(stage: Any) -> None:
-    colors: list[Color] = []
-    stage.user.create_subscription(Color, "/turtle1/color_sensor", colors.append, 7)
+    colors = stage.heard(Color, "/turtle1/color_sensor")
     stage.spin_until(lambda: colors)
     assert colors[0] == Color(r=255, g=255, b=255)
     commander(stage).publish(twist(0.5))

@@ -92,14 +92,6 @@ def test_a_command_aborts_a_goal(stage: Any, goals: Goals, capfd: pytest.Capture
     assert texts(capfd) == ["[WARN] Velocity command received during rotation goal. Aborting goal"]
 
 
-def call(stage: Any, srv_type: Any, service: str, /, **fields: Any) -> Any:
-    client = stage.user.create_client(srv_type, service)
-    stage.spin_until(client.service_is_ready)
-    answer = client.call_async(srv_type.Request(**fields))
-    stage.spin_until(answer.done)
-    return answer.result()
-
-
 def actions_of(stage: Any) -> list[str]:
     topics = dict(stage.user.get_service_names_and_types_by_node("turtlesim", "/"))
     return [name for name in topics if "rotate_absolute" in name]
@@ -110,21 +102,21 @@ def test_killing_a_turning_turtle_aborts_its_goal(stage: Any, goals: Goals, aske
     handle = goals.send(3.0)
     stage.spin_until(lambda: stage.turtlesim.sim.world.turtles["turtle1"].rotation)
     asked = handle.get_result_async() if asked_before else None
-    call(stage, Kill, "/kill", name="turtle1")
+    stage.call(Kill, "/kill", name="turtle1")
     assert stage.turtlesim.sim.world.turtles == {}
     answer = goals.wait(asked or handle.get_result_async())
     assert answer.status == GoalStatus.STATUS_ABORTED
     assert not goals.send(0.1).accepted, "there is no turtle to turn"
     stage.spin_until(lambda: not actions_of(stage))
     assert stage.turtlesim._rotations["turtle1"].is_destroyed
-    assert call(stage, Spawn, "/spawn", name="turtle1").name == "turtle1"
+    assert stage.call(Spawn, "/spawn", name="turtle1").name == "turtle1"
     assert goals.result(goals.send(0.1))[0] == GoalStatus.STATUS_SUCCEEDED
 
 
 def test_reset_aborts_goals_and_the_new_turtle_accepts_others(stage: Any, goals: Goals) -> None:
     handle = goals.send(3.0)
     asked = handle.get_result_async()
-    call(stage, Empty, "/reset")
+    stage.call(Empty, "/reset")
     assert goals.wait(asked).status == GoalStatus.STATUS_ABORTED
     assert goals.result(goals.send(0.3))[0] == GoalStatus.STATUS_SUCCEEDED
     end = time.monotonic() + FAREWELL_S
@@ -134,7 +126,7 @@ def test_reset_aborts_goals_and_the_new_turtle_accepts_others(stage: Any, goals:
 
 def test_killed_turtle_without_goals_removes_its_action(stage: Any, goals: Goals) -> None:
     assert len(actions_of(stage)) == 3
-    call(stage, Kill, "/kill", name="turtle1")
+    stage.call(Kill, "/kill", name="turtle1")
     assert actions_of(stage) == []
 
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import io
-import subprocess
 import sys
 
 from PIL import Image
+from tests.conftest import run_to_end
 
 from tfloom.turtlesim.simulation import TurtleSim
 from tfloom.turtlesim.world import Moved, Stroke
@@ -40,9 +40,8 @@ def test_reset_clears_the_picture_and_the_world() -> None:
 
 def test_simulation_imports_no_ros_module() -> None:
     code = "import sys, tfloom.turtlesim.simulation; print(*sys.modules)"
-    loaded = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, check=True
-    ).stdout.split()
+    loaded = run_to_end([sys.executable, "-c", code]).stdout.split()
+    assert "tfloom.turtlesim.simulation" in loaded
     assert not [
         name for name in loaded if name.startswith(("tfloom.node", "tfloom.rmw", "tfloom.rosidl", "pygame"))
     ]

@@ -8,7 +8,6 @@ from __future__ import annotations
 import ctypes
 import ctypes.util
 import os
-import pty
 import shutil
 import subprocess
 from collections.abc import Callable, Iterator
@@ -18,12 +17,9 @@ from typing import Any
 import pytest
 from PIL import Image, ImageChops
 from tests.conftest import run_to_end
+from tests.spun import SpunNode, spun
 
 from tfloom.interfaces.turtlesim.msg import Pose
-from tfloom.node.client_library import init
-from tfloom.node.context.utilities import try_shutdown
-from tfloom.node.executing.executors import SingleThreadedExecutor
-from tfloom.node.node import Node
 from tfloom.turtlesim.simulation import TurtleSim
 
 pygame = pytest.importorskip("pygame", reason="the extra `turtlesim` isn't installed")
@@ -34,7 +30,6 @@ pytestmark = [
     ),
 ]
 TURTLESIM = ("tfloom", "run", "turtlesim", "turtlesim_node")
-TELEOP = ("tfloom", "run", "turtlesim", "turtle_teleop_key")
 STEADY = 20
 """How often in a row a window must be found to be the one that stays."""
 BACKGROUND = (69, 86, 255)
@@ -105,39 +100,22 @@ def screen() -> Iterator[Screen]:
         server.wait()
 
 
-class Watcher:
+class Watcher(SpunNode):
     """Subscribes to the turtle's pose."""
 
-    def __init__(self) -> None:
-        init(args=[])
-        self.poses: list[Pose] = []
-        self._node = Node("watcher")
-        self._node.create_subscription(Pose, "/turtle1/pose", self.poses.append, 10)
-        self._executor = SingleThreadedExecutor()
-        self._executor.add_node(self._node)
-
-    def sees(self, condition: Callable[[], object]) -> Callable[[], object]:
-        def look() -> object:
-            self._executor.spin_once(timeout_sec=0.01)
-            return condition()
-
-        return look
+    def __init__(self, domain_id: int) -> None:
+        super().__init__("watcher", domain_id)
+        self.poses = self.received(Pose, "/turtle1/pose")
 
     def is_at_rest(self) -> bool:
         last = self.poses[-2:]
         return len(last) == 2 and last[0] == last[1] and not last[0].linear_velocity
 
-    def end(self) -> None:
-        self._executor.shutdown()
-        self._node.destroy_node()
-        try_shutdown()
-
 
 @pytest.fixture
 def watcher(domain_id: int) -> Iterator[Watcher]:
-    watcher = Watcher()
-    yield watcher
-    watcher.end()
+    with spun(Watcher(domain_id)) as watcher:
+        yield watcher
 
 
 @pytest.fixture
@@ -180,23 +158,17 @@ def test_window_shows_the_turtle_driven_by_keys(
     window: str,
     screen: Screen,
     watcher: Watcher,
-    start_program: Callable[..., Any],
+    start_teleop: Callable[..., Any],
+    press: Callable[[bytes], int],
     wait_until: Callable[..., None],
     tmp_path: Path,
 ) -> None:
     assert '"TurtleSim"' in screen.run("xwininfo", "-id", window)
     assert screen.size(window) == (500, 500)
-    ours, theirs = pty.openpty()
-    teleop = start_program(*TELEOP, stdin=theirs)
-    teleop.wait_for("'Q' to quit.")
-
-    def driven() -> bool:
-        os.write(ours, b"\x1b[A")
-        return watcher.poses[-1].x > 7.5 if watcher.poses else False
-
-    wait_until(watcher.sees(driven))
-    wait_until(watcher.sees(watcher.is_at_rest))
-    os.write(ours, b"q")
+    teleop = start_teleop()
+    watcher.spin_until(lambda: press(b"\x1b[A") and watcher.poses and watcher.poses[-1].x > 7.5)
+    watcher.spin_until(watcher.is_at_rest)
+    press(b"q")
     assert teleop.wait() == 0
     scene = expected(watcher.poses[-1], 500)
     path = tmp_path / "window.png"
@@ -209,30 +181,27 @@ def test_window_shows_the_turtle_driven_by_keys(
     )
 
 
-@pytest.mark.parametrize("size", [(1000, 800), (300, 420)])
 def test_picture_resolution_follows_the_window_size(
     turtlesim: Any,
     window: str,
     screen: Screen,
     wait_until: Callable[..., None],
     tmp_path: Path,
-    size: tuple[int, int],
 ) -> None:
     screen.run("xdotool", "windowmove", window, "0", "0")
-    screen.run("xdotool", "windowsize", window, *map(str, size))
-    side = min(size)
-    left, top = (size[0] - side) // 2, (size[1] - side) // 2
-    scene = TurtleSim().render(side)
-    path = tmp_path / "window.png"
 
-    def is_shown() -> bool:
-        picture = screen.picture(window, path)
+    def is_shown(size: tuple[int, int]) -> bool:
+        side = min(size)
+        left, top = (size[0] - side) // 2, (size[1] - side) // 2
+        picture = screen.picture(window, tmp_path / "window.png")
         if picture.size != size:
             return False
         shown = picture.crop((left, top, left + side, top + side))
-        return ImageChops.difference(shown, scene).getbbox() is None
+        return ImageChops.difference(shown, TurtleSim().render(side)).getbbox() is None
 
-    wait_until(is_shown)
+    for size in ((1000, 800), (300, 420)):
+        screen.run("xdotool", "windowsize", window, *map(str, size))
+        wait_until(lambda size=size: is_shown(size))
 
 
 def ask_to_close(display: str, window: int) -> None:
