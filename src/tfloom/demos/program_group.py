@@ -115,9 +115,13 @@ class ProgramGroup:
         """Print the next line of the shown programs, and return it; an empty text if there is none in time."""
         with contextlib.suppress(queue.Empty):
             line = self._lines.get(timeout=timeout_s)
+            self._note(line)
             print(f"{line}\n", end="")  # in one piece, because Ctrl-C may come after any write
             return line
         return ""
+
+    def _note(self, line: str) -> None:
+        """Take note of a line of a shown program before it is printed, because Ctrl-C may come right after."""
 
     def output_of(self, name: str, patience_s: float) -> str:
         """Wait for the end of a program, and return the last lines that it printed.

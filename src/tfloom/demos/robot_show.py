@@ -108,9 +108,12 @@ class RobotShow(ProgramGroup):
             for name, program in self._programs.items():
                 if program.exit_code() is not None:
                     raise unexpected_end(name, program)
-            self._works |= IS_CORRECTED in self._print_line()
+            self._print_line()
             if not self._works and time.monotonic() > started + PATIENCE_S:
                 raise ShowError(f"the robot's pose was not corrected in {PATIENCE_S:.0f} s")
+
+    def _note(self, line: str) -> None:
+        self._works |= IS_CORRECTED in line
 
     def compare(self) -> None:
         """Print the errors of the recording, and where it is. The programs have to be at their end.
