@@ -145,8 +145,10 @@ import rclpy
 rclpy.init()
 lock = threading.Lock()
 is_running = True
+is_caught = threading.Event()
 
 def strike():
+    is_caught.wait()
     while is_running:
         time.sleep(0.0003)
         signal.pthread_kill(threading.main_thread().ident, signal.SIGINT)
@@ -156,6 +158,7 @@ interrupted = 0
 end = time.monotonic() + 20.0
 while interrupted < 100 and time.monotonic() < end:
     try:
+        is_caught.set()
         rclpy.try_shutdown()
         rclpy.init()
         while True:

@@ -213,6 +213,7 @@ def test_what_is_closed_delivers_and_writes_nothing(wires: Wires) -> None:
     writer = wires[0].create_writer(HERE, TOPIC, QoS())
     reader = wires[1].create_reader(THERE, TOPIC, QoS())
     writer.write(texts(1)[0])
+    wait_until(lambda: reader.matched_count() == writer.matched_count() == 1)
     for end in (reader, writer):
         end.close()
         end.close()

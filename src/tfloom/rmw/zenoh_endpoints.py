@@ -103,9 +103,9 @@ class ZenohEndpoint(ZenohEnd):
         """Note that a peer, compatible or not, has left."""
 
     def matched_count(self) -> int:
-        """Return how many compatible peers are connected now."""
+        """Return how many compatible peers are connected now; 0 once it is closed."""
         self._check_process()
-        return self.events.matched_count()
+        return 0 if self._is_closed else self.events.matched_count()
 
     def notify_event(self, event: Event, queue: ReadyQueue | None, token: int = 0) -> None:
         """Post `token` to `queue` when `take_event(event)` may have a new status, and once at the start; None ends it.
