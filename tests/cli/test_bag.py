@@ -8,7 +8,8 @@ import re
 import shutil
 import signal
 import sys
-from collections.abc import Callable
+import time
+from collections.abc import Callable, Iterator
 from contextlib import nullcontext
 from itertools import chain, pairwise
 from pathlib import Path
@@ -32,13 +33,20 @@ NO_KEYS = "stdin is not a terminal device. Keyboard handling disabled."
 
 
 @pytest.fixture
-def bags(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """Return a folder with copies of the recorded bags, under the names that the transcripts have."""
-    monkeypatch.setenv("TZ", "UTC")
+def bags(tmp_path: Path) -> Iterator[Path]:
+    """Return a folder with copies of the recorded bags, under the names that the transcripts have, and make it current.
+
+    The time zone is that of the transcripts.
+    """
     for name, short in {"mcap": "b1", "zstd_file": "b3", "split": "b4", "sqlite3": "b6"}.items():
         shutil.copytree(BAGS / name, tmp_path / short, copy_function=shutil.copyfile)
         (tmp_path / short).chmod(0o755)
-    return tmp_path
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(tmp_path)
+        patch.setenv("TZ", "UTC")
+        time.tzset()
+        yield tmp_path
+    time.tzset()
 
 
 def unstamped(text: str) -> str:
@@ -69,7 +77,7 @@ def sorted_choices(text: str) -> str:
 )
 def test_answers_are_the_recorded_ones(name: str, bags: Path) -> None:
     recorded = transcript.golden(name)
-    found = transcript.run(*recorded.command, cwd=bags)
+    found = transcript.run_here(*recorded.command)
     assert sorted_choices(found.text) == sorted_choices(recorded.text)
     assert found.exit_code == recorded.exit_code
 
@@ -78,12 +86,12 @@ def test_bag_without_metadata_and_reindexing(bags: Path) -> None:
     shutil.copytree(bags / "b1", bags / "b5")
     (bags / "b5" / "metadata.yaml").unlink()
     recorded = transcript.golden("bag_info_no_metadata")
-    found = transcript.run(*recorded.command, cwd=bags)
+    found = transcript.run_here(*recorded.command)
     assert found.exit_code == recorded.exit_code
     # A second line tells what to do: bag-errors of docs/deviations.md.
     assert found.text == f"{recorded.text}\n`ros2 bag reindex b5` writes one from its files"
     recorded_lines = (transcript.GOLDEN / "bag_reindex.txt").read_text("utf-8")
-    found = transcript.run("bag", "reindex", "b5", cwd=bags)
+    found = transcript.run_here("bag", "reindex", "b5")
     assert found.exit_code == 0
     text = f"{found.text}\n{(bags / 'b5' / 'metadata.yaml').read_text('utf-8')}[exit 0]\n"
     assert CLOCK.sub("", text) == CLOCK.sub("", recorded_lines.partition("\n")[2])
@@ -92,8 +100,8 @@ def test_bag_without_metadata_and_reindexing(bags: Path) -> None:
 def test_conversion(bags: Path) -> None:
     shutil.rmtree(bags / "b6")
     (bags / "conv.yaml").write_text("output_bags:\n- uri: b6\n  storage_id: sqlite3\n  all: true\n")
-    found = transcript.run("bag", "convert", "-i", "b1", "-o", "conv.yaml", cwd=bags)
-    info = transcript.run("bag", "info", "b6", cwd=bags)
+    found = transcript.run_here("bag", "convert", "-i", "b1", "-o", "conv.yaml")
+    info = transcript.run_here("bag", "info", "b6")
     recorded = transcript.golden("bag_convert").text
     # Types that we know have hashes in the converted bag, so it is larger.
     size = re.compile(r"Bag size:          \d+\.\d KiB")
@@ -109,10 +117,7 @@ def test_conversion_joins_filters_and_compresses(bags: Path) -> None:
 - {uri: part, regex: pose, start_time_ns: 1795304290532093605, end_time_ns: 1795304291532093605}
 """
     )
-    assert (
-        transcript.run("bag", "convert", "-i", "b1", "-i", "b4", "mcap", "-o", "two.yaml", cwd=bags).text
-        == ""
-    )
+    assert transcript.run_here("bag", "convert", "-i", "b1", "-i", "b4", "mcap", "-o", "two.yaml").text == ""
     with open_bag(bags / "joined") as bag:
         assert bag.message_count == 876 - 1 + 1521
         stamps = [message.log_time_ns for message in bag.messages()]
@@ -148,7 +153,6 @@ MISTAKES: list[tuple[tuple[str, ...], str]] = [
 def test_mistakes_are_explained_in_a_sentence(
     bags: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.chdir(bags)
     monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
     (bags / "empty.yaml").touch()
     wrong = []
@@ -174,15 +178,14 @@ def test_lists() -> None:
     assert "zstd: " in transcript.run_here("bag", "list", "-v", "compressor").text
 
 
-def test_services_are_counted(tmp_path: Path) -> None:
+def test_services_are_counted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
     writer = BagWriter(tmp_path / "bag")
     channel = writer.add_topic(topic("/add/_service_event", "example_interfaces/srv/AddTwoInts_Event"))
     for number, kind in enumerate([0, 1, 2, 3, 1]):
         writer.push(channel, bytes([0, 1, 0, 0, kind, *bytes(40)]), START_NS + number, START_NS)
     writer.close()
-    lines = "\n".join(
-        transcript.run("bag", "info", *words, cwd=tmp_path).text for words in (("bag",), ("-v", "bag"))
-    )
+    lines = "\n".join(transcript.run_here("bag", "info", *words).text for words in (("bag",), ("-v", "bag")))
     start = "Service information: Service: /add | Type: example_interfaces/srv/AddTwoInts | "
     assert f"{start}Event Count: 5 | Serialization Format: cdr" in lines
     assert f"{start}Request Count: 2 | Response Count: 1 | Serialization Format: cdr" in lines
@@ -300,10 +303,11 @@ def test_type_that_only_a_peer_knows_is_recorded_with_its_definition(
     assert read_by_rosbags(tmp_path / "bag")
 
 
-def test_unfinished_file_is_told_of_in_a_line(tmp_path: Path) -> None:
+def test_unfinished_file_is_told_of_in_a_line(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
     data = (BAGS / "mcap" / "b1_0.mcap").read_bytes()
     (tmp_path / "cut.mcap").write_bytes(data[:60_000])
-    found = transcript.run("bag", "info", "cut.mcap", cwd=tmp_path)
+    found = transcript.run_here("bag", "info", "cut.mcap")
     warnings = [
         line for line in found.text.splitlines() if "[WARN] [ros2bag]: cut.mcap: the file has no end" in line
     ]

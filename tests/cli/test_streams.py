@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -34,18 +33,10 @@ def node(module_domain_id: int, start_module_program: Callable[..., Any]) -> Non
     start_module_program(sys.executable, "-c", NODE).wait_for("ready")
 
 
-def run(*words: str, constants: dict[str, float] | None = None) -> tuple[int, str, str]:
+def run(*words: str) -> tuple[int, str, str]:
     """Run a verb; return its exit code, and what it printed on stdout and on stderr."""
-    command = transcript.python_words(*words, constants=constants or {})
-    done = subprocess.run(
-        [sys.executable, *command],
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=60,
-        stdin=subprocess.DEVNULL,
-    )
-    return done.returncode, done.stdout, done.stderr
+    out, err = transcript.Output(), transcript.Output()
+    return transcript.exit_code_of(words, out, err), out.text, err.text
 
 
 def test_info_of_an_unknown_action(node: None) -> None:

@@ -232,17 +232,17 @@ def simulated() -> tuple[Any, Callable[[int], None]]:
 def test_rates_over_a_window(simulated: Any, capsys: pytest.CaptureFixture[str]) -> None:
     node, set_time = simulated
     rate = ROSTopicHz(node, 3, filter_expr=lambda message: message.data >= 0)
-    for second in (10, 11, 12, 13):
+    for second in (10, 11, 12, 14):
         set_time(second * 10**9)
         rate.callback_hz(Int8(data=1), "/a")
         rate.callback_hz(Int8(data=-1), "/a")
     assert rate.get_hz("/other") is None
-    assert rate.get_times("/a") == [10**9, 10**9]
+    assert rate.get_times("/a") == [10**9, 2 * 10**9]
     rate.print_hz("/a")
-    expected = "average rate: 1.000\n\tmin: 1.000s max: 1.000s std dev: 0.00000s window: 3\n"
+    expected = "average rate: 0.667\n\tmin: 1.000s max: 2.000s std dev: 0.50000s window: 3\n"
     assert capsys.readouterr().out == expected
     assert rate.get_hz("/a") is None  # nothing new
-    assert rate.get_last_printed_tn("/a") == 13 * 10**9
+    assert rate.get_last_printed_tn("/a") == 14 * 10**9
     set_time(5 * 10**9)  # the simulation has started again
     rate.callback_hz(Int8(), "/a")
     set_time(7 * 10**9)

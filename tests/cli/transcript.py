@@ -7,7 +7,7 @@ import re
 import shlex
 import subprocess
 import sys
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 from types import MappingProxyType
@@ -72,14 +72,31 @@ def run(
 
 def run_here(*words: str) -> Transcript:
     """Run the command as `run` does, but in this process, because the start of a Python takes most of a verb's time."""
-    output = io.TextIOWrapper(io.BytesIO(), "utf-8")
-    with redirect_stdout(output), redirect_stderr(output):
+    output = Output()
+    exit_code = exit_code_of(words, output, output)
+    return Transcript(list(words), output.text.rstrip("\n"), exit_code)
+
+
+class Output(io.TextIOWrapper):
+    """A stream of this process."""
+
+    def __init__(self) -> None:
+        super().__init__(io.BytesIO(), "utf-8")
+
+    @property
+    def text(self) -> str:
+        """What was written so far."""
+        self.flush()
+        return self.buffer.getvalue().decode()
+
+
+def exit_code_of(words: Sequence[str], out: Output, err: Output) -> int:
+    """Run the command under ros2's name in this process; return its exit code."""
+    with redirect_stdout(out), redirect_stderr(err):
         try:
-            exit_code = main(words, prog="ros2")
+            return main(words, prog="ros2")
         except SystemExit as end:
-            exit_code = int(end.code or 0)
-    output.flush()
-    return Transcript(list(words), output.buffer.getvalue().decode().rstrip("\n"), exit_code)
+            return int(end.code or 0)
 
 
 def check(name: str, without_end: str = "") -> None:
