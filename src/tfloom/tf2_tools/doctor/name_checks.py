@@ -14,6 +14,7 @@ from tfloom.tf2_tools.doctor.subject import (
     for_each_publisher,
     listed,
     source_of,
+    sources_of,
 )
 from tfloom.tf2_tools.text.counts import counted
 
@@ -52,7 +53,7 @@ def _unchecked_transforms(subject: Subject) -> Iterator[Finding]:
         if publisher.traffic is not None
         and publisher.traffic.transforms > recorded[publisher.gid, publisher.topic]
     ]
-    who = f" of {listed(str(source) for source in sources)}" if sources else ""
+    who = f" of {listed(sources)}" if sources else ""
     unchecked = counted(subject.seen.unrecorded, "transform")
     yield Finding(
         "TF204",
@@ -85,7 +86,7 @@ def _order_finding(subject: Subject, outer: str, inner: str) -> Finding:
     # In a reversed order, every edge from the outer frame up to the inner one is wrong; otherwise only the inner's own.
     chain = outer_branch[: outer_branch.index(inner)] if is_reversed else [inner]
     edges = [edge for frame in chain for edge in subject.edges_of[frame]]
-    sources = sorted({source_of(edge.publisher) for edge in edges})
+    sources = sources_of(edges)
     summary = (
         f"{outer} hangs below {inner}, but REP 105 puts {inner} below {outer}"
         if is_reversed
@@ -102,10 +103,10 @@ def _misspelled_frame(subject: Subject, frame: str) -> Iterator[Finding]:
         return
     near = [frame, *subject.tree.children.get(frame, ())]
     edges = [e for child in near for e in subject.edges_of.get(child, ()) if frame in e.frames]
-    sources = sorted({source_of(edge.publisher) for edge in edges})
+    sources = sources_of(edges)
     yield Finding(
         "TF203",
-        f"{frame} is {prefix}{slash}{meant} in REP 105; it is from {listed(str(source) for source in sources)}",
+        f"{frame} is {prefix}{slash}{meant} in REP 105; it is from {listed(sources)}",
         sources,
         [frame],
         [evidence_of(edge, f"from {source_of(edge.publisher)}") for edge in edges],

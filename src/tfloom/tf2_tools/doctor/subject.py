@@ -98,14 +98,19 @@ def source_of(publisher: Publisher) -> Source:
     return Source(node, publisher.topic, "" if publisher.origin else publisher.gid.hex())
 
 
+def sources_of(edges: Iterable[Edge]) -> list[Source]:
+    """Return the publishers of edges as the sources of a finding, in order, each once."""
+    return sorted({source_of(edge.publisher) for edge in edges})
+
+
 def edge_text(edge: Edge) -> str:
     """Return an edge as `parent -> child`."""
     return f"{edge.parent or chr(39) * 2} -> {edge.child or chr(39) * 2}"
 
 
-def listed(names: Iterable[str]) -> str:
-    """Return names with commas, the first few of many."""
-    names = list(names)
+def listed(things: Iterable[object]) -> str:
+    """Return the names of things, as of sources, with commas; the first few of many."""
+    names = list(map(str, things))
     more = f" and {len(names) - SHOWN} more" if len(names) > SHOWN else ""
     return ", ".join(names[:SHOWN]) + more
 

@@ -14,6 +14,7 @@ from tfloom.tf2_tools.doctor.subject import (
     is_own_parent,
     listed,
     source_of,
+    sources_of,
 )
 from tfloom.tf2_tools.text.counts import counted
 from tfloom.tf2_tools.watch.model import Edge, Publisher, stored_name
@@ -34,7 +35,7 @@ def check_tree(subject: Subject, limits: Limits) -> Iterator[Finding]:  # noqa: 
 
 def _silence_finding(subject: Subject) -> Finding:
     sources = [source_of(publisher) for publisher in subject.seen.publishers]
-    who = f"from {listed(str(source) for source in sources)}" if sources else "and there is no publisher"
+    who = f"from {listed(sources)}" if sources else "and there is no publisher"
     evidence = [
         Evidence(f"transforms are on {topic}: try `--tf-topic {topic}`", {"topic": topic})
         for topic in subject.other_topics
@@ -75,29 +76,15 @@ def _shared_child(child: str, edges: list[Edge]) -> Iterator[Finding]:
         owners = {_owner(edge.publisher) for edge in same}
         if len(owners) < 2 or not _are_at_once(same):
             continue
-        sources = sorted({source_of(edge.publisher) for edge in same})
-        names = listed(str(source) for source in sources)
-        yield Finding(
-            "TF101",
-            f"{len(owners)} publishers send {child}: {names}",
-            sources,
-            [child],
-            [_rate_evidence(edge) for edge in same],
-        )
+        summary = f"{len(owners)} publishers send {child}: {listed(sources_of(same))}"
+        yield _finding("TF101", summary, [child], same)
 
 
 def _mixed_child(child: str, edges: list[Edge]) -> Iterator[Finding]:
     if len({edge.is_static for edge in edges}) < 2:
         return
-    sources = sorted({source_of(edge.publisher) for edge in edges})
-    names = listed(str(source) for source in sources)
-    yield Finding(
-        "TF102",
-        f"{child} is static and dynamic: {names}",
-        sources,
-        [child],
-        [_rate_evidence(edge) for edge in edges],
-    )
+    summary = f"{child} is static and dynamic: {listed(sources_of(edges))}"
+    yield _finding("TF102", summary, [child], edges)
 
 
 def _reparented_child(subject: Subject, child: str, edges: list[Edge]) -> Iterator[Finding]:
@@ -110,14 +97,13 @@ def _reparented_child(subject: Subject, child: str, edges: list[Edge]) -> Iterat
     # returns to a parent that it had left.
     if len(parents) < 2 or changes < len(parents):
         return
-    sources = sorted({source_of(edge.publisher) for edge in edges})
-    yield Finding(
-        "TF103",
-        f"{child} changed its parent {changes} times, between {listed(parents)}",
-        sources,
-        [child],
-        [_rate_evidence(edge) for edge in edges],
-    )
+    summary = f"{child} changed its parent {changes} times, between {listed(parents)}"
+    yield _finding("TF103", summary, [child], edges)
+
+
+def _finding(code: str, summary: str, frames: list[str], edges: list[Edge]) -> Finding:
+    """Return a finding on edges, with their publishers and their rates."""
+    return Finding(code, summary, sources_of(edges), frames, [_rate_evidence(edge) for edge in edges])
 
 
 def _rate_evidence(edge: Edge) -> Evidence:
@@ -130,11 +116,8 @@ def _loops(subject: Subject) -> Iterator[Finding]:
     for loop in subject.tree.loops():
         parents = zip(loop, [*loop[1:], loop[0]], strict=True)
         edges = [e for child, up in parents for e in subject.edges_of[child] if stored_name(e.parent) == up]
-        sources = sorted({source_of(edge.publisher) for edge in edges})
         way = " -> ".join([*reversed(loop), loop[-1]])
-        yield Finding(
-            "TF104", f"the frames {way} form a loop", sources, loop, [_rate_evidence(edge) for edge in edges]
-        )
+        yield _finding("TF104", f"the frames {way} form a loop", loop, edges)
 
 
 def _separate_trees(subject: Subject) -> Iterator[Finding]:
@@ -147,16 +130,15 @@ def _separate_trees(subject: Subject) -> Iterator[Finding]:
     # The largest tree is taken for the right one; the publishers of the others are to be mended.
     roots.sort(key=lambda root: (-len(members[root]), root))
     outer = {frame for root in roots[1:] for frame in members[root]}
-    sources = {source_of(edge.publisher) for frame in outer for edge in subject.edges_of.get(frame, ())}
+    sources = sources_of(edge for frame in outer for edge in subject.edges_of.get(frame, ()))
     evidence = [
         Evidence(f"the tree of {root}: {listed(members[root])}", {"root": root, "frames": len(members[root])})
         for root in roots
     ]
     yield Finding(
         "TF105",
-        f"there are {len(roots)} trees, of {listed(roots)}; the smaller ones are from "
-        f"{listed(str(source) for source in sorted(sources))}",
-        sorted(sources),
+        f"there are {len(roots)} trees, of {listed(roots)}; the smaller ones are from {listed(sources)}",
+        sources,
         roots,
         evidence,
     )
