@@ -69,7 +69,7 @@ HOMES = {
     "tfloom.launch.launch_description.LaunchDescription": "launch.launch_description",
     "tfloom.launch.launch_description_entity.LaunchDescriptionEntity": "launch.launch_description_entity",
     "tfloom.launch.launch_description_source.LaunchDescriptionSource": "launch.launch_description_source",
-    "tfloom.launch.launch_description_sources.python_launch_file_utilities.InvalidPythonLaunchFileError": "launch.launch_description_sources.python_launch_file_utilities",
+    "tfloom.launch.launch_description_sources.loading.InvalidPythonLaunchFileError": "launch.launch_description_sources.python_launch_file_utilities",
     "tfloom.launch.launch_description_sources.sources.AnyLaunchDescriptionSource": "launch.launch_description_sources.any_launch_description_source",
     "tfloom.launch.launch_description_sources.sources.FrontendLaunchDescriptionSource": "launch.launch_description_sources.frontend_launch_description_source",
     "tfloom.launch.launch_description_sources.sources.PythonLaunchDescriptionSource": "launch.launch_description_sources.python_launch_description_source",

@@ -10,6 +10,7 @@ import pytest
 
 from tfloom.launch import logging as launch_logging
 from tfloom.launch.descriptions import executable
+from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.launch_service import LaunchService
@@ -36,6 +37,12 @@ def _logs(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPa
 def _process_numbers(monkeypatch: pytest.MonkeyPatch) -> None:
     """Begin the numbers of processes anew, which count on within a program."""
     monkeypatch.setattr(executable, "_process_numbers", itertools.count(1))
+
+
+@pytest.fixture
+def context() -> LaunchContext:
+    """Return the context of a launch that doesn't run."""
+    return LaunchContext()
 
 
 @pytest.fixture

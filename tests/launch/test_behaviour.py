@@ -140,8 +140,7 @@ def test_a_mock_of_an_action_is_a_target() -> None:
         OnProcessExit(target_action=NonCallableMock(spec=Action), on_exit=[])
 
 
-def test_locals_can_only_be_read() -> None:
-    context = LaunchContext()
+def test_locals_can_only_be_read(context: LaunchContext) -> None:
     context.extend_locals({"foo": 1})
     with pytest.raises(AttributeError, match="can't set attribute 'foo', locals are read-only"):
         context.locals.foo = 2
@@ -159,8 +158,7 @@ def test_a_process_that_keeps_a_launch_alive_ends_with_0_at_any_time(launch: Lau
     assert codes == [0] * 5
 
 
-def test_emitted_events_and_handlers_are_counted() -> None:
-    context = LaunchContext()
+def test_emitted_events_and_handlers_are_counted(context: LaunchContext) -> None:
     context.emit_event_sync(ShutdownEvent(reason="first"))
     asyncio.run(context.emit_event(ShutdownEvent(reason="second")))
     assert context._event_queue.qsize() == 2

@@ -29,8 +29,7 @@ def test_variables_are_attributes() -> None:
         context.extend_globals({"whole": 3})
 
 
-def test_what_is_pushed_is_restored() -> None:
-    context = LaunchContext()
+def test_what_is_pushed_is_restored(context: LaunchContext) -> None:
     context.extend_locals({"part": 1})
     context.launch_configurations["who"] = "me"
     context._push_locals()
@@ -60,8 +59,7 @@ def test_the_environment_is_that_of_the_process(monkeypatch: pytest.MonkeyPatch)
     assert os.environ["FIRST"] == "1"
 
 
-def test_handlers_are_asked_in_order_and_removed() -> None:
-    context = LaunchContext()
+def test_handlers_are_asked_in_order_and_removed(context: LaunchContext) -> None:
     handlers = [EventHandler(matcher=lambda _: True) for _ in range(3)]
     context.register_event_handler(handlers[0])
     context.register_event_handler(handlers[1])
@@ -120,8 +118,7 @@ def test_instances_are_told_from_classes() -> None:
     assert not is_a_subclass("a", int)
 
 
-def test_tests_may_set_what_the_service_sets() -> None:
-    context = LaunchContext()
+def test_tests_may_set_what_the_service_sets(context: LaunchContext) -> None:
     context._set_is_shutdown(True)
     assert context.is_shutdown
     loop = asyncio.new_event_loop()

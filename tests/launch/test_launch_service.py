@@ -234,24 +234,6 @@ def test_a_service_runs_in_a_loop_of_the_program() -> None:
     assert asyncio.run(main()) == 0
 
 
-def test_a_cancelled_task_ends_the_launch_in_order(wait_until: Callable[..., None]) -> None:
-    written: list[str] = []
-
-    async def main() -> None:
-        service = LaunchService()
-        service.include_launch_description(
-            LaunchDescription([RegisterEventHandler(OnShutdown(on_shutdown=[Note(written, "ended")]))])
-        )
-        task = asyncio.ensure_future(service.run_async(shutdown_when_idle=False))
-        await asyncio.sleep(0.05)
-        task.cancel()
-        with pytest.raises(asyncio.CancelledError):
-            await task
-
-    asyncio.run(main())
-    assert written == ["ended"]
-
-
 @pytest.mark.parametrize(
     ("number", "line"),
     [
@@ -314,19 +296,20 @@ def test_a_second_signal_emits_no_second_shutdown(launch: Launch) -> None:
     assert reasons == ["SIGTERM received"]
 
 
-def test_a_cancelled_task_ends_what_waits(wait_until: Callable[..., None]) -> None:
-    started: list[str] = []
+def test_a_cancelled_task_ends_what_waits_in_order() -> None:
+    written: list[str] = []
 
     async def main() -> None:
         service = LaunchService()
-        service.include_launch_description(
-            LaunchDescription([TimerAction(period=600.0, actions=[]), Note(started, "visited")])
-        )
+        ended = RegisterEventHandler(OnShutdown(on_shutdown=[Note(written, "ended")]))
+        waits = TimerAction(period=600.0, actions=[])
+        service.include_launch_description(LaunchDescription([ended, waits, Note(written, "visited")]))
         task = asyncio.ensure_future(service.run_async())
-        while not started:  # noqa: ASYNC110  # of the launch
+        while not written:  # noqa: ASYNC110  # of the launch
             await asyncio.sleep(0.01)
         task.cancel()
         await asyncio.wait([task], timeout=8.0)
         assert task.cancelled()
 
     asyncio.run(asyncio.wait_for(main(), 60.0))
+    assert written == ["visited", "ended"]

@@ -111,7 +111,7 @@ def parse_launch_arguments(launch_arguments: Iterable[str]) -> Any:
 
 
 def _load(path: str) -> LaunchDescription:
-    from tfloom.launch.launch_description_sources.any_launch_file_utilities import (
+    from tfloom.launch.launch_description_sources.loading import (
         get_launch_description_from_any_launch_file,
     )
 

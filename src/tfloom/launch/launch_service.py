@@ -39,7 +39,7 @@ from tfloom.launch.run_state import HandlesEvents
 from tfloom.launch.utilities.error_places import describe_failure
 from tfloom.launch.utilities.normalize_to_list_of_entities import normalize_to_list_of_entities
 from tfloom.launch.utilities.signal_management import AsyncSafeSignalManager
-from tfloom.launch.utilities.visit_all_entities_and_collect_futures import visit_all_entities
+from tfloom.launch.utilities.visits import visit_all_entities
 from tfloom.ros_guard import ros_repr
 
 __all__ = ["LaunchService"]

@@ -14,8 +14,7 @@ from tfloom.launch.substitutions.text_substitution import TextSubstitution
 from tfloom.launch.substitutions.variables import LaunchConfiguration
 
 
-def test_name_and_value_are_performed() -> None:
-    context = LaunchContext()
+def test_name_and_value_are_performed(context: LaunchContext) -> None:
     SetLaunchConfiguration("a", "one").visit(context)
     SetLaunchConfiguration(["b_", LaunchConfiguration("a")], LaunchConfiguration("a")).visit(context)
     assert context.launch_configurations == {"a": "one", "b_one": "one"}
@@ -29,8 +28,7 @@ def test_properties_are_lists_of_substitutions() -> None:
     assert [part.describe() for part in UnsetLaunchConfiguration(TextSubstitution(text="a")).name] == ["'a'"]
 
 
-def test_removing_one_that_is_not_set_is_no_error() -> None:
-    context = LaunchContext()
+def test_removing_one_that_is_not_set_is_no_error(context: LaunchContext) -> None:
     context.launch_configurations.update(a="one", b="two")
     UnsetLaunchConfiguration(LaunchConfiguration("a")).visit(context)
     assert context.launch_configurations == {"a": "one", "b": "two"}
@@ -38,8 +36,7 @@ def test_removing_one_that_is_not_set_is_no_error() -> None:
     assert context.launch_configurations == {"b": "two"}
 
 
-def test_scopes_are_nested() -> None:
-    context = LaunchContext()
+def test_scopes_are_nested(context: LaunchContext) -> None:
     context.launch_configurations["a"] = "outer"
     PushLaunchConfigurations().visit(context)
     context.launch_configurations["a"] = "middle"
@@ -51,8 +48,7 @@ def test_scopes_are_nested() -> None:
     assert context.launch_configurations == {"a": "outer"}
 
 
-def test_reset_keeps_what_was_performed_before() -> None:
-    context = LaunchContext()
+def test_reset_keeps_what_was_performed_before(context: LaunchContext) -> None:
     context.launch_configurations.update(a="one", b="two")
     ResetLaunchConfigurations({"a": LaunchConfiguration("b"), LaunchConfiguration("a"): "c"}).visit(context)
     assert context.launch_configurations == {"a": "two", "one": "c"}

@@ -10,8 +10,7 @@ from tfloom.launch.substitutions.text_substitution import TextSubstitution
 from tfloom.launch.substitutions.variables import LaunchConfiguration
 
 
-def test_default_is_performed_when_no_value_was_given() -> None:
-    context = LaunchContext()
+def test_default_is_performed_when_no_value_was_given(context: LaunchContext) -> None:
     context.launch_configurations["other"] = "one"
     DeclareLaunchArgument("a", default_value=["of ", LaunchConfiguration("other")]).visit(context)
     assert context.launch_configurations["a"] == "of one"
@@ -19,8 +18,7 @@ def test_default_is_performed_when_no_value_was_given() -> None:
     assert context.launch_configurations["a"] == "of one"
 
 
-def test_empty_default_is_a_value() -> None:
-    context = LaunchContext()
+def test_empty_default_is_a_value(context: LaunchContext) -> None:
     DeclareLaunchArgument("a", default_value="").visit(context)
     assert context.launch_configurations["a"] == ""
 
@@ -44,8 +42,7 @@ def test_description_names_the_choices(options: dict[str, object], description: 
     assert DeclareLaunchArgument("x", **options).description == description
 
 
-def test_value_must_be_one_of_the_choices() -> None:
-    context = LaunchContext()
+def test_value_must_be_one_of_the_choices(context: LaunchContext) -> None:
     argument = DeclareLaunchArgument("mode", choices=["a", "b"], default_value="a")
     argument.visit(context)
     assert argument.choices == ["a", "b"]

@@ -21,8 +21,7 @@ from tfloom.launch.substitutions.variables import LaunchConfiguration
 NAME = "TFLOOM_LAUNCH_TEST"
 
 
-def test_variable_is_set_for_later_processes_and_removed() -> None:
-    context = LaunchContext()
+def test_variable_is_set_for_later_processes_and_removed(context: LaunchContext) -> None:
     context.launch_configurations["value"] = "one"
     SetEnvironmentVariable(["TFLOOM_", "LAUNCH_TEST"], LaunchConfiguration("value")).visit(context)
     assert os.environ[NAME] == context.environment[NAME] == "one"
@@ -41,8 +40,7 @@ def test_variable_is_set_for_later_processes_and_removed() -> None:
         ({"prepend": [LaunchConfiguration("no")]}, f"one{os.pathsep}two"),
     ],
 )
-def test_appending(options: dict[str, object], expected: str) -> None:
-    context = LaunchContext()
+def test_appending(options: dict[str, object], expected: str, context: LaunchContext) -> None:
     context.launch_configurations["no"] = "false"
     AppendEnvironmentVariable(NAME, "one", **options).visit(context)
     assert os.environ[NAME] == "one"

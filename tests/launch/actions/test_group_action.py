@@ -13,9 +13,7 @@ from tfloom.launch.actions.opaque import OpaqueFunction
 from tfloom.launch.conditions import IfCondition
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.substitutions.variables import LaunchConfiguration
-from tfloom.launch.utilities.visit_all_entities_and_collect_futures import (
-    visit_all_entities_and_collect_futures,
-)
+from tfloom.launch.utilities.visits import visit_all_entities_and_collect_futures
 
 NAME = "TFLOOM_LAUNCH_TEST"
 
@@ -61,8 +59,7 @@ def test_scope(options: dict[str, Any], inner: dict[str, str], after: dict[str, 
     assert inner_and_outer(**options) == (inner, after)
 
 
-def test_environment_is_scoped() -> None:
-    context = LaunchContext()
+def test_environment_is_scoped(context: LaunchContext) -> None:
     values: list[str | None] = []
 
     def see(context: LaunchContext) -> None:
@@ -91,8 +88,7 @@ def test_a_group_without_forwarding_starts_with_the_first_environment(
     assert values == ["first", "outer"]
 
 
-def test_condition_holds_for_all_actions() -> None:
-    context = LaunchContext()
+def test_condition_holds_for_all_actions(context: LaunchContext) -> None:
     group = GroupAction(
         [SetLaunchConfiguration("a", "1"), SetLaunchConfiguration("b", "1")],
         scoped=False,
@@ -102,8 +98,7 @@ def test_condition_holds_for_all_actions() -> None:
     assert context.launch_configurations == {}
 
 
-def test_a_group_is_visited_twice() -> None:
-    context = LaunchContext()
+def test_a_group_is_visited_twice(context: LaunchContext) -> None:
     group = GroupAction(iter([SetLaunchConfiguration("a", "1")]), scoped=False)
     for _ in range(2):
         context.launch_configurations.clear()

@@ -18,9 +18,7 @@ from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.launch_description_source import LaunchDescriptionSource
 from tfloom.launch.ros.actions.node_defaults import SetParameter, SetRemap
 from tfloom.launch.substitutions.variables import LaunchConfiguration
-from tfloom.launch.utilities.visit_all_entities_and_collect_futures import (
-    visit_all_entities_and_collect_futures,
-)
+from tfloom.launch.utilities.visits import visit_all_entities_and_collect_futures
 
 
 def visited(*entities: LaunchDescriptionEntity) -> dict[str, str]:
@@ -129,11 +127,12 @@ def test_place_of_the_current_file(tmp_path: Path) -> None:
 
 
 def test_a_file_that_includes_itself_is_an_error_that_names_the_circle(tmp_path: Path) -> None:
-    one, two = str(tmp_path / "one.launch.xml"), str(tmp_path / "two.launch.xml")
-    write(Path(one), f'<include file="{two}"/>', '<arg name="late"/>')
-    write(Path(two), f'<include file="{one}"/>')
-    with pytest.raises(CircularIncludeError, match=r"two.launch.xml -> .*one.launch.xml -> .*two.launch.xml"):
+    one, two = str(tmp_path / "one.launch.xml"), str(tmp_path / "two.launch.yaml")
+    write(Path(one), '<include file="$(dirname)/two.launch.yaml"/>', '<arg name="late"/>')
+    Path(two).write_text("launch: [{include: {file: $(dirname)/one.launch.xml}}]")
+    with pytest.raises(CircularIncludeError) as error:
         visited(IncludeLaunchDescription(one, launch_arguments=[("late", "1")]))
+    assert str(error.value).endswith(f"launch files include each other in a circle: {two} -> {one} -> {two}")
     (argument,) = LaunchDescription([IncludeLaunchDescription(one)]).get_launch_arguments()
     assert argument.name == "late"
 

@@ -31,8 +31,7 @@ def logged() -> Iterator[list[tuple[str, str]]]:
     logger.setLevel(level)
 
 
-def test_each_level(logged: list[tuple[str, str]]) -> None:
-    context = LaunchContext()
+def test_each_level(logged: list[tuple[str, str]], context: LaunchContext) -> None:
     context.launch_configurations["who"] = "100 %d"
     message = ["hello ", LaunchConfiguration("who")]
     for action in (LogDebug, LogInfo, LogWarning, LogError):

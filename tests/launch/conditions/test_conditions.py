@@ -29,8 +29,7 @@ from tfloom.launch.substitutions.variables import LaunchConfiguration
         ("False\n", False),
     ],
 )
-def test_text_is_true_or_false(text: str, value: bool) -> None:
-    context = LaunchContext()
+def test_text_is_true_or_false(text: str, value: bool, context: LaunchContext) -> None:
     context.launch_configurations["x"] = text
     assert IfCondition(text).evaluate(context) is value
     assert IfCondition([LaunchConfiguration("x")]).evaluate(context) is value
@@ -40,8 +39,7 @@ def test_text_is_true_or_false(text: str, value: bool) -> None:
 
 @pytest.mark.parametrize("text", ["", "yes", "2", "truefalse"])
 @pytest.mark.parametrize("kind", [IfCondition, UnlessCondition])
-def test_other_texts_are_errors(text: str, kind: type[IfCondition]) -> None:
-    context = LaunchContext()
+def test_other_texts_are_errors(text: str, kind: type[IfCondition], context: LaunchContext) -> None:
     context.launch_configurations["x"] = text
     with pytest.raises(InvalidConditionExpressionError) as raised:
         kind(LaunchConfiguration("x")).evaluate(context)
@@ -61,8 +59,7 @@ def test_description() -> None:
     ("expected", "is_equal"),
     [("world", True), ([TextSubstitution(text="wor"), "ld"], True), ("moon", False), (None, False)],
 )
-def test_value_of_a_launch_configuration(expected: str, is_equal: bool) -> None:
-    context = LaunchContext()
+def test_value_of_a_launch_configuration(expected: str, is_equal: bool, context: LaunchContext) -> None:
     context.launch_configurations["who"] = "world"
     with pytest.warns(UserWarning, match="EqualsSubstitution"):
         equals = LaunchConfigurationEquals("who", expected)
@@ -73,8 +70,7 @@ def test_value_of_a_launch_configuration(expected: str, is_equal: bool) -> None:
 
 
 @pytest.mark.filterwarnings("ignore:.*EqualsSubstitution")
-def test_launch_configuration_that_is_not_set() -> None:
-    context = LaunchContext()
+def test_launch_configuration_that_is_not_set(context: LaunchContext) -> None:
     assert LaunchConfigurationEquals("who", None).evaluate(context)
     assert not LaunchConfigurationEquals("who", "").evaluate(context)
     assert not LaunchConfigurationNotEquals("who", None).evaluate(context)

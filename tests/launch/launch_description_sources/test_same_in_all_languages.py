@@ -8,9 +8,7 @@ from typing import Any
 
 import pytest
 
-from tfloom.launch.launch_description_sources.any_launch_file_utilities import (
-    get_launch_description_from_any_launch_file,
-)
+from tfloom.launch.launch_description_sources.loading import get_launch_description_from_any_launch_file
 from tfloom.launch.substitutions.text_substitution import TextSubstitution
 
 HEAD = """

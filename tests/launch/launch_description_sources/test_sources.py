@@ -16,11 +16,9 @@ from tfloom.launch.invalid_launch_file_error import InvalidLaunchFileError
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.launch_description_source import LaunchDescriptionSource
-from tfloom.launch.launch_description_sources.any_launch_file_utilities import (
-    get_launch_description_from_any_launch_file,
-)
-from tfloom.launch.launch_description_sources.python_launch_file_utilities import (
+from tfloom.launch.launch_description_sources.loading import (
     InvalidPythonLaunchFileError,
+    get_launch_description_from_any_launch_file,
     get_launch_description_from_python_launch_file,
     load_python_launch_file_as_module,
 )
@@ -233,16 +231,14 @@ def test_circle_of_includes_is_refused() -> None:
         include(LaunchContext(), "/a", "/a")
 
 
-def test_file_included_twice_by_one_file_is_no_circle() -> None:
-    context = LaunchContext()
+def test_file_included_twice_by_one_file_is_no_circle(context: LaunchContext) -> None:
     include(context, "/a")
     for _ in range(100):
         include(context, "/b", "/c")
         context.extend_locals({"current_launch_file_path": "/a"})
 
 
-def test_file_may_include_itself_with_other_arguments() -> None:
-    context = LaunchContext()
+def test_file_may_include_itself_with_other_arguments(context: LaunchContext) -> None:
     for number in range(50):
         context.launch_configurations["n"] = str(number)
         include(context, "/a")
@@ -251,38 +247,8 @@ def test_file_may_include_itself_with_other_arguments() -> None:
         include(context, "/a")
 
 
-def test_launched_files_that_include_each_other(tmp_path: Path, launch: Callable[..., Any]) -> None:
-    a, b = tmp_path / "a.launch.xml", tmp_path / "b.launch.yaml"
-    a.write_text('<launch><include file="$(dirname)/b.launch.yaml"/></launch>')
-    b.write_text("launch: [{include: {file: $(dirname)/a.launch.xml}}]")
-    ran = launch(IncludeLaunchDescription(str(a)))
-    assert ran.code == 1
-    assert f"launch files include each other in a circle: {a} -> {b} -> {a}" in ran.lines[-1]
-
-
-def test_launched_file_ends_the_inclusion_of_itself(tmp_path: Path, launch: Callable[..., Any]) -> None:
-    (tmp_path / "a.launch.xml").write_text(
-        '<launch><arg name="n" default="3"/><log message="n = $(var n)"/>'
-        '<include file="$(filename)" unless="$(equals $(var n) 1)">'
-        '<arg name="n" value="$(eval \'$(var n) - 1\')"/></include></launch>'
-    )
-    ran = launch(IncludeLaunchDescription(str(tmp_path / "a.launch.xml")))
-    assert (ran.code, ran.lines) == (0, [f"[INFO] [launch.user]: n = {n}" for n in (3, 2, 1)])
-
-
 def test_actions_of_a_timer_know_their_launch_file(tmp_path: Path, launch: Callable[..., Any]) -> None:
     path = tmp_path / "a.launch.yaml"
     path.write_text("launch: [{timer: {period: 0.01, children: [{log: {message: $(dirname) $(filename)}}]}}]")
     ran = launch(IncludeLaunchDescription(str(path)))
     assert (ran.code, ran.lines) == (0, [f"[INFO] [launch.user]: {tmp_path} {path}"])
-
-
-def test_arguments_of_files_that_include_each_other(tmp_path: Path) -> None:
-    (tmp_path / "a.launch.xml").write_text(
-        '<launch><arg name="x"/><include file="$(dirname)/b.launch.yaml"/></launch>'
-    )
-    (tmp_path / "b.launch.yaml").write_text(
-        f"launch: [{{arg: {{name: y}}}}, {{include: {{file: {tmp_path}/a.launch.xml}}}}]"
-    )
-    description = get_launch_description_from_any_launch_file(str(tmp_path / "b.launch.yaml"))
-    assert [argument.name for argument in description.get_launch_arguments()] == ["y", "x"]

@@ -96,8 +96,7 @@ def test_paths_are_files_in_every_form(tmp_path: Path) -> None:
     assert files == (path,) * 5
 
 
-def test_parameter_is_shown_before_and_after_its_evaluation() -> None:
-    context = LaunchContext()
+def test_parameter_is_shown_before_and_after_its_evaluation(context: LaunchContext) -> None:
     parameter = Parameter([text("a"), "b"], text("1"), value_type=int)
     assert str(parameter).startswith("launch_ros.parameter_descriptions.Parameter(name=[")
     assert parameter.evaluate(context) == ("ab", 1)
@@ -107,8 +106,7 @@ def test_parameter_is_shown_before_and_after_its_evaluation() -> None:
     )
 
 
-def test_file_with_substitutions_is_removed_by_cleanup(tmp_path: Path) -> None:
-    context = LaunchContext()
+def test_file_with_substitutions_is_removed_by_cleanup(tmp_path: Path, context: LaunchContext) -> None:
     context.launch_configurations["x"] = "1"
     path = tmp_path / "p.yaml"
     path.write_text("/**: {ros__parameters: {a: $(var x)}}", "utf-8")

@@ -58,8 +58,7 @@ def test_timer_stands_still_in_simulated_time(launch: Callable[..., object]) -> 
     assert ran.lines == []
 
 
-def test_adapter_is_one_for_a_launch() -> None:
-    context = LaunchContext()
+def test_adapter_is_one_for_a_launch(context: LaunchContext) -> None:
     adapter = get_ros_adapter(context)
     try:
         assert get_ros_adapter(context) is adapter

@@ -62,8 +62,7 @@ def test_wrong_number_of_arguments(text: str) -> None:
         perform(text)
 
 
-def test_parameter_is_what_was_set_last() -> None:
-    context = LaunchContext()
+def test_parameter_is_what_was_set_last(context: LaunchContext) -> None:
     with pytest.raises(SubstitutionFailure, match="parameter 'a' is not set"):
         perform("$(param a)", context)
     assert perform("$(param a none)", context) == "none"

@@ -169,15 +169,13 @@ def python_command(code: str) -> str:
     return shlex.join([sys.executable, "-c", code])
 
 
-def test_command_returns_the_output() -> None:
-    context = LaunchContext()
+def test_command_returns_the_output(context: LaunchContext) -> None:
     assert Command(python_command("print('a b')")).perform(context) == "a b\n"
     assert Command([python_command("import sys; print(sys.argv[1])"), " 'x y'"]).perform(context) == "x y\n"
     assert Command("ls").describe() == "Command('ls')"
 
 
-def test_command_has_the_environment_of_the_context() -> None:
-    context = LaunchContext()
+def test_command_has_the_environment_of_the_context(context: LaunchContext) -> None:
     context.environment["TFLOOM_TEST"] = "here"
     shown = Command(python_command("import os; print(os.environ['TFLOOM_TEST'])")).perform(context)
     assert shown == "here\n"
@@ -186,8 +184,7 @@ def test_command_has_the_environment_of_the_context() -> None:
 LOUD = python_command("import sys; print('out', flush=True); print('err', file=sys.stderr)")
 
 
-def test_command_that_writes_to_stderr(caplog: pytest.LogCaptureFixture) -> None:
-    context = LaunchContext()
+def test_command_that_writes_to_stderr(caplog: pytest.LogCaptureFixture, context: LaunchContext) -> None:
     with pytest.raises(SubstitutionFailure, match="executed command showed stderr output") as raised:
         Command(LOUD).perform(context)
     assert "err" in str(raised.value)

@@ -5,13 +5,9 @@ from __future__ import annotations
 from tfloom.launch.frontend.parser import Parser
 from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.launch_description_source import LaunchDescriptionSource
-from tfloom.launch.launch_description_sources.any_launch_file_utilities import (
+from tfloom.launch.launch_description_sources.loading import (
     get_launch_description_from_any_launch_file,
-)
-from tfloom.launch.launch_description_sources.frontend_launch_file_utilities import (
     get_launch_description_from_frontend_launch_file,
-)
-from tfloom.launch.launch_description_sources.python_launch_file_utilities import (
     get_launch_description_from_python_launch_file,
 )
 from tfloom.launch.substitution import SomeSubstitutionsType

@@ -24,11 +24,11 @@ if TYPE_CHECKING:
     from launch.launch_description_sources import python_launch_file_utilities as python_launch_file_utilities
     from tfloom.launch.frontend.parser import InvalidFrontendLaunchFileError as InvalidFrontendLaunchFileError
     from tfloom.launch.invalid_launch_file_error import InvalidLaunchFileError as InvalidLaunchFileError
-    from tfloom.launch.launch_description_sources.any_launch_file_utilities import get_launch_description_from_any_launch_file as get_launch_description_from_any_launch_file
-    from tfloom.launch.launch_description_sources.frontend_launch_file_utilities import get_launch_description_from_frontend_launch_file as get_launch_description_from_frontend_launch_file
-    from tfloom.launch.launch_description_sources.python_launch_file_utilities import InvalidPythonLaunchFileError as InvalidPythonLaunchFileError
-    from tfloom.launch.launch_description_sources.python_launch_file_utilities import get_launch_description_from_python_launch_file as get_launch_description_from_python_launch_file
-    from tfloom.launch.launch_description_sources.python_launch_file_utilities import load_python_launch_file_as_module as load_python_launch_file_as_module
+    from tfloom.launch.launch_description_sources.loading import InvalidPythonLaunchFileError as InvalidPythonLaunchFileError
+    from tfloom.launch.launch_description_sources.loading import get_launch_description_from_any_launch_file as get_launch_description_from_any_launch_file
+    from tfloom.launch.launch_description_sources.loading import get_launch_description_from_frontend_launch_file as get_launch_description_from_frontend_launch_file
+    from tfloom.launch.launch_description_sources.loading import get_launch_description_from_python_launch_file as get_launch_description_from_python_launch_file
+    from tfloom.launch.launch_description_sources.loading import load_python_launch_file_as_module as load_python_launch_file_as_module
     from tfloom.launch.launch_description_sources.sources import AnyLaunchDescriptionSource as AnyLaunchDescriptionSource
     from tfloom.launch.launch_description_sources.sources import FrontendLaunchDescriptionSource as FrontendLaunchDescriptionSource
     from tfloom.launch.launch_description_sources.sources import PythonLaunchDescriptionSource as PythonLaunchDescriptionSource
@@ -41,16 +41,16 @@ else:
         FrontendLaunchDescriptionSource="tfloom.launch.launch_description_sources.sources",
         InvalidFrontendLaunchFileError="tfloom.launch.frontend.parser",
         InvalidLaunchFileError="tfloom.launch.invalid_launch_file_error",
-        InvalidPythonLaunchFileError="tfloom.launch.launch_description_sources.python_launch_file_utilities",
+        InvalidPythonLaunchFileError="tfloom.launch.launch_description_sources.loading",
         PythonLaunchDescriptionSource="tfloom.launch.launch_description_sources.sources",
         any_launch_description_source="launch.launch_description_sources",
         any_launch_file_utilities="launch.launch_description_sources",
         frontend_launch_description_source="launch.launch_description_sources",
         frontend_launch_file_utilities="launch.launch_description_sources",
-        get_launch_description_from_any_launch_file="tfloom.launch.launch_description_sources.any_launch_file_utilities",
-        get_launch_description_from_frontend_launch_file="tfloom.launch.launch_description_sources.frontend_launch_file_utilities",
-        get_launch_description_from_python_launch_file="tfloom.launch.launch_description_sources.python_launch_file_utilities",
-        load_python_launch_file_as_module="tfloom.launch.launch_description_sources.python_launch_file_utilities",
+        get_launch_description_from_any_launch_file="tfloom.launch.launch_description_sources.loading",
+        get_launch_description_from_frontend_launch_file="tfloom.launch.launch_description_sources.loading",
+        get_launch_description_from_python_launch_file="tfloom.launch.launch_description_sources.loading",
+        load_python_launch_file_as_module="tfloom.launch.launch_description_sources.loading",
         python_launch_description_source="launch.launch_description_sources",
         python_launch_file_utilities="launch.launch_description_sources",
     )

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from tfloom.launch.utilities.signal_management import AsyncSafeSignalManager as AsyncSafeSignalManager
     from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions as normalize_to_list_of_substitutions
     from tfloom.launch.utilities.substitutions import perform_substitutions as perform_substitutions
-    from tfloom.launch.utilities.visit_all_entities_and_collect_futures import visit_all_entities_and_collect_futures as visit_all_entities_and_collect_futures
+    from tfloom.launch.utilities.visits import visit_all_entities_and_collect_futures as visit_all_entities_and_collect_futures
 else:
     from tfloom.ros_modules import deferred
 
@@ -54,6 +54,6 @@ else:
         signal_management="launch.utilities",
         type_utils="launch.utilities",
         typing_file_path="launch.utilities",
-        visit_all_entities_and_collect_futures="tfloom.launch.utilities.visit_all_entities_and_collect_futures",
+        visit_all_entities_and_collect_futures="tfloom.launch.utilities.visits",
         visit_all_entities_and_collect_futures_impl="launch.utilities",
     )

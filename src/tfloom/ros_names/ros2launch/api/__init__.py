@@ -26,14 +26,14 @@ if TYPE_CHECKING:
     from tfloom.cli.launch_api import print_arguments_of_launch_description as print_arguments_of_launch_description
     from tfloom.cli.launch_api import print_arguments_of_launch_file as print_arguments_of_launch_file
     from tfloom.launch.invalid_launch_file_error import InvalidLaunchFileError as InvalidLaunchFileError
-    from tfloom.launch.launch_description_sources.python_launch_file_utilities import InvalidPythonLaunchFileError as InvalidPythonLaunchFileError
+    from tfloom.launch.launch_description_sources.loading import InvalidPythonLaunchFileError as InvalidPythonLaunchFileError
 else:
     from tfloom.ros_modules import deferred
 
     __getattr__, __dir__ = deferred(
         __name__,
         InvalidLaunchFileError="tfloom.launch.invalid_launch_file_error",
-        InvalidPythonLaunchFileError="tfloom.launch.launch_description_sources.python_launch_file_utilities",
+        InvalidPythonLaunchFileError="tfloom.launch.launch_description_sources.loading",
         LaunchFileNameCompleter="tfloom.cli.launch_api",
         MultipleLaunchFilesError="tfloom.cli.launch_api",
         api="ros2launch.api",

@@ -17,12 +17,12 @@ from tfloom.workspace.ament import get_package_share_directory as get_package_sh
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.launch.frontend.parser import Parser as Parser
-    from tfloom.launch.launch_description_sources.any_launch_file_utilities import get_launch_description_from_any_launch_file as get_launch_description_from_any_launch_file
+    from tfloom.launch.launch_description_sources.loading import get_launch_description_from_any_launch_file as get_launch_description_from_any_launch_file
 else:
     from tfloom.ros_modules import deferred
 
     __getattr__, __dir__ = deferred(
         __name__,
         Parser="tfloom.launch.frontend.parser",
-        get_launch_description_from_any_launch_file="tfloom.launch.launch_description_sources.any_launch_file_utilities",
+        get_launch_description_from_any_launch_file="tfloom.launch.launch_description_sources.loading",
     )
