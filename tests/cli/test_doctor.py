@@ -233,10 +233,10 @@ def reach(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize(
     ("asked", "said"), [("LOCALHOST", "the sockets are bound to loopback"), ("OFF", "no socket is open")]
 )
-@pytest.mark.usefixtures("reach")
 def test_what_stays_on_this_machine_is_sound(
-    asked: str, said: str, domain_id: int, monkeypatch: pytest.MonkeyPatch
+    asked: str, said: str, domain_id: int, reach: None, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    # After `domain_id`, which may name another wire than DDS.
     monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", asked)
     assert check_reach()[:2] == (Verdict.OK, f"within this machine: {said}")
     monkeypatch.setenv("ROS_SECURITY_ENABLE", "true")
