@@ -4,16 +4,12 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Callable, Iterable
-from typing import TYPE_CHECKING
 
 from tfloom.cli.errors import CommandError
 from tfloom.cli.names import full_name
 from tfloom.cli.parser import VerbParser
 from tfloom.workspace import index
 from tfloom.workspace.interfaces import interface_packages, known_interfaces
-
-if TYPE_CHECKING:
-    from tfloom.rosidl.message import Message
 
 MAX_WAIT_S = 1.0
 """The longest wait of a completion for discovery [s]."""
@@ -101,30 +97,17 @@ def _type_of_action(args: argparse.Namespace) -> list[str]:
     return sorted(types) or known_interfaces("action")
 
 
-def _message(args: argparse.Namespace) -> list[str]:
-    """Return a message of the typed type with its defaults; nothing for an unknown type."""
-    from tfloom.cli.interfaces import message_class
-
-    return _prototype(message_class, args.message_type)
-
-
-def _request(args: argparse.Namespace) -> list[str]:
-    from tfloom.cli.interfaces import service_class
-
-    return _prototype(lambda name: service_class(name).Request, args.service_type)
-
-
-def _goal(args: argparse.Namespace) -> list[str]:
-    from tfloom.cli.interfaces import action_class
-
-    return _prototype(lambda name: action_class(name).Goal, args.action_type)
-
-
-def _prototype(find_class: Callable[[str], type[Message]], type_name: str) -> list[str]:
+def _prototype(args: argparse.Namespace) -> list[str]:
+    """Return a message, a request or a goal of the typed type with its defaults; nothing for an unknown type."""
+    from tfloom.cli.interfaces import action_class, message_class, service_class
     from tfloom.cli.prototype import prototype
 
     try:
-        return [prototype(find_class(type_name)())]
+        if "message_type" in args:
+            return [prototype(message_class(args.message_type)())]
+        if "service_type" in args:
+            return [prototype(service_class(args.service_type).Request())]
+        return [prototype(action_class(args.action_type).Goal())]
     except CommandError:  # there is no such type
         return []
 
@@ -208,9 +191,9 @@ _OFFERS: dict[tuple[str, ...], Callable[[argparse.Namespace], Iterable[str]]] = 
     ("service_type",): _type_of_service,
     ("action_name",): _actions,
     ("action_type",): _type_of_action,
-    ("pub", "values"): _message,
-    ("call", "values"): _request,
-    ("send_goal", "goal"): _goal,
+    ("pub", "values"): _prototype,
+    ("call", "values"): _prototype,
+    ("send_goal", "goal"): _prototype,
     ("parameter_name",): _parameters,
     ("parameter_names",): _parameters,
     ("topic_type",): lambda _: known_interfaces("msg"),

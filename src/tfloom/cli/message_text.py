@@ -30,7 +30,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def message_text(args: argparse.Namespace) -> Callable[[Any], str]:
     """Return the function that converts a message, a field of one, or several fields by their paths to text."""
-    options = text_options(args)
+    # The keywords of `yaml_text.message_to_yaml` for the flags.
+    options: dict[str, Any] = {
+        "truncate_length": None if args.full_length else args.truncate_length,
+        "no_arr": args.no_arr,
+        "no_str": args.no_str,
+        "flow_style": args.flow_style,
+    }
     of_csv = {name: options[name] for name in ("truncate_length", "no_arr", "no_str")}
 
     def csv(value: Any) -> str:
@@ -66,13 +72,3 @@ def _titled(path: str, value: Any, options: dict[str, Any]) -> str:
         return f"{path}: {value}"
     lines = message_to_yaml(value, **options).splitlines()
     return "\n  ".join([f"{path}:", *lines])
-
-
-def text_options(args: argparse.Namespace) -> dict[str, Any]:
-    """Return the keywords of `yaml_text.message_to_yaml` for the flags."""
-    return {
-        "truncate_length": None if args.full_length else args.truncate_length,
-        "no_arr": args.no_arr,
-        "no_str": args.no_str,
-        "flow_style": args.flow_style,
-    }

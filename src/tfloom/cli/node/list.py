@@ -5,14 +5,13 @@ from __future__ import annotations
 import argparse
 import sys
 
-from tfloom.cli.graph import add_arguments as add_graph_arguments
-from tfloom.cli.graph import is_hidden, settled_graph
+from tfloom.cli import graph
 from tfloom.cli.listing import print_names
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments of `node list`."""
-    add_graph_arguments(parser)
+    graph.add_arguments(parser)
     parser.add_argument(
         "-a", "--all", action="store_true", help="show nodes whose name begins with an underscore, too"
     )
@@ -22,10 +21,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Print the nodes' full names in order."""
-    with settled_graph(args.spin_time) as graph:
-        names = [node.full for node in graph.nodes()]
+    with graph.settled_graph(args.spin_time) as found:
+        names = [node.full for node in found.nodes()]
     if not args.all:
-        names = [name for name in names if not is_hidden(name)]
+        names = [name for name in names if not graph.is_hidden(name)]
     if len(set(names)) < len(names) and not args.count_nodes:
         print(
             "WARNING: Be aware that there are nodes in the graph that share an exact name, "

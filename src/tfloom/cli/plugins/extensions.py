@@ -14,11 +14,8 @@ from tfloom.cli.plugins.plugin_system import (
 __all__ = ["CommandExtension", "VerbExtension", "get_command_extensions", "get_verb_extensions"]
 
 
-class CommandExtension:
-    """A command, whose entry point is in the group `ros2cli.command`.
-
-    A derived class defines `main`, and `add_arguments` if it takes any. Its docstring's first line is its help.
-    """
+class _Extension:
+    """What a command and a verb have in common."""
 
     NAME: str | None = None
     """The name of the entry point, which is set when the extension is created."""
@@ -27,6 +24,13 @@ class CommandExtension:
     def __init__(self) -> None:
         super().__init__()
         satisfies_version(PLUGIN_SYSTEM_VERSION, "^0.1")
+
+
+class CommandExtension(_Extension):
+    """A command, whose entry point is in the group `ros2cli.command`.
+
+    A derived class defines `main`, and `add_arguments` if it takes any. Its docstring's first line is its help.
+    """
 
     def add_arguments(
         self, parser: argparse.ArgumentParser, cli_name: str, *, argv: list[str] | None = None
@@ -38,19 +42,11 @@ class CommandExtension:
         raise NotImplementedError
 
 
-class VerbExtension:
+class VerbExtension(_Extension):
     """A verb, whose entry point is in its command's group, as `ros2topic.verb`.
 
     A derived class defines `main`, and `add_arguments` if it takes any. Its docstring's first line is its help.
     """
-
-    NAME: str | None = None
-    """The name of the entry point, which is set when the extension is created."""
-    EXTENSION_POINT_VERSION = "0.1"
-
-    def __init__(self) -> None:
-        super().__init__()
-        satisfies_version(PLUGIN_SYSTEM_VERSION, "^0.1")
 
     def add_arguments(self, parser: argparse.ArgumentParser, cli_name: str) -> None:
         """Add the verb's arguments to its parser."""

@@ -112,11 +112,5 @@ def _kind(link: Link) -> str:
 
 
 def _plain(difference: Difference) -> dict[str, object]:
-    return {
-        "kind": difference.kind,
-        "child": difference.child,
-        "before": None if difference.before is None else difference.before._asdict(),
-        "after": None if difference.after is None else difference.after._asdict(),
-        "distance": difference.distance,
-        "angle_rad": difference.angle_rad,
-    }
+    before, after = (link and link._asdict() for link in (difference.before, difference.after))
+    return {**difference._asdict(), "before": before, "after": after}

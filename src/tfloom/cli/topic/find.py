@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli.graph import add_arguments as add_graph_arguments
-from tfloom.cli.graph import known_topics, names_of_type, settled_graph
+from tfloom.cli import graph
 from tfloom.cli.listing import print_names
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments of `topic find`."""
-    add_graph_arguments(parser)
+    graph.add_arguments(parser)
     parser.add_argument("topic_type", help="type of the topics, for example geometry_msgs/msg/Twist")
     parser.add_argument("-c", "--count-topics", action="store_true", help="print only the number")
     parser.add_argument(
@@ -25,8 +24,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Print the topics in order of their names."""
-    with settled_graph(args.spin_time) as graph:
-        topics = known_topics(graph.endpoints())
-    names = names_of_type(topics, args.topic_type, "msg", hidden=args.include_hidden_topics)
+    with graph.settled_graph(args.spin_time) as found:
+        topics = graph.known_topics(found.endpoints())
+    names = graph.names_of_type(topics, args.topic_type, "msg", hidden=args.include_hidden_topics)
     print_names(names, as_json=args.json, only_count=args.count_topics)
     return 0

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import argparse
 
+from tfloom.cli import graph
 from tfloom.cli.errors import CommandError
-from tfloom.cli.graph import add_arguments as add_graph_arguments
-from tfloom.cli.graph import known_topics, settled_graph
 from tfloom.cli.listing import print_json
 from tfloom.cli.names import did_you_mean, full_topic_name
 from tfloom.rmw.base import EndpointInfo
@@ -15,7 +14,7 @@ from tfloom.rmw.endpoint_text import UNKNOWN_NODE, endpoint_text, policy_texts
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments of `topic info`."""
-    add_graph_arguments(parser)
+    graph.add_arguments(parser)
     parser.add_argument("topic_name", help="name of the topic")
     parser.add_argument(
         "-v",
@@ -29,9 +28,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def main(args: argparse.Namespace) -> int:
     """Print type and numbers; with --verbose, each endpoint."""
     name = full_topic_name(args.topic_name)
-    with settled_graph(args.spin_time) as graph:
-        everything = graph.endpoints()
-    topics = known_topics(everything)
+    with graph.settled_graph(args.spin_time) as found:
+        everything = found.endpoints()
+    topics = graph.known_topics(everything)
     if name not in topics:
         raise CommandError(f"Unknown topic '{name}'{did_you_mean(name, topics)}")
     ends = [end for end in everything if end.topic.name == name]

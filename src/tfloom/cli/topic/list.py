@@ -5,15 +5,14 @@ from __future__ import annotations
 import argparse
 from collections import Counter
 
-from tfloom.cli.graph import add_arguments as add_graph_arguments
-from tfloom.cli.graph import is_hidden, known_topics, settled_graph, topic_types
+from tfloom.cli import graph
 from tfloom.cli.listing import print_json, print_types
 from tfloom.rmw.base import EndpointInfo
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments of `topic list`."""
-    add_graph_arguments(parser)
+    graph.add_arguments(parser)
     parser.add_argument("-t", "--show-types", action="store_true", help="show each topic's types")
     parser.add_argument("-c", "--count-topics", action="store_true", help="show only the number")
     parser.add_argument(
@@ -30,11 +29,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Print the topics in order of their names."""
-    with settled_graph(args.spin_time) as graph:
-        endpoints = graph.endpoints()
+    with graph.settled_graph(args.spin_time) as found:
+        endpoints = found.endpoints()
     if not args.include_hidden_topics:
-        endpoints = [endpoint for endpoint in endpoints if not is_hidden(endpoint.topic.name)]
-    topics = known_topics(endpoints)
+        endpoints = [endpoint for endpoint in endpoints if not graph.is_hidden(endpoint.topic.name)]
+    topics = graph.known_topics(endpoints)
     if args.json:
         _print_json(topics, endpoints)
     elif args.verbose and not args.count_topics:
@@ -48,7 +47,7 @@ def main(args: argparse.Namespace) -> int:
 def _print_side(title: str, noun: str, endpoints: list[EndpointInfo]) -> None:
     counts = Counter(endpoint.topic.name for endpoint in endpoints)
     print(title)
-    for name, types in topic_types(endpoints).items():
+    for name, types in graph.topic_types(endpoints).items():
         print(f" * {name} [{', '.join(types)}] {counts[name]} {noun}{'s' if counts[name] > 1 else ''}")
     print()
 
