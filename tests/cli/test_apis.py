@@ -19,43 +19,12 @@ from ros2cli.node import NODE_NAME_PREFIX
 from ros2cli.node.direct import DirectNode
 from ros2cli.node.strategy import NodeStrategy, add_arguments
 from ros2interface.api import interface_to_yaml, type_completer
-from ros2node.api import (
-    NodeName,
-    NodeNameCompleter,
-    get_absolute_node_name,
-    get_action_client_info,
-    get_action_server_info,
-    get_node_names,
-    get_publisher_info,
-    get_service_client_info,
-    get_service_server_info,
-    get_subscriber_info,
-    has_duplicates,
-    parse_node_name,
-    wait_for_node,
-)
-from ros2param.api import (
-    call_describe_parameters,
-    call_get_parameters,
-    call_list_parameters,
-    call_set_parameters,
-    get_parameter_type_string,
-    get_value,
-    load_parameter_file,
-)
+from ros2node import api as node_api
+from ros2param import api as param_api
 from ros2pkg.api import PackageNotFound, get_executable_paths, get_package_names, get_prefix_path
 from ros2run.api import MultipleExecutables, get_executable_path, run_executable
 from ros2service.api import get_service_class, get_service_names, get_service_names_and_types
-from ros2topic.api import (
-    TopicMessagePrototypeCompleter,
-    TopicTypeCompleter,
-    add_qos_arguments,
-    get_msg_class,
-    get_topic_names,
-    get_topic_names_and_types,
-    positive_int,
-    qos_profile_from_short_keys,
-)
+from ros2topic import api as topic_api
 from std_msgs.msg import Int8, String
 from std_srvs.srv import Empty
 
@@ -99,16 +68,16 @@ OF_EVERY_NODE = {"/parameter_events", "/rosout"}
 
 
 def test_topics(strategy: NodeStrategy) -> None:
-    assert {*get_topic_names(node=strategy)} == {"/words", "/over/heard", *OF_EVERY_NODE}
-    topics = dict(get_topic_names_and_types(node=strategy, include_hidden_topics=True))
+    assert {*topic_api.get_topic_names(node=strategy)} == {"/words", "/over/heard", *OF_EVERY_NODE}
+    topics = dict(topic_api.get_topic_names_and_types(node=strategy, include_hidden_topics=True))
     assert topics["/_secret"] == ["std_msgs/msg/String"]
-    assert get_msg_class(strategy, "/words") is String
-    assert get_msg_class(strategy, "words") is String
-    assert get_msg_class(strategy, "/_secret") is None
-    assert get_msg_class(strategy, "/_secret", include_hidden_topics=True) is String
+    assert topic_api.get_msg_class(strategy, "/words") is String
+    assert topic_api.get_msg_class(strategy, "words") is String
+    assert topic_api.get_msg_class(strategy, "/_secret") is None
+    assert topic_api.get_msg_class(strategy, "/_secret", include_hidden_topics=True) is String
     strategy.direct_node.create_publisher(Int8, "/words", 10)
     with pytest.raises(RuntimeError, match=r"more than one type: \[std_msgs/msg/Int8, std_msgs/msg/String\]"):
-        get_msg_class(strategy, "/words")
+        topic_api.get_msg_class(strategy, "/words")
 
 
 def test_class_of_a_topic_that_is_awaited(there: int, capsys: pytest.CaptureFixture[str]) -> None:
@@ -124,34 +93,34 @@ def test_class_of_a_topic_that_is_awaited(there: int, capsys: pytest.CaptureFixt
             def get_namespace(self) -> str:
                 return node.get_namespace()
 
-        assert get_msg_class(Later(), "late", blocking=True) is Int8  # type: ignore[arg-type]
+        assert topic_api.get_msg_class(Later(), "late", blocking=True) is Int8  # type: ignore[arg-type]
     assert len(found) >= 3
     assert capsys.readouterr().out == "WARNING: topic [late] does not appear to be published yet\n"
 
 
 def test_nodes(strategy: NodeStrategy) -> None:
-    assert get_node_names(node=strategy) == [NodeName("there", "/over", "/over/there")]
-    hidden = {name.name for name in get_node_names(node=strategy, include_hidden_nodes=True)}
+    assert node_api.get_node_names(node=strategy) == [node_api.NodeName("there", "/over", "/over/there")]
+    hidden = {name.name for name in node_api.get_node_names(node=strategy, include_hidden_nodes=True)}
     assert hidden == {"there", f"{NODE_NAME_PREFIX}_{os.getpid()}"}
-    assert wait_for_node(strategy, False, "/over/there", 5.0)
-    assert not wait_for_node(strategy, False, "/nobody", 0.0)
+    assert node_api.wait_for_node(strategy, False, "/over/there", 5.0)
+    assert not node_api.wait_for_node(strategy, False, "/nobody", 0.0)
 
 
 def test_what_a_node_has(strategy: NodeStrategy) -> None:
     def names(get: Callable[..., Any], **options: bool) -> set[str]:
         return {info.name for info in get(node=strategy, remote_node_name="/over/there", **options)}
 
-    assert names(get_publisher_info) == {"/words", *OF_EVERY_NODE}
-    assert "/_secret" in names(get_publisher_info, include_hidden=True)
-    assert names(get_subscriber_info) == {"/over/heard"}
-    assert {"/over/reset", "/over/there/get_parameters"} <= names(get_service_server_info)
-    assert names(get_service_client_info) == {"/elsewhere"}
-    assert names(get_action_server_info) == {"/over/count"}
-    assert names(get_action_client_info) == {"/other"}
-    (action,) = get_action_server_info(node=strategy, remote_node_name="over/there")
+    assert names(node_api.get_publisher_info) == {"/words", *OF_EVERY_NODE}
+    assert "/_secret" in names(node_api.get_publisher_info, include_hidden=True)
+    assert names(node_api.get_subscriber_info) == {"/over/heard"}
+    assert {"/over/reset", "/over/there/get_parameters"} <= names(node_api.get_service_server_info)
+    assert names(node_api.get_service_client_info) == {"/elsewhere"}
+    assert names(node_api.get_action_server_info) == {"/over/count"}
+    assert names(node_api.get_action_client_info) == {"/other"}
+    (action,) = node_api.get_action_server_info(node=strategy, remote_node_name="over/there")
     assert action == ("/over/count", ["example_interfaces/action/Fibonacci"])
     with pytest.raises(RuntimeError):
-        get_publisher_info(node=strategy, remote_node_name="/nobody")
+        node_api.get_publisher_info(node=strategy, remote_node_name="/nobody")
 
 
 def test_services(strategy: NodeStrategy) -> None:
@@ -179,26 +148,28 @@ def test_actions(strategy: NodeStrategy) -> None:
 def test_parameters(there: int, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     where = {"node_name": "/over/there"}
     with DirectNode(argparse.Namespace()) as node:
-        future = call_list_parameters(node=node, **where)
+        future = param_api.call_list_parameters(node=node, **where)
         assert future is not None
         assert "size" in future.result().result.names
-        (value,) = call_get_parameters(node=node, parameter_names=["size"], **where).values
-        assert get_value(parameter_value=value) == 3
-        (descriptor,) = call_describe_parameters(node=node, parameter_names=["size"], **where).descriptors
-        assert get_parameter_type_string(descriptor.type) == "integer"
-        (result,) = call_set_parameters(
+        (value,) = param_api.call_get_parameters(node=node, parameter_names=["size"], **where).values
+        assert param_api.get_value(parameter_value=value) == 3
+        (descriptor,) = param_api.call_describe_parameters(
+            node=node, parameter_names=["size"], **where
+        ).descriptors
+        assert param_api.get_parameter_type_string(descriptor.type) == "integer"
+        (result,) = param_api.call_set_parameters(
             node=node, parameters=[rclpy.Parameter("size", value=4)], **where
         ).results
         assert result.successful
         path = tmp_path / "p.yaml"
         path.write_text("/over/there:\n  ros__parameters: {size: 5, missing: 1}\n", "utf-8")
-        load_parameter_file(node=node, parameter_file=str(path), use_wildcard=True, **where)
-        (value,) = call_get_parameters(node=node, parameter_names=["size"], **where).values
+        param_api.load_parameter_file(node=node, parameter_file=str(path), use_wildcard=True, **where)
+        (value,) = param_api.call_get_parameters(node=node, parameter_names=["size"], **where).values
         assert value.integer_value == 5
         path.write_text("/elsewhere:\n  ros__parameters: {size: 6}\n", "utf-8")
         with pytest.raises(RuntimeError, match="not contain parameters for /over/there,only for nodes: "):
-            load_parameter_file(node=node, parameter_file=str(path), use_wildcard=True, **where)
-        (value,) = call_get_parameters(node=node, parameter_names=["size"], **where).values
+            param_api.load_parameter_file(node=node, parameter_file=str(path), use_wildcard=True, **where)
+        (value,) = param_api.call_get_parameters(node=node, parameter_names=["size"], **where).values
         assert value.integer_value == 5
     printed = capsys.readouterr()
     assert printed.out == "Set parameter size successful\n"
@@ -208,9 +179,9 @@ def test_parameters(there: int, tmp_path: Path, capsys: pytest.CaptureFixture[st
 def test_parameters_of_no_node(there: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("tfloom.cli.api.param.TIMEOUT_S", 0.0)
     with DirectNode(None) as node:
-        assert call_list_parameters(node=node, node_name="/nobody") is None
+        assert param_api.call_list_parameters(node=node, node_name="/nobody") is None
         with pytest.raises(RuntimeError, match="Wait for service timed out"):
-            call_get_parameters(node=node, node_name="/nobody", parameter_names=[])
+            param_api.call_get_parameters(node=node, node_name="/nobody", parameter_names=[])
 
 
 def test_direct_node_in_a_program_with_nodes(there: int) -> None:
@@ -246,45 +217,44 @@ def test_arguments_of_nodes() -> None:
 
 def test_completers(there: int) -> None:
     args = argparse.Namespace(topic_name="words", topic_type="std_msgs/msg/Int8", spin_time=5.0)
-    assert TopicTypeCompleter()("", args) == ["std_msgs/msg/String"]
+    assert topic_api.TopicTypeCompleter()("", args) == ["std_msgs/msg/String"]
     args.topic_name = "/none"
-    assert "nav_msgs/msg/Odometry" in TopicTypeCompleter()("", args)
-    assert TopicMessagePrototypeCompleter()("", args) == ["data: 0\n"]
-    assert NodeNameCompleter()("", args) == ["/over/there"]
+    assert "nav_msgs/msg/Odometry" in topic_api.TopicTypeCompleter()("", args)
+    assert topic_api.TopicMessagePrototypeCompleter()("", args) == ["data: 0\n"]
+    assert node_api.NodeNameCompleter()("", args) == ["/over/there"]
     assert "std_srvs/srv/Empty" in type_completer()
 
 
 def test_names_of_nodes() -> None:
-    assert (get_absolute_node_name("a"), get_absolute_node_name("/a/b"), get_absolute_node_name("")) == (
-        "/a",
-        "/a/b",
-        None,
-    )
-    assert parse_node_name("a/b") == NodeName("b", "/a", "/a/b")
-    assert parse_node_name("/b") == NodeName("b", "/", "/b")
-    assert (has_duplicates([1, 2, 1]), has_duplicates([1, 2])) == (True, False)
+    full_names = [node_api.get_absolute_node_name(name) for name in ("a", "/a/b", "")]
+    assert full_names == ["/a", "/a/b", None]
+    assert node_api.parse_node_name("a/b") == node_api.NodeName("b", "/a", "/a/b")
+    assert node_api.parse_node_name("/b") == node_api.NodeName("b", "/", "/b")
+    assert (node_api.has_duplicates([1, 2, 1]), node_api.has_duplicates([1, 2])) == (True, False)
 
 
 def test_profiles_from_short_keys() -> None:
-    profile = qos_profile_from_short_keys("sensor_data", reliability="reliable", depth=7)
+    profile = topic_api.qos_profile_from_short_keys("sensor_data", reliability="reliable", depth=7)
     assert (profile.reliability, profile.depth) == (QoSReliabilityPolicy.RELIABLE, 7)
     assert (qos_profile_sensor_data.reliability, qos_profile_sensor_data.depth) == (
         QoSReliabilityPolicy.BEST_EFFORT,
         5,
     )
-    late = qos_profile_from_short_keys("system_default", durability="transient_local")
+    late = topic_api.qos_profile_from_short_keys("system_default", durability="transient_local")
     assert (late.durability, late.depth) == (QoSDurabilityPolicy.TRANSIENT_LOCAL, 1)
-    lease = qos_profile_from_short_keys("default", liveliness_lease_duration_s=1.5).liveliness_lease_duration
+    lease = topic_api.qos_profile_from_short_keys(
+        "default", liveliness_lease_duration_s=1.5
+    ).liveliness_lease_duration
     assert lease.nanoseconds == 1_500_000_000
     parser = argparse.ArgumentParser()
-    add_qos_arguments(parser, "publish", "sensor_data")
+    topic_api.add_qos_arguments(parser, "publish", "sensor_data")
     args = parser.parse_args(["--qos-depth", "3", "--qos-history", "keep_all"])
     assert (args.qos_profile, args.qos_depth, args.qos_history) == ("sensor_data", 3, "keep_all")
 
 
 def test_numbers_and_waits() -> None:
-    assert (positive_int("3"), unsigned_int("0")) == (3, 0)
-    for convert, text in ((positive_int, "0"), (unsigned_int, "-1"), (positive_int, "x")):
+    assert (topic_api.positive_int("3"), unsigned_int("0")) == (3, 0)
+    for convert, text in ((topic_api.positive_int, "0"), (unsigned_int, "-1"), (topic_api.positive_int, "x")):
         with pytest.raises(argparse.ArgumentTypeError):
             convert(text)
     calls = iter([False, False, True])

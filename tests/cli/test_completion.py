@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
+import json
 import math
 import os
 import shlex
 import shutil
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import partial
 from pathlib import Path
 
 import pytest
 import transcript
 from test_usage import VERBS
+from tests.conftest import python_with
 from tests.each import for_each
 
 from tfloom.cli.completion import find_offer
@@ -31,51 +33,66 @@ pytestmark = pytest.mark.skipif(os.name != "posix", reason="completion is a shel
 PATIENT = {"tfloom.cli.completion.MAX_WAIT_S": 10.0, "tfloom.cli.type_names.LIVE_S": 10.0}
 
 
-def complete(line: str, tmp_path: Path) -> list[str]:
-    """Return the completions at the end of a command line, with patience for a busy machine."""
-    answer = tmp_path / "answer"
-    environment = {
-        **os.environ,
-        "_ARGCOMPLETE": "1",
-        "_ARGCOMPLETE_STDOUT_FILENAME": str(answer),
-        "_ARGCOMPLETE_IFS": "\n",
-        "COMP_LINE": line,
-        "COMP_POINT": str(len(line)),
-        "COMP_TYPE": "9",
+EACH = """
+import json, os
+from tfloom.cli import completion, main, tab_key
+folder, lines = sys.argv[1:]
+for number, line in enumerate(json.loads(lines)):
+    if not os.fork():
+        os.environ.update(COMP_LINE=line, COMP_POINT=str(len(line)))
+        os.environ["_ARGCOMPLETE_STDOUT_FILENAME"] = f"{folder}/answer{number}"
+        main.main(prog="ros2")
+        os._exit(1)
+    os.wait()
+"""
+"""Answers each command line in a process of its own, which has imported the command already."""
+
+
+def complete_each(lines: Iterable[str], tmp_path: Path) -> dict[str, list[str]]:
+    """Return the completions at the end of each command line, with patience for a busy machine."""
+    lines = list(lines)
+    environment = os.environ | {"_ARGCOMPLETE": "1", "_ARGCOMPLETE_IFS": "\n", "COMP_TYPE": "9"}
+    command = [sys.executable, *python_with(PATIENT, EACH, tmp_path, json.dumps(lines))]
+    subprocess.run(command, env=environment, timeout=60, check=True, stdin=subprocess.DEVNULL)
+    answers = [(tmp_path / f"answer{number}").read_text() for number in range(len(lines))]
+    return {
+        line: [word.strip() for word in answer.split("\n") if word.strip()]
+        for line, answer in zip(lines, answers, strict=True)
     }
-    command = [sys.executable, *transcript.python_words(constants=PATIENT)]
-    subprocess.run(command, env=environment, timeout=60, check=False, stdin=subprocess.DEVNULL)
-    return [word.strip() for word in answer.read_text().split("\n") if word.strip()]
 
 
-@pytest.mark.parametrize(
-    ("line", "offers"),
-    [
-        ("tfloom to", {"topic"}),
-        ("tfloom topic i", {"info"}),
-        ("tfloom topic list --show", {"--show-types"}),
-        ("tfloom topic echo --qos-reliability bes", {"best_effort", "best_available"}),
-        ("tfloom run turtlesim turtlesim", {"turtlesim_node"}),
-        ("tfloom run turtles", {"turtlesim"}),
-        ("tfloom pkg prefix tf2_r", {"tf2_ros", "tf2_ros_py"}),
-        ("tfloom interface show geometry_msgs/msg/TwistW", None),
-        ("tfloom interface package geo", {"geographic_msgs", "geometry_msgs"}),
-        ("tfloom topic pub /nobodys geometry_msgs/msg/Twist", None),
-        ("tfloom service find std_srvs/srv/Em", {"std_srvs/srv/Empty"}),
-        ("tfloom action send_goal /nobodys turtlesim/action/Rot", {"turtlesim/action/RotateAbsolute"}),
-    ],
+def complete(line: str, tmp_path: Path) -> list[str]:
+    """Return the completions at the end of a command line."""
+    return complete_each([line], tmp_path)[line]
+
+
+OFFERS = {
+    "tfloom to": {"topic"},
+    "tfloom topic i": {"info"},
+    "tfloom topic list --show": {"--show-types"},
+    "tfloom topic echo --qos-reliability bes": {"best_effort", "best_available"},
+    "tfloom run turtlesim turtlesim": {"turtlesim_node"},
+    "tfloom run turtles": {"turtlesim"},
+    "tfloom pkg prefix tf2_r": {"tf2_ros", "tf2_ros_py"},
+    "tfloom interface package geo": {"geographic_msgs", "geometry_msgs"},
+    "tfloom service find std_srvs/srv/Em": {"std_srvs/srv/Empty"},
+    "tfloom action send_goal /nobodys turtlesim/action/Rot": {"turtlesim/action/RotateAbsolute"},
+}
+SEVERAL = (
+    "tfloom interface show geometry_msgs/msg/TwistW",
+    "tfloom topic pub /nobodys geometry_msgs/msg/Twist",
 )
-def test_verbs_and_names_are_completed(
-    line: str, offers: set[str] | None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+"""Lines whose last word begins several types."""
+
+
+def test_verbs_and_names_are_completed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
-    found = complete(line, tmp_path)
-    if offers is None:
-        last = line.rsplit(maxsplit=1)[-1]
-        assert len(found) > 1
-        assert all(word.startswith(last) for word in found)
-    else:
-        assert set(found) == offers
+    found = complete_each([*OFFERS, *SEVERAL], tmp_path)
+    for line in SEVERAL:
+        types = found.pop(line)
+        assert len(types) > 1, line
+        assert all(name.startswith(line.split()[-1]) for name in types), line
+    assert {line: set(words) for line, words in found.items()} == OFFERS
 
 
 @pytest.fixture
@@ -90,52 +107,47 @@ def launch_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
-@pytest.mark.parametrize(
-    ("line", "offers"),
-    [
-        ("tfloom launch turtle_tf2_p", {"turtle_tf2_py"}),
-        ("tfloom launch a.", {"a.launch.xml"}),
-        ("tfloom launch ./", {"./a.launch.xml", "./deeper/"}),
-        ("tfloom launch a.launch.xml m", {"mode:=", "more:="}),
-        ("tfloom launch -d a.launch.xml mode:=a m", {"more:="}),
-        ("tfloom launch a.launch.xml mode:=", {"mode:=a", "mode:=b"}),
-        ("tfloom launch a.launch.xml more:=", set()),
-        ("tfloom launch missing.launch.xml m", set()),
-        ("tfloom launch --show", {"--show-args", "--show-arguments", "--show-all-subprocesses-output"}),
-    ],
-)
-def test_launch_files_and_their_arguments_are_completed(
-    line: str, offers: set[str], launch_folder: Path
-) -> None:
-    assert set(complete(line, launch_folder)) == offers
+LAUNCH_OFFERS: dict[str, set[str]] = {
+    "tfloom launch turtle_tf2_p": {"turtle_tf2_py"},
+    "tfloom launch a.": {"a.launch.xml"},
+    "tfloom launch ./": {"./a.launch.xml", "./deeper/"},
+    "tfloom launch a.launch.xml m": {"mode:=", "more:="},
+    "tfloom launch -d a.launch.xml mode:=a m": {"more:="},
+    "tfloom launch a.launch.xml mode:=": {"mode:=a", "mode:=b"},
+    "tfloom launch a.launch.xml more:=": set(),
+    "tfloom launch missing.launch.xml m": set(),
+    "tfloom launch --show": {"--show-args", "--show-arguments", "--show-all-subprocesses-output"},
+}
+
+
+def test_launch_files_and_their_arguments_are_completed(launch_folder: Path) -> None:
+    found = complete_each(LAUNCH_OFFERS, launch_folder)
+    assert {line: set(words) for line, words in found.items()} == LAUNCH_OFFERS
 
 
 TWIST = "{linear: {x: 0.0, y: 0.0, z: 0.0}, angular: {x: 0.0, y: 0.0, z: 0.0}}"
 PUB_TWIST = "tfloom topic pub -1 /nobodys geometry_msgs/msg/Twist "
 
 
-@pytest.mark.parametrize(
-    ("line", "offers"),
-    [
-        (PUB_TWIST, [f"'{TWIST}'"]),
-        (f"{PUB_TWIST}'", [TWIST]),
-        (f"{PUB_TWIST}'{{lin", [TWIST]),
-        (f"{PUB_TWIST}{{lin", [f"'{TWIST}'"]),
-        (f"{PUB_TWIST}{{ang", []),
-        ('tfloom topic pub /x std_msgs/msg/String "', [r"{data: \"\"}"]),
-        ("tfloom topic pub /x std_msgs/msg/Nope ", []),
-        ("tfloom topic pub /x std_msgs/msg/Empty ", ["'{}'"]),
-        ("tfloom service call /s turtlesim/srv/Spawn ", ["""'{x: 0.0, y: 0.0, theta: 0.0, name: ""}'"""]),
-        ("tfloom service call /s turtlesim/srv/Nope ", []),
-        ("tfloom action send_goal /a turtlesim/action/RotateAbsolute ", ["'{theta: 0.0}'"]),
-        ("tfloom action send_goal -f /a turtlesim/action/Nope ", []),
-    ],
-)
-def test_a_message_to_edit(
-    line: str, offers: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+MESSAGES: dict[str, list[str]] = {
+    PUB_TWIST: [f"'{TWIST}'"],
+    f"{PUB_TWIST}'": [TWIST],
+    f"{PUB_TWIST}'{{lin": [TWIST],
+    f"{PUB_TWIST}{{lin": [f"'{TWIST}'"],
+    f"{PUB_TWIST}{{ang": [],
+    'tfloom topic pub /x std_msgs/msg/String "': [r"{data: \"\"}"],
+    "tfloom topic pub /x std_msgs/msg/Nope ": [],
+    "tfloom topic pub /x std_msgs/msg/Empty ": ["'{}'"],
+    "tfloom service call /s turtlesim/srv/Spawn ": ["""'{x: 0.0, y: 0.0, theta: 0.0, name: ""}'"""],
+    "tfloom service call /s turtlesim/srv/Nope ": [],
+    "tfloom action send_goal /a turtlesim/action/RotateAbsolute ": ["'{theta: 0.0}'"],
+    "tfloom action send_goal -f /a turtlesim/action/Nope ": [],
+}
+
+
+def test_a_message_to_edit(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
-    assert complete(line, tmp_path) == offers
+    assert complete_each(MESSAGES, tmp_path) == MESSAGES
 
 
 SENT: dict[str, Callable[[str], type[Message]]] = {

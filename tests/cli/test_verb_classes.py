@@ -18,24 +18,9 @@ from rclpy.clock import ROSClock
 from rclpy.exceptions import InvalidServiceNameException
 from rclpy.time import Time
 from ros2cli.node.direct import DirectNode
-from ros2component.api import (
-    ComponentInfo,
-    find_container_node_names,
-    get_components_in_container,
-    get_components_in_containers,
-    get_package_component_types,
-    get_registered_component_types,
-    load_component_into_container,
-    unload_component_from_container,
-)
-from ros2lifecycle.api import (
-    call_change_states,
-    call_get_available_transitions,
-    call_get_states,
-    call_get_transition_graph,
-    get_node_names,
-)
-from ros2node.api import get_node_names as get_all_node_names
+from ros2component import api as component_api
+from ros2lifecycle import api as lifecycle_api
+from ros2node.api import get_node_names
 from ros2topic.verb.bw import ROSTopicBandwidth
 from ros2topic.verb.delay import ROSTopicDelay
 from ros2topic.verb.hz import ROSTopicHz
@@ -148,32 +133,34 @@ def nodes(module_domain_id: int, start_module_program: Callable[..., Any]) -> in
 def test_lifecycle_nodes_are_asked_and_changed(nodes: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("tfloom.cli.api.answers.TIMEOUT_S", 0.3)
     with DirectNode(argparse.Namespace()) as node:
-        assert [name.full_name for name in get_node_names(node=node)] == ["/a_node"]
-        states = call_get_states(node=node, node_names=["/a_node"])
+        assert [name.full_name for name in lifecycle_api.get_node_names(node=node)] == ["/a_node"]
+        states = lifecycle_api.call_get_states(node=node, node_names=["/a_node"])
         assert states["/a_node"].label == "unconfigured"
-        available = call_get_available_transitions(node=node, states=states)["/a_node"]
+        available = lifecycle_api.call_get_available_transitions(node=node, states=states)["/a_node"]
         assert [description.transition.label for description in available] == ["configure"]
-        assert len(call_get_transition_graph(node=node, states={"a_node": None})["a_node"]) == 2
-        assert call_change_states(node=node, transitions={"/a_node": Transition(id=1)}) == {"/a_node": True}
-        assert call_get_states(node=node, node_names=["/a_node"])["/a_node"].label == "inactive"
+        assert len(lifecycle_api.call_get_transition_graph(node=node, states={"a_node": None})["a_node"]) == 2
+        assert lifecycle_api.call_change_states(node=node, transitions={"/a_node": Transition(id=1)}) == {
+            "/a_node": True
+        }
+        assert lifecycle_api.call_get_states(node=node, node_names=["/a_node"])["/a_node"].label == "inactive"
         # A node that isn't there is an error of its own, and the others are answered.
-        mixed = call_get_states(node=node, node_names=["/nobody", "/a_node"], timeout=0.5)
+        mixed = lifecycle_api.call_get_states(node=node, node_names=["/nobody", "/a_node"], timeout=0.5)
         assert list(mixed) == ["/nobody", "/a_node"]
         assert str(mixed["/nobody"]) == "service /nobody/get_state is not there"
         assert mixed["/a_node"].label == "inactive"
         assert not list(node.clients)
         # Clients that were created before the one of an invalid name are destroyed, too.
         with pytest.raises(InvalidServiceNameException):
-            call_get_states(node=node, node_names=["/a_node", "/no name"])
+            lifecycle_api.call_get_states(node=node, node_names=["/a_node", "/no name"])
         assert not list(node.clients)
 
 
 @pytest.mark.wire
 def test_components_are_loaded_listed_and_unloaded(nodes: int, monkeypatch: pytest.MonkeyPatch) -> None:
     with DirectNode(argparse.Namespace()) as node:
-        found = find_container_node_names(node=node, node_names=get_all_node_names(node=node))
+        found = component_api.find_container_node_names(node=node, node_names=get_node_names(node=node))
         assert [name.full_name for name in found] == ["/a_container"]
-        uid, name = load_component_into_container(
+        uid, name = component_api.load_component_into_container(
             node=node,
             remote_container_node_name="/a_container",
             package_name="composition",
@@ -183,29 +170,31 @@ def test_components_are_loaded_listed_and_unloaded(nodes: int, monkeypatch: pyte
             parameters=["a:=3"],
         )
         assert name == "/ns/talker"
-        is_there, components = get_components_in_container(
+        is_there, components = component_api.get_components_in_container(
             node=node, remote_container_node_name="/a_container"
         )
-        assert (is_there, components) == (True, [ComponentInfo(uid, "/ns/talker")])
+        assert (is_there, components) == (True, [component_api.ComponentInfo(uid, "/ns/talker")])
         with pytest.raises(RuntimeError, match="Failed to load component: No such plugin in p"):
-            load_component_into_container(
+            component_api.load_component_into_container(
                 node=node, remote_container_node_name="/a_container", package_name="p", plugin_name="Nothing"
             )
         for wrong in ({"parameters": ["a=3"]}, {"log_level": "loud"}):
             with pytest.raises(RuntimeError, match=r"no parameter|must be one of"):
-                load_component_into_container(
+                component_api.load_component_into_container(
                     node=node,
                     remote_container_node_name="/a_container",
                     package_name="p",
                     plugin_name="x",
                     **wrong,  # type: ignore[arg-type]
                 )
-        unloaded = unload_component_from_container(
+        unloaded = component_api.unload_component_from_container(
             node=node, remote_container_node_name="/a_container", component_uids=[uid, 5]
         )
         assert list(unloaded) == [(uid, False, ""), (5, True, "no node found with that id")]
         monkeypatch.setattr("tfloom.cli.api.component.TIMEOUT_S", 0.3)
-        nobody = get_components_in_containers(node=node, remote_containers_node_names=["/nobody"])
+        nobody = component_api.get_components_in_containers(
+            node=node, remote_containers_node_names=["/nobody"]
+        )
         assert nobody == {"/nobody": (False, "service /nobody/_container/list_nodes is not there")}
 
 
@@ -214,10 +203,10 @@ def test_components_that_packages_register(tmp_path: Path, monkeypatch: pytest.M
     marker.parent.mkdir(parents=True)
     marker.write_text("mine::Talker;lib/libmine.so\nmine::Listener;lib/libmine.so\n", "utf-8")
     monkeypatch.setenv("AMENT_PREFIX_PATH", str(tmp_path))
-    assert get_registered_component_types() == [("mine", ["mine::Talker", "mine::Listener"])]
-    assert get_package_component_types(package_name="other") == []
+    assert component_api.get_registered_component_types() == [("mine", ["mine::Talker", "mine::Listener"])]
+    assert component_api.get_package_component_types(package_name="other") == []
     with pytest.raises(ValueError, match="package_name"):
-        get_package_component_types()
+        component_api.get_package_component_types()
 
 
 @pytest.fixture
