@@ -8,6 +8,7 @@ from pathlib import Path
 import ament_index_python
 import pytest
 from ament_index_python import packages, resources
+from tests.workspace.conftest import write_files
 
 from tfloom.workspace import index
 
@@ -15,10 +16,7 @@ from tfloom.workspace import index
 @pytest.fixture
 def prefix(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setenv(index.PREFIX_PATH_VARIABLE, str(tmp_path))
-    for kind, name, text in (("packages", "my_pkg", ""), ("plugins", "my_pkg", "a;b")):
-        marker = tmp_path / index.RESOURCE_INDEX / kind / name
-        marker.parent.mkdir(parents=True)
-        marker.write_text(text)
+    write_files(tmp_path / index.RESOURCE_INDEX, {"packages/my_pkg": "", "plugins/my_pkg": "a;b"})
     (tmp_path / "share" / "my_pkg").mkdir(parents=True)
     return tmp_path
 
@@ -103,8 +101,6 @@ def test_own_packages_are_resources_without_a_workspace(monkeypatch: pytest.Monk
 
 def test_a_workspace_precedes_own_resources(prefix: Path) -> None:
     for kind, text in (("packages", ""), ("rosidl_interfaces", "msg/Mine.msg")):
-        marker = prefix / index.RESOURCE_INDEX / kind / "tf2_msgs"
-        marker.parent.mkdir(exist_ok=True)
-        marker.write_text(text)
+        write_files(prefix / index.RESOURCE_INDEX, {f"{kind}/tf2_msgs": text})
         assert resources.get_resource(kind, "tf2_msgs") == (text, str(prefix))
         assert resources.get_resources(kind)["tf2_msgs"] == str(prefix)

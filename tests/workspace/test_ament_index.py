@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from ament_index_python.cli import main, resource_name_completer, resource_type_completer
+from tests.workspace.conftest import write_files
 
 from tfloom.workspace.index import OWN_PREFIX
 
@@ -14,9 +15,7 @@ from tfloom.workspace.index import OWN_PREFIX
 @pytest.fixture
 def prefix(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     index = tmp_path / "share" / "ament_index" / "resource_index"
-    for kind, name, text in [("packages", "a", ""), ("packages", "b", ""), ("plugins", "a", "one;two")]:
-        (index / kind).mkdir(parents=True, exist_ok=True)
-        (index / kind / name).write_text(text, "utf-8")
+    write_files(index, {"packages/a": "", "packages/b": "", "plugins/a": "one;two"})
     monkeypatch.setenv("AMENT_PREFIX_PATH", str(tmp_path))
     return tmp_path
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from tests.workspace.conftest import write_files
 
 from tfloom.workspace import cmake_lists
 from tfloom.workspace.cmake_lists import read_plan
@@ -300,9 +301,7 @@ def test_what_stops_for_want_of_a_library_counts_as_cpp(search: str, condition: 
 def test_package_that_is_there_is_found(
     package: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    marker = tmp_path / "ws" / RESOURCE_INDEX / "packages" / "here_msgs"
-    marker.parent.mkdir(parents=True)
-    marker.touch()
+    write_files(tmp_path / "ws" / RESOURCE_INDEX, {"packages/here_msgs": ""})
     monkeypatch.setenv("AMENT_PREFIX_PATH", str(tmp_path / "ws"))
     text = f"find_package({package})\nif({package}_FOUND)\ninstall(FILES a DESTINATION b)\nendif()\n"
     plan = plan_of(tmp_path, text + f"if(NOT {package}_FOUND)\nmessage(FATAL_ERROR x)\nendif()\n")

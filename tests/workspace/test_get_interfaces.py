@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from tests.workspace.conftest import write_files
 
 from tfloom.workspace import index
 from tfloom.workspace.get_interfaces import (
@@ -20,14 +21,9 @@ from tfloom.workspace.get_interfaces import (
 @pytest.fixture
 def prefix(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """Return a sourced prefix with a package that has interfaces, and one that has none."""
-    markers = tmp_path / index.RESOURCE_INDEX / "packages"
-    markers.mkdir(parents=True)
-    for name in ("my_interfaces", "my_pkg"):
-        (markers / name).touch()
-    folder = tmp_path / "share" / "my_interfaces" / "msg"
-    folder.mkdir(parents=True)
-    for name in ("Point.msg", "Point.idl", "OfIdl.idl"):
-        (folder / name).touch()
+    packages = (f"{index.RESOURCE_INDEX}/packages/{name}" for name in ("my_interfaces", "my_pkg"))
+    definitions = (f"share/my_interfaces/msg/{name}" for name in ("Point.msg", "Point.idl", "OfIdl.idl"))
+    write_files(tmp_path, dict.fromkeys((*packages, *definitions), ""))
     monkeypatch.setenv(index.PREFIX_PATH_VARIABLE, str(tmp_path))
     return tmp_path
 

@@ -6,21 +6,16 @@ import os
 from pathlib import Path
 
 import pytest
+from tests.workspace.conftest import write_files
 
 from tfloom.workspace import index
 
 
 def make_package(prefix: Path, name: str, *programs: str) -> None:
-    marker = prefix / index.RESOURCE_INDEX / "packages" / name
-    marker.parent.mkdir(parents=True, exist_ok=True)
-    marker.touch()
-    folder = prefix / "lib" / name
-    folder.mkdir(parents=True, exist_ok=True)
+    write_files(prefix, {f"{index.RESOURCE_INDEX}/packages/{name}": ""})
+    write_files(prefix / "lib" / name, dict.fromkeys(programs, "#!/bin/sh\nexit 0\n"))
     for program in programs:
-        path = folder / program
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text("#!/bin/sh\nexit 0\n")
-        path.chmod(0o755)
+        (prefix / "lib" / name / program).chmod(0o755)
 
 
 @pytest.fixture

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 from tests.conftest import run_to_end
+from tests.workspace.conftest import write_files
 
 from tfloom import use_ros_names
 from tfloom.rosidl import cdr, registry
@@ -64,9 +65,7 @@ print(Sphere(radios=2.0))  # mistake
 
 def package(folder: Path, files: dict[str, str], name: str = "my_interfaces", depend: str = "") -> Path:
     """Write a package's sources, and return its folder."""
-    for path, text in {"package.xml": PACKAGE_XML.format(name=name, depend=depend), **files}.items():
-        (folder / path).parent.mkdir(parents=True, exist_ok=True)
-        (folder / path).write_text(text, "utf-8")
+    write_files(folder, {"package.xml": PACKAGE_XML.format(name=name, depend=depend), **files})
     return folder
 
 

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 from tests.conftest import run_to_end
+from tests.workspace.conftest import write_files
 
 PROGRAM = Path(sys.executable).with_name("tfloom")
 FILES = {
@@ -47,10 +48,7 @@ async def main(node: Node) -> None:
 @pytest.fixture
 def prefix(tmp_path: Path) -> Path:
     """Write the definitions below a prefix, and return it."""
-    for name, text in FILES.items():
-        path = tmp_path / "ws" / "share" / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text)
+    write_files(tmp_path / "ws" / "share", FILES)
     return tmp_path / "ws"
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from tests.workspace.conftest import write_files
 
 from tfloom.rosidl.definition_files import interfaces_of
 from tfloom.workspace import index, interfaces
@@ -13,11 +14,8 @@ from tfloom.workspace import index, interfaces
 @pytest.fixture
 def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setenv(index.PREFIX_PATH_VARIABLE, str(tmp_path))
-    marker = tmp_path / index.RESOURCE_INDEX / "rosidl_interfaces" / "my_msgs"
-    marker.parent.mkdir(parents=True)
-    marker.touch()
     share = tmp_path / "share" / "my_msgs"
-    for path, text in {
+    files = {
         "msg/Inner.msg": "# inner\nint32 x  # inner too\n",
         "msg/Outer.msg": (
             "# outer\n\nInner[<=3] inner # one\nstring NAME='a # b'\nint8 MODE=1\nstring<=4 text \"#\"\n"
@@ -25,9 +23,9 @@ def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         ),
         "msg/Loop.msg": "Loop[] loops\n",
         "msg/Stamped.msg": "Header header\n",
-    }.items():
-        (share / path).parent.mkdir(parents=True, exist_ok=True)
-        (share / path).write_text(text)
+    }
+    write_files(share, files)
+    write_files(tmp_path, {f"{index.RESOURCE_INDEX}/rosidl_interfaces/my_msgs": ""})
     return share
 
 

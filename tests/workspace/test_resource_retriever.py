@@ -10,20 +10,17 @@ from pathlib import Path
 import pytest
 from ament_index_python.packages import PackageNotFoundError
 from resource_retriever import get, get_filename
+from tests.workspace.conftest import write_files
 
 
 @pytest.fixture
 def mesh(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """Return a file of the package `arm`, in a folder whose name has a blank."""
     prefix = tmp_path / "a prefix"
-    marker = prefix / "share" / "ament_index" / "resource_index" / "packages" / "arm"
-    marker.parent.mkdir(parents=True)
-    marker.touch()
-    path = prefix / "share" / "arm" / "meshes" / "a#b.stl"
-    path.parent.mkdir(parents=True)
-    path.write_bytes(b"solid")
+    files = {"ament_index/resource_index/packages/arm": "", "arm/meshes/a#b.stl": "solid"}
+    write_files(prefix / "share", files)
     monkeypatch.setenv("AMENT_PREFIX_PATH", str(prefix))
-    return path
+    return prefix / "share" / "arm" / "meshes" / "a#b.stl"
 
 
 def test_file_of_a_package(mesh: Path) -> None:

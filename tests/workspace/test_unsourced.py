@@ -7,6 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from tests.workspace.conftest import write_files
 
 from tfloom.cli import main as cli
 from tfloom.workspace import ament, index
@@ -28,9 +29,7 @@ def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 def install(workspace: Path, *, merged: bool) -> None:
     prefix = workspace / "install" if merged else workspace / "install" / "my_pkg"
-    marker = prefix / index.RESOURCE_INDEX / "packages" / "my_pkg"
-    marker.parent.mkdir(parents=True)
-    marker.touch()
+    write_files(prefix / index.RESOURCE_INDEX, {"packages/my_pkg": ""})
 
 
 @pytest.mark.parametrize("merged", [False, True])
@@ -49,9 +48,7 @@ def test_a_built_package_wants_sourcing(
 
 @pytest.mark.parametrize("folder", ["my_pkg", "repository/my_pkg"])
 def test_a_source_wants_building(folder: str, workspace: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    source = workspace / "src" / folder
-    source.mkdir(parents=True)
-    (source / "package.xml").touch()
+    write_files(workspace / "src" / folder, {"package.xml": ""})
     build = f"colcon build && source {workspace}/install/setup.bash"
     text = f"its source is in {workspace / 'src'}, but it isn't built: "
     assert how_to_find("my_pkg") == f"{text}cd {workspace} && {build}"
