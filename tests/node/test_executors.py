@@ -5,7 +5,7 @@ from __future__ import annotations
 import gc
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from typing import Any
 
@@ -325,6 +325,14 @@ def long_batches(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(executors, "BATCH_NS", 30_000_000_000)
 
 
+@pytest.fixture
+def pool(long_batches: None, context: Context, node: Node) -> Iterator[MultiThreadedExecutor]:
+    """Yield an executor of two threads that has the node."""
+    with MultiThreadedExecutor(2, context=context) as pool:
+        pool.add_node(node)
+        yield pool
+
+
 class Numbers:
     """Ten messages that wait for a subscription, whose callback does something at the third."""
 
@@ -349,82 +357,72 @@ class Numbers:
 
 
 def test_no_thread_continues_after_the_awaited_future_is_complete(
-    long_batches: None, context: Context, node: Node
+    pool: MultiThreadedExecutor, node: Node
 ) -> None:
     future: Future[None] = Future()
     numbers = Numbers(node, lambda: future.set_result(None))
-    with MultiThreadedExecutor(2, context=context) as executor:
-        executor.add_node(node)
-        executor.spin_until_future_complete(future, timeout_sec=30)
-        assert executor._running.wait(30)
-        assert numbers.heard == [0, 1, 2]
-        assert executor._awaited is None
-        numbers.hear_the_rest(executor)
+    pool.spin_until_future_complete(future, timeout_sec=30)
+    assert pool._running.wait(30)
+    assert numbers.heard == [0, 1, 2]
+    assert pool._awaited is None
+    numbers.hear_the_rest(pool)
 
 
-def test_no_thread_continues_after_an_error(long_batches: None, context: Context, node: Node) -> None:
+def test_no_thread_continues_after_an_error(pool: MultiThreadedExecutor, node: Node) -> None:
     def fail() -> None:
         raise KeyError("third")
 
     numbers = Numbers(node, fail)
-    with MultiThreadedExecutor(2, context=context) as executor:
-        executor.add_node(node)
-        with pytest.raises(KeyError, match="third"):
-            executor.spin()
-        assert executor._running.wait(30)
-        assert numbers.heard == [0, 1, 2]
-        numbers.hear_the_rest(executor)
+    with pytest.raises(KeyError, match="third"):
+        pool.spin()
+    assert pool._running.wait(30)
+    assert numbers.heard == [0, 1, 2]
+    numbers.hear_the_rest(pool)
 
 
-def test_no_thread_continues_after_a_shutdown(long_batches: None, context: Context, node: Node) -> None:
-    executor = MultiThreadedExecutor(2, context=context)
+def test_no_thread_continues_after_a_shutdown(pool: MultiThreadedExecutor, node: Node) -> None:
     is_third = threading.Event()
 
     def wait_for_shutdown() -> None:
         is_third.set()
-        while not executor._is_shutdown:
+        while not pool._is_shutdown:
             time.sleep(0.001)
 
     numbers = Numbers(node, wait_for_shutdown)
-    executor.add_node(node)
-    thread = threading.Thread(target=executor.spin)
+    thread = threading.Thread(target=pool.spin)
     thread.start()
     assert is_third.wait(30)
-    assert executor.shutdown(30)
+    assert pool.shutdown(30)
     thread.join(30)
     assert numbers.heard == [0, 1, 2]
 
 
-def test_no_thread_continues_with_a_removed_node(long_batches: None, context: Context, node: Node) -> None:
+def test_no_thread_continues_with_a_removed_node(pool: MultiThreadedExecutor, node: Node) -> None:
     removed: Future[None] = Future()
-    with MultiThreadedExecutor(2, context=context) as executor:
 
-        def remove() -> None:
-            executor.remove_node(node)
-            executor.create_task(removed.set_result, None)
+    def remove() -> None:
+        pool.remove_node(node)
+        pool.create_task(removed.set_result, None)
 
-        numbers = Numbers(node, remove)
-        executor.add_node(node)
-        executor.spin_until_future_complete(removed, timeout_sec=30)
-        assert numbers.heard == [0, 1, 2]
-        executor.add_node(node)
-        numbers.hear_the_rest(executor)
+    numbers = Numbers(node, remove)
+    pool.spin_until_future_complete(removed, timeout_sec=30)
+    assert numbers.heard == [0, 1, 2]
+    pool.add_node(node)
+    numbers.hear_the_rest(pool)
 
 
-def test_spin_once_on_a_pool_runs_one_callback(long_batches: None, context: Context, node: Node) -> None:
+def test_spin_once_on_a_pool_runs_one_callback(pool: MultiThreadedExecutor, node: Node) -> None:
     numbers = Numbers(node, lambda: None)
-    with MultiThreadedExecutor(2, context=context) as executor:
-        executor.add_node(node)
-        end = time.monotonic() + 30
-        while not numbers.heard and time.monotonic() < end:
-            executor.spin_once(timeout_sec=0.02)
-        executor.spin_once(timeout_sec=0.02)
-        assert executor._running.wait(30)
-        assert len(numbers.heard) <= 2
+    end = time.monotonic() + 30
+    while not numbers.heard and time.monotonic() < end:
+        pool.spin_once(timeout_sec=0.02)
+    pool.spin_once(timeout_sec=0.02)
+    assert pool._running.wait(30)
+    assert len(numbers.heard) <= 2
 
 
 def test_a_busy_topic_on_a_pool_lets_its_group_run_the_others(
-    long_batches: None, context: Context, node: Node
+    pool: MultiThreadedExecutor, node: Node
 ) -> None:
     order: list[str] = []
     finished: Future[None] = Future()
@@ -438,18 +436,16 @@ def test_a_busy_topic_on_a_pool_lets_its_group_run_the_others(
 
     node.create_subscription(Int32, "busy", hear_busy, 10)
     quiet = node.create_subscription(Int32, "quiet", lambda _: order.append("quiet"), 1)
-    publishers = [node.create_publisher(Int32, topic, 10) for topic in ("busy", "quiet")]
-    for publisher, count in zip(publishers, (10, 1), strict=True):
-        for number in range(count):
-            publisher.publish(Int32(data=number))
-    with MultiThreadedExecutor(2, context=context) as executor:
-        executor.add_node(node)
-        executor.spin_until_future_complete(finished, timeout_sec=30)
+    for topic, count in (("busy", 10), ("quiet", 1)):
+        publisher = node.create_publisher(Int32, topic, 10)
+        for _ in range(count):
+            publisher.publish(Int32())
+    pool.spin_until_future_complete(finished, timeout_sec=30)
     assert order == ["busy", "quiet", *["busy"] * 9]
 
 
 def test_a_group_of_the_program_admits_each_callback_on_a_pool(
-    long_batches: None, context: Context, node: Node
+    pool: MultiThreadedExecutor, node: Node
 ) -> None:
     class Counting(MutuallyExclusiveCallbackGroup):
         begun = 0
@@ -470,9 +466,7 @@ def test_a_group_of_the_program_admits_each_callback_on_a_pool(
     publisher = node.create_publisher(Int32, "numbers", 10)
     for number in range(10):
         publisher.publish(Int32(data=number))
-    with MultiThreadedExecutor(2, context=context) as executor:
-        executor.add_node(node)
-        executor.spin_until_future_complete(finished, timeout_sec=30)
+    pool.spin_until_future_complete(finished, timeout_sec=30)
     assert finished.done()
     assert group.begun == 10
 
@@ -548,9 +542,8 @@ def test_many_responses_at_once_are_all_taken(
     ):
         executor.add_node(asking)
         there.add_node(answering)
-        executor.spin_once(
-            timeout_sec=0.0
-        )  # the arrival of the server is over, which looks for all responses
+        # The arrival of the server, which looks for all responses, is over.
+        executor.spin_once(timeout_sec=0.0)
         futures = [client.call_async(AddTwoInts.Request()) for _ in range(7)]
         for _ in futures:
             there.spin_once(timeout_sec=30)
@@ -645,14 +638,14 @@ def test_shutdown_closes_what_it_leaves(context: Context, node: Node) -> None:
     assert queue.wait(0) == []
 
 
-def test_no_thread_continues_after_the_context_ends(long_batches: None, context: Context, node: Node) -> None:
+def test_no_thread_continues_after_the_context_ends(
+    pool: MultiThreadedExecutor, context: Context, node: Node
+) -> None:
     numbers = Numbers(node, context.shutdown)
-    with MultiThreadedExecutor(2, context=context) as executor:
-        executor.add_node(node)
-        with suppress(ExternalShutdownException):
-            executor.spin()
-        assert executor._running.wait(30)
-        assert numbers.heard == [0, 1, 2]
+    with suppress(ExternalShutdownException):
+        pool.spin()
+    assert pool._running.wait(30)
+    assert numbers.heard == [0, 1, 2]
 
 
 def test_a_spin_inside_a_long_one_is_over_with_itself(node: Node, executor: SingleThreadedExecutor) -> None:

@@ -27,6 +27,15 @@ HEADER = b"\0\1\0\0"
 
 
 @pytest.fixture
+def pair(wires: Wires, wait_until: Callable[..., None]) -> tuple[Any, Any]:
+    """Return a client, and the server that it is ready for."""
+    client = wires[0].create_requester(CLIENT, KILL, QoS())
+    server = wires[1].create_responder(SERVER, KILL, QoS())
+    wait_until(client.is_ready)
+    return client, server
+
+
+@pytest.fixture
 def take(wait_until: Callable[..., None]) -> Callable[[Any], Any]:
     """Wait for an item, and take it."""
 
@@ -80,10 +89,9 @@ def test_each_client_receives_its_responses(wires: Wires, take, wait_until) -> N
     assert got == sent
 
 
-def test_many_requests_and_responses_wait_for_slow_peers(wires: Wires, take, wait_until) -> None:
-    server = wires[1].create_responder(SERVER, KILL, QoS())
-    client, other = (wires[0].create_requester(CLIENT, KILL, QoS()) for _ in range(2))
-    wait_until(client.is_ready)
+def test_many_requests_and_responses_wait_for_slow_peers(wires: Wires, pair, take) -> None:
+    client, server = pair
+    other = wires[0].create_requester(CLIENT, KILL, QoS())
     for number in range(50):
         client.send(HEADER + bytes([number, 0, 0, 0]))
     requests = [take(server) for _ in range(50)]
@@ -139,10 +147,8 @@ def test_watch_of_servers_goes_on_after_a_wait_for_one(wires: Wires) -> None:
     client.watch_servers(None)
 
 
-def test_closed_endpoints_deliver_nothing(wires: Wires, take, wait_until) -> None:
-    client = wires[0].create_requester(CLIENT, KILL, QoS())
-    server = wires[1].create_responder(SERVER, KILL, QoS())
-    wait_until(client.is_ready)
+def test_closed_endpoints_deliver_nothing(pair, take) -> None:
+    client, server = pair
     client.send(HEADER + b"ask!")
     request = take(server)
     client.close()
@@ -217,24 +223,20 @@ REQUESTS = ("rq/killRequest", "turtlesim::srv::dds_::Kill_Request_")
 RESPONSES = ("rr/killReply", "turtlesim::srv::dds_::Kill_Response_")
 
 
-def test_requests_on_the_wire_are_header_and_message(domain_id, bare, wait_until) -> None:
+def test_requests_on_the_wire_are_header_and_message(domain_id, bare, take, wait_until) -> None:
     participant = cyclonedds.open_participant(domain_id)
     requests = DdsReader(bare, *REQUESTS, QoS(), b"serviceid= 1.10.2;")
     responses = DdsWriter(bare, *RESPONSES, QoS(), b"serviceid= 1.10.2;")
     client = participant.create_requester(CLIENT, KILL, QoS())
     wait_until(lambda: client.is_ready() and requests.matched_count() and responses.matched_count())
     client.send(HEADER + b"ask!")
-    taken: list[Any] = []
-    wait_until(lambda: taken.append(requests.take()) or taken[-1])
-    data = taken[-1][0]
+    data = take(requests)[0]
     assert (data[:4], data[20:]) == (HEADER, b"ask!")
     key, sequence_number = struct.unpack_from("<Qq", data, 4)
     assert sequence_number == 1
     for other_key, text in ((key ^ 1, b"not for you."), (key, b"for you.")):
         responses.write(HEADER + struct.pack("<Qq", other_key, 1) + text)
-    got: list[Any] = []
-    wait_until(lambda: got.append(client.take()) or got[-1])
-    assert got[-1].data == HEADER + b"for you."
+    assert take(client).data == HEADER + b"for you."
     for end in (requests, responses):
         end.close()
     participant.close()
@@ -257,9 +259,7 @@ def test_server_replies_to_requests_in_the_format_of_rmw_cyclonedds(
     assert request.id.client_gid == struct.pack("<Q", 0x1122334455667788) + bytes(8)
     responses = DdsReader(bare, *RESPONSES, QoS(), b"clientid= 1.10.7;")
     server.send(request.id, HEADER + b"told")
-    taken: list[Any] = []
-    wait_until(lambda: taken.append(responses.take()) or taken[-1])
-    assert taken[-1][0] == HEADER + struct.pack("<Qq", 0x1122334455667788, 42) + b"told"
+    assert take(responses)[0] == HEADER + struct.pack("<Qq", 0x1122334455667788, 42) + b"told"
     for end in (requests, responses):
         end.close()
     participant.close()
@@ -273,11 +273,15 @@ class FakeEnd:
     def __init__(self, *peers: tuple[str, bytes]) -> None:
         self.peers = [(bytes.fromhex(vendor) + bytes(14), user_data) for vendor, user_data in peers]
         self.written: list[bytes] = []
+        self.samples: list[Sample] = []
         self.probes = 0
         self.acknowledges = True
 
     def matched(self) -> list[tuple[bytes, bytes]]:
         return self.peers
+
+    def take(self) -> Sample | None:
+        return self.samples.pop(0) if self.samples else None
 
     def write(self, data: bytes) -> None:
         self.written.append(data)
@@ -310,7 +314,7 @@ AWAITING = bytes.fromhex(FAST) + bytes(13) + b"\4"
     ],
     ids=[
         "nobody",
-        "both ends",
+        "both",
         "of two servers",
         "half",
         "without ids",
@@ -338,9 +342,8 @@ def test_question_begins_the_handshake_and_does_not_wait_for_it(monkeypatch: pyt
     assert servers.is_ready()
     assert servers.is_synchronising()
     assert requests.probes == 2
-    requests.peers = requests.peers[
-        :1
-    ]  # the second server leaves; the first has not acknowledged the second probe
+    # The second server leaves. The first has not acknowledged the second probe.
+    requests.peers = requests.peers[:1]
     assert servers.is_ready()
     assert servers.is_synchronising()
     assert requests.probes == 2
@@ -381,11 +384,9 @@ def test_each_new_reader_has_the_whole_time_to_acknowledge(monkeypatch: pytest.M
 
 
 @pytest.mark.parametrize("count", [1, 50, 300])
-def test_requests_sent_right_after_the_match_arrive(wires: Wires, count: int, wait_until) -> None:
+def test_requests_sent_right_after_the_match_arrive(pair, count: int, wait_until) -> None:
     """On DDS, a reader drops what precedes the first heartbeat that it receives from a writer."""
-    client = wires[0].create_requester(CLIENT, KILL, QoS())
-    server = wires[1].create_responder(SERVER, KILL, QoS())
-    wait_until(client.is_ready)
+    client, server = pair
     for _ in range(count):
         client.send(HEADER + b"ask!")
     arrived: list[int] = []
@@ -427,36 +428,38 @@ def test_server_on_fast_dds_is_ready_when_its_address_is_known(
     assert servers.most_in_flight() == 10
 
 
-def test_requests_beyond_what_servers_keep_are_held_until_responses_are_taken() -> None:
-    writer, reader = FakeEnd((FAST, b"")), FakeEnd((FAST, b""))
+def client_on_fast_dds(
+    writer: FakeEnd,
+    key: bytes = b"client 1",
+    in_flight: RequestsInFlight | None = None,
+    reader: FakeEnd | None = None,
+) -> HeaderRequester:
+    reader = reader or FakeEnd((FAST, b""))
     servers = CycloneServers(writer, reader, "/kill", Vendors())
-    in_flight = RequestsInFlight()
-    first, second = (
-        HeaderRequester(writer, reader, servers, key, in_flight) for key in (b"client 1", b"client 2")
-    )
+    return HeaderRequester(writer, reader, servers, key, in_flight or RequestsInFlight())
+
+
+def test_requests_beyond_what_servers_keep_are_held_until_responses_are_taken() -> None:
+    writer, reader, in_flight = FakeEnd((FAST, b"")), FakeEnd((FAST, b"")), RequestsInFlight()
+    first, second = (client_on_fast_dds(writer, key, in_flight, reader) for key in (b"client 1", b"client 2"))
     for _ in range(8):
         first.send(HEADER + b"ask!")
         second.send(HEADER + b"ask!")
     assert len(writer.written) == 10
-    responses = [
-        Sample(HEADER + struct.pack("<8sq", b"client 1", number) + b"say!", 1, 1, b"") for number in (1, 2)
+    reader.samples = [
+        Sample(HEADER + struct.pack("<8sq", b"client 1", number) + b"say!", 1, 1, b"") for number in (1, 2, 3)
     ]
-    reader.take = lambda: responses.pop(0) if responses else None
-    assert first.take() is not None
-    assert len(writer.written) == 11
-    assert first.take() is not None
-    assert len(writer.written) == 12
+    for how_many in (11, 12):
+        assert first.take() is not None
+        assert len(writer.written) == how_many
     second.close()  # its requests no longer count, and those that were held are dropped
-    responses = [Sample(HEADER + struct.pack("<8sq", b"client 1", 3) + b"say!", 1, 1, b"")]
     assert first.take() is not None
     assert len(writer.written) == 14
 
 
 def test_requests_that_are_given_up_are_never_sent() -> None:
-    writer, reader = FakeEnd((FAST, b"")), FakeEnd((FAST, b""))
-    client = HeaderRequester(
-        writer, reader, CycloneServers(writer, reader, "/kill", Vendors()), b"client 1", RequestsInFlight()
-    )
+    writer = FakeEnd((FAST, b""))
+    client = client_on_fast_dds(writer)
     numbers = [client.send(HEADER + bytes([number] * 4)) for number in range(20)]
     assert len(writer.written) == 10
     client.give_up(numbers[:1])  # the server still keeps it
@@ -471,10 +474,8 @@ def test_requests_that_are_given_up_are_never_sent() -> None:
 
 
 def test_room_opens_when_the_last_server_with_a_limit_leaves() -> None:
-    writer, reader = FakeEnd((FAST, b"")), FakeEnd((FAST, b""))
-    client = HeaderRequester(
-        writer, reader, CycloneServers(writer, reader, "/kill", Vendors()), b"client 1", RequestsInFlight()
-    )
+    writer = FakeEnd((FAST, b""))
+    client = client_on_fast_dds(writer)
     numbers = [client.send(HEADER + b"ask!") for _ in range(11)]
     peers, writer.peers = writer.peers, []
     client.give_up(numbers[:1], is_lost=True)
@@ -483,13 +484,6 @@ def test_room_opens_when_the_last_server_with_a_limit_leaves() -> None:
     for _ in range(10):
         client.send(HEADER + b"ask!")
     assert len(writer.written) == before + 10
-
-
-def client_on_fast_dds(
-    writer: FakeEnd, key: bytes = b"client 1", in_flight: RequestsInFlight | None = None
-) -> HeaderRequester:
-    servers = CycloneServers(writer, FakeEnd((FAST, b"")), "/kill", Vendors())
-    return HeaderRequester(writer, FakeEnd((FAST, b"")), servers, key, in_flight or RequestsInFlight())
 
 
 def numbers_of(writer: FakeEnd) -> list[int]:
@@ -558,8 +552,7 @@ def server_with_a_request(
     client = bytes.fromhex(vendor) + bytes(14)
     monkeypatch.setattr(cyclone_services, "dds_inline_client", lambda _: AWAITING)
     reader.peers = [(client, b"")]
-    samples = [Sample(HEADER + struct.pack("<8sq", b"client 1", 1) + b"ask!", 1, 1, client)]
-    reader.take = lambda: samples.pop(0) if samples else None
+    reader.samples = [Sample(HEADER + struct.pack("<8sq", b"client 1", 1) + b"ask!", 1, 1, client)]
     server = HeaderResponder(reader, writer, CycloneClients(reader, writer, "/kill", Vendors()))
     request = server.take()
     assert request is not None
@@ -633,8 +626,6 @@ def test_server_that_closes_ends_the_wait_for_a_late_client(
 
 def test_clients_that_stay_are_not_counted_at_each_request() -> None:
     reader, writer = FakeEnd(), FakeEnd()
-    samples: list[Sample] = []
-    reader.take = lambda: samples.pop(0) if samples else None
     clients = CycloneClients(reader, writer, "/kill", Vendors())
     counted: list[int] = []
     server = HeaderResponder(reader, writer, clients)
@@ -648,7 +639,7 @@ def test_clients_that_stay_are_not_counted_at_each_request() -> None:
     for number in range(1000):
         gid = bytes.fromhex(CYCLONE) + number.to_bytes(14, "big")
         reader.peers.append((gid, b""))
-        samples.append(Sample(HEADER + struct.pack("<Qq", number, 1) + b"ask!", 1, 1, gid))
+        reader.samples.append(Sample(HEADER + struct.pack("<Qq", number, 1) + b"ask!", 1, 1, gid))
         assert server.take() is not None
     assert len(server._gids) == 1000
     assert len(counted) < 10
@@ -656,13 +647,11 @@ def test_clients_that_stay_are_not_counted_at_each_request() -> None:
 
 def test_server_forgets_clients_that_have_left() -> None:
     reader, writer = FakeEnd(), FakeEnd()
-    samples: list[Sample] = []
-    reader.take = lambda: samples.pop(0) if samples else None
     server = HeaderResponder(reader, writer, CycloneClients(reader, writer, "/kill", Vendors()))
     for number in range(1000):
         gid = bytes.fromhex(CYCLONE) + number.to_bytes(14, "big")
         reader.peers = [(gid, b"")]  # the one before has left
-        samples.append(Sample(HEADER + struct.pack("<Qq", number, 1) + b"ask!", 1, 1, gid))
+        reader.samples.append(Sample(HEADER + struct.pack("<Qq", number, 1) + b"ask!", 1, 1, gid))
         assert server.take() is not None
     assert len(server._gids) <= 64
 
@@ -670,12 +659,12 @@ def test_server_forgets_clients_that_have_left() -> None:
 def test_requests_of_another_vendor_are_dropped() -> None:
     reader = FakeEnd((OTHER, b""), (CYCLONE, b"clientid=1;"))
     ask = HEADER + struct.pack("<Qq", 1, 1) + b"ask!"
-    samples = [Sample(ask, 1, 1, bytes.fromhex(vendor) + bytes(14)) for vendor in (OTHER, "0000", CYCLONE)]
-    reader.take = lambda: samples.pop(0) if samples else None
+    gids = [bytes.fromhex(vendor) + bytes(14) for vendor in (OTHER, "0000", CYCLONE)]
+    reader.samples = [Sample(ask, 1, 1, gid) for gid in gids]
     server = HeaderResponder(reader, FakeEnd(), CycloneClients(reader, FakeEnd(), "/kill", Vendors()))
     request = server.take()
     assert request is not None
-    assert samples == []
+    assert reader.samples == []
     assert "a client of /kill runs on another DDS vendor" in server.incompatibility()
 
 

@@ -38,6 +38,7 @@ NODE = NodeName("/tests", "here")
 LATCHED = QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL, depth=5)
 HEADER = b"\0\1\0\0"
 GID = bytes(range(16))
+NOT_FED = "cannot feed /robot/chatter, which takes a thread: can't start"
 
 
 @pytest.fixture(autouse=True)
@@ -72,6 +73,23 @@ def refuse(_thread: threading.Thread) -> None:
     raise RuntimeError("can't start new thread")
 
 
+@contextmanager
+def no_more_threads() -> Iterator[None]:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(threading.Thread, "start", refuse)
+        yield
+
+
+def callback(function: Callable[[Any], object]) -> Any:
+    return zenoh.handlers.Callback(function, indirect=False)
+
+
+def ready_querier(session: Any, key: str) -> Any:
+    querier = session.declare_querier(key, target=zenoh.QueryTarget.ALL_COMPLETE)
+    wait_until(lambda: querier.matching_status.matching)
+    return querier
+
+
 def key_of(topic: Topic, domain_id: int) -> str:
     return data_key(domain_id, topic.name, topic.type_name, topic.type_hash)
 
@@ -102,18 +120,20 @@ def pushed(sink: SampleQueue, how_many: int) -> list[bytes]:
     return [sample[0] for sample in taken]
 
 
+def plain_key(session: Any, domain_id: int, kind: Kind, end: End | None, number: int = 5) -> str:
+    plain = NodeName("/", "plain")
+    return token_key(Token(domain_id, str(session.zid()), 0, number, kind, "/", plain, end))
+
+
 def declare_token(session: Any, domain_id: int, kind: Kind, end: End | None, number: int = 5) -> Any:
-    token = Token(domain_id, str(session.zid()), 0, number, kind, "/", NodeName("/", "plain"), end)
-    return session.liveliness().declare_token(token_key(token))
+    return session.liveliness().declare_token(plain_key(session, domain_id, kind, end, number))
 
 
 def test_a_sample_bears_number_time_and_gid_of_the_writers_token(
     participant: Participant, plain: Any, domain_id: int
 ) -> None:
     heard: list[Any] = []
-    subscriber = plain.declare_subscriber(
-        f"{domain_id}/**", zenoh.handlers.Callback(heard.append, indirect=False)
-    )
+    subscriber = plain.declare_subscriber(f"{domain_id}/**", callback(heard.append))
     writer = participant.create_writer(NODE, TOPIC, QoS())
     before_ns = time.time_ns()
     wait_until(lambda: writer.write(HEADER + b"one") or heard)
@@ -283,8 +303,7 @@ def test_hostile_requests_are_dropped_and_the_server_goes_on(
 ) -> None:
     server = participant.create_responder(NODE, KILL, QoS())
     key = kill_key(domain_id)
-    querier = plain.declare_querier(key, target=zenoh.QueryTarget.ALL_COMPLETE)
-    wait_until(lambda: querier.matching_status.matching)
+    querier = ready_querier(plain, key)
     for attachment, payload in HOSTILE:
         # The stream ends, because the query is dropped: a client isn't kept waiting.
         assert list(querier.get(payload=payload, attachment=attachment)) == []
@@ -292,11 +311,8 @@ def test_hostile_requests_are_dropped_and_the_server_goes_on(
     assert server.take() is None
     assert "no attachment of rmw_zenoh's form" in server.last_drop_reason()
     replies: list[Any] = []
-    querier.get(
-        zenoh.handlers.Callback(replies.append, indirect=False),
-        payload=HEADER + b"good",
-        attachment=zenoh_attachment.pack(4, GID),
-    )
+    attachment = zenoh_attachment.pack(4, GID)
+    querier.get(callback(replies.append), payload=HEADER + b"good", attachment=attachment)
     request = take_one(server)
     assert request.data == HEADER + b"good"
     assert request.id == (GID, 4)
@@ -330,7 +346,7 @@ def test_replies_of_others_are_dropped(participant: Participant, plain: Any, dom
         query.reply_err(b"error")
         query.drop()
 
-    queryable = plain.declare_queryable(key, zenoh.handlers.Callback(answer, indirect=False), complete=True)
+    queryable = plain.declare_queryable(key, callback(answer), complete=True)
     token = declare_token(plain, domain_id, Kind.SERVER, KILL_END)
     wait_until(client.is_ready)
     queue = ReadyQueue()
@@ -378,7 +394,7 @@ def declare_answering_server(plain: Any, domain_id: int) -> Any:
         query.reply(key, HEADER + b"right", attachment=query.attachment.to_bytes())
         query.drop()
 
-    return plain.declare_queryable(key, zenoh.handlers.Callback(answer, indirect=False), complete=True)
+    return plain.declare_queryable(key, callback(answer), complete=True)
 
 
 def test_server_without_a_route_is_not_ready_and_the_route_wakes_its_waiters(
@@ -425,9 +441,7 @@ def asked(participant: Participant, domain_id: int, plain: Any) -> Iterator[tupl
     client = participant.create_requester(NODE, KILL, QoS())
     queries: list[Any] = []
     key = kill_key(domain_id)
-    queryable = plain.declare_queryable(
-        key, zenoh.handlers.Callback(queries.append, indirect=False), complete=True
-    )
+    queryable = plain.declare_queryable(key, callback(queries.append), complete=True)
     token = declare_token(plain, domain_id, Kind.SERVER, KILL_END)
     wait_until(client.is_ready)
     client.send(HEADER + b"ask")
@@ -497,19 +511,9 @@ def test_queries_of_a_client_that_left_are_dropped(
 ) -> None:
     server = participant.create_responder(NODE, KILL, QoS())
     token = declare_token(plain, domain_id, Kind.CLIENT, KILL_END)
-    gid = gid_of(
-        token_key(
-            Token(domain_id, str(plain.zid()), 0, 5, Kind.CLIENT, "/", NodeName("/", "plain"), KILL_END)
-        )
-    )
-    key = kill_key(domain_id)
-    querier = plain.declare_querier(key, target=zenoh.QueryTarget.ALL_COMPLETE)
-    wait_until(lambda: querier.matching_status.matching)
-    querier.get(
-        zenoh.handlers.Callback(lambda reply: None, indirect=False),
-        payload=HEADER + b"ask",
-        attachment=zenoh_attachment.pack(1, gid),
-    )
+    gid = gid_of(plain_key(plain, domain_id, Kind.CLIENT, KILL_END))
+    querier = ready_querier(plain, kill_key(domain_id))
+    querier.get(callback(print), payload=HEADER + b"ask", attachment=zenoh_attachment.pack(1, gid))
     wait_until(lambda: server._queries)
     # Zenoh tells nothing of a token that ends before it was told of.
     wait_until(lambda: gid in {end.gid for end in participant.graph.service_ends()})
@@ -575,7 +579,7 @@ def test_what_a_writer_wrote_before_it_knew_of_the_reader_is_asked_for(
         query.drop()
 
     pattern = f"{key}/@adv/pub/{plain.zid()}/7/_"
-    queryable = plain.declare_queryable(pattern, zenoh.handlers.Callback(answer, indirect=False))
+    queryable = plain.declare_queryable(pattern, callback(answer))
     probe = plain.declare_querier(pattern)
     wait_until(lambda: probe.matching_status.matching)
     end = time.monotonic() + 30
@@ -621,9 +625,7 @@ def test_no_more_than_the_queue_takes_is_held_of_a_fast_writer(
     assert reader.take() is not None
 
 
-def test_all_is_received_of_a_writer_that_keeps_all(
-    participant: Participant, start_peer: Callable[..., Peer]
-) -> None:
+def test_all_is_received_of_a_writer_that_keeps_all(participant: Participant) -> None:
     keep_all = QoS(history=HistoryPolicy.KEEP_ALL)
     reader = participant.create_reader(NODE, TOPIC, keep_all)
     writer = participant.create_writer(NODE, TOPIC, keep_all)
@@ -834,7 +836,7 @@ def test_large_messages_pass_a_link_that_is_slower_than_their_writer(
     ):
         session.declare_subscriber(
             key_of(TOPIC, domain_id),
-            zenoh.handlers.Callback(lambda sample: received.append(len(sample.payload)), indirect=False),
+            callback(lambda sample: received.append(len(sample.payload))),
         )
         writer = participant.create_writer(NODE, TOPIC, QoS())
         wait_until(lambda: writer.write(HEADER + b"small") or received)
@@ -1084,20 +1086,16 @@ def test_a_sink_that_sleeps_starves_no_other(participant: Participant) -> None:
         release.set()
 
 
-def test_without_a_thread_a_reader_is_not_fed(
-    participant: Participant, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_without_a_thread_a_reader_is_not_fed(participant: Participant) -> None:
     reader = participant.create_reader(NODE, TOPIC, QoS())
-    with monkeypatch.context() as patch:
-        patch.setattr(threading.Thread, "start", refuse)
-        with pytest.raises(WireError, match="cannot feed /robot/chatter, which takes a thread: can't start"):
-            reader.feed(SampleQueue(1))
+    with no_more_threads(), pytest.raises(WireError, match=NOT_FED):
+        reader.feed(SampleQueue(1))
     participant.create_writer(NODE, TOPIC, QoS()).write(HEADER + b"x")
     assert take_all(reader, 1)[0].data == HEADER + b"x"
 
 
 def test_without_a_thread_for_another_sink_a_reader_keeps_samples_for_the_next_one(
-    participant: Participant, monkeypatch: pytest.MonkeyPatch
+    participant: Participant,
 ) -> None:
     first, last = SampleQueue(10), SampleQueue(10)
     reader = participant.create_reader(NODE, TOPIC, QoS())
@@ -1105,10 +1103,8 @@ def test_without_a_thread_for_another_sink_a_reader_keeps_samples_for_the_next_o
     reader.feed(first)
     writer.write(HEADER + b"a")
     assert pushed(first, 1) == [HEADER + b"a"]
-    with monkeypatch.context() as patch:
-        patch.setattr(threading.Thread, "start", refuse)
-        with pytest.raises(WireError, match="cannot feed /robot/chatter, which takes a thread: can't start"):
-            reader.feed(SampleQueue(1))
+    with no_more_threads(), pytest.raises(WireError, match=NOT_FED):
+        reader.feed(SampleQueue(1))
     writer.write(HEADER + b"b")
     reader.feed(last)
     writer.write(HEADER + b"c")
@@ -1117,16 +1113,11 @@ def test_without_a_thread_for_another_sink_a_reader_keeps_samples_for_the_next_o
     assert [thread.name for thread in threading.enumerate()].count("tfloom_zenoh_feeder") == 1
 
 
-def test_without_a_thread_for_its_deadline_an_endpoint_is_not_opened(
-    participant: Participant, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_without_a_thread_for_its_deadline_an_endpoint_is_not_opened(participant: Participant) -> None:
     timed = QoS(deadline_ns=10**9)
-    with monkeypatch.context() as patch:
-        patch.setattr(threading.Thread, "start", refuse)
-        with pytest.raises(
-            WireError, match="the deadline of /robot/chatter, which takes a thread: can't start"
-        ):
-            participant.create_writer(NODE, TOPIC, timed)
+    text = "the deadline of /robot/chatter, which takes a thread: can't start"
+    with no_more_threads(), pytest.raises(WireError, match=text):
+        participant.create_writer(NODE, TOPIC, timed)
     assert participant.graph.endpoints() == []
     participant.create_writer(NODE, TOPIC, timed).write(HEADER)
 
@@ -1135,15 +1126,12 @@ def test_without_a_thread_for_a_lease_samples_come_and_a_line_tells(
     participant: Participant,
     plain: Any,
     domain_id: int,
-    monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     manual = QoS(liveliness=LivelinessPolicy.MANUAL_BY_TOPIC, liveliness_lease_ns=10**9)
-    end = End(TOPIC.name, TOPIC.type_name, HASH, manual)
-    token = declare_token(plain, domain_id, Kind.PUBLISHER, end)
+    token = declare_token(plain, domain_id, Kind.PUBLISHER, End(*TOPIC[:3], manual))
     wait_until(participant.graph.endpoints)
-    with monkeypatch.context() as patch:
-        patch.setattr(threading.Thread, "start", refuse)
+    with no_more_threads():
         reader = participant.create_reader(NODE, TOPIC, QoS())
     assert capsys.readouterr().err == (
         "tfloom: the liveliness of the publisher of /robot/chatter in /plain is not watched, which takes a thread: "
