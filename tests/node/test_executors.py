@@ -356,6 +356,32 @@ class Numbers:
         assert self.heard == list(range(10))
 
 
+def test_each_reason_alone_keeps_a_thread_from_continuing(
+    pool: MultiThreadedExecutor, context: Context, node: Node, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The tests below meet some of them together, in an order that the system's scheduling decides."""
+    numbers = node.create_subscription(Int32, "numbers", print, 10)
+    is_over: Future[None] = Future()
+
+    def may_continue() -> bool:
+        return pool._may_continue(numbers, None, time.monotonic_ns() + 30_000_000_000)
+
+    assert not may_continue()  # nobody spins
+    monkeypatch.setattr(pool, "_is_in_long_spin", True)
+    monkeypatch.setattr(pool, "_awaited", is_over)
+    assert may_continue()
+    for name, value in (("_errors", [KeyError()]), ("_is_shutdown", True)):
+        with monkeypatch.context() as patch:
+            patch.setattr(pool, name, value)
+            assert not may_continue(), name
+    is_over.set_result(None)
+    assert not may_continue()
+    monkeypatch.setattr(pool, "_awaited", None)
+    assert may_continue()
+    context.shutdown()
+    assert not may_continue()
+
+
 def test_no_thread_continues_after_the_awaited_future_is_complete(
     pool: MultiThreadedExecutor, node: Node
 ) -> None:
