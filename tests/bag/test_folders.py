@@ -169,6 +169,7 @@ def test_decompressed_file_is_removed(tmp_path: Path, monkeypatch: pytest.Monkey
     compressed.write_bytes(zstandard.ZstdCompressor().compress(whole))
     with open_bag(compressed) as bag:
         assert found_in(bag) == DRIVE
+        assert frames(bag).has_frame("lidar")
         assert len(list(temporary.iterdir())) == 1
     assert frames(compressed).has_frame("lidar")
     compressed.write_bytes(compressed.read_bytes()[:-200])

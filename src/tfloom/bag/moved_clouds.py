@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
+from contextlib import nullcontext
 from typing import TYPE_CHECKING, Any
 
 from tfloom.bag.bag import Bag
@@ -62,28 +63,17 @@ def clouds(
         BagError: the recording can't be read, the topic has another type, or its points have no field with a time.
         TransformException: as `Buffer.lookup`, unless `skip_unknown`.
     """
-    if not isinstance(bag, Bag):
-        with open_bag(bag) as opened:
-            yield from clouds(
-                opened,
-                topic,
-                buffer,
-                target_frame,
-                fixed_frame=fixed_frame,
-                time_field=time_field,
-                seconds_per_unit=seconds_per_unit,
-                start_ns=start_ns,
-                end_ns=end_ns,
-                skip_unknown=skip_unknown,
+    with nullcontext(bag) if isinstance(bag, Bag) else open_bag(bag) as opened:
+        type_name = opened.topic(topic).type
+        if type_name.replace("/msg", "") != TYPE.replace("/msg", ""):
+            raise BagError(opened.path, f"the topic {topic} has the type {type_name}, not {TYPE}")
+        for _, cloud in opened.read(topic, start_ns, end_ns):
+            stamps = (
+                None if fixed_frame is None else _stamps(opened, topic, cloud, time_field, seconds_per_unit)
             )
-        return
-    if bag.topic(topic).type.replace("/msg", "") != TYPE.replace("/msg", ""):
-        raise BagError(bag.path, f"the topic {topic} has the type {bag.topic(topic).type}, not {TYPE}")
-    for _, cloud in bag.read(topic, start_ns, end_ns):
-        stamps = None if fixed_frame is None else _stamps(bag, topic, cloud, time_field, seconds_per_unit)
-        moved = _moved_if_known(buffer, cloud, target_frame, fixed_frame, stamps, skip_unknown)
-        if moved is not None:
-            yield moved
+            moved = _moved_if_known(buffer, cloud, target_frame, fixed_frame, stamps, skip_unknown)
+            if moved is not None:
+                yield moved
 
 
 def _moved_if_known(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Collection
+from contextlib import nullcontext
 
 from tfloom._native import TfRecords
 from tfloom.bag.bag import Bag
@@ -46,19 +47,17 @@ def frames(
             transforms.
     """
     buffer = Buffer(None)
-    wanted = {
-        "namespace": namespace,
-        "tf_topics": tf_topics,
-        "static_topics": static_topics,
-        "start_ns": start_ns,
-        "end_ns": end_ns,
-        "progress": progress,
-    }
-    if isinstance(bag, Bag):
-        insert_frames(buffer, bag, **wanted)  # type: ignore[arg-type]
-    else:
-        with open_bag(bag) as opened:
-            insert_frames(buffer, opened, **wanted)  # type: ignore[arg-type]
+    with nullcontext(bag) if isinstance(bag, Bag) else open_bag(bag) as opened:
+        insert_frames(
+            buffer,
+            opened,
+            namespace=namespace,
+            tf_topics=tf_topics,
+            static_topics=static_topics,
+            start_ns=start_ns,
+            end_ns=end_ns,
+            progress=progress,
+        )
     return buffer
 
 
