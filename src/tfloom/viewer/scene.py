@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -138,37 +139,19 @@ class Scene:
     def _set_lines(
         self, name: str, handle: Any, ends: NDArray[np.float32], colors: NDArray[np.uint8], width_px: float
     ) -> Any:
-        if handle is not None and len(ends) and handle.points.shape == ends.shape:
-            handle.points = ends
-            return handle
-        if handle is not None:
-            handle.remove()
-        if not len(ends):
-            return None
-        return self._scene.add_line_segments(name, ends, colors, thickness=width_px, thickness_units="screen")
+        add = partial(self._scene.add_line_segments, thickness=width_px, thickness_units="screen")
+        return _set_ends(handle, ends, partial(add, name, ends, colors))
 
     def _draw_arrows(self, poses: FramePoses, is_behind: NDArray[np.bool_], axes_m: float) -> None:
         children = poses.links()
-        ends = np.stack([poses.positions[children], poses.positions[poses.parents[children]]], axis=1)
-        ends = ends.astype(np.float32)
+        pairs = np.stack([poses.positions[children], poses.positions[poses.parents[children]]], axis=1)
+        ends = pairs.astype(np.float32)
         colors = np.where(is_behind[children, np.newaxis], np.array(GREY), np.array(YELLOW)).astype(np.uint8)
-        if self._arrows is not None and len(ends) and self._arrows.points.shape == ends.shape:
-            self._arrows.points = ends
-            if not np.array_equal(self._arrows.colors, colors):
-                self._arrows.colors = colors
-            return
-        if self._arrows is not None:
-            self._arrows.remove()
-            self._arrows = None
-        if len(ends):
-            self._arrows = self._scene.add_arrows(
-                "/frames/arrows",
-                ends,
-                colors,
-                shaft_radius=axes_m / 50.0,
-                head_radius=axes_m / 15.0,
-                head_length=axes_m / 5.0,
-            )
+        sizes = {"shaft_radius": axes_m / 50.0, "head_radius": axes_m / 15.0, "head_length": axes_m / 5.0}
+        add = partial(self._scene.add_arrows, "/frames/arrows", ends, colors, **sizes)
+        self._arrows = _set_ends(self._arrows, ends, add)
+        if self._arrows is not None and not np.array_equal(self._arrows.colors, colors):
+            self._arrows.colors = colors
 
     def _draw_names(self, poses: FramePoses, behind: Collection[str], *, is_shown: bool) -> None:
         shown = dict(zip(poses.names, poses.positions, strict=True)) if is_shown else {}
@@ -229,3 +212,13 @@ class Scene:
             else:
                 drawn[index].change(shape)
             drawn[index].place(pose)
+
+
+def _set_ends(handle: Any, ends: NDArray[np.float32], add: Callable[[], Any]) -> Any:
+    """Exchange the ends of a node's lines or arrows; another number of them is another node, and none is no node."""
+    if handle is not None and len(ends) and handle.points.shape == ends.shape:
+        handle.points = ends
+        return handle
+    if handle is not None:
+        handle.remove()
+    return add() if len(ends) else None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from foxglove import Parameter, ParameterType, ParameterValue
@@ -52,12 +52,8 @@ class Parameters:
             if parameter and name in self._settings.parameters:
                 by_node.setdefault(node, []).append(parameter)
         nodes = [node for node in self._nodes() if node in by_node]
-        responses = self._ask(
-            nodes,
-            "get_parameters",
-            srv.GetParameters,
-            [srv.GetParameters.Request(names=by_node[node]) for node in nodes],
-        )
+        requests = {node: srv.GetParameters.Request(names=by_node[node]) for node in nodes}
+        responses = self._ask("get_parameters", srv.GetParameters, requests)
         return [
             from_message(f"{node}.{parameter}", value)
             for node, response in responses
@@ -83,14 +79,14 @@ class Parameters:
         if not name or node not in self._nodes():
             raise ParameterError(f"no node has the parameter {parameter.name}")
         request = srv.GetParameters.Request(names=[name])
-        present = self._ask([node], "get_parameters", srv.GetParameters, [request])
+        present = self._ask("get_parameters", srv.GetParameters, {node: request})
         kind = present[0][1].values[0].type if present and present[0][1].values else 0
         try:
             value = _to_message(parameter.get_value(), kind)
         except (TypeError, ValueError, AssertionError) as error:
             raise ParameterError(f"{parameter.name} can't have this value: {error}") from None
         change = srv.SetParameters.Request(parameters=[msg.Parameter(name=name, value=value)])
-        responses = self._ask([node], "set_parameters", srv.SetParameters, [change])
+        responses = self._ask("set_parameters", srv.SetParameters, {node: change})
         if not responses:
             raise ParameterError(f"{node} did not respond")
         results = responses[0][1].results
@@ -101,8 +97,8 @@ class Parameters:
 
     def _all_names(self) -> list[str]:
         nodes = [node for node in self._nodes() if node not in self._silent]
-        request = srv.ListParameters.Request()
-        responses = self._ask(nodes, "list_parameters", srv.ListParameters, [request] * len(nodes))
+        requests = dict.fromkeys(nodes, srv.ListParameters.Request())
+        responses = self._ask("list_parameters", srv.ListParameters, requests)
         if self._settings.skips_silent_nodes:
             self._silent |= set(nodes) - {node for node, _ in responses}
         return [f"{node}.{name}" for node, response in responses for name in sorted(response.result.names)]
@@ -114,17 +110,12 @@ class Parameters:
         return [node for node in nodes if self._settings.include_hidden or "/_" not in node]
 
     def _ask(
-        self, nodes: Sequence[str], service: str, service_class: type[Any], requests: Sequence[Any]
+        self, service: str, service_class: type[Any], requests: Mapping[str, Any]
     ) -> list[tuple[str, Any]]:
-        """Return the responses of those nodes that respond, with the nodes."""
-        calls = [
-            Call(service_class, f"{node}/{service}", request)
-            for node, request in zip(nodes, requests, strict=True)
-        ]
-        responses = self._calls.call_all(calls, TIMEOUT_S)
-        return [
-            (node, response) for node, response in zip(nodes, responses, strict=True) if response is not None
-        ]
+        """Send nodes their requests; return the responses of those nodes that respond, with the nodes."""
+        calls = [Call(service_class, f"{node}/{service}", request) for node, request in requests.items()]
+        responses = zip(requests, self._calls.call_all(calls, TIMEOUT_S), strict=True)
+        return [(node, response) for node, response in responses if response is not None]
 
 
 def from_message(name: str, value: msg.ParameterValue) -> Parameter:
