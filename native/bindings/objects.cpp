@@ -104,31 +104,26 @@ ObjectBuilder::Value ObjectBuilder::sequence(const ObjectPlan::Slot& slot, std::
   return array;
 }
 
-namespace {
-
-// Return ", got 'abc' (str)", with a long value cut.
-std::string got(PyObject* value) {
+std::string shown(nb::handle value) {
   constexpr std::size_t longest = 60;
-  std::string text;
-  if (const auto repr = nb::steal(PyObject_Repr(value)); repr.is_valid()) {
-    text = nb::str(repr).c_str();
-  } else {
-    PyErr_Clear();
-    text = "<no repr>";
-  }
-  if (text.size() > longest) {
-    std::size_t cut = longest;
-    while ((static_cast<unsigned char>(text[cut]) & 0xc0) == 0x80) --cut;
-    text = text.substr(0, cut) + "...";
-  }
-  return ", got " + text + " (" + Py_TYPE(value)->tp_name + ")";
+  const auto repr = nb::steal(PyObject_Repr(value.ptr()));
+  const char* utf8 = repr.is_valid() ? PyUnicode_AsUTF8(repr.ptr()) : nullptr;
+  if (!utf8) PyErr_Clear();
+  const std::string text = utf8 ? utf8 : "<no repr>";
+  if (text.size() <= longest) return text;
+  std::size_t end = longest;
+  while ((static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U) --end;  // not within a character
+  return text.substr(0, end) + "...";
 }
+
+namespace {
 
 [[noreturn]] void throw_mismatch(const std::string& expected, PyObject* value) {
   // A time of rclpy prints as `Time`, too, and has a method that gives the message.
   const bool is_of_rclpy =
       expected.find("/msg/") != std::string::npos && PyObject_HasAttrString(value, "to_msg") == 1;
-  throw EncodeError("must be " + expected + got(value) + (is_of_rclpy ? ": append .to_msg()" : ""));
+  throw EncodeError("must be " + expected + ", got " + shown(value) + " (" + Py_TYPE(value)->tp_name + ")" +
+                    (is_of_rclpy ? ": append .to_msg()" : ""));
 }
 
 // Clear TypeError and OverflowError, which the caller replaces by an EncodeError. Rethrow errors of the value's own

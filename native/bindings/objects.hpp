@@ -56,6 +56,9 @@ void set_message_hooks(const MessageHooks* hooks) noexcept;
 // Return the hooks. Raise RuntimeError if there are none, because the interpreter is ending.
 const MessageHooks& message_hooks();
 
+// Return a value's repr, a long one cut, for the text of an error.
+[[nodiscard]] std::string shown(nb::handle value);
+
 // Return the plan of a message class, compiled at first use. Raise TypeError for a class that is no message class.
 ObjectPlan& plan_of(PyTypeObject* type);
 

@@ -15,6 +15,7 @@
 #include "bindings/bindings.hpp"
 #include "bindings/gil.hpp"
 #include "bindings/callback.hpp"
+#include "bindings/objects.hpp"
 #include "bindings/tf2_arguments.hpp"
 #include "bindings/tf2_buffer.hpp"
 #include "tf2/buffer.hpp"
@@ -44,17 +45,9 @@ nb::object exception_of(const tf2::Error& error) {
 }
 
 void raise_wrong_argument(const char* wanted, nb::handle given) {
-  constexpr std::size_t max_length = 60;
   const AcquiredGil gil;
   if (!gil) throw nb::type_error(wanted);
-  std::string text = nb::repr(given).c_str();
-  if (text.size() > max_length) {
-    std::size_t end = max_length;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U) --end;  // not within a character
-    text = text.substr(0, end) + "...";
-  }
-  text = std::string(wanted) + ", not " + text + " of class " + Py_TYPE(given.ptr())->tp_name;
-  throw nb::type_error(text.c_str());
+  throw nb::type_error((wanted + (", not " + shown(given)) + " of class " + Py_TYPE(given.ptr())->tp_name).c_str());
 }
 
 void raise(const tf2::Error& error) {

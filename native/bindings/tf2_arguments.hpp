@@ -50,15 +50,29 @@ struct NumbersArgument {
 
 namespace nanobind::detail {
 
-template <>
-struct type_caster<tfloom::bindings::StampArgument> {
-  static constexpr auto Name = const_name("int");
+// What the casters share. Each sets `value_`, or `refused_` to the object that it was given.
+template <typename Argument>
+struct ArgumentCaster {
   template <typename T>
-  using Cast = tfloom::bindings::StampArgument;
+  using Cast = Argument;
   template <typename T>
   static constexpr bool can_cast() {
     return true;
   }
+
+ protected:
+  bool refuse(handle source) noexcept {
+    refused_ = source;
+    return true;
+  }
+
+  Argument value_;
+  handle refused_;
+};
+
+template <>
+struct type_caster<tfloom::bindings::StampArgument> : ArgumentCaster<tfloom::bindings::StampArgument> {
+  static constexpr auto Name = const_name("int");
 
   bool from_python(handle source, std::uint8_t, cleanup_list*) noexcept {
     PyObject* number = source.ptr();
@@ -89,13 +103,6 @@ struct type_caster<tfloom::bindings::StampArgument> {
   }
 
  protected:
-  bool refuse(handle source) noexcept {
-    refused_ = source;
-    return true;
-  }
-
-  tfloom::bindings::StampArgument value_;
-  handle refused_;
   int overflow_ = 0;
 };
 
@@ -126,20 +133,11 @@ struct type_caster<tfloom::bindings::AgeArgument> : type_caster<tfloom::bindings
 };
 
 template <>
-struct type_caster<tfloom::bindings::NameArgument> {
+struct type_caster<tfloom::bindings::NameArgument> : ArgumentCaster<tfloom::bindings::NameArgument> {
   static constexpr auto Name = const_name("str");
-  template <typename T>
-  using Cast = tfloom::bindings::NameArgument;
-  template <typename T>
-  static constexpr bool can_cast() {
-    return true;
-  }
 
   bool from_python(handle source, std::uint8_t, cleanup_list*) noexcept {
-    if (!PyUnicode_Check(source.ptr())) {
-      refused_ = source;
-      return true;
-    }
+    if (!PyUnicode_Check(source.ptr())) return refuse(source);
     Py_ssize_t size = 0;
     const char* text = PyUnicode_AsUTF8AndSize(source.ptr(), &size);
     if (!text) {
@@ -155,41 +153,29 @@ struct type_caster<tfloom::bindings::NameArgument> {
     if (!value_.object) throw nanobind::value_error("a frame's name must be valid Unicode, without lone surrogates");
     return value_;
   }
-
- private:
-  tfloom::bindings::NameArgument value_;
-  handle refused_;
 };
 
 template <std::size_t N>
-struct type_caster<tfloom::bindings::NumbersArgument<N>> {
+struct type_caster<tfloom::bindings::NumbersArgument<N>> : ArgumentCaster<tfloom::bindings::NumbersArgument<N>> {
   using Numbers = make_caster<std::array<double, N>>;
   static constexpr auto Name = Numbers::Name;
-  template <typename T>
-  using Cast = tfloom::bindings::NumbersArgument<N>;
-  template <typename T>
-  static constexpr bool can_cast() {
-    return true;
-  }
 
   bool from_python(handle source, std::uint8_t flags, cleanup_list* cleanup) noexcept {
-    if (!numbers_.from_python(source, flags, cleanup)) refused_ = source;
-    return true;
+    return numbers_.from_python(source, flags, cleanup) || this->refuse(source);
   }
 
   explicit operator tfloom::bindings::NumbersArgument<N>() {
     static_assert(N == 3 || N == 4);
-    if (refused_) {
+    if (this->refused_) {
       tfloom::bindings::raise_wrong_argument(
           N == 3 ? "a translation must be three numbers, x, y, z" : "a rotation must be four numbers, x, y, z, w",
-          refused_);
+          this->refused_);
     }
     return {numbers_.value};
   }
 
  private:
   Numbers numbers_;
-  handle refused_;
 };
 
 }  // namespace nanobind::detail

@@ -27,6 +27,7 @@ from tfloom.interfaces.type_description_interfaces.msg import FieldType, TypeSou
 from tfloom.rosidl import cdr
 from tfloom.rosidl.message import Message
 from tfloom.rosidl.registry import get_message_class
+from tfloom.tf2.buffer import Buffer
 
 LE = bytes.fromhex("00010000")
 BE = bytes.fromhex("00000000")
@@ -89,6 +90,15 @@ def test_encode_errors_have_the_path(message: Message, text: str) -> None:
         cdr.encode(message)
     assert str(raised.value) == text
     assert text.startswith(raised.value.path)
+
+
+@pytest.mark.parametrize("written", ["\udc80", None])
+def test_error_of_a_value_whose_repr_cannot_be_shown_says_its_class(written: str | None) -> None:
+    value = type("Odd", (), {"__repr__": lambda _: written})()
+    with pytest.raises(cdr.EncodeError, match=r"^String.data must be a str, got <no repr> \(Odd\)$"):
+        cdr.encode(String(data=value))
+    with pytest.raises(TypeError, match=r"must be a str, not <no repr> of class Odd$"):
+        Buffer().can(value, "a")
 
 
 def test_unset_slot_raises() -> None:
