@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from typing import Any, Protocol
 
 from tfloom.launch.frontend.entity import Entity as BaseEntity
 from tfloom.launch.frontend.type_utils import check_is_list_entity
-from tfloom.launch.utilities.nearest import did_you_mean
+from tfloom.launch.utilities.nearest import did_you_mean, names_with_hints
 from tfloom.launch.utilities.type_utils import get_typed_value
 
 __all__ = ["Entity"]
@@ -71,15 +71,12 @@ class Entity(BaseEntity):
         """
         tags = {child.tag for child in self._element} - self._read_tags
         attributes = set(self._element.attrib) - self._read_attributes
-        faults = []
-        if tags:
-            faults.append(
-                f"Unexpected nested tag(s) found in `{self.type_name}`: {self._names_with_hints(tags)}"
-            )
-        if attributes:
-            faults.append(
-                f"Unexpected attribute(s) found in `{self.type_name}`: {self._names_with_hints(attributes)}"
-            )
+        accepted = self._asked - self._read_attributes - self._read_tags
+        faults = [
+            f"Unexpected {what}(s) found in `{self.type_name}`: {names_with_hints(unread, accepted)}"
+            for what, unread in (("nested tag", tags), ("attribute", attributes))
+            if unread
+        ]
         if faults:
             raise ValueError("; ".join(faults))
 
@@ -133,14 +130,3 @@ class Entity(BaseEntity):
 
     def _unread_names(self) -> set[str]:
         return {*self._element.attrib, *(child.tag for child in self._element)} - self._asked
-
-    def _names_with_hints(self, names: Iterable[str]) -> str:
-        """Return unread names as a set, and for each the nearest one that the action has."""
-        ordered = sorted(names)
-        accepted_names = self._asked - self._read_attributes - self._read_tags
-        near = "".join(
-            f"{hint} (for '{name}')" if len(ordered) > 1 else hint
-            for name in ordered
-            if (hint := did_you_mean(name, accepted_names))
-        )
-        return "{" + ", ".join(f"'{name}'" for name in ordered) + "}" + near

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from tfloom.launch.frontend.entity import Entity as BaseEntity
 from tfloom.launch.frontend.type_utils import check_is_list_entity
 from tfloom.launch.utilities.error_places import place_error
-from tfloom.launch.utilities.nearest import did_you_mean
+from tfloom.launch.utilities.nearest import did_you_mean, names_with_hints
 from tfloom.launch.utilities.type_utils import is_instance_of
 
 __all__ = ["Entity", "Places"]
@@ -109,15 +109,10 @@ class Entity(BaseEntity):
                     f"Unexpected nested entity(ies) found in `{self._type_name}`: {self._element}"
                 )
             return
-        unread = sorted(str(key) for key in self._attributes() if key not in self._read)
+        unread = [str(key) for key in self._attributes() if key not in self._read]
         if unread:
-            near = "".join(
-                f"{hint} (for '{key}')" if len(unread) > 1 else hint
-                for key in unread
-                if (hint := did_you_mean(key, self._asked - self._read))
-            )
-            listed = "{" + ", ".join(f"'{key}'" for key in unread) + "}"
-            raise ValueError(f"Unexpected key(s) found in `{self._type_name}`: {listed}{near}")
+            listed = names_with_hints(unread, self._asked - self._read)
+            raise ValueError(f"Unexpected key(s) found in `{self._type_name}`: {listed}")
 
     def _attributes(self) -> dict[Any, Any]:
         """Return the mapping; an element without one, as in `- node:`, has no attributes."""
