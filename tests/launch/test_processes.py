@@ -26,13 +26,13 @@ from tfloom.launch.actions.shutdown_action import Shutdown
 from tfloom.launch.actions.timer_action import TimerAction
 from tfloom.launch.descriptions.executable import Executable
 from tfloom.launch.event_handlers import OnProcessExit, OnProcessIO, OnProcessStart
-from tfloom.launch.events.matchers import matches_action
 from tfloom.launch.events.process import (
     ProcessExited,
     ProcessStarted,
     ProcessStdin,
     ShutdownProcess,
     SignalProcess,
+    matches_action,
     matches_executable,
     matches_name,
     matches_pid,

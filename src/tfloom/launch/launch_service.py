@@ -34,7 +34,7 @@ from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.logging import get_logger, launch_config, log_launch_config
-from tfloom.launch.processes.running import guard_of
+from tfloom.launch.processes.guard import guard_of
 from tfloom.launch.run_state import HandlesEvents
 from tfloom.launch.utilities.error_places import describe_failure
 from tfloom.launch.utilities.normalize_to_list_of_entities import normalize_to_list_of_entities

@@ -15,7 +15,6 @@ from tfloom.launch.actions.timer_action import TimerAction
 from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.testing import legacy_output
 from tfloom.launch.testing.arguments import parse_launch_arguments
-from tfloom.launch.testing.decorator import post_shutdown_test
 from tfloom.launch.testing.junitxml import unittestResultsToXml
 from tfloom.launch.testing.loader import (
     DescriptionError,
@@ -23,7 +22,7 @@ from tfloom.launch.testing.loader import (
     PostShutdownTestLoader,
     PreShutdownTestLoader,
 )
-from tfloom.launch.testing.markers import is_kept_alive, keep_alive, retry_on_failure
+from tfloom.launch.testing.markers import is_kept_alive, keep_alive, post_shutdown_test, retry_on_failure
 from tfloom.launch.testing.output import basic_output_filter, expect_output, expected_output_from_file
 from tfloom.launch.testing.parametrize import parametrize
 from tfloom.launch.testing.readiness import ReadyAggregator, ready_to_test_action_timeout, timeout_of

@@ -258,8 +258,8 @@ class ExecuteLocal(Action):
 
     async def _run_once(self, context: LaunchContext) -> bool:
         """Run the process from its start to its end; return whether it could be started."""
+        from tfloom.launch.processes.guard import guard_of
         from tfloom.launch.processes.local_process import LocalProcess
-        from tfloom.launch.processes.running import guard_of
 
         executable = self._process_description
         name, cmd = str(executable.final_name), executable.final_cmd or []

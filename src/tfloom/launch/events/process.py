@@ -20,6 +20,7 @@ __all__ = [
     "RunningProcessEvent",
     "ShutdownProcess",
     "SignalProcess",
+    "matches_action",
     "matches_executable",
     "matches_name",
     "matches_pid",
@@ -112,6 +113,11 @@ class ProcessTargetedEvent(Event):
 
 
 ProcessMatcher = Callable[[Any], bool]
+
+
+def matches_action(target_action: Action) -> Callable[[Action], bool]:
+    """Return a function that returns whether an action is `target_action`."""
+    return lambda action: action is target_action
 
 
 def matches_pid(pid: int) -> ProcessMatcher:

@@ -12,9 +12,10 @@ import weakref
 from collections.abc import Mapping
 from contextlib import suppress
 
+from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.processes.family import Groups, end, members_of, tagged, untagged
 
-__all__ = ["Guard"]
+__all__ = ["Guard", "guard_of"]
 
 LEFTOVERS = {signal.SIGTERM: 1.0}
 """Time that processes have after the end of the process that started them [s], before SIGKILL."""
@@ -121,3 +122,11 @@ def _end_at_once(guardian: subprocess.Popen[bytes]) -> None:
     """End a guardian that has nothing left to do."""
     guardian.kill()
     guardian.communicate()
+
+
+_guards: weakref.WeakKeyDictionary[LaunchContext, Guard] = weakref.WeakKeyDictionary()
+
+
+def guard_of(context: LaunchContext) -> Guard:
+    """Return the guard of a launch."""
+    return _guards.setdefault(context, Guard())

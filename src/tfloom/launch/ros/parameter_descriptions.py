@@ -13,12 +13,12 @@ from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 from tfloom.launch.utilities.type_utils import (
     AllowedTypesType,
+    FilePath,
     SomeValueType,
     data_type_error,
     normalize_typed_substitution,
     perform_typed_substitution,
 )
-from tfloom.launch.utilities.typing_file_path import FilePath
 
 __all__ = ["EvaluatedParameterValue", "Parameter", "ParameterFile", "ParameterValue"]
 

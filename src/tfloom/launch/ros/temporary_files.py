@@ -10,7 +10,7 @@ import weakref
 from pathlib import Path
 
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.processes.running import guard_of
+from tfloom.launch.processes.guard import guard_of
 from tfloom.whole_files import write_file
 
 __all__ = ["folder_of", "write_temporary_file"]

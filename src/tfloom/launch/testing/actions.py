@@ -11,8 +11,7 @@ from tfloom.launch.actions.opaque import OpaqueFunction
 from tfloom.launch.actions.timer_action import TimerAction
 from tfloom.launch.event import Event
 from tfloom.launch.event_handlers import OnProcessStart
-from tfloom.launch.events.matchers import matches_action
-from tfloom.launch.events.process import ShutdownProcess
+from tfloom.launch.events.process import ShutdownProcess, matches_action
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.logging import get_logger

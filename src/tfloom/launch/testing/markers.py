@@ -9,10 +9,21 @@ import unittest
 from collections.abc import Callable
 from typing import Any, TypeVar
 
-__all__ = ["is_kept_alive", "keep_alive", "retry_on_failure"]
+__all__ = ["is_kept_alive", "keep_alive", "post_shutdown_test", "retry_on_failure"]
 
 _Marked = TypeVar("_Marked", bound=Callable[..., Any])
+_Case = TypeVar("_Case", bound=type[Any])
 _MARKERS = "__markers__"
+
+
+def post_shutdown_test() -> Callable[[_Case], _Case]:
+    """Return a decorator of a test case, whose tests then run when all processes have exited."""
+
+    def decorate(case: _Case) -> _Case:
+        case.__post_shutdown_test__ = True
+        return case
+
+    return decorate
 
 
 def keep_alive(test_description: _Marked) -> _Marked:

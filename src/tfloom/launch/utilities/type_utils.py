@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Sequence
 from typing import Any, List, Union  # noqa: UP035  # programs pass typing.List
 
@@ -14,6 +15,7 @@ __all__ = [
     "AllowedTypesTuple",
     "AllowedTypesType",
     "AllowedValueType",
+    "FilePath",
     "ListTypesTuple",
     "ListTypesType",
     "ListValueType",
@@ -48,6 +50,8 @@ ScalarTypesTuple = (int, float, bool, str)
 ListTypesTuple = (List[int], List[float], List[bool], List[str])  # noqa: UP006
 AllowedTypesTuple = (*ScalarTypesTuple, *ListTypesTuple)
 
+FilePath = Union[str, bytes, "os.PathLike[str]"]
+"""The type of paths."""
 AllowedTypesType = Any
 ScalarTypesType = Any
 ListTypesType = Any

@@ -38,9 +38,9 @@ if TYPE_CHECKING:
     from launch_testing import test_runner as test_runner
     from launch_testing import tools as tools
     from launch_testing import util as util
-    from tfloom.launch.testing.decorator import post_shutdown_test as post_shutdown_test
     from tfloom.launch.testing.io_handler import ActiveIoHandler as ActiveIoHandler
     from tfloom.launch.testing.io_handler import IoHandler as IoHandler
+    from tfloom.launch.testing.markers import post_shutdown_test as post_shutdown_test
     from tfloom.launch.testing.proc_info_handler import ActiveProcInfoHandler as ActiveProcInfoHandler
     from tfloom.launch.testing.proc_info_handler import ProcInfoHandler as ProcInfoHandler
     from tfloom.launch.testing.readiness import ReadyAggregator as ReadyAggregator
@@ -65,7 +65,7 @@ else:
         loader="launch_testing",
         markers="launch_testing",
         parse_arguments="launch_testing",
-        post_shutdown_test="tfloom.launch.testing.decorator",
+        post_shutdown_test="tfloom.launch.testing.markers",
         print_arguments="launch_testing",
         proc_info_handler="launch_testing",
         pytest="launch_testing",

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from launch.events import timer_event as timer_event
     from tfloom.launch.events.execution_complete import ExecutionComplete as ExecutionComplete
     from tfloom.launch.events.include_launch_description import IncludeLaunchDescription as IncludeLaunchDescription
-    from tfloom.launch.events.matchers import matches_action as matches_action
+    from tfloom.launch.events.process import matches_action as matches_action
     from tfloom.launch.events.shutdown import Shutdown as Shutdown
     from tfloom.launch.events.timer_event import TimerEvent as TimerEvent
 else:
@@ -34,7 +34,7 @@ else:
         execution_complete="launch.events",
         include_launch_description="launch.events",
         matchers="launch.events",
-        matches_action="tfloom.launch.events.matchers",
+        matches_action="tfloom.launch.events.process",
         process="launch.events",
         shutdown="launch.events",
         timer_event="launch.events",
