@@ -92,13 +92,15 @@ def test_states_of_sources_are_merged(start: Callable[..., Stage], capfd: pytest
     updates: list[str] = []
     stage.publisher.set_source_update_cb(lambda: updates.append("source"))
     left, right = (stage.user.create_publisher(JointState, topic, 10) for topic in ("left", "right"))
-    left.publish(JointState(name=["shoulder", "wing"], position=[0.6, 9.0], effort=[3.0, 9.0]))
+    left.publish(
+        JointState(name=["shoulder", "wing"], position=[0.6, 9.0], velocity=[4.0, 9.0], effort=[3.0, 9.0])
+    )
     right.publish(JointState(name=["roll", "elbow"], position=[0.1, 9.0], velocity=[2.0, 9.0]))
     right.publish(JointState(name=["roll", "rail"], position=[0.7]))
     stage.run()
     state = stage.publish()
     assert list(state.position) == [0.6, -0.5 * 0.6 + 0.2, 0.0, 0.1]
-    assert list(state.velocity) == [0.0, 0.0, 0.0, 2.0]
+    assert list(state.velocity) == [4.0, -0.5 * 4.0, 0.0, 2.0]
     assert list(state.effort) == [3.0, 3.0, 0.0, 0.0]
     assert updates == ["source"] * 3
     assert "Ignored the position of joints, because there are 1 for 2 names" in capfd.readouterr().err
