@@ -314,30 +314,13 @@ def test_advice_for_a_python_without_a_wheel_is_what_is_run() -> None:
     assert command in re.sub(r'"\s+f?"', "", source)
 
 
-def is_asked_for() -> bool:
-    return bool(os.environ.get("TFLOOM_PLATFORMS"))
-
-
 @pytest.mark.slow
 @NEEDS_TOOLS
-@pytest.mark.parametrize(
-    "part",
-    [
-        pytest.param(
-            "testing",
-            marks=pytest.mark.skipif(
-                "CI" in os.environ and not is_asked_for(),
-                reason="takes 4 minutes, too long where CI is set; TFLOOM_PLATFORMS=1 runs it",
-            ),
-        ),
-        pytest.param(
-            "arm64",
-            marks=pytest.mark.skipif(
-                not is_asked_for(), reason="takes longer than 5 minutes in all; TFLOOM_PLATFORMS=1 runs it"
-            ),
-        ),
-    ],
+@pytest.mark.skipif(
+    "CI" in os.environ and "TFLOOM_PLATFORMS" not in os.environ,
+    reason="takes minutes, too long where CI is set; TFLOOM_PLATFORMS=1 runs it",
 )
+@pytest.mark.parametrize("part", ["testing", "arm64"])
 def test_short_checks_of_a_system(part: str) -> None:
     """The demonstration on Debian's newest Python, and on arm64 also a talk with this machine."""
     command = [sys.executable, "-m", "tools.platforms", "--short", part]
