@@ -287,11 +287,13 @@ def test_hostile_samples_are_dropped_and_the_stream_goes_on(
     reader = participant.create_reader(NODE, TOPIC, QoS(depth=100))
     key = key_of(TOPIC, domain_id)
     good = struct.pack("<qqB16s", 2**63 - 1, -(2**63), 16, GID)
-    wait_until(lambda: plain.put(key, HEADER + b"start", attachment=good) or reader.take())
+    # Or a sample would be dropped while the link is busy with the large one.
+    publisher = plain.declare_publisher(key, congestion_control=zenoh.CongestionControl.BLOCK)
+    wait_until(lambda: publisher.put(HEADER + b"start", attachment=good) or reader.take())
     for attachment, payload in HOSTILE:
-        plain.put(key, payload, attachment=attachment)
-    plain.delete(key, attachment=good)
-    plain.put(key, HEADER + b"end", attachment=good)
+        publisher.put(payload, attachment=attachment)
+    publisher.delete(attachment=good)
+    publisher.put(HEADER + b"end", attachment=good)
     datas: list[bytes] = []
     wait_until(lambda: datas.extend(s.data for s in iter(reader.take, None)) or HEADER + b"end" in datas)
     assert set(datas) <= {HEADER + b"start", HEADER + b"end"}
