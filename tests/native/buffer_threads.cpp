@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "checks.hpp"
 #include "tf2/batch.hpp"
 #include "tf2/buffer.hpp"
 
@@ -21,16 +22,9 @@ constexpr Stamp start = 100'000'000'000;
 constexpr int steps = 1000;
 constexpr int links = 4;
 
-std::atomic<int> faults{0};
 std::atomic<bool> done{false};
 
 std::string name_of(int index) { return "f" + std::to_string(index); }
-
-void check(bool holds, const char* what) {
-  if (holds) return;
-  ++faults;
-  std::fprintf(stderr, "fault: %s\n", what);
-}
 
 // Link i is at x = i + 1 at all times: any sound answer along the chain has a known length.
 void insert(Buffer& buffer, int parity) {

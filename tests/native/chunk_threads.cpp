@@ -2,13 +2,13 @@
 // order of its thread, or counted as dropped; the sanitizer checks the rest.
 #include <atomic>
 #include <chrono>
-#include <cstdio>
 #include <cstring>
 #include <memory>
 #include <thread>
 #include <vector>
 
 #include "bag/chunk_queue.hpp"
+#include "checks.hpp"
 
 using tfloom::bag::Chunk;
 using tfloom::bag::ChunkQueue;
@@ -18,13 +18,6 @@ namespace {
 
 constexpr int pushers = 4;
 constexpr std::uint64_t messages = 20'000;
-int faults = 0;
-
-void check(bool holds, const char* what) {
-  if (holds) return;
-  ++faults;
-  std::fprintf(stderr, "fault: %s\n", what);
-}
 
 // Return how many messages were taken; check that those of each channel are in order.
 std::uint64_t run(const ChunkQueue::Limits& limits) {

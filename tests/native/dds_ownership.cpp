@@ -3,7 +3,6 @@
 // listener was called after it had been removed; the sanitizer checks the rest.
 #include <atomic>
 #include <chrono>
-#include <cstdio>
 #include <cstring>
 #include <map>
 #include <memory>
@@ -12,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "checks.hpp"
 #include "core/sample_queue.hpp"
 #include "dds/graph.hpp"
 #include "dds/participant.hpp"
@@ -35,14 +35,6 @@ struct Serdata_ {};
 }  // namespace tfloom::dds
 
 namespace {
-
-std::atomic<int> faults{0};
-
-void check(bool holds, const std::string& what) {
-  if (holds) return;
-  ++faults;
-  std::fprintf(stderr, "fault: %s\n", what.c_str());
-}
 
 // The state of the library. Listeners are called with the lock held, so that `set_listener` waits for a running one.
 struct Fake {

@@ -1,43 +1,14 @@
 // Truncated, spoilt and random bytes into a TF sink. Ends with 0; the sanitizer watches the memory.
-#include <cstring>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "cdr/tf_message.hpp"
+#include "tf_bytes.hpp"
 
 using tfloom::cdr::TfSink;
 
 namespace {
-
-using Bytes = std::vector<std::byte>;
-
-template <class T>
-void append(Bytes& bytes, T value) {
-  while ((bytes.size() - 4) % sizeof(T) != 0) bytes.push_back(std::byte{0});
-  const auto* of_value = reinterpret_cast<const std::byte*>(&value);
-  bytes.insert(bytes.end(), of_value, of_value + sizeof(T));
-}
-
-void append(Bytes& bytes, const std::string& text) {
-  append(bytes, static_cast<std::uint32_t>(text.size() + 1));
-  for (const char c : text) bytes.push_back(static_cast<std::byte>(c));
-  bytes.push_back(std::byte{0});
-}
-
-Bytes message(int count) {
-  Bytes bytes{std::byte{0}, std::byte{1}, std::byte{0}, std::byte{0}};
-  append(bytes, static_cast<std::uint32_t>(count));
-  for (int i = 0; i < count; ++i) {
-    append(bytes, std::int32_t{5});
-    append(bytes, std::uint32_t{0});
-    append(bytes, "frame" + std::to_string(i));
-    append(bytes, "frame" + std::to_string(i + 1));
-    for (int n = 0; n < 6; ++n) append(bytes, 0.5);
-    append(bytes, 1.0);
-  }
-  return bytes;
-}
 
 // A copy that ends with its allocation, so that the sanitizer sees one byte too many.
 void push(TfSink& sink, const std::byte* data, std::size_t size) {
@@ -50,7 +21,7 @@ void push(TfSink& sink, const std::byte* data, std::size_t size) {
 int main() {
   const auto buffer = std::make_shared<tfloom::tf2::Buffer>();
   TfSink sink(buffer, "me", false, [](const auto&...) {});
-  const Bytes sound = message(3);
+  const Bytes sound = tf_bytes(5, 3);
   for (std::size_t size = 0; size <= sound.size(); ++size) push(sink, sound.data(), size);
   if (sink.dropped_count() != sound.size()) return 1;
 

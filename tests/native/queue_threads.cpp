@@ -3,11 +3,11 @@
 // checks the rest.
 #include <algorithm>
 #include <atomic>
-#include <cstdio>
 #include <memory>
 #include <thread>
 #include <vector>
 
+#include "checks.hpp"
 #include "core/ready_queue.hpp"
 #include "core/sample_queue.hpp"
 #include "dds/feeder.hpp"
@@ -22,13 +22,6 @@ namespace {
 constexpr int samples = 20'000;
 constexpr int lives = 300;
 constexpr int acts = 5'000;
-std::atomic<int> faults{0};
-
-void check(bool holds, const char* what) {
-  if (holds) return;
-  ++faults;
-  std::fprintf(stderr, "fault: %s\n", what);
-}
 
 // As a reader does: what comes is counted, and drained a few at a time into a sink that posts.
 class Reader {

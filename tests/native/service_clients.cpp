@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "checks.hpp"
 #include "rtps/recent_map.hpp"
 #include "rtps/service_forms.hpp"
 
@@ -18,13 +19,6 @@ using namespace tfloom::rtps;
 namespace {
 
 constexpr std::uint32_t client_count = 70'000;  // more than are remembered
-int faults = 0;
-
-void check(bool is_right, const char* what) {
-  if (is_right) return;
-  ++faults;
-  std::fprintf(stderr, "fault: %s\n", what);
-}
 
 class Datagram {
  public:
@@ -227,6 +221,6 @@ int main() {
   serve_those_that_have_left();
   be_answered_without_end();
   give_up_the_least_used();
-  std::printf("service clients: %d faults\n", faults);
+  std::printf("service clients: %d faults\n", faults.load());
   return faults == 0 ? 0 : 1;
 }
