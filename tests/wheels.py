@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import shutil
+import sys
 from pathlib import Path
 
 import pytest
@@ -12,6 +14,14 @@ from tools.release import Tools
 from tools.set_up import PACKAGES
 
 ROOT = Path(__file__).parents[1]
+
+
+def path_with_cmake() -> str:
+    """Return PATH with this environment's CMake first: ccache then has the core's files, which the set-up compiled.
+
+    Another version of CMake orders the compiler's options in another way.
+    """
+    return f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
 
 
 def copy_checkout(clone: Path) -> Path:
@@ -37,9 +47,10 @@ def release_files(factory: pytest.TempPathFactory) -> list[Path]:
             shutil.rmtree(unfinished, ignore_errors=True)  # of a build that failed
             clone = copy_checkout(unfinished / "a clöne" / "tfloom")
             (unfinished / "dist").mkdir()
-            release.build(
-                tools, unfinished / "dist", [clone, *(clone / "packages" / name for name in PACKAGES)]
-            )
+            with pytest.MonkeyPatch.context() as patch:
+                patch.setenv("PATH", path_with_cmake())
+                projects = [clone, *(clone / "packages" / name for name in PACKAGES)]
+                release.build(tools, unfinished / "dist", projects)
             (unfinished / "dist").rename(dist)
         return sorted(dist.iterdir())
 

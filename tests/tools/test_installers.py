@@ -15,7 +15,7 @@ from pathlib import Path
 
 import pytest
 from tests.conftest import run_to_end
-from tests.wheels import copy_checkout, release_files, wheel_of
+from tests.wheels import copy_checkout, path_with_cmake, release_files, wheel_of
 
 ROOT = Path(__file__).parents[2]
 COMMAND = "./packages/tfloom-ros2"
@@ -86,9 +86,8 @@ def expect_commands(folder: Path) -> None:
 def test_pip_installs_all_packages(clone: Path, tmp_path: Path) -> None:
     subprocess.run([sys.executable, "-m", "venv", tmp_path / "venv"], check=True, timeout=TIMEOUT_S)
     python = tmp_path / "venv" / "bin" / "python"
-    run(
-        tmp_path, python, "-m", "pip", "install", "--quiet", ".[all]", COMMAND, INTERFACES, SENSING, cwd=clone
-    )
+    install = [python, "-m", "pip", "install", "--quiet", ".[all]", COMMAND, INTERFACES, SENSING]
+    run(tmp_path, *install, cwd=clone, PATH=path_with_cmake())
     expect_working(tmp_path / "venv" / "bin" / "ros2")
     run(tmp_path, python, "-c", "from nav2_msgs.action import NavigateToPose; NavigateToPose.Goal()")
     run(tmp_path, python, "-c", "from diagnostic_updater import Updater; from cv_bridge import CvBridge")

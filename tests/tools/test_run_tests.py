@@ -50,6 +50,18 @@ def test_processes_that_tests_leave_are_ended_and_fail_the_run(tmp_path: Path) -
     assert not psutil.pid_exists(int(note.read_text()))
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="processes change their parents so on Linux alone")
+def test_process_whose_parent_ended_is_no_zombie_when_it_ends(tmp_path: Path) -> None:
+    done = run_tier(
+        tmp_path / "test_orphan.py",
+        "import subprocess\nimport psutil\nfrom tests.conftest import wait_until\n\ndef test_orphan():\n"
+        "    command = ['sh', '-c', 'sleep 0.1 >/dev/null & echo $!']\n"
+        "    pid = int(subprocess.run(command, stdout=subprocess.PIPE, check=True).stdout)\n"
+        "    wait_until(lambda: not psutil.pid_exists(pid), timeout_s=10.0)\n",
+    )
+    assert done.returncode == 0, done.stdout
+
+
 def test_nothing_selected_is_no_success(tmp_path: Path) -> None:
     assert run_tier(tmp_path / "test_none.py", "").returncode == 5
 
