@@ -26,7 +26,7 @@ TIMEOUT_S = 30.0
 PYTEST = ("-m", "pytest", "-p", "no:hypothesispytest")
 """The Python's words for a pytest in a process; without the plugin, which takes as long to start as pytest itself."""
 LONG_FILES = {
-    *("test_sanitized_extension.py", "test_sanitizers.py", "test_on_zenoh.py", "test_release.py"),
+    *("test_address_sanitizer.py", "test_thread_sanitizer.py", "test_on_zenoh.py", "test_release.py"),
     *("test_installers.py", "test_pyinstaller.py", "test_workspace.py", "test_colcon.py"),
     *("test_user_programs.py", "test_compilers.py", "test_site.py"),
 }

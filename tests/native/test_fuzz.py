@@ -21,7 +21,7 @@ from pathlib import Path
 
 import pytest
 from tests.conftest import run_to_end
-from tests.native.test_sanitizers import build_programs
+from tests.native.sanitizers import build_programs
 from tests.shared_folders import shared_folder
 
 from tfloom.rosidl.message import Message
