@@ -50,7 +50,7 @@ def test_server_killed_during_a_call(
     assert outcome == [None]
     wait_until(lambda: not hang.service_is_ready())
     assert not hang.wait_for_service(timeout_sec=0.0)
-    assert not client.service_is_ready()
+    wait_until(lambda: not client.service_is_ready())
     executor.spin_until_future_complete(lost, timeout_sec=20)
     assert isinstance(lost.exception(), NoResponseError)
     assert not hang._pending
