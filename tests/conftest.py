@@ -19,6 +19,7 @@ import pytest
 from tfloom.node.context.context import Context
 from tfloom.node.node import Node
 from tfloom.rmw.cyclone_library import find_library
+from tfloom.rmw.cyclone_ports import bound_indices
 from tfloom.rmw.errors import NoBackendError
 from tfloom.testing import domains
 
@@ -294,6 +295,8 @@ def hold_domain() -> Iterator[int]:
     with domains.hold_domain() as domain, pytest.MonkeyPatch.context() as patch:
         patch.setenv("ROS_DOMAIN_ID", str(domain))
         patch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
+        # A program that ends may close the lock some time before its other sockets.
+        wait_until(lambda: not bound_indices(domain), what=f"the end of what was on domain {domain}")
         if wire := os.environ.get(WIRE_VARIABLE):
             from tests.zenoh_ports import use_port_of
 
