@@ -170,11 +170,8 @@ def _convert(cls: type[Message], name: str, value: object) -> object:
     try:
         return convert(kind, value)
     except (TypeError, ValueError, OverflowError) as error:
-        if type(error) not in (
-            TypeError,
-            ValueError,
-            OverflowError,
-        ):  # one of the value's own, or a UnicodeError
+        # A derived class is one of the value's own, or a UnicodeError.
+        if type(error) not in (TypeError, ValueError, OverflowError):
             raise
         from tfloom.given_text import given_text
 
