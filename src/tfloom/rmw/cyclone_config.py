@@ -155,9 +155,13 @@ def look_up_peers() -> None:
     Raises:
         ConfigurationError: one can't be resolved, or ROS_AUTOMATIC_DISCOVERY_RANGE isn't one of `RANGES`.
     """
+    peers = _static_peers()
+    if not peers:
+        return  # as in most programs, which then need no socket
+
     import socket
 
-    for peer in _static_peers():
+    for peer in peers:
         host, _, port = peer.rpartition(":") if peer.count(":") == 1 else (peer, "", "0")
         try:
             socket.getaddrinfo(host, int(port), socket.AF_INET)

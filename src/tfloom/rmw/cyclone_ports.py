@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable
-from pathlib import Path
 
 from tfloom.rmw.cyclone_config import discovery_port, discovery_range, local_participants
 
-_SOCKETS = Path("/proc/net/udp")
-_SOCKETS_OF_IPV6 = Path("/proc/net/udp6")
+_SOCKETS = "/proc/net/udp"
+_SOCKETS_OF_IPV6 = "/proc/net/udp6"
 _CYCLONE = bytes([1, 0x10])
 
 
@@ -22,7 +21,7 @@ def bound_indices(domain_id: int) -> set[int]:
     if os.environ.get("CYCLONEDDS_URI") or discovery_range() != "LOCALHOST":
         return set()
     try:
-        return _indices(domain_id, _ports(_SOCKETS.read_text("ascii")))
+        return _indices(domain_id, _ports(_SOCKETS))
     except OSError:
         return set()
 
@@ -30,9 +29,9 @@ def bound_indices(domain_id: int) -> set[int]:
 def bound_udp_ports() -> set[int] | None:
     """Return the UDP ports of this machine that are bound; None on a system that doesn't tell."""
     try:
-        ports = _ports(_SOCKETS.read_text("ascii"))
-        if _SOCKETS_OF_IPV6.exists():  # IPv6 may be off
-            ports |= _ports(_SOCKETS_OF_IPV6.read_text("ascii"))
+        ports = _ports(_SOCKETS)
+        if os.path.exists(_SOCKETS_OF_IPV6):  # noqa: PTH110  # see `_ports`; IPv6 may be off
+            ports |= _ports(_SOCKETS_OF_IPV6)
     except (OSError, ValueError, IndexError):
         return None
     return ports
@@ -47,9 +46,12 @@ def process_count(participants: Iterable[bytes]) -> int:
     return len({gid[:4] if gid.startswith(_CYCLONE) else gid for gid in participants})
 
 
-def _ports(table: str) -> set[int]:
-    """Return the local ports in the kernel's table of UDP sockets: `sl: address:port …`, in hexadecimal."""
-    return {int(line.split(maxsplit=2)[1].rpartition(":")[2], 16) for line in table.splitlines()[1:]}
+def _ports(path: str) -> set[int]:
+    """Return the local ports in one of the kernel's tables of UDP sockets: `sl: address:port …`, in hexadecimal."""
+    # Each program on DDS reads a table as it starts, and importing pathlib would take longer than all of it.
+    with open(path, encoding="ascii") as table:  # noqa: PTH123
+        lines = table.readlines()[1:]
+    return {int(line.split(maxsplit=2)[1].rpartition(":")[2], 16) for line in lines}
 
 
 def _indices(domain_id: int, ports: set[int]) -> set[int]:

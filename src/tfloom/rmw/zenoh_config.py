@@ -14,7 +14,6 @@ import os
 import re
 import sys
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Any
 
 from tfloom.rmw.cyclone_config import discovery_range, lease_s, why_peers_are_ignored
@@ -319,7 +318,7 @@ def _override(config: Any, key: str, value_text: str) -> None:
 
 def _file_text(variable: str, path: str) -> str:
     try:
-        with Path(path).open("rb") as file:
+        with open(path, "rb") as file:  # noqa: PTH123  # importing pathlib takes long
             data = file.read(MAX_FILE_SIZE + 1)
         text = data.decode()
     except OSError as error:
