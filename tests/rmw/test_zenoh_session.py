@@ -10,6 +10,7 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import closing
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -87,6 +88,13 @@ def test_of_programs_that_start_together_one_is_the_owner(start: Callable[..., P
         wait_until(lambda member=member: sees(member, *"abcde"))
     assert sum("open owner" in member.output for member in members.values()) == 1
     assert not any("tfloom:" in member.output for member in members.values())
+
+
+def test_a_session_that_finds_a_router_does_not_seek_who_holds_its_port(monkeypatch: pytest.MonkeyPatch) -> None:
+    for module in (zenoh_router, zenoh_meeting_point):
+        monkeypatch.setattr(module, "find_port_owner", None)
+    with closing(open_session()), closing(open_session()) as guest:
+        assert not guest.is_meeting_point
 
 
 @pytest.mark.timing
@@ -464,9 +472,9 @@ def test_takeover_survives_an_error(monkeypatch: pytest.MonkeyPatch, start: Call
         tries.append(config)
         if len(tries) < 3:
             raise zenoh_router.RouterError("too many open files")
-        return zenoh_router.open_router(config)
+        return zenoh_router.open_where_free(config)
 
-    monkeypatch.setattr(zenoh_meeting_point, "open_router", fail_twice)
+    monkeypatch.setattr(zenoh_meeting_point, "open_where_free", fail_twice)
     owner.signal(signal.SIGKILL)
     wait_until(lambda: opened.is_meeting_point)
     assert len(tries) >= 3

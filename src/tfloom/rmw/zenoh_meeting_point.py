@@ -30,7 +30,7 @@ from tfloom.rmw.zenoh_config import (
 )
 from tfloom.rmw.zenoh_library import open_library
 from tfloom.rmw.zenoh_port import find_port_owner
-from tfloom.rmw.zenoh_router import RouterError, open_router
+from tfloom.rmw.zenoh_router import open_router, open_where_free
 
 __all__ = ["MeetingPoint", "open_lone_router"]
 
@@ -133,12 +133,7 @@ class MeetingPoint:
         config = meeting_point_configuration()
         if _links_routers(config):
             self._takeover_s = LINK_GAP_S
-        try:
-            router = open_router(config)
-        except RouterError as error:
-            if not error.is_port_taken:
-                raise
-            return
+        router = open_where_free(config)
         with self._lock:
             self._router = router
 
@@ -216,12 +211,9 @@ def open_lone_router(config: Any) -> Any:
     time.sleep(gap_s)
     end = time.monotonic() + TAKEOVER_S
     while True:
-        try:
-            return open_router(config)
-        except RouterError as error:
-            if not error.is_port_taken or str(port()) not in ports or time.monotonic() > end:
-                raise
-        if not _ask_to_give_way():
+        if (router := open_where_free(config)) is not None:
+            return router
+        if str(port()) not in ports or time.monotonic() > end or not _ask_to_give_way():
             return open_router(config)  # it raises, unless the port has become free meanwhile
         # One request doesn't suffice: a session that seeks its router at this moment doesn't hear it, and that may be
         # the owner, or one that takes the port when the owner has left it.
