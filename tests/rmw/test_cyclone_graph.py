@@ -249,8 +249,16 @@ LIST = node_lists.encode(PARTICIPANT, [node_lists.NodeEnds(NodeName("/", "a"), [
 NO_NODES = node_lists.encode(PARTICIPANT, [])
 
 
-def writer_on(topic: bytes) -> tuple[object, ...]:
-    return (WRITER, PARTICIPANT, True, topic, b"std_msgs::msg::dds_::Empty_", b"", QUALITY)
+def writer_on(topic: bytes, quality: tuple[int, ...] = QUALITY) -> tuple[object, ...]:
+    return (WRITER, PARTICIPANT, True, topic, b"std_msgs::msg::dds_::Empty_", b"", quality)
+
+
+def graph_of(*snapshots: tuple[list[Any], list[Any]]) -> CycloneGraph:
+    """Return a graph that reads these participants and endpoints, one after the other."""
+    graph = CycloneGraph.__new__(CycloneGraph)
+    graph._native = SimpleNamespace(snapshot=iter(snapshots).__next__)
+    graph._endpoints = {}
+    return graph
 
 
 @pytest.mark.parametrize(
@@ -279,9 +287,25 @@ def writer_on(topic: bytes) -> tuple[object, ...]:
 def test_announced_but_missing_entities_make_the_graph_incomplete(
     user_data: bytes, node_list: bytes, endpoints: list[tuple[object, ...]], is_whole: bool
 ) -> None:
-    graph = CycloneGraph.__new__(CycloneGraph)
-    graph._native = SimpleNamespace(snapshot=lambda: ([(PARTICIPANT, user_data, node_list)], endpoints))
+    graph = graph_of(([(PARTICIPANT, user_data, node_list)], endpoints))
     assert graph._read(1).is_whole is is_whole
+
+
+def test_an_endpoint_is_decoded_anew_only_where_it_or_its_node_has_changed() -> None:
+    silent, listed = [(PARTICIPANT, b"enclave=/;", b"")], [(PARTICIPANT, b"enclave=/;", LIST)]
+    later = (2, *QUALITY[1:])
+    graph = graph_of(
+        (silent, [writer_on(b"rt/x")]),
+        (listed, [writer_on(b"rt/x")]),
+        (listed, [writer_on(b"rt/x")]),
+        (listed, [writer_on(b"rt/x", later)]),
+        (listed, []),
+    )
+    first, with_node, same, changed, gone = (graph._read(number).endpoints for number in range(5))
+    assert [first[0].node, with_node[0].node] == [None, NodeName("/", "a")]
+    assert same[0] is with_node[0]
+    assert changed[0].qos.reliability is ReliabilityPolicy.BEST_EFFORT
+    assert not gone
 
 
 FAST, OTHER_FAST, FAST_END = (b"\x01\x0f" + bytes([number]) * 14 for number in (1, 2, 3))
@@ -302,9 +326,8 @@ def test_participants_of_fast_dds_are_late_until_their_lists_and_ends_arrive(
     participant: bytes, user_data: bytes, ends: list[bytes], has_list: bool, late: int
 ) -> None:
     told = node_lists.encode(participant, [node_lists.NodeEnds(NodeName("/", "a"), ends, [])])
-    graph = CycloneGraph.__new__(CycloneGraph)
     known = [(participant, user_data, told if has_list else b""), (OTHER_FAST, b"enclave=/;", NO_NODES)]
-    graph._native = SimpleNamespace(snapshot=lambda: (known, []))
+    graph = graph_of((known, []))
     assert len(graph._read(1).late) == late
 
 

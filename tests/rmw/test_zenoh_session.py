@@ -90,7 +90,9 @@ def test_of_programs_that_start_together_one_is_the_owner(start: Callable[..., P
     assert not any("tfloom:" in member.output for member in members.values())
 
 
-def test_a_session_that_finds_a_router_does_not_seek_who_holds_its_port(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_session_that_finds_a_router_does_not_seek_who_holds_its_port(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     for module in (zenoh_router, zenoh_meeting_point):
         monkeypatch.setattr(module, "find_port_owner", None)
     with closing(open_session()), closing(open_session()) as guest:

@@ -42,6 +42,15 @@ class _View(NamedTuple):
     service_ends: list[ServiceEndInfo]
 
 
+class _Endpoint(NamedTuple):
+    """A writer or reader, by DDS's names, and by those of its topic or service as far as these are ROS's."""
+
+    announced: tuple[Any, ...]
+    raw: EndpointInfo
+    info: EndpointInfo | None
+    service_end: ServiceEndInfo | None
+
+
 class CycloneGraph:
     """All that a participant has discovered; see `base.Graph`."""
 
@@ -57,6 +66,8 @@ class CycloneGraph:
         )
         self._lock = threading.Lock()
         self._view = _View(-1, [], 0, False, frozenset(), [], [], [])
+        self._endpoints: dict[bytes, _Endpoint] = {}
+        """Those of the view, by gid: a change concerns few of them, so the others are not decoded anew."""
 
     def nodes(self) -> list[NodeName]:
         """Return the nodes, one entry for each, in order of their full names."""
@@ -151,26 +162,19 @@ class CycloneGraph:
                 gids = (*ends.reader_gids, *ends.writer_gids)
                 node_of.update(dict.fromkeys(gids, ends.name))
                 listed_by.update(dict.fromkeys(gids, participant))
-        # Then the endpoints, once by DDS's names, and by the names of topics and services as far as these are ROS's. A
-        # service counts once, by its topic of requests: who reads it is a server, who writes it a client.
-        raw: list[EndpointInfo] = []
-        infos: list[EndpointInfo] = []
-        service_ends: list[ServiceEndInfo] = []
-        for gid, _, is_writer, dds_topic, dds_type, user_data, qos in endpoints:
-            dds_name = dds_topic.decode("utf-8", "replace")
-            dds_topic_type = dds_type.decode("utf-8", "replace")
-            type_name = type_from_dds(dds_topic_type)
-            topic = Topic(dds_name, dds_topic_type, key_values(user_data).get("typehash", ""))
-            info = EndpointInfo(topic, node_of.get(gid), is_writer, gid, _qos(qos))
-            raw.append(info)
-            if name := topic_from_dds(dds_name):
-                infos.append(info._replace(topic=topic._replace(name=name, type_name=type_name)))
-            elif service := service_from_request_topic(dds_name, type_name):
-                service_ends.append(
-                    ServiceEndInfo(*service, info.node, is_server=not is_writer, gid=gid, qos=info.qos)
-                )
+        # Then the endpoints, of which those that are as before are known.
+        before, self._endpoints = self._endpoints, {}
+        for announced in endpoints:
+            gid = announced[0]
+            endpoint = before.get(gid)
+            if endpoint is None or endpoint.announced != announced or endpoint.raw.node != node_of.get(gid):
+                endpoint = _endpoint(announced, node_of.get(gid))
+            self._endpoints[gid] = endpoint
+        raw = [endpoint.raw for endpoint in self._endpoints.values()]
+        infos = [endpoint.info for endpoint in self._endpoints.values() if endpoint.info]
+        service_ends = [endpoint.service_end for endpoint in self._endpoints.values() if endpoint.service_end]
         # What is on a list and was not discovered is still to come.
-        to_come = node_of.keys() - {info.gid for info in raw}
+        to_come = node_of.keys() - self._endpoints.keys()
         is_whole = is_whole and not to_come
         late = frozenset(
             gid for gid in silent.union(listed_by[end] for end in to_come) if gid.startswith(FAST_DDS)
@@ -181,6 +185,25 @@ class CycloneGraph:
         service_ends.sort(key=lambda end: end.name)
         processes = process_count(participant for participant, _, _ in participants)
         return _View(changes, enclaves, processes, is_whole, late, raw, infos, service_ends)
+
+
+def _endpoint(announced: tuple[Any, ...], node: NodeName | None) -> _Endpoint:
+    """Return an endpoint of a snapshot of the graph, with its node."""
+    gid, _, is_writer, dds_topic, dds_type, user_data, qos = announced
+    dds_name = dds_topic.decode("utf-8", "replace")
+    dds_topic_type = dds_type.decode("utf-8", "replace")
+    type_name = type_from_dds(dds_topic_type)
+    topic = Topic(dds_name, dds_topic_type, key_values(user_data).get("typehash", ""))
+    raw = EndpointInfo(topic, node, is_writer, gid, _qos(qos))
+    if name := topic_from_dds(dds_name):
+        info = raw._replace(topic=topic._replace(name=name, type_name=type_name))
+        return _Endpoint(announced, raw, info, None)
+    # A service counts once, by its topic of requests: who reads it is a server, who writes it a client.
+    service = service_from_request_topic(dds_name, type_name)
+    service_end = (
+        ServiceEndInfo(*service, node, is_server=not is_writer, gid=gid, qos=raw.qos) if service else None
+    )
+    return _Endpoint(announced, raw, None, service_end)
 
 
 def _decoded(node_list: bytes) -> list[node_lists.NodeEnds]:
