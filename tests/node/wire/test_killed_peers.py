@@ -1,6 +1,6 @@
 """The process at the other end of a call or a goal is ended at each step: this end is told in time, and keeps nothing.
 
-Each step has a process of its own, all at once, because each waits for the same lease.
+One process stops at all steps, each with a client or a server of its own.
 """
 
 from __future__ import annotations
@@ -34,6 +34,8 @@ Kill = Callable[[Program], None]
 CALL_STEPS = ("gone", "unread", "taken", "responded")
 """Steps of a call at which its server ends: `gone` before the request is sent, `unread` before it is taken."""
 GOAL_STEPS = ("gone", "unread", "deciding", "accepted", "executing", "feedback", "succeeded", "finished")
+ANSWERED = ("responded", "finished")
+"""The steps at which the client has the response or the result, of a server that stops at none."""
 CLIENT_CALL_STEPS = ("called", "answered")
 CLIENT_GOAL_STEPS = (
     *("goal sent", "goal accepted", "result requested", "feedback received", "cancel requested"),
@@ -66,16 +68,12 @@ ALL_ENDS = [
 class Exchange:
     """A call or a goal with the server that stops at a step, and its end."""
 
-    def __init__(self, step: str, *, is_goal: bool, start: Start, node: Node) -> None:
-        self.step, self.is_goal = step, is_goal
-        self.program = start(
-            "stopping_server", step if step != "responded" and step != "finished" else "never"
-        )
-        self.node = node
+    def __init__(self, step: str, *, is_goal: bool, program: Program, node: Node) -> None:
+        self.step, self.is_goal, self.program, self.node = step, is_goal, program, node
         self.feedback: list[object] = []
         self.accepted: list[bool] = []
         self.end: Future[Any] = Future()
-        namespace = self.program.command[-1]
+        namespace = "never" if step in ANSWERED else step
         self.client: Any = (
             ActionClient(node, Fibonacci, f"/{namespace}/fibonacci")
             if is_goal
@@ -109,7 +107,7 @@ class Exchange:
 
     def is_at_its_step(self) -> bool:
         """Return whether the server has stopped, and what it had sent before was received."""
-        if self.step in ("responded", "finished"):
+        if self.step in ANSWERED:
             return self.end.done()
         has_accepted = bool(self.accepted) or self.step not in (
             "accepted",
@@ -122,7 +120,7 @@ class Exchange:
 
     def check_end(self, *, may_have_answered: bool) -> None:
         error = self.end.exception()
-        is_last = self.step in ("responded", "finished")
+        is_last = self.step in ANSWERED
         if error is not None:
             assert not is_last, error
             assert isinstance(error, NoResponseError)
@@ -155,19 +153,23 @@ class Exchange:
             self.node.destroy_client(self.client)
 
 
-def end_servers(steps: tuple[str, ...], end: Kill, *, is_goal: bool, start: Start, node: Node) -> None:
-    """End the server of a call or goal at each step, and check what its client is told and keeps."""
-    exchanges = [Exchange(step, is_goal=is_goal, start=start, node=node) for step in steps]
+def end_servers(end: Kill, start: Start, node: Node) -> None:
+    """End the server of a call and of a goal at each step, and check what its client is told and keeps."""
+    steps = [step for step in dict.fromkeys(CALL_STEPS + GOAL_STEPS) if step not in ("gone", *ANSWERED)]
+    gone, stopping = start("stopping_server", "gone"), start("stopping_server", *steps, "never")
+    exchanges = [
+        Exchange(step, is_goal=is_goal, program=gone if step == "gone" else stopping, node=node)
+        for is_goal, steps in ((False, CALL_STEPS), (True, GOAL_STEPS))
+        for step in steps
+    ]
     for exchange in exchanges:
         exchange.wait_for_server()
-        if exchange.step == "gone":
-            end(exchange.program)
+    end(gone)
+    for exchange in exchanges:
         exchange.begin()
     for exchange in exchanges:
         spin_until(node, exchange.is_at_its_step, f"the step {exchange.step!r} is not reached")
-    for exchange in exchanges:
-        if exchange.step != "gone":
-            end(exchange.program)
+    end(stopping)
     for exchange in exchanges:
         spin_until(node, exchange.end.done, f"a client waits for the server that ended at {exchange.step!r}")
         exchange.program.wait()
@@ -185,17 +187,10 @@ def spin_until(node: Node, condition: Callable[[], object], what: str) -> None:
 
 
 @pytest.mark.parametrize("end", ALL_ENDS)
-def test_the_server_of_a_call_ends_at_each_step(
+def test_the_server_of_a_call_and_a_goal_ends_at_each_step(
     short_lease: float, start: Start, node: Node, end: Kill
 ) -> None:
-    end_servers(CALL_STEPS, end, is_goal=False, start=start, node=node)
-
-
-@pytest.mark.parametrize("end", ALL_ENDS)
-def test_the_server_of_a_goal_ends_at_each_step(
-    short_lease: float, start: Start, node: Node, end: Kill
-) -> None:
-    end_servers(GOAL_STEPS, end, is_goal=True, start=start, node=node)
+    end_servers(end, start, node)
 
 
 @pytest.mark.parametrize("end", ALL_ENDS)
@@ -297,13 +292,11 @@ def test_the_client_of_a_call_or_a_goal_ends_at_each_step(
     path = PROGRAMS / "stopping_client.py"
     with spinning(node):
         servers = [Server(step, node) for step in CLIENT_CALL_STEPS + CLIENT_GOAL_STEPS]
-        clients = [start_program("python", path, server.step) for server in servers]
-        for server, client in zip(servers, clients, strict=True):
+        client = start_program("python", path, *(server.step for server in servers))
+        for server in servers:
             client.wait_for(f"at {server.step}")
-        for client in clients:
-            end(client)
-        for client in clients:
-            client.wait()
+        end(client)
+        client.wait()
         for server in servers:
             server.has_ended.set()
             kind = "call" if server.step in CLIENT_CALL_STEPS else "goal"
@@ -352,14 +345,10 @@ def test_servers_and_clients_that_are_killed_leave_no_descriptor_and_no_thread(
 ) -> None:
     """What the first round leaves is what the library keeps for good."""
 
-    def end_one_round() -> None:
-        end_servers(CALL_STEPS, kill, is_goal=False, start=start, node=node)
-        end_servers(GOAL_STEPS, kill, is_goal=True, start=start, node=node)
-
-    end_one_round()
+    end_servers(kill, start, node)
     sockets, threads = number_of_sockets(), threads_of_node()
     for _ in range(4):
-        end_one_round()
+        end_servers(kill, start, node)
         # The socket of a process that was killed last is closed as soon as the wire has seen its end.
         wait_until(lambda: number_of_sockets() <= sockets, what=f"no more than {sockets} sockets")
         assert threads_of_node() == threads

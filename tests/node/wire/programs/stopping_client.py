@@ -1,4 +1,4 @@
-"""Uses /STEP/add or /STEP/fibonacci, and stops at the step that is its argument, until it is shut down."""
+"""Uses /STEP/add or /STEP/fibonacci for each STEP of its arguments, and stops each at it, until it is shut down."""
 
 import sys
 import time
@@ -10,52 +10,54 @@ from example_interfaces.srv import AddTwoInts
 from rclpy.action import ActionClient
 from rclpy.executors import ExternalShutdownException
 
-STEP = sys.argv[1]
 
-
-def stop_at(step):
-    if step == STEP:
-        print(f"at {step}", flush=True)
-        while rclpy.ok():
-            time.sleep(0.01)
-
-
-def finish(future):
+def finish(node, future):
     rclpy.spin_until_future_complete(node, future)
     return future.result()
 
 
-def call():
+def call(node):
     client = node.create_client(AddTwoInts, "add")
     assert client.wait_for_service(timeout_sec=30)
     future = client.call_async(AddTwoInts.Request(a=1, b=2))
-    stop_at("called")
-    finish(future)
-    stop_at("answered")
+    yield "called"
+    finish(node, future)
+    yield "answered"
 
 
-def send_goal():
+def send_goal(node):
     heard = []
     client = ActionClient(node, Fibonacci, "fibonacci")
     assert client.wait_for_server(timeout_sec=30)
     future = client.send_goal_async(Fibonacci.Goal(order=3), feedback_callback=heard.append)
-    stop_at("goal sent")
-    handle = finish(future)
-    stop_at("goal accepted")
+    yield "goal sent"
+    handle = finish(node, future)
+    yield "goal accepted"
     result = handle.get_result_async()
-    stop_at("result requested")
+    yield "result requested"
     while not heard:
         rclpy.spin_once(node)
-    stop_at("feedback received")
+    yield "feedback received"
     cancel = handle.cancel_goal_async()
-    stop_at("cancel requested")
-    finish(cancel)
-    finish(result)
-    stop_at("result received")
+    yield "cancel requested"
+    finish(node, cancel)
+    finish(node, result)
+    yield "result received"
+
+
+def run_to(step):
+    """Return the call or the goal that has come to a step; nothing spins its node any more."""
+    # A node each, because one that is spun for a later step would receive what an earlier one doesn't wait for.
+    node = rclpy.create_node("client", namespace=step.replace(" ", "_"))
+    exchange = (call if step in ("called", "answered") else send_goal)(node)
+    while next(exchange) != step:
+        pass
+    print(f"at {step}", flush=True)
+    return exchange
 
 
 rclpy.init()
-node = rclpy.create_node("client", namespace=STEP.replace(" ", "_"))
-print("ready", flush=True)
 with suppress(KeyboardInterrupt, ExternalShutdownException):
-    call() if STEP in ("called", "answered") else send_goal()
+    exchanges = [run_to(step) for step in sys.argv[1:]]
+    while rclpy.ok():
+        time.sleep(0.01)
