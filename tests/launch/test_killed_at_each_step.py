@@ -110,6 +110,8 @@ class Launched:
 
     def __init__(self, folder: Path, start_program: Callable[..., Program], *, on_wire: bool = False) -> None:
         self.mark = uuid.uuid4().hex
+        self._others = set(psutil.pids())
+        """Processes of before, whose environments need not be read again and again."""
         self.temporary = folder / "tmp"
         self.temporary.mkdir()
         node = folder / "walker"
@@ -125,10 +127,11 @@ class Launched:
 
     def processes(self) -> list[psutil.Process]:
         """Return the processes of the launch that are alive, itself and its guardian included."""
-        return [process for process in psutil.process_iter() if self._has(process)]
+        return [psutil.Process(pid) for pid in psutil.pids() if pid not in self._others and self._has(pid)]
 
-    def _has(self, process: psutil.Process) -> bool:
+    def _has(self, pid: int) -> bool:
         with suppress(psutil.Error, OSError):  # it has ended
+            process = psutil.Process(pid)
             return process.status() != psutil.STATUS_ZOMBIE and process.environ().get(MARK) == self.mark
         return False
 
@@ -145,7 +148,7 @@ class Launched:
         self.program.wait_for(text.replace("late-3", f"late-{self.last}"), timeout_s=END_S)
 
     def is_gone(self) -> bool:
-        return not self.processes() and not any(self.temporary.iterdir())
+        return not any(self.temporary.iterdir()) and not self.processes()
 
     def left(self) -> str:
         return f"{[words_of(process) for process in self.processes()]} {list(self.temporary.iterdir())}"

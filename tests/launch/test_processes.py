@@ -8,6 +8,7 @@ import re
 import signal
 import subprocess
 import sys
+import time
 import uuid
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
@@ -38,7 +39,7 @@ from tfloom.launch.events.process import (
     matches_pid,
 )
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.processes.family import TAG, find, members_of
+from tfloom.launch.processes.family import KILL_S, TAG, end, find, members_of, tagged
 from tfloom.launch.substitutions.text_substitution import TextSubstitution
 from tfloom.launch.substitutions.variables import LaunchConfiguration
 
@@ -404,6 +405,28 @@ def test_no_process_is_of_a_launch_that_began_after_it() -> None:
             process.pid
         ]
         assert find(uuid.uuid4().hex, {process.pid: None}, started + 10.0) == []
+
+
+def test_what_a_process_starts_because_of_a_signal_is_ended_with_it() -> None:
+    """The process itself stays a zombie until this test waits for it, which holds nothing up."""
+    launch_id = uuid.uuid4().hex
+    code = "trap 'setsid sleep 600 & exit' TERM; echo ready; while :; do sleep 0.02; done"
+    process = subprocess.Popen(
+        ["bash", "-c", code],
+        stdout=subprocess.PIPE,
+        env=tagged(os.environ, launch_id),
+        start_new_session=True,
+    )
+    try:
+        assert process.stdout.readline() == b"ready\n"
+        start_s = time.monotonic()
+        end(launch_id, {process.pid: None}, 0.0, {signal.SIGTERM: 30.0})
+        assert time.monotonic() - start_s < KILL_S
+        assert find(launch_id) == []
+    finally:
+        for left in find(launch_id):
+            left.kill()
+        process.communicate()
 
 
 def test_an_end_that_overtakes_the_start_of_a_process_reaches_it(launch: Launch) -> None:

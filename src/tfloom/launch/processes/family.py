@@ -9,7 +9,7 @@ import os
 import signal
 import sys
 import time
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path
 
@@ -30,6 +30,8 @@ TAG = "TFLOOM_LAUNCH"
 """Environment variable with the ids of the launch and of the launches that it runs in, separated by colons."""
 
 POLL_S = 0.02
+LOOK_S = 0.2
+"""Time between two looks at all processes of the machine while none of the known ones ends [s]: each takes some ms."""
 if sys.platform == "win32":
     KILL = signal.SIGTERM
 else:
@@ -114,8 +116,7 @@ def find(launch_id: str, groups: Groups | None = None, since_s: float = 0.0) -> 
 
 def _belongs_to_launch(process: psutil.Process, launch_id: str, groups: Groups, since_s: float) -> bool:
     try:
-        # A zombie has ended already. It stays until its parent waits for it, which no signal hastens.
-        if process.status() == psutil.STATUS_ZOMBIE:
+        if not _is_alive(process):
             return False
         # The group first: a member may have emptied its environment. Outside the groups, only the environment tells.
         if groups and hasattr(os, "getpgid") and os.getpgid(process.pid) in groups:
@@ -135,7 +136,7 @@ def end(launch_id: str, groups: Groups, since_s: float, steps: Mapping[signal.Si
         steps: Signals in the order in which they are sent, each with the time until the next one [s]; SIGKILL follows.
     """
     # A process that gets a signal may start others before it ends, and these inherit the launch's id. So each step
-    # looks again after each pause, and ends early when nobody is left.
+    # looks again and again, and ends early when nobody is left.
     alive = find(launch_id, groups, since_s)
     named = [_process_text(process) for process in alive]
     for number, wait_s in [*steps.items(), (KILL, KILL_S)]:
@@ -149,9 +150,23 @@ def end(launch_id: str, groups: Groups, since_s: float, steps: Mapping[signal.Si
                     _send_signal(process, number)
             if time.monotonic() > stop:
                 break
-            time.sleep(POLL_S)
+            _wait_for_an_end(alive, min(stop, time.monotonic() + LOOK_S))
             alive = find(launch_id, groups, since_s)
     return named
+
+
+def _wait_for_an_end(processes: Sequence[psutil.Process], until_s: float) -> None:
+    """Wait until one of these processes has ended, or for a time."""
+    time.sleep(POLL_S)
+    while time.monotonic() < until_s and all(map(_is_alive, processes)):
+        time.sleep(POLL_S)
+
+
+def _is_alive(process: psutil.Process) -> bool:
+    with suppress(psutil.Error, OSError):
+        # A zombie has ended already. It stays until its parent waits for it, which no signal hastens.
+        return bool(process.status() != psutil.STATUS_ZOMBIE)
+    return False
 
 
 def _send_signal(process: psutil.Process, number: signal.Signals) -> None:
