@@ -168,7 +168,10 @@ def test_files_are_split_where_they_must_be(is_written_at_once: bool, tmp_path: 
 
 
 def test_custom_data_and_odd_names_are_kept(tmp_path: Path) -> None:
-    custom = {"robot": "Ä: 1", "empty": "", "number": "12", "line": "a\nb", "hash": "a # b"}
+    custom = {"robot": "Ä: 1", "empty": "", "number": "012", "line": "a\nb", "hash": "a # b", "No": "null"}
+    custom |= {
+        f"{word} like {word}": word for word in ("true", "False", "YES", "on", "off", "1e5", "/a", "~")
+    }
     folder = tmp_path / "a bag: with 'odd' name"
     write_bag(folder, WriterSettings(custom_data=custom))
     assert read_metadata(folder).custom_data == custom

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 
 from tfloom.bag.metadata import FileInformation, Metadata
@@ -18,6 +19,10 @@ __all__ = [
 METADATA_VERSION = 9
 NO_TIME_NS = 0x7FFF_FFFF_FFFF_FFFF
 """The start of a bag without messages [ns]."""
+_PLAIN = re.compile(r"[A-Za-z/][A-Za-z0-9_/.]*")
+"""What YAML takes for a string, if it is none of `_WORDS`: its numbers and dates begin otherwise."""
+_WORDS = {"null", "true", "false", "yes", "no", "on", "off"}
+"""What YAML 1.1 takes for null or a boolean, in lower case."""
 
 
 def metadata_file_text(info: Metadata) -> str:
@@ -88,6 +93,10 @@ def scalar(value: str) -> str:
     """Return a string as a YAML scalar, in quotes only where they are needed."""
     if not value:
         return '""'
+    # Topics, types, hashes and names of files are such, and YAML's parser would take longer than all else: each file
+    # of a split recording gets the names of all files before it.
+    if _PLAIN.fullmatch(value) and value.lower() not in _WORDS:
+        return value
     from tfloom.rosidl import user_yaml
 
     try:

@@ -29,9 +29,11 @@ _TABLES = (
 )
 _INDEX = "CREATE INDEX timestamp_idx ON messages (timestamp ASC)"
 _SCHEMA_VERSION = 4
-_PRAGMAS = ("journal_mode=WAL", "synchronous=OFF", "wal_autocheckpoint=1")
-"""Each transaction goes on from the log into the database at once, so that the log needs room for one of them only:
-a full disk would else hold half of what it could."""
+_PRAGMAS = ("synchronous=OFF", "journal_mode=WAL", "wal_autocheckpoint=1")
+"""`synchronous` comes first, because `journal_mode` would else wait until the empty database is on the disk.
+
+Each transaction goes on from the log into the database at once, so that the log needs room for one of them only: a full
+disk would else hold half of what it could."""
 
 
 class SqliteFile:
