@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import ast
 import importlib
+import re
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
@@ -14,11 +14,7 @@ HOUSE = Path(__file__).parents[1] / "src" / "tfloom"
 
 
 def has_all(path: Path) -> bool:
-    return any(
-        isinstance(node, (ast.Assign, ast.AnnAssign))
-        and ast.unparse(node).startswith(("__all__ =", "__all__:"))
-        for node in ast.parse(path.read_text("utf-8")).body
-    )
+    return re.search(r"^__all__ ?[=:]", path.read_text("utf-8"), re.MULTILINE) is not None
 
 
 def broken_exports(folder: Path, package: str) -> Iterator[str]:

@@ -45,6 +45,11 @@ def specs() -> dict[str, spec.Message]:
     }
 
 
+@functools.cache
+def listed() -> dict[str, list[str]]:
+    return get_interfaces()
+
+
 @for_each(files)
 def test_regenerates_without_difference(path: str) -> None:
     assert (HOME / path).read_text("utf-8") == files()[path], "run python -m tfloom.rosidl.generate"
@@ -86,7 +91,7 @@ def test_each_is_found_by_name_and_by_import(name: str) -> None:
     assert type_hash(extra()[name], specs().__getitem__) == cls._TYPE_HASH
     assert getattr(importlib.import_module(f"{package}.{kind}"), base) is cls
     assert cls.__module__ == f"{package}.{kind}.{module_leaf(base)}"
-    assert f"{kind}/{base}" in get_interfaces([package])[package]
+    assert f"{kind}/{base}" in listed()[package]
     for message in spec.messages_of(extra()[name]):
         made = class_table.find(message.name)()
         assert cdr.decode(type(made), cdr.encode(made)) == made
@@ -144,16 +149,21 @@ def message_name(name: str) -> str:
     return f"{package}/msg/{base.replace('_', '')}"
 
 
-def add_to(store: Typestore, message: spec.Message) -> None:
+@functools.cache
+def store() -> Typestore:
+    return get_typestore(Stores.EMPTY)
+
+
+def add_to_store(message: spec.Message) -> None:
+    if message.name in store().fielddefs:
+        return
     for name in message.references:
-        if name not in store.fielddefs:
-            add_to(store, specs()[name])
+        add_to_store(specs()[name])
     text = "".join(f"{field.type} {field.name}\n" for field in message.fields)
-    store.register(get_types_from_msg(text, message.name))
+    store().register(get_types_from_msg(text, message.name))
 
 
 @for_each(written_parts(), name=lambda part: part.name)
 def test_hashes_are_those_of_rosbags(message: spec.Message) -> None:
-    store = get_typestore(Stores.EMPTY)
-    add_to(store, message)
-    assert store.hash_rihs01(message.name) == type_hash(message, specs().__getitem__)
+    add_to_store(message)
+    assert store().hash_rihs01(message.name) == type_hash(message, specs().__getitem__)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from pathlib import Path
 from typing import NamedTuple
 
@@ -75,8 +76,11 @@ def find_interface(name: str) -> spec.Interface:
     return parse_source(source, name)
 
 
+@lru_cache(maxsize=256)
 def parse_source(source: Source, name: str) -> spec.Interface:
     """Return the spec of `package/kind/Name` that a text defines: IDL if its path ends in `.idl`.
+
+    The latest are kept, because each part of a definition has a hash, of all messages that it refers to.
 
     Raises:
         ParseError: it can't be parsed.
