@@ -259,3 +259,10 @@ def expect_refusal(domain_id: int, error: type[Exception], text: str, *parameter
 def port_of(program: Program) -> int:
     """Wait until a bridge serves, and return its port."""
     return int(program.wait_for("Server listening at ws").rpartition(":")[2])
+
+
+def start_bridge_by(start_program: Callable[..., Program], *parameters: str) -> tuple[Program, int]:
+    """Start a bridge as a process, with parameters, and return it with its port when it serves."""
+    words = [word for text in ("port:=0", *parameters) for word in ("-p", text)]
+    program = start_program("tfloom", "run", "foxglove_bridge", "foxglove_bridge", "--ros-args", *words)
+    return program, port_of(program)

