@@ -30,8 +30,7 @@ ONLY_DDS = {
     "test_full_domain_gives_one_error_message": "Zenoh has room for any number of programs",
     "test_different_type_hash_is_received_if_decodable": "a hash is a part of Zenoh's keys",
     "test_killed_publisher_is_not_alive_after_its_lease": "Zenoh tells of its end at once, as of any other end",
-    "test_a_child_of_a_process_with_a_node_may_start_anew": "Zenoh can't be opened again in a child",
-    "test_a_grandchild_may_start_anew": "Zenoh can't be opened again in a child",
+    "test_a_child_and_a_grandchild_may_start_anew": "Zenoh can't be opened again in a child",
 }
 """The tests of this folder that run on DDS alone, and why; tests/rmw/test_zenoh_wire.py has others for most."""
 

@@ -97,48 +97,42 @@ def test_every_operation_on_what_was_inherited_raises(
     assert {line.split(" ")[-1] for line in children} == {"ForkedProcessError", "ForkedError"}, program.output
 
 
-@pytest.mark.parametrize(
-    ("end", "code"),
-    [
-        ("os._exit(3)", 3),
-        ("sys.exit(3)", 3),
-        ("node.destroy_node(); executor.shutdown(); sys.exit(4)", 4),
-        ("del node, publisher, client, executor; import gc; gc.collect(); sys.exit(5)", 5),
-        ("node.destroy_node(); rclpy.shutdown(); sys.exit(7)", 7),
-        ("node.context.destroy(); rclpy.try_shutdown(); sys.exit(6)", 6),
-        ("os.kill(os.getpid(), signal.SIGTERM); time.sleep(60)", -signal.SIGTERM),
-    ],
-    ids=["_exit", "exit", "destroys", "collects", "shuts down", "destroys the context", "is terminated"],
-)
-def test_a_child_ends_quietly_without_effect_on_its_parent(
-    end: str, code: int, domain_id: int, start_program: Callable
-) -> None:
-    program = start_program(
-        "python", *QUIET, "-c", f"{PARENT}\nchild = os.fork()\nif not child: {end}\njoin(child)"
-    )
-    assert program.wait() == 0
-    assert program.lines == [f"child {code}", "parent True"]
+ENDS = {
+    "os._exit(3)": 3,
+    "sys.exit(3)": 3,
+    "node.destroy_node(); executor.shutdown(); sys.exit(4)": 4,
+    "del node, publisher, client, executor; import gc; gc.collect(); sys.exit(5)": 5,
+    "node.destroy_node(); rclpy.shutdown(); sys.exit(7)": 7,
+    "node.context.destroy(); rclpy.try_shutdown(); sys.exit(6)": 6,
+    "os.kill(os.getpid(), signal.SIGTERM); time.sleep(60)": -signal.SIGTERM,
+}
+"""How a child ends, and its exit code."""
 
+FORKS = """
+for end in ENDS:
+    child = os.fork()
+    if not child:
+        exec(end)
+    join(child)
 
-MULTIPROCESSING = """
 import multiprocessing
-process = multiprocessing.get_context("fork").Process(target=time.sleep, args=(SECONDS,))
-process.start()
-if SECONDS:
-    process.terminate()
-process.join()
-print("child", process.exitcode)
-print("parent", hear("parent"))
+for seconds in (0, 60):
+    process = multiprocessing.get_context("fork").Process(target=time.sleep, args=(seconds,))
+    process.start()
+    if seconds:
+        process.terminate()
+    process.join()
+    print("child", process.exitcode)
+    heard.clear()
+    print("parent", hear("parent"))
 """
 
 
-@pytest.mark.parametrize(("seconds", "code"), [(0, 0), (60, -signal.SIGTERM)], ids=["ends", "is terminated"])
-def test_a_forked_process_of_multiprocessing_ends(
-    seconds: int, code: int, domain_id: int, start_program: Callable
-) -> None:
-    program = start_program("python", *QUIET, "-c", PARENT + MULTIPROCESSING.replace("SECONDS", str(seconds)))
+def test_children_end_quietly_without_effect_on_their_parent(domain_id: int, start_program: Callable) -> None:
+    program = start_program("python", *QUIET, "-c", f"ENDS = {list(ENDS)}\n{PARENT}{FORKS}")
     assert program.wait() == 0
-    assert program.lines == [f"child {code}", "parent True"]
+    codes = [*ENDS.values(), 0, -signal.SIGTERM]
+    assert program.lines == [line for code in codes for line in (f"child {code}", "parent True")]
 
 
 CHILD = """
@@ -156,17 +150,30 @@ def run_child():
 """
 
 
-def test_a_child_of_a_process_with_a_node_may_start_anew(domain_id: int, start_program: Callable) -> None:
+def test_a_child_and_a_grandchild_may_start_anew(domain_id: int, start_program: Callable) -> None:
     program = """
 child = os.fork()
 if not child:
     run_child()
 print("heard", hear("from the child"), flush=True)
 join(child)
+
+child = os.fork()
+if not child:
+    rclpy.init(args=[])
+    between = Node("between")
+    grandchild = os.fork()
+    if not grandchild:
+        run_child()
+    _, status = os.waitpid(grandchild, 0)
+    rclpy.shutdown()
+    sys.exit(os.waitstatus_to_exitcode(status))
+print("heard", hear("from the child"), flush=True)
+join(child)
 """
     program = start_program("python", *QUIET, "-c", PARENT + CHILD + program)
     assert program.wait() == 0
-    assert program.lines == ["heard True", "child 0", "parent True"]
+    assert program.lines == 2 * ["heard True", "child 0", "parent True"]
 
 
 INITIALISE = """
@@ -186,26 +193,6 @@ def test_on_zenoh_a_child_may_not_start_anew(domain_id: int, start_program: Call
     program = start_program("python", *QUIET, "-c", PARENT + INITIALISE)
     assert program.wait() == 0
     assert program.lines == ["ForkedError True", "child 3", "parent True"]
-
-
-def test_a_grandchild_may_start_anew(domain_id: int, start_program: Callable) -> None:
-    program = """
-child = os.fork()
-if not child:
-    rclpy.init(args=[])
-    between = Node("between")
-    grandchild = os.fork()
-    if not grandchild:
-        run_child()
-    _, status = os.waitpid(grandchild, 0)
-    rclpy.shutdown()
-    sys.exit(os.waitstatus_to_exitcode(status))
-print("heard", hear("from the child"), flush=True)
-join(child)
-"""
-    program = start_program("python", *QUIET, "-c", PARENT + CHILD + program)
-    assert program.wait() == 0
-    assert program.lines == ["heard True", "child 0", "parent True"]
 
 
 @pytest.mark.parametrize("first", ["", "rclpy.init(args=[])"], ids=["imported", "initialised"])
