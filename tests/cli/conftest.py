@@ -54,11 +54,12 @@ def prefix(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 @pytest.fixture
-def run_tf(start_program: Callable[..., Program]) -> Callable[..., tuple[int, str]]:
-    """Run `tfloom tf …` to its end; return exit code and output."""
+def run_tf() -> Callable[..., tuple[int, str]]:
+    """Run `tf …` to its end in this process; return exit code and output."""
+    from transcript import run_here
 
     def run(*words: str | Path) -> tuple[int, str]:
-        program = start_program("tfloom", "tf", *words)
-        return program.wait(), program.output
+        answer = run_here("tf", *map(str, words))
+        return answer.exit_code, answer.text
 
     return run

@@ -7,10 +7,13 @@ import subprocess
 import sys
 from collections.abc import Mapping
 from pathlib import Path
+from typing import NamedTuple
 
+import pytest
 from tests.conftest import run_to_end
+from transcript import Output, exit_code_of
 
-__all__ = ["MODULE", "install", "run_cli"]
+__all__ = ["MODULE", "install", "run_cli", "run_here"]
 
 MODULE = '''
 from ros2cli.command import CommandExtension, add_subparsers_on_demand
@@ -76,12 +79,29 @@ class TooNewVerb(VerbExtension):
 """A module `my_extensions`."""
 
 
-def run_cli(folder: Path, *words: str, **environment: str) -> subprocess.CompletedProcess[str]:
+def run_cli(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
     """Run `tfloom` with a folder on the path, which has extensions."""
     return run_to_end(
-        [sys.executable, "-m", "tfloom.cli", *words],
-        env={**os.environ, "PYTHONPATH": str(folder), **environment},
+        [sys.executable, "-m", "tfloom.cli", *words], env={**os.environ, "PYTHONPATH": str(folder)}
     )
+
+
+class Run(NamedTuple):
+    """A command's exit code, and what it printed."""
+
+    returncode: int
+    stdout: str
+    stderr: str
+
+
+def run_here(folder: Path, *words: str) -> Run:
+    """Run the command in this process, under ros2's name, with a folder on the path, which has extensions."""
+    out, err = Output(), Output()
+    with pytest.MonkeyPatch.context() as patch:
+        patch.syspath_prepend(folder)
+        sys.modules.pop("my_extensions", None)  # that of another test
+        code = exit_code_of(words, out, err)
+    return Run(code, out.text, err.text)
 
 
 def install(folder: Path, entry_points: Mapping[str, Mapping[str, str]], module: str = MODULE) -> Path:

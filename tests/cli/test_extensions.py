@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from tests.cli.extensions import install, run_cli
+from tests.cli.extensions import install, run_cli, run_here
 from tests.conftest import run_to_end
 
 ENTRY_POINTS = {
@@ -22,23 +22,23 @@ ENTRY_POINTS = {
 
 def test_verb_and_command_are_in_the_help(tmp_path: Path) -> None:
     install(tmp_path, ENTRY_POINTS)
-    topic = run_cli(tmp_path, "topic", "-h")
+    topic = run_here(tmp_path, "topic", "-h")
     (line,) = (line for line in topic.stdout.splitlines() if line.split()[:1] == ["first"])
     assert (line.split(maxsplit=1)[1], topic.stderr) == ("Print the first topics", "")
     assert topic.stdout.count("\n    echo ") == 1
-    assert "    tree                Show trees\n" in run_cli(tmp_path, "-h").stdout
-    assert "first" not in run_cli(tmp_path, "node", "-h").stdout
+    assert "    tree                Show trees\n" in run_here(tmp_path, "-h").stdout
+    assert "first" not in run_here(tmp_path, "node", "-h").stdout
 
 
 def test_command_runs_its_verb(tmp_path: Path) -> None:
     install(tmp_path, ENTRY_POINTS)
-    grown = run_cli(tmp_path, "tree", "grow", "7")
+    grown = run_here(tmp_path, "tree", "grow", "7")
     assert (grown.returncode, grown.stdout, grown.stderr) == (3, "grow to 7\n", "")
-    shown = run_cli(tmp_path, "tree")
+    shown = run_here(tmp_path, "tree")
     assert shown.returncode == 0
     assert "    grow                Let a tree grow\n" in shown.stdout
-    assert run_cli(tmp_path, "tree", "fell").returncode == 2
-    assert "usage: tfloom tree grow" in run_cli(tmp_path, "tree", "grow", "-h").stdout
+    assert run_here(tmp_path, "tree", "fell").returncode == 2
+    assert "usage: ros2 tree grow" in run_here(tmp_path, "tree", "grow", "-h").stdout
 
 
 @pytest.mark.wire
@@ -49,9 +49,9 @@ def test_verb_asks_the_graph_and_ends_on_its_own_errors(
     start_program(
         sys.executable, "-m", "tfloom.cli", "topic", "pub", "/a_topic", "std_msgs/msg/String"
     ).wait_for("publishing #1")
-    first = run_cli(tmp_path, "topic", "first", ROS_DOMAIN_ID=str(domain_id))
+    first = run_cli(tmp_path, "topic", "first")
     assert (first.returncode, first.stdout, first.stderr) == (0, "/a_topic ['std_msgs/msg/String']\n", "")
-    failed = run_cli(tmp_path, "topic", "first", "--fail")
+    failed = run_here(tmp_path, "topic", "first", "--fail")
     assert (failed.returncode, failed.stdout, failed.stderr) == (1, "", "no topics today\n")
 
 
@@ -62,7 +62,7 @@ def test_broken_extension_is_a_line_and_the_others_run(tmp_path: Path) -> None:
         "new": "my_extensions:TooNewVerb",
     }
     install(tmp_path, {**ENTRY_POINTS, "ros2topic.verb": broken})
-    topic = run_cli(tmp_path, "topic", "-h")
+    topic = run_here(tmp_path, "topic", "-h")
     assert "    first " in topic.stdout
     assert "    gone " not in topic.stdout
     assert topic.stderr.splitlines() == [
@@ -75,7 +75,7 @@ def test_broken_extension_is_a_line_and_the_others_run(tmp_path: Path) -> None:
             "PluginException: Extension point version '0.1' is too small for '^0.2'"
         ),
     ]
-    gone = run_cli(tmp_path, "topic", "gone")
+    gone = run_here(tmp_path, "topic", "gone")
     assert (gone.returncode, gone.stdout) == (1, "")
     assert gone.stderr.startswith("the extension 'gone' of ros2topic.verb ")
 

@@ -1,9 +1,10 @@
-"""`tf explain` as a process, on broadcasters over DDS: nodes by name, what to wait for, exit codes."""
+"""`tf explain` on broadcasters over DDS: nodes by name, what to wait for, exit codes."""
 
 from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +14,7 @@ from tfloom.tf2_tools.static_transforms.file import file_text
 from tfloom.tf2_tools.static_transforms.transform import StaticTransform
 
 MAX_EXPLANATIONS = 12
-"""Programs until one receives the transforms in the other order."""
+"""Explanations until one receives the transforms in the other order."""
 BROADCASTER = Path(__file__).with_name("a_broadcaster.py")
 NO_TURN = (0.0, 0.0, 0.0, 1.0)
 STATICS = [
@@ -36,14 +37,9 @@ def graph(
 
 
 @pytest.fixture
-def explain(graph: None, start_program: Callable[..., Any]) -> Explain:
-    """Run `tfloom tf explain …` to its end; return exit code and output."""
-
-    def run(*words: str) -> tuple[int, str]:
-        program = start_program("tfloom", "tf", "explain", *words)
-        return program.wait(), program.output
-
-    return run
+def explain(graph: None, run_tf: Explain) -> Explain:
+    """Run `tf explain …` to its end; return exit code and output."""
+    return partial(run_tf, "explain")
 
 
 def test_the_chain_names_each_node(explain: Explain) -> None:
@@ -80,7 +76,7 @@ def test_a_time_in_the_past_is_there_after_listening(explain: Explain) -> None:
 
 @pytest.mark.parametrize("parents", [("left", "right"), ("right", "left")])
 def test_both_publishers_of_a_child_with_two_parents_are_named(
-    domain_id: int, start_program: Callable[..., Any], parents: tuple[str, str]
+    domain_id: int, start_program: Callable[..., Any], run_tf: Explain, parents: tuple[str, str]
 ) -> None:
     """Which of two latched transforms comes last, and so replaces the other, may differ between programs."""
     for parent in parents:
@@ -91,15 +87,12 @@ def test_both_publishers_of_a_child_with_two_parents_are_named(
         )
         program.wait_for("Spinning until stopped")
     for _ in range(MAX_EXPLANATIONS):
-        program = start_program(
-            "tfloom", "tf", "explain", parents[0], "base", "--listen", "0.5", "--wait", "2"
-        )
-        program.wait()
-        if "fails" in program.output:
+        _, text = run_tf("explain", parents[0], "base", "--listen", "0.5", "--wait", "2")
+        if "fails" in text:
             break
-    assert "'base' is sent with several parents, of which a buffer keeps the last" in program.output
+    assert "'base' is sent with several parents, of which a buffer keeps the last" in text
     publishers = "/left_node on /tf_static (parent 'left') and /right_node on /tf_static (parent 'right')"
-    assert publishers in program.output
+    assert publishers in text
 
 
 def test_frames_that_are_not_there_or_not_connected(explain: Explain) -> None:
@@ -121,9 +114,8 @@ def test_a_time_that_is_none(explain: Explain) -> None:
     assert (code, "must be latest, now, seconds with a sign" in text) == (2, True)
 
 
-def test_a_file_is_explained_without_a_graph(start_program: Callable[..., Any], tmp_path: Path) -> None:
+def test_a_file_is_explained_without_a_graph(run_tf: Explain, tmp_path: Path) -> None:
     path = tmp_path / "robot.yaml"
     path.write_text(file_text(STATICS))
-    program = start_program("tfloom", "tf", "explain", "base", "laser", "--bag", path)
-    assert program.wait() == 0
-    assert f"static, valid at any time =======  {path}" in program.output
+    code, text = run_tf("explain", "base", "laser", "--bag", path)
+    assert (code, f"static, valid at any time =======  {path}" in text) == (0, True)

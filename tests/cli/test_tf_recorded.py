@@ -1,4 +1,4 @@
-"""The verbs of `tf` on a recording, as processes without a graph."""
+"""The verbs of `tf` on a recording, without a graph."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`tf save`, `tf publish` and `tf diff`, as processes over DDS."""
+"""`tf save`, `tf publish` and `tf diff`, over DDS."""
 
 from __future__ import annotations
 

@@ -26,7 +26,7 @@ from ros2topic.verb.delay import ROSTopicDelay
 from ros2topic.verb.hz import ROSTopicHz
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Header, Int8
-from tests.cli.extensions import install, run_cli
+from tests.cli.extensions import install, run_here
 
 from tfloom.cli.main import COMMANDS
 from tfloom.cli.parser import Group
@@ -94,7 +94,7 @@ def test_derived_verb_runs_as_the_own_one_does(
         sys.executable, "-m", "tfloom.cli", "topic", "pub", "-r", "20", "/a", "std_msgs/msg/Int8", "{data: 7}"
     ).wait_for("publishing #1")
 
-    run = partial(run_cli, tmp_path, "topic", "bridged")
+    run = partial(run_here, tmp_path, "topic", "bridged")
     done = run("--bridge", "me", "--once", "--field", "data", "/a")
     assert (done.returncode, done.stdout, done.stderr) == (0, "by me\n7\n---\n", "")
     assert "Print messages that a bridge sends" in run("-h").stdout
