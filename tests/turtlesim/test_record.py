@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import stat
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -11,8 +12,8 @@ from PIL import Image, ImageSequence
 from tfloom.turtlesim.record import FRAME_MS, SIDE_PX, STILL_MS, RecordingError, open_recorder
 
 
-def picture(color: tuple[int, int, int]) -> Image.Image:
-    return Image.new("RGB", (SIDE_PX, SIDE_PX), color)
+def picture(color: tuple[int, int, int]) -> Callable[[], Image.Image]:
+    return lambda: Image.new("RGB", (SIDE_PX, SIDE_PX), color)
 
 
 @pytest.mark.parametrize("ending", ["gif", "webp"])
@@ -54,11 +55,13 @@ def test_last_picture_is_written_meanwhile(tmp_path: Path) -> None:
     with pytest.raises(RecordingError, match="can't record to"):
         recorder.finish()
     path.rmdir()
-    for count in range(1, STILL_MS // FRAME_MS + 1):
+    count = STILL_MS // FRAME_MS
+    for _ in range(count - 1):
+        recorder.add(lambda: pytest.fail("a picture was rendered that is not written"))
         assert not path.exists()
-        recorder.add(picture((4, 5, count)))
+    recorder.add(picture((4, 5, count)))
     with Image.open(path) as found:
-        assert found.convert("RGB").getpixel((9, 9)) == (4, 5, STILL_MS // FRAME_MS)
+        assert found.convert("RGB").getpixel((9, 9)) == (4, 5, count)
 
 
 @pytest.mark.parametrize("ending", ["gif", "webp", "png"])

@@ -82,7 +82,7 @@ class TurtlesimNode(Node):
         """Add a picture to `recorder` now and every FRAME_MS."""
 
         def add() -> None:
-            recorder.add(self.render(SIDE_PX))
+            recorder.add(lambda: self.render(SIDE_PX))
 
         add()
         self.create_timer(FRAME_MS / 1000, add, clock=Clock(clock_type=ClockType.STEADY_TIME))

@@ -5,10 +5,10 @@ from __future__ import annotations
 import shutil
 import subprocess
 import zlib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, Protocol, TypeAlias
 
 from tfloom.turtlesim.picture import Picture, from_rgb, save
 from tfloom.whole_files import Replacement
@@ -18,6 +18,8 @@ FRAME_MS = 40
 STILL_MS = 1000
 """Time between two writes of the last picture [ms]."""
 SIDE_PX = 500
+Render: TypeAlias = Callable[[], Picture]
+"""Returns the picture of this moment: RGB, SIDE_PX by SIDE_PX."""
 
 
 class RecordingError(Exception):
@@ -27,8 +29,8 @@ class RecordingError(Exception):
 class Recorder(Protocol):
     """Collects a picture every FRAME_MS and writes a file of them."""
 
-    def add(self, picture: Picture) -> None:
-        """Add the next picture: RGB, SIDE_PX by SIDE_PX."""
+    def add(self, render: Render) -> None:
+        """Add the next picture."""
 
     def finish(self) -> None:
         """Write the file.
@@ -61,12 +63,12 @@ class Still:
 
     def __init__(self, path: Path) -> None:
         self._path = path
-        self._last: Picture | None = None
+        self._render: Render | None = None
         self._added = 0
 
-    def add(self, picture: Picture) -> None:
-        """Add the next picture."""
-        self._last = picture
+    def add(self, render: Render) -> None:
+        """Count the next picture, which is rendered only if it is written."""
+        self._render = render
         self._added += 1
         if self._added % (STILL_MS // FRAME_MS) == 0:
             with suppress(RecordingError):  # a full disk may have room at the end, which tells of an error
@@ -74,8 +76,8 @@ class Still:
 
     def finish(self) -> None:
         """Write the last picture."""
-        if self._last is not None:
-            _save(self._last, self._path)
+        if self._render is not None:
+            _save(self._render(), self._path)
 
 
 class Animation:
@@ -87,9 +89,9 @@ class Animation:
         self._lasting_ms: list[int] = []
         self._last = b""
 
-    def add(self, picture: Picture) -> None:
+    def add(self, render: Render) -> None:
         """Add the next picture."""
-        pixels = picture.tobytes()
+        pixels = render().tobytes()
         if pixels == self._last:
             self._lasting_ms[-1] += FRAME_MS
             return
@@ -131,11 +133,11 @@ class Film:
             command, stdin=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True
         )
 
-    def add(self, picture: Picture) -> None:
+    def add(self, render: Render) -> None:
         """Add the next picture."""
         if self._ffmpeg.stdin is not None:
             with suppress(BrokenPipeError):  # it has ended; `finish` raises with the reason
-                self._ffmpeg.stdin.write(picture.tobytes())
+                self._ffmpeg.stdin.write(render().tobytes())
 
     def finish(self) -> None:
         """Close ffmpeg's input and wait until the film is complete."""
