@@ -69,9 +69,21 @@ class Machine:
         self.keep(self.session.declare_subscriber(key, note))
 
 
+@pytest.fixture(scope="module")
+def certificates(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return a folder with the certificates of the example, and those of another authority."""
+    made = tmp_path_factory.mktemp("made")
+    for words in (("certificates", "robot=127.0.0.1", "base", "laptop", "stranger"), ("of_others", "laptop")):
+        subprocess.run([sys.executable, EXAMPLE / "make_certificates.py", *words], cwd=made, check=True)
+    return made
+
+
 @pytest.fixture
 def folder(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, start_program: Callable[..., Program]
+    certificates: Path,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    start_program: Callable[..., Program],
 ) -> Iterator[Path]:
     """Return a copy of the example with ports of this test, in which the robot's address is 127.0.0.1."""
     with hold_zenoh_port() as port:
@@ -80,14 +92,8 @@ def folder(
             text = file.read_text().replace("tls/robot:", "tls/127.0.0.1:").replace("0.0.0.0", "127.0.0.1")
             text = text.replace(":7447", f":{base if file.name == 'base_router.json5' else port}")
             (tmp_path / file.name).write_text(text.replace(":7448", f":{port + 1}"))
-        (tmp_path / "of_others").mkdir()
-        for words in (
-            ("certificates", "robot=127.0.0.1", "base", "laptop", "stranger"),
-            ("of_others", "laptop"),
-        ):
-            subprocess.run(
-                [sys.executable, EXAMPLE / "make_certificates.py", *words], cwd=tmp_path, check=True
-            )
+        for made in certificates.iterdir():
+            (tmp_path / made.name).symlink_to(made)
         monkeypatch.chdir(tmp_path)
         yield tmp_path
 
