@@ -18,22 +18,10 @@ Start = Callable[..., Any]
 DRAWN = "The tree of frames is drawn in "
 
 
-def test_demonstration_prints_draws_and_ends(start_program: Start, tmp_path: Path, mark: str) -> None:
-    demo = start_program("tfloom", "demo", "--seconds", "1", cwd=tmp_path)
-    assert demo.wait(60.0) == 0
-    assert f"{DRAWN}{tmp_path / 'frames.pdf'}" in demo.lines
-    assert demo.output.count("- Matrix:") >= 3
-    graph = (tmp_path / "frames.gv").read_text()
-    for ends in ('"world" -> "turtle1"', '"world" -> "turtle2"', '"turtle1" -> "laser"'):
-        assert ends in graph
-    assert (tmp_path / "turtles.png").read_bytes().startswith(b"\x89PNG")
-    assert (tmp_path / "frames.pdf").read_bytes().startswith(b"%PDF-")
-    assert alive(mark) == {}
-
-
-def test_page_is_served_beside_the_demonstration_and_no_process_is_left(
+def test_demonstration_prints_draws_serves_its_page_and_ends(
     start_program: Start, tmp_path: Path, mark: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    """How it ends after a duration is tested in one process, and by the robot's page of the documentation."""
     pytest.importorskip("viser", reason="the page needs the extra: pip install 'tfloom[view]'")
     browser = tmp_path / "browser"
     browser.write_text(f'#!/bin/sh\necho "$1" > {tmp_path / "opened"}\n')
@@ -44,19 +32,25 @@ def test_page_is_served_beside_the_demonstration_and_no_process_is_left(
     address = line.removeprefix("See it in a browser: ")
     with urllib.request.urlopen(address) as response:
         assert b"<title>tfloom view</title>" in response.read()
-    demo.wait_for("At time")
+    demo.wait_for(f"{DRAWN}{tmp_path / 'frames.pdf'}")
     assert len(alive(mark)) >= 9
     demo.signal(signal.SIGINT)
     assert demo.wait() == 0
     assert (tmp_path / "opened").read_text().strip() == address
+    assert demo.output.count("- Matrix:") >= 3
     assert "Traceback" not in demo.output
+    graph = (tmp_path / "frames.gv").read_text()
+    for ends in ('"world" -> "turtle1"', '"world" -> "turtle2"', '"turtle1" -> "laser"'):
+        assert ends in graph
+    assert (tmp_path / "turtles.png").read_bytes().startswith(b"\x89PNG")
+    assert (tmp_path / "frames.pdf").read_bytes().startswith(b"%PDF-")
     wait_until(lambda: alive(mark) == {}, what="the end of all processes")
     with pytest.raises(urllib.error.URLError):
         urllib.request.urlopen(address)
 
 
 @pytest.mark.parametrize(
-    "number",  # the page's test sends SIGINT
+    "number",  # the test above sends SIGINT
     [
         *(pytest.param(number, marks=pytest.mark.slow) for number in (signal.SIGINT, signal.SIGTERM)),
         signal.SIGKILL,
