@@ -40,6 +40,11 @@ class Echo:
         return float(last[part]) if last else 0.0
 
 
+def matrix(block: re.Match[str]) -> list[list[float]]:
+    """Return the first three rows of a printed matrix."""
+    return [[float(cell) for cell in row.split()] for row in block["matrix"].splitlines()]
+
+
 @pytest.fixture
 def start(domain_id: int, start_program: Callable[..., Any]) -> Iterator[Callable[[str], Any]]:
     """Start one of the programs by name."""
@@ -50,53 +55,59 @@ def start(domain_id: int, start_program: Callable[..., Any]) -> Iterator[Callabl
 
 
 @pytest.fixture
-def press(domain_id: int, start_program: Callable[..., Any]) -> Iterator[Callable[[bytes], int]]:
-    """Press a key in the terminal of a teleop."""
+def terminal() -> Iterator[tuple[int, int]]:
+    """Return the ends of a pseudo-terminal: of its user, and of its program."""
     ours, theirs = pty.openpty()
-    program = start_program("tfloom", "run", "turtlesim", "turtle_teleop_key", stdin=theirs)
-    program.wait_for("'Q' to quit.")
-    yield lambda key: os.write(ours, key)
+    yield ours, theirs
     os.close(ours)
     os.close(theirs)
 
 
 def test_frame_follows_the_keys(
-    start: Callable[[str], Any], wait_until: Callable[..., None], press: Callable[[bytes], int]
+    start: Callable[[str], Any],
+    start_program: Callable[..., Any],
+    wait_until: Callable[..., None],
+    terminal: tuple[int, int],
 ) -> None:
+    ours, theirs = terminal
+    teleop = start_program("tfloom", "run", "turtlesim", "turtle_teleop_key", stdin=theirs)
+    teleop.wait_for("'Q' to quit.")
     start("turtlesim")
     start("broadcaster")
     echo = Echo(start("echo"))
     wait_until(lambda: echo.number("x") == 5.544)
 
-    def pressed_forward() -> bool:
-        press(b"\x1b[A")
-        return echo.number("x") > 6.0
+    def until(key: bytes, is_there: Callable[[list[list[float]]], bool]) -> list[list[float]]:
+        """Press a key until the frame is where it shall be, and return the first rows of its matrix."""
 
-    wait_until(pressed_forward)
-    last = echo.last()
-    assert last is not None
-    rows = [[float(cell) for cell in row.split()] for row in last["matrix"].splitlines()]
-    assert [row[:3] for row in rows] == [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
-    assert [row[3] for row in rows] == [float(last["x"]), float(last["y"]), 0.0]
+        def rows() -> list[list[float]]:
+            last = echo.last()
+            assert last is not None
+            assert [row[3] for row in matrix(last)] == [float(last["x"]), float(last["y"]), 0.0]
+            return matrix(last)
+
+        wait_until(lambda: os.write(ours, key) and is_there(rows()))
+        return rows()
+
+    moved = until(b"\x1b[A", lambda rows: rows[0][3] > 6.0)
+    assert [row[:3] for row in moved] == [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+    until(b"\x1b[D", lambda rows: rows[1][0] > 0.1)
+    os.write(ours, b"q")
+    assert teleop.wait() == 0
 
 
-@pytest.mark.parametrize(
-    # tests/test_tutorial.py kills the others, too
-    "victim",
-    [name if name == "echo" else pytest.param(name, marks=pytest.mark.slow) for name in PROGRAMS],
-)
 def test_each_program_can_be_killed_and_restarted(
-    start: Callable[[str], Any], wait_until: Callable[..., None], victim: str
+    start: Callable[[str], Any], wait_until: Callable[..., None]
 ) -> None:
     programs = {name: start(name) for name in PROGRAMS}
-    echo = Echo(programs["echo"])
-    wait_until(lambda: echo.number("stamp") > 0.0)
-    programs[victim].signal(signal.SIGKILL)
-    assert programs[victim].wait() == -signal.SIGKILL
-    killed_s = time.time()
-    programs[victim] = start(victim)
-    echo = Echo(programs["echo"])
-    wait_until(lambda: echo.number("stamp") > killed_s + 0.5, what="newer transforms")
+    wait_until(lambda: Echo(programs["echo"]).number("stamp") > 0.0)
+    for victim in PROGRAMS:
+        programs[victim].signal(signal.SIGKILL)
+        assert programs[victim].wait() == -signal.SIGKILL
+        killed_s = time.time()
+        programs[victim] = start(victim)
+        echo = Echo(programs["echo"])
+        wait_until(lambda: echo.number("stamp") > killed_s + 0.5, what=f"newer transforms after {victim}")  # noqa: B023
     for name, program in programs.items():
         assert program.process.poll() is None, name
         program.signal(signal.SIGINT)
