@@ -6,12 +6,12 @@
 #include <new>
 #include <utility>
 
+#include "bag/mcap_records.hpp"
+
 namespace tfloom::bag {
 namespace {
 
-constexpr std::size_t prefix_size = 9;   // opcode and length
 constexpr std::size_t fields_size = 22;  // channel, sequence, log time, publish time
-constexpr std::uint8_t message_opcode = 0x05;
 constexpr std::size_t max_reserved = 1 << 20;
 
 // Write an integer in little-endian order, and return where the next one goes.
@@ -28,8 +28,8 @@ std::byte* write_integer(std::byte* place, Integer value) {
 void Chunk::append(std::uint16_t channel, std::span<const std::byte> data, std::int64_t log_time,
                    std::int64_t publish_time) {
   if (index.size() <= channel) index.resize(channel + std::size_t{1});
-  std::array<std::byte, prefix_size + fields_size> head;
-  std::byte* place = write_integer(head.data(), message_opcode);
+  std::array<std::byte, record_header_size + fields_size> head;
+  std::byte* place = write_integer(head.data(), static_cast<std::uint8_t>(Opcode::message));
   place = write_integer(place, static_cast<std::uint64_t>(fields_size + data.size()));
   place = write_integer(place, channel);
   place = write_integer(place, std::uint32_t{0});  // no sequence number, as rosbag2 writes
@@ -63,7 +63,7 @@ void ChunkQueue::receive(std::uint16_t channel, std::span<const std::byte> data,
 bool ChunkQueue::store(std::uint16_t channel, std::span<const std::byte> data, std::int64_t log_time,
                        std::int64_t publish_time) {
   // First the room, so that a message that is dropped neither starts a file nor counts for its duration.
-  const std::size_t record_size = prefix_size + fields_size + data.size();
+  const std::size_t record_size = record_header_size + fields_size + data.size();
   if (!make_room(record_size)) {
     ++dropped_count_;
     return false;

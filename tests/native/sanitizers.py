@@ -38,7 +38,7 @@ TESTS_OF_THE_WIRE = [
     "tests/tf2_ros/test_wire.py",
 ]
 CMAKE_OPTIONS = [
-    "-DTFLOOM_WARNINGS_AS_ERRORS=ON",
+    "-DTFLOOM_NATIVE_TESTS=ON",
     # The optimiser of GCC 12 warns of code that only instrumentation makes.
     "-DCMAKE_CXX_FLAGS=-O1 -Wno-error=maybe-uninitialized -Wno-error=restrict -Wno-error=tsan",
     "-DCMAKE_BUILD_TYPE=None",
@@ -52,28 +52,31 @@ def cmake() -> str:
     return found
 
 
+def configure(folder: Path, *options: str) -> None:
+    """Have CMake write the build of the core and the extension, with more options."""
+    find_nanobind = [sys.executable, "-m", "nanobind", "--cmake_dir"]
+    nanobind = subprocess.run(find_nanobind, capture_output=True, text=True, check=True).stdout.strip()
+    run_cmake(
+        *("-S", str(ROOT), "-B", str(folder), *options),
+        "-DTFLOOM_WARNINGS_AS_ERRORS=ON",
+        "-DSKBUILD=2",
+        f"-DPython_EXECUTABLE={sys.executable}",
+        f"-Dnanobind_DIR={nanobind}",
+    )
+
+
+def run_cmake(*arguments: str) -> None:
+    done = run_to_end([cmake(), *arguments], timeout_s=BUILD_TIMEOUT_S)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
 def build(folder: Path, sanitize: str, targets: list[str]) -> None:
     """Build targets with a sanitizer in a folder, where an earlier build is continued.
 
     The programs and the extension share the core's library, which is compiled once for each sanitizer.
     """
-    find_nanobind = [sys.executable, "-m", "nanobind", "--cmake_dir"]
-    nanobind = subprocess.run(find_nanobind, capture_output=True, text=True, check=True).stdout.strip()
-    options = [
-        *CMAKE_OPTIONS,
-        f"-DTFLOOM_SANITIZE={sanitize}",
-        "-DTFLOOM_NATIVE_TESTS=ON",
-        "-DSKBUILD=2",
-        f"-DPython_EXECUTABLE={sys.executable}",
-        f"-Dnanobind_DIR={nanobind}",
-    ]
-    parallel = str(os.cpu_count() or 1)
-    for command in (
-        [cmake(), "-S", ROOT, "-B", folder, *options],
-        [cmake(), "--build", folder, "--parallel", parallel, "--target", *targets],
-    ):
-        done = run_to_end(command, timeout_s=BUILD_TIMEOUT_S)
-        assert done.returncode == 0, done.stdout + done.stderr
+    configure(folder, *CMAKE_OPTIONS, f"-DTFLOOM_SANITIZE={sanitize}")
+    run_cmake("--build", str(folder), "--parallel", str(os.cpu_count() or 1), "--target", *targets)
 
 
 def build_programs(folder: Path, sanitize: str, programs: list[str]) -> list[Path]:
