@@ -21,8 +21,6 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 TIMING_WORKERS = 3
 WORKERS_PER_CORE = 3
-SLOW_WORKERS_PER_CORE = 2
-"""Fewer, because slow tests compile and check types with several processes each."""
 MAX_WORKERS = 16
 """Limited because all workers use DDS domains from the same 70."""
 TESTS = ROOT / "tests"
@@ -38,10 +36,9 @@ NOTHING_SELECTED = 5
 """pytest's exit code when it ran no test."""
 
 
-def workers(*, slow: bool) -> int:
+def number_of_workers() -> int:
     """Return the number of processes that run tests in parallel."""
-    per_core = SLOW_WORKERS_PER_CORE if slow else WORKERS_PER_CORE
-    return min(MAX_WORKERS, per_core * (os.cpu_count() or 1))
+    return min(MAX_WORKERS, WORKERS_PER_CORE * (os.cpu_count() or 1))
 
 
 def timing_files(paths: list[Path]) -> list[str]:
@@ -149,6 +146,11 @@ def main() -> int:
     parser.add_argument(
         "--ros", action="store_true", help="the tests beside the real rclpy, instead of the others"
     )
+    parser.add_argument(
+        "--no-timing",
+        action="store_true",
+        help="without those that measure time, which say the same of each Python",
+    )
     options, rest = parser.parse_known_args()
     tier = tier_of(slow=options.slow, ros=options.ros)
     if options.ros and not any(folder.name in argument for folder in ROS_TESTS for argument in rest):
@@ -159,14 +161,14 @@ def main() -> int:
     if options.slow:
         by_file.append(f"--override-ini=faulthandler_timeout={MAX_SLOW_TEST_S}")
     adopt_orphans()
-    many = workers(slow=options.slow)
+    many = number_of_workers()
     few = [f"--numprocesses={min(TIMING_WORKERS, many)}", *by_file]
     named = [path for argument in rest if (path := Path(argument.partition("::")[0])).exists()]
     if not named:
         compile_tests()
     parts = {}
     # Tests that measure time run first and in few processes: beside the others they would measure these, too.
-    if files := timing_files(named or [TESTS]):
+    if not options.no_timing and (files := timing_files(named or [TESTS])):
         arguments = [*few, *rest] if named else [*few, *rest, *files]
         parts["measuring time"] = run(f"{marks} and timing", arguments)
     parts["others"] = run(f"{marks} and not timing", [f"--numprocesses={many}", *by_file, *rest])
