@@ -15,7 +15,7 @@ from tfloom.rmw.cyclonedds import open_participant
 from tfloom.rmw.qos import DurabilityPolicy, QoS, ReliabilityPolicy
 
 DATA = b"\0\1\0\0data"
-STRESS_S = 1.5
+STRESS_S = 0.5
 
 
 def test_killed_reader_can_rejoin(participant, start_peer, node, topic, wait_until) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import shlex
 import sys
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -22,14 +23,30 @@ SHORT = re.compile(r"…/0/\d+/(?P<kind>\w\w)/…/(?P<name>/\S+) (?P<type>\S+) (
 """A token that was recorded without the parts that all of its node have."""
 
 
-def test_a_node_announces_what_rmw_zenoh_announces_for_the_same_program() -> None:
+DOMAIN = 65
+
+
+@pytest.fixture(scope="module")
+def ours() -> list[str]:
+    """Return what tfloom's nodes send, as the script records it."""
     with hold_zenoh_port() as port, compare_rmw_zenoh.running_router(port):
-        command = [sys.executable, str(compare_rmw_zenoh.PROGRAM)]
-        tokens = [
-            line.removeprefix("token ")
-            for line in compare_rmw_zenoh.recorded(command, 65, port)
-            if line.startswith("token ")
-        ]
+        return compare_rmw_zenoh.recorded([sys.executable, str(compare_rmw_zenoh.PROGRAM)], DOMAIN, port)
+
+
+@pytest.fixture
+def compare(ours: list[str], monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[..., int]]:
+    """Return the script, which records the other program alone."""
+    records, record = [ours], compare_rmw_zenoh.recorded
+    monkeypatch.setattr(
+        compare_rmw_zenoh, "recorded", lambda *words: records.pop() if records else record(*words)
+    )
+    with hold_zenoh_port() as port:
+        words = [sys.executable, "--port", str(port), "--domain", str(DOMAIN)]
+        yield lambda *more: compare_rmw_zenoh.main([*words, *more])
+
+
+def test_a_node_announces_what_rmw_zenoh_announces_for_the_same_program(ours: list[str]) -> None:
+    tokens = [line.removeprefix("token ") for line in ours if line.startswith("token ")]
     for line in RECORDED:
         if short := SHORT.fullmatch(line):
             name = short["name"].replace("/", "%")
@@ -42,9 +59,10 @@ def test_a_node_announces_what_rmw_zenoh_announces_for_the_same_program() -> Non
             assert token_key(recorded) in tokens, line
 
 
-def test_the_script_says_same_for_the_same_program(capsys: pytest.CaptureFixture[str]) -> None:
-    with hold_zenoh_port() as port:
-        assert compare_rmw_zenoh.main([sys.executable, "--port", str(port), "--domain", "65"]) == 0
+def test_the_script_says_same_for_the_same_program(
+    compare: Callable[..., int], capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert compare() == 0
     assert capsys.readouterr().out == "same\n"
 
 
@@ -60,16 +78,18 @@ def test_the_script_says_same_for_the_same_program(capsys: pytest.CaptureFixture
     ids=["attachment", "token"],
 )
 def test_the_script_names_a_difference(
-    planted: str, difference: str, capsys: pytest.CaptureFixture[str], tmp_path: Path
+    planted: str,
+    difference: str,
+    compare: Callable[..., int],
+    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path,
 ) -> None:
     """The program in the place of the stock one runs on a tfloom with a mistake."""
     code = f"from tfloom.rmw import zenoh_attachment, zenoh_endpoints, zenoh_tokens\n{planted}\n"
     (tmp_path / "sitecustomize.py").write_text(code, "utf-8")
     setup = tmp_path / "setup.bash"
     setup.write_text(f"export PYTHONPATH={shlex.quote(str(tmp_path))}\n", "utf-8")
-    with hold_zenoh_port() as port:
-        words = [sys.executable, "--setup", str(setup), "--port", str(port), "--domain", "65"]
-        assert compare_rmw_zenoh.main(words) == 1
+    assert compare("--setup", str(setup)) == 1
     printed = capsys.readouterr().out
     assert re.fullmatch(r"tfloom \d times, rmw_zenoh \d times: .*\n", printed)
     assert difference in printed

@@ -36,6 +36,8 @@ class Sender:
         self._static = StaticTransformBroadcaster(node)
         self._static.sendTransform(self._transform("map", "odom", 0))
         self._number = 0
+        self._message = TFMessage()
+        """Sent again and again, with the number and the time in its first transform."""
 
     def _transform(self, parent: str, child: str, number: int) -> TransformStamped:
         transform = TransformStamped(child_frame_id=child)
@@ -44,15 +46,13 @@ class Sender:
         transform.transform.translation.x = float(number)
         return transform
 
-    def _send_one(self, transforms: int) -> None:
+    def _send_one(self, count: int) -> None:
         self._number += 1
-        self._publisher.publish(
-            TFMessage(
-                transforms=[
-                    self._transform("odom", f"base_{index}", self._number) for index in range(transforms)
-                ]
-            )
-        )
+        transforms = self._message.transforms
+        if len(transforms) != count:
+            transforms[:] = [self._transform("odom", f"base_{index}", 0) for index in range(count)]
+        transforms[0] = self._transform("odom", "base_0", self._number)
+        self._publisher.publish(self._message)
 
     def send(self, count: str, transforms: str, period_s: str) -> None:
         first, start_s = self._number + 1, time.monotonic()
