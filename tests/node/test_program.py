@@ -44,15 +44,13 @@ sys.exit(run_program([], lambda: spin(Talkative())))
 def test_busy_program_stopped_at_any_time_ends_without_traceback(
     numbers: list[int], start_program: Callable[..., Program]
 ) -> None:
-    programs = [start_program("python", "-c", TALKATIVE) for _ in range(2)]
-    for program in programs:
-        program.wait_for("up")
-        time.sleep(random.random() * 0.01)  # the test is about a random time
-        for number in numbers:
-            program.signal(number)
-    for program in programs:
-        assert program.wait() == 0, program.output
-        assert program.lines == ["up"]
+    program = start_program("python", "-c", TALKATIVE)
+    program.wait_for("up")
+    time.sleep(random.random() * 0.01)  # the test is about a random time
+    for number in numbers:
+        program.signal(number)
+    assert program.wait() == 0, program.output
+    assert program.lines == ["up"]
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])

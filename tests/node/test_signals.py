@@ -9,6 +9,7 @@ import subprocess
 import sys
 from collections.abc import Callable
 from contextlib import suppress
+from itertools import permutations
 from pathlib import Path
 
 import pytest
@@ -61,6 +62,24 @@ print("end")
 )
 
 
+FORKING = """
+import os, sys
+import rclpy, rclpy.executors, rclpy.node  # once for all
+for case in CASES:
+    child = os.fork()
+    if not child:
+        break
+    print("exit code", os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), flush=True)
+else:
+    sys.exit()
+"""
+
+
+def printed_by_each(start_program: StartProgram, cases: list[object], code: str) -> list[str]:
+    """Return the lines of a program that runs for each `case` in a process of its own, and these exit codes."""
+    return printed_by(start_program, f"CASES = {cases!r}\n{FORKING}{code}")
+
+
 def printed_by(start_program: StartProgram, code: str, *options: str) -> list[str]:
     """Run a program to its end, which has to be a good one, and return its lines."""
     program = start_program("python", *options, "-c", code)
@@ -93,24 +112,23 @@ def test_a_signal_ends_a_spin(start_program: StartProgram, code: str, number: in
 
 
 PUBLISHING = """
-import os, random, sys, threading, time
-from collections import Counter
+import os, random, signal, sys, threading, time
 import rclpy
 from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from rclpy.experimental import EventsExecutor
 from std_msgs.msg import String
 
-number, kind, times = int(sys.argv[1]), sys.argv[2], int(sys.argv[3])
 sys.setswitchinterval(1e-5)  # else the thread that strikes would wait until the other one does
 source = random.Random(7)
-endings = Counter()
+kinds = {"single": SingleThreadedExecutor, "multi": MultiThreadedExecutor, "events": EventsExecutor}
+endings = set()
 
-def strike(begun):
+def strike(begun, number):
     begun.wait()
     time.sleep(source.random() * 0.005)
     os.kill(os.getpid(), number)
 
-for _ in range(times):
+for kind, number in 15 * [(kind, number) for kind in kinds for number in (signal.SIGINT, signal.SIGTERM)]:
     rclpy.init()
     node = rclpy.create_node("publisher")
     publisher = node.create_publisher(String, "chatter", 10)
@@ -122,15 +140,14 @@ for _ in range(times):
             publisher.publish(String(data="hello"))
 
     node.create_timer(0.001, work)
-    kinds = {"single": SingleThreadedExecutor, "multi": MultiThreadedExecutor, "events": EventsExecutor}
     executor = kinds[kind]()
     executor.add_node(node)
-    threading.Thread(target=strike, args=(begun,)).start()
+    threading.Thread(target=strike, args=(begun, number)).start()
     try:
         executor.spin()
-        endings["returned"] += 1
+        endings.add((kind, number.name, "returned"))
     except BaseException as error:
-        endings[type(error).__name__] += 1
+        endings.add((kind, number.name, type(error).__name__))
     executor.shutdown()
     node.destroy_node()
     rclpy.try_shutdown()
@@ -156,7 +173,7 @@ def strike():
 threading.Thread(target=strike, daemon=True).start()
 interrupted = 0
 end = time.monotonic() + 20.0
-while interrupted < 100 and time.monotonic() < end:
+while interrupted < 30 and time.monotonic() < end:
     try:
         is_caught.set()
         rclpy.try_shutdown()
@@ -178,31 +195,17 @@ def test_interrupted_program_keeps_no_lock(start_program: StartProgram) -> None:
     assert printed_by(start_program, ENTERING) == ["free True"]
 
 
-@pytest.mark.parametrize("kind", ["single", "multi", "events"])
-@pytest.mark.parametrize(
-    ("number", "expected"),
-    [
-        (signal.SIGTERM, {"ExternalShutdownException"}),
-        (signal.SIGINT, {"KeyboardInterrupt"}),
-    ],
-)
-def test_signal_during_publishing_is_reported_as_a_signal(
-    number: int, expected: set[str], kind: str, start_program: StartProgram
-) -> None:
-    program = start_program("python", "-c", PUBLISHING, str(int(number)), kind, "50")
-    assert program.wait(60) == 0, program.output
-    (line,) = program.lines
-    assert set(ast.literal_eval(line)) <= expected
+def test_signal_during_publishing_is_reported_as_a_signal(start_program: StartProgram) -> None:
+    (line,) = printed_by(start_program, PUBLISHING)
+    assert set(ast.literal_eval(line)) == {
+        (kind, *ending)
+        for kind in ("single", "multi", "events")
+        for ending in (("SIGINT", "KeyboardInterrupt"), ("SIGTERM", "ExternalShutdownException"))
+    }
 
 
-@pytest.mark.parametrize("how", ["method", "weakref"])
-@pytest.mark.parametrize("then", ["create_node", "spin", "sleep"])
-def test_ctrl_c_during_a_destructor_ends_the_program_without_error_text(
-    how: str, then: str, start_program: StartProgram
-) -> None:
-    code = f"""
-import os, signal, sys, weakref, time
-import rclpy
+DESTROYING = """
+import signal, time, weakref
 
 def strike():
     os.kill(os.getpid(), signal.SIGINT)
@@ -217,29 +220,29 @@ class Method:
 class Plain:
     pass
 
+how, then = case
 rclpy.init()
 node = rclpy.create_node("early")
 executor = rclpy.get_global_executor()
 executor.add_node(node)
-thing = Method() if "{how}" == "method" else Plain()
-if "{how}" == "weakref":
+thing = Method() if how == "method" else Plain()
+if how == "weakref":
     weakref.finalize(thing, strike)
 try:
     del thing
-    {THEN_RUN[then]}
+    {"create_node": lambda: rclpy.create_node("late"), "spin": executor.spin, "sleep": lambda: time.sleep(60)}[then]()
 except (KeyboardInterrupt, rclpy.exceptions.NotInitializedException) as error:
     print(type(error).__name__)
 """
-    struck, end = printed_by(start_program, code)
-    assert struck == "struck"
-    assert end == "KeyboardInterrupt" or (then, end) == ("create_node", "StoppedException")
 
 
-THEN_RUN = {
-    "create_node": "rclpy.create_node('late')",
-    "spin": "executor.spin()",
-    "sleep": "time.sleep(60)",
-}
+def test_ctrl_c_during_a_destructor_ends_the_program_without_error_text(start_program: StartProgram) -> None:
+    cases = [(how, then) for how in ("method", "weakref") for then in ("create_node", "spin", "sleep")]
+    lines = printed_by_each(start_program, cases, DESTROYING)
+    ends = lines[1::3]
+    assert lines == [line for end in ends for line in ("struck", end, "exit code 0")]
+    for (_, then), end in zip(cases, ends, strict=True):
+        assert end == "KeyboardInterrupt" or (then, end) == ("create_node", "StoppedException")
 
 
 def test_ctrl_c_during_an_import_is_raised_after_it(start_program: StartProgram, tmp_path: Path) -> None:
@@ -303,32 +306,25 @@ except KeyboardInterrupt:
     assert printed_by(start_program, code, "-W", "ignore") == ["interrupted"]
 
 
-@pytest.mark.parametrize(
-    "numbers",
-    [(signal.SIGINT, signal.SIGTERM), (signal.SIGTERM, signal.SIGINT)],
-    ids=["SIGINT first", "SIGTERM first"],
-)
-@pytest.mark.parametrize("when", ["after shutdown", "at exit", "after the interpreter's exit hooks"])
-def test_second_signal_right_after_the_first_keeps_the_exit_code(
-    numbers: tuple[int, int], when: str, start_program: StartProgram
-) -> None:
-    first, second = map(int, numbers)
-    strike = f"(os.kill(os.getpid(), {second}), [None for _ in range(1000)])"
-    code = f"""
-import atexit, os, signal
-import rclpy
+STRIKING_TWICE = """
+import atexit, signal
 from rclpy.executors import ExternalShutdownException
+
+when, first, second = case
+
+def strike():
+    return os.kill(os.getpid(), second), [None for _ in range(1000)]
 
 class Late:
     def __del__(self):
-        {strike if when.startswith("after the") else "pass"}
+        strike() if when == "after the interpreter's exit hooks" else None
 
 late = Late()
-if {when!r} == "at exit":
-    atexit.register(lambda: {strike})
+if when == "at exit":
+    atexit.register(strike)
 rclpy.init()
 node = rclpy.create_node("ending")
-node.create_timer(0.01, lambda: os.kill(os.getpid(), {first}))
+node.create_timer(0.01, lambda: os.kill(os.getpid(), first))
 try:
     rclpy.spin(node)
 except (KeyboardInterrupt, ExternalShutdownException):
@@ -338,23 +334,24 @@ try:
     rclpy.shutdown()
 except Exception:
     pass  # it was shut down by the signal; the handlers are restored nevertheless
-if {when!r} == "after shutdown":
-    {strike}
+if when == "after shutdown":
+    strike()
 print("ended")
 raise SystemExit(3)
 """
-    program = start_program("python", "-c", code)
-    assert program.wait() == 3, program.output
-    assert program.lines == ["ended"]
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-def test_signal_long_after_the_one_that_shut_down_ends_the_program(
-    number: int, start_program: StartProgram
-) -> None:
-    code = f"""
-import os, signal, time
-import rclpy
+def test_second_signal_right_after_the_first_keeps_the_exit_code(start_program: StartProgram) -> None:
+    cases = [
+        (when, int(first), int(second))
+        for when in ("after shutdown", "at exit", "after the interpreter's exit hooks")
+        for first, second in permutations((signal.SIGINT, signal.SIGTERM))
+    ]
+    assert printed_by_each(start_program, cases, STRIKING_TWICE) == 6 * ["ended", "exit code 3"]
+
+
+STRIKING_LATE = """
+import signal, time
 from tfloom.node.executing import signals
 signals.ECHO_S = 0.0
 rclpy.init()
@@ -366,12 +363,16 @@ try:
 except Exception:
     pass
 print("shut down", flush=True)
-os.kill(os.getpid(), {int(number)})
+sys.stderr = None  # of the traceback of Ctrl-C
+os.kill(os.getpid(), case)
 time.sleep(60)
 """
-    program = start_program("python", "-c", code)
-    assert program.wait() == -number, program.output
-    assert program.lines[0] == "shut down"
+
+
+def test_signal_long_after_the_one_that_shut_down_ends_the_program(start_program: StartProgram) -> None:
+    numbers = [int(signal.SIGINT), int(signal.SIGTERM)]
+    lines = printed_by_each(start_program, numbers, STRIKING_LATE)
+    assert lines == [line for number in numbers for line in ("shut down", f"exit code {-number}")]
 
 
 def test_former_handlers_are_restored() -> None:
@@ -418,23 +419,21 @@ def test_init_works_on_another_thread() -> None:
     assert not errors
 
 
-@pytest.mark.parametrize("period_s", [0.0001, 100.0], ids=["busy", "idle"])
-def test_a_daemon_thread_that_spins_ends_with_the_program(
-    period_s: float, start_program: StartProgram
-) -> None:
-    code = f"""
-import threading, rclpy
+def test_a_daemon_thread_that_spins_ends_with_the_program(start_program: StartProgram) -> None:
+    code = """
+import threading
 rclpy.init()
 node = rclpy.create_node("left_behind")
 publisher = node.create_publisher(__import__("std_msgs.msg", fromlist=["*"]).String, "chatter", 10)
-node.create_timer({period_s}, lambda: publisher.publish(publisher.msg_type()))
+node.create_timer(case, lambda: publisher.publish(publisher.msg_type()))
 begun = threading.Event()
 rclpy.get_global_executor().create_task(begun.set)
 threading.Thread(target=rclpy.spin, args=(node,), daemon=True).start()
 begun.wait()
 print("end")
 """
-    assert printed_by(start_program, code) == ["end"]
+    busy_s, idle_s = 0.0001, 100.0
+    assert printed_by_each(start_program, [busy_s, idle_s], code) == 2 * ["end", "exit code 0"]
 
 
 @pytest.mark.timing

@@ -149,10 +149,9 @@ def test_publishing_after_the_contexts_are_closed(
     assert run(PUBLISHING, thread) == (0, f"{text}cleaned up\n", "")
 
 
-@pytest.mark.parametrize("turn", range(3))
 @pytest.mark.parametrize("wire", ["rmw_cyclonedds_cpp", "rmw_zenoh_cpp"])
 def test_daemon_threads_that_publish_end_with_the_program(
-    wire: str, turn: int, domain_id: int, monkeypatch: pytest.MonkeyPatch
+    wire: str, domain_id: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     if wire == "rmw_zenoh_cpp":
         pytest.importorskip("zenoh", reason="eclipse-zenoh is not installed: pip install 'tfloom[zenoh]'")
