@@ -5,19 +5,19 @@ from __future__ import annotations
 import math
 import os
 import signal
-import subprocess
-import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.cli.transcript import run_here
 from tests.launch.ros.user import User, expect_clean_end, is_running, pids_of
 
 from tfloom.interfaces.turtlesim.msg import Pose
 
 NAMESPACES = ("turtlesim1", "turtlesim2")
 DEMO = "turtle_tf2_py"
+TURTLES = {"/sim", "/broadcaster1", "/broadcaster2"}
 
 
 @pytest.fixture
@@ -40,17 +40,25 @@ def test_multisim_starts_two_turtlesims(
     wait_until(user.sees(lambda: not user.nodes()))
 
 
-@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGKILL])
-def test_demo_ends_without_orphans(
+@pytest.mark.parametrize(
+    ("file", "names", "number"),
+    [
+        # which includes turtle_tf2_demo.launch.py
+        ("turtle_tf2_dynamic_frame_demo", TURTLES | {"/listener", "/dynamic_broadcaster"}, signal.SIGTERM),
+        ("turtle_tf2_sensor_message", TURTLES | {"/message_broadcaster"}, signal.SIGKILL),
+    ],
+)
+def test_demo_starts_its_nodes_and_ends_without_orphans(
     user: User,
     start_program: Callable[..., Any],
     wait_until: Callable[..., None],
+    file: str,
+    names: set[str],
     number: int,
     tmp_path: Path,
 ) -> None:
     environment = {**os.environ, "TMPDIR": str(tmp_path)}
-    program = start_program("tfloom", "launch", DEMO, "turtle_tf2_demo.launch.py", env=environment)
-    names = {"/sim", "/broadcaster1", "/broadcaster2", "/listener"}
+    program = start_program("tfloom", "launch", DEMO, f"{file}.launch.py", env=environment)
     wait_until(user.sees(lambda: user.nodes() == names), what=str(names))
     assert list(tmp_path.glob("launch_*"))
     pids = pids_of(program)
@@ -81,27 +89,6 @@ def test_demo_follows_the_given_frame(
 
 
 @pytest.mark.parametrize(
-    ("file", "names"),
-    [
-        (
-            "turtle_tf2_dynamic_frame_demo.launch.py",
-            {"/sim", "/broadcaster1", "/broadcaster2", "/listener", "/dynamic_broadcaster"},
-        ),
-        (
-            "turtle_tf2_sensor_message.launch.py",
-            {"/sim", "/broadcaster1", "/broadcaster2", "/message_broadcaster"},
-        ),
-    ],
-)
-def test_demo_starts_its_nodes(
-    user: User, start_program: Callable[..., Any], wait_until: Callable[..., None], file: str, names: set[str]
-) -> None:
-    program = start_program("tfloom", "launch", DEMO, file)
-    wait_until(user.sees(lambda: user.nodes() == names), what=str(names))
-    expect_clean_end(program)
-
-
-@pytest.mark.parametrize(
     "file",
     [
         "turtle_tf2_demo.launch.py",
@@ -112,11 +99,5 @@ def test_demo_starts_its_nodes(
 )
 def test_arguments_match_the_recording(file: str) -> None:
     recorded = Path(__file__).parents[2] / "golden" / "cli" / "launch_show_args.txt"
-    done = subprocess.run(
-        [sys.executable, "-m", "tfloom.cli", "launch", DEMO, file, "--show-args"],
-        capture_output=True,
-        text=True,
-        check=True,
-        timeout=60,
-    )
-    assert done.stdout.strip() == recorded.read_text("utf-8").strip()
+    shown = run_here("launch", DEMO, file, "--show-args")
+    assert (shown.exit_code, shown.text.strip()) == (0, recorded.read_text("utf-8").strip())
