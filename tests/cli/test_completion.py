@@ -35,7 +35,9 @@ PATIENT = {"tfloom.cli.completion.MAX_WAIT_S": 10.0, "tfloom.cli.type_names.LIVE
 
 EACH = """
 import json, os
-from tfloom.cli import completion, main, tab_key
+import argcomplete
+from tfloom.cli import completion, graph, interfaces, launch_api, main, prototype, tab_key
+from tfloom.rosidl import user_yaml
 folder, lines = sys.argv[1:]
 for number, line in enumerate(json.loads(lines)):
     if not os.fork():
@@ -59,11 +61,6 @@ def complete_each(lines: Iterable[str], tmp_path: Path) -> dict[str, list[str]]:
         line: [word.strip() for word in answer.split("\n") if word.strip()]
         for line, answer in zip(lines, answers, strict=True)
     }
-
-
-def complete(line: str, tmp_path: Path) -> list[str]:
-    """Return the completions at the end of a command line."""
-    return complete_each([line], tmp_path)[line]
 
 
 OFFERS = {
@@ -187,8 +184,8 @@ def test_programs_of_a_workspace_are_completed(prefix: Path) -> None:
     program = prefix / "lib" / "my_pkg" / "my_program"
     program.parent.mkdir(parents=True)
     program.touch(mode=0o755)
-    assert complete("tfloom run my_p", prefix) == ["my_pkg"]
-    assert complete("tfloom run my_pkg my", prefix) == ["my_program"]
+    offers = {"tfloom run my_p": ["my_pkg"], "tfloom run my_pkg my": ["my_program"]}
+    assert complete_each(offers, prefix) == offers
 
 
 FREE = {
@@ -223,18 +220,21 @@ def test_containers_and_their_components_are_completed(
     domain_id: int, tmp_path: Path, start_program: Callable[..., object]
 ) -> None:
     start_program("python", Path(__file__).with_name("a_container.py")).wait_for("ready")
-    assert complete("tfloom component list /", tmp_path) == ["/a_container"]
-    assert complete("tfloom component unload /a_container ", tmp_path) == []
-    loaded = transcript.run("component", "load", "-q", "/a_container", "composition", "composition::Talker")
-    assert complete("tfloom component unload /a_container ", tmp_path) == [loaded.text.split()[0]]
+    containers, components = "tfloom component list /", "tfloom component unload /a_container "
+    empty = {containers: ["/a_container"], components: []}
+    assert complete_each(empty, tmp_path) == empty
+    loaded = transcript.run_here(
+        "component", "load", "-q", "/a_container", "composition", "composition::Talker"
+    )
+    assert complete_each([components], tmp_path) == {components: [loaded.text.split()[0]]}
 
 
 def test_lifecycle_nodes_and_their_transitions_are_completed(
     domain_id: int, tmp_path: Path, start_program: Callable[..., object]
 ) -> None:
     start_program("python", Path(__file__).with_name("a_lifecycle_node.py")).wait_for("ready")
-    assert complete("tfloom lifecycle get /", tmp_path) == ["/a_node"]
-    assert complete("tfloom lifecycle set /a_node con", tmp_path) == ["configure"]
+    offers = {"tfloom lifecycle get /": ["/a_node"], "tfloom lifecycle set /a_node con": ["configure"]}
+    assert complete_each(offers, tmp_path) == offers
 
 
 def test_frames_of_a_graph_and_of_a_file_are_completed(
@@ -248,9 +248,12 @@ def test_frames_of_a_graph_and_of_a_file_are_completed(
         "static_transforms: [{frame_id: base, child_frame_id: laser}, {frame_id: base, child_frame_id: lamp}]"
     )
     start_program("tfloom", "tf", "publish", tmp_path / "robot.yaml").wait_for("until Ctrl-C")
-    assert complete("tfloom tf explain ba", tmp_path) == ["base"]
-    assert complete("tfloom tf explain base la", tmp_path) == ["lamp", "laser"]
-    assert complete("tfloom tf plot --bag robot.yaml base las", tmp_path) == ["laser"]
+    offers = {
+        "tfloom tf explain ba": ["base"],
+        "tfloom tf explain base la": ["lamp", "laser"],
+        "tfloom tf plot --bag robot.yaml base las": ["laser"],
+    }
+    assert complete_each(offers, tmp_path) == offers
 
 
 def test_live_topics_nodes_and_types_are_completed(
@@ -259,26 +262,30 @@ def test_live_topics_nodes_and_types_are_completed(
     start_program("tfloom", "topic", "pub", "-n", "my_node", "/my_topic", "geometry_msgs/msg/Twist").wait_for(
         "#1"
     )
-    assert complete("tfloom topic echo /my", tmp_path) == ["/my_topic"]
-    assert complete("tfloom topic echo my", tmp_path) == ["my_topic"]
-    assert complete("tfloom topic hz /my", tmp_path) == ["/my_topic"]
-    assert complete("tfloom topic pub /my_topic ", tmp_path) == ["geometry_msgs/msg/Twist"]
+    offers = {
+        "tfloom topic echo /my": ["/my_topic"],
+        "tfloom topic echo my": ["my_topic"],
+        "tfloom topic hz /my": ["/my_topic"],
+        "tfloom topic pub /my_topic ": ["geometry_msgs/msg/Twist"],
+    }
+    assert complete_each(offers, tmp_path) == offers
 
 
 def test_live_services_actions_and_parameters_are_completed(
     domain_id: int, tmp_path: Path, start_program: Callable[..., object]
 ) -> None:
     start_program("tfloom", "run", "turtlesim", "turtlesim_node").wait_for("Spawning")
-    assert complete("tfloom service call /sp", tmp_path) == ["/spawn"]
-    assert complete("tfloom service call /spawn ", tmp_path) == ["turtlesim/srv/Spawn"]
-    assert complete("tfloom param get /turtles", tmp_path) == ["/turtlesim"]
-    assert complete("tfloom param get /turtlesim background_r", tmp_path) == ["background_r"]
-    assert set(complete("tfloom param describe /turtlesim back", tmp_path)) == {
-        "background_b",
-        "background_g",
-        "background_r",
+    goals = "tfloom action send_goal /none "
+    offers = {
+        "tfloom service call /sp": ["/spawn"],
+        "tfloom service call /spawn ": ["turtlesim/srv/Spawn"],
+        "tfloom param get /turtles": ["/turtlesim"],
+        "tfloom param get /turtlesim background_r": ["background_r"],
+        "tfloom param describe /turtlesim back": ["background_b", "background_g", "background_r"],
     }
-    assert "example_interfaces/action/Fibonacci" in complete("tfloom action send_goal /none ", tmp_path)
+    answers = complete_each([*offers, goals], tmp_path)
+    assert "example_interfaces/action/Fibonacci" in answers.pop(goals)
+    assert answers == offers
 
 
 INTERACTIVE = {
@@ -289,7 +296,7 @@ INTERACTIVE = {
 
 
 @pytest.mark.parametrize("name", INTERACTIVE)
-def test_completion_works_in_bash(
+def test_completion_works_in_bash_and_zsh(
     name: str,
     domain_id: int,
     tmp_path: Path,
@@ -328,15 +335,9 @@ def test_completion_works_in_bash(
 
     for line, whole in (
         ("tfloom run turtlesim turtlesim_n", "tfloom run turtlesim turtlesim_node"),
-        ("ros2 topic ech", "ros2 topic echo"),
-        ("ros2 topic echo /my_to", "ros2 topic echo /my_topic"),
         ("ros2 topic pub /my_topic ", "ros2 topic pub /my_topic std_msgs/msg/Empty"),
         ("ros2 topic pub /x std_msgs/msg/String '", """ros2 topic pub /x std_msgs/msg/String {data: ""}"""),
         ("ros2 topic pub /x std_msgs/msg/String ", """ros2 topic pub /x std_msgs/msg/String {data: ""}"""),
-        (
-            "ros2 service call /x std_srvs/srv/SetBool ",
-            "ros2 service call /x std_srvs/srv/SetBool {data: false}",
-        ),
     ):
         wait_until(partial(is_completed, line, whole))
     type_keys("exit\n")

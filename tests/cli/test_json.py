@@ -4,21 +4,23 @@ from __future__ import annotations
 
 import json
 import math
+import threading
 from array import array
-from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 import transcript
 from test_usage import VERBS
+from tests.spun import Stage, staging
 
 from tfloom.cli.json_text import json_text
 from tfloom.interfaces.geometry_msgs.msg import Vector3
 from tfloom.interfaces.sensor_msgs.msg import LaserScan
+from tfloom.node.lifecycle.node import LifecycleNode
+from tfloom.turtlesim.node import TurtlesimNode
 
-AT_A_TIME = 4
 BAG = str(Path(__file__).parents[1] / "golden" / "bags" / "mcap")
 POSE = "/turtle1/pose"
 ROTATE = "/turtle1/rotate_absolute"
@@ -103,17 +105,28 @@ def test_each_verb_has_json_or_a_stated_reason() -> None:
     )
 
 
-def test_each_json_output_is_valid(domain_id: int, start_program: Callable[..., Any]) -> None:
-    start_program("python", Path(__file__).with_name("a_lifecycle_node.py")).wait_for("ready")
-    start_program("tfloom", "run", "turtlesim", "turtlesim_node").wait_for("Spawning turtle [turtle1]")
+@pytest.fixture
+def nodes(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """Run turtlesim and a node with a lifecycle on the wire inside this process, where discovery needs no wait."""
+    for name in ("MIN_WAIT_S", "QUIET_S"):
+        monkeypatch.setattr(f"tfloom.cli.graph.{name}", 0.0)
+    with staging(Stage) as start:
+        stage = start()
+        stage.add(TurtlesimNode())
+        stage.add(LifecycleNode("a_node"))
+        thread = threading.Thread(target=stage.executor.spin)
+        thread.start()
+        yield
+        stage.executor.shutdown()
+        thread.join()
 
-    def ask(verb: str) -> transcript.Transcript:
-        return transcript.run(*verb.split(), "--json", *ASKED[verb])
 
-    with ThreadPoolExecutor(AT_A_TIME) as pool:  # most of a verb's time is a wait for the graph
-        for verb, answer in zip(ASKED, pool.map(ask, ASKED), strict=True):
-            assert answer.exit_code == 0, answer
-            assert strictly(answer.text), verb
+@pytest.mark.usefixtures("nodes")
+def test_each_json_output_is_valid() -> None:
+    for verb, words in ASKED.items():
+        answer = transcript.run_here(*verb.split(), "--json", *words)
+        assert answer.exit_code == 0, answer
+        assert strictly(answer.text), verb
 
 
 def test_nan_and_infinity_become_null() -> None:

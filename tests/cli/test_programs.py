@@ -9,6 +9,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+import transcript
 from tests.conftest import Program
 
 from tfloom.cli.run import run_here
@@ -143,17 +144,14 @@ def test_invalid_parameters_are_rejected(
     name: str,
     parameter: str,
     text: str,
-    start_program: Callable[..., Program],
     monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
     monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
     own = RUNNING.get(name, ("", []))[1]
-    program = start_program("tfloom", "run", package, name, *own, "--ros-args", "-p", parameter)
-    assert program.wait() == 1
-    errors = [line for line in program.lines if line.startswith(f"{name}: ")]
-    assert len(errors) == 1
-    assert text in errors[0]
-    assert "Traceback" not in program.output
+    said = complaint(package, name, [*own, "--ros-args", "-p", parameter], capsys)
+    (error,) = [line for line in said.splitlines() if line.startswith(f"{name}: ")]
+    assert text in error
 
 
 def test_docs_list_all_programs() -> None:
@@ -164,11 +162,7 @@ def test_docs_list_all_programs() -> None:
         assert listed[package] == names.keys()
 
 
-def test_tf2_programs_match_the_recording(start_program: Callable[..., Program]) -> None:
-    golden = (Path(__file__).parents[1] / "golden" / "cli" / "pkg_executables_tf2.txt").read_text()
-    listed = []
-    for package in ("tf2_ros", "tf2_tools"):
-        program = start_program("tfloom", "pkg", "executables", package)
-        assert program.wait() == 0
-        listed += program.lines
-    assert listed == golden.splitlines()[1:-1]
+def test_tf2_programs_match_the_recording() -> None:
+    recorded = transcript.golden("pkg_executables_tf2").text.splitlines()
+    listed = [transcript.run_here("pkg", "executables", package).text for package in ("tf2_ros", "tf2_tools")]
+    assert "\n".join(listed).splitlines() == recorded

@@ -18,7 +18,7 @@ from tfloom.rmw.typed_names import topic_of
 STATIC = ("tfloom", "run", "tf2_ros", "static_transform_publisher")
 SPINNING = "Spinning until stopped"
 ASKER = """
-import rclpy
+import time, rclpy
 from rclpy.node import Node
 from rclpy.time import Time
 from tf2_ros import BufferClient, TransformException
@@ -30,7 +30,7 @@ while True:
     try:
         client.lookup_transform("world", "camra", Time())
     except TransformException:
-        pass
+        time.sleep(0.05)
 """
 SIMULATION = """
 import sys, time, rclpy
@@ -57,7 +57,7 @@ while True:
         t.transform.translation.x = (stamp % 10**9) / 1e12
         node.broadcaster.sendTransform(t)
     print("published", flush=True)
-    time.sleep(0.01)
+    time.sleep(0.02)
 """
 
 
