@@ -54,11 +54,9 @@ VALUES = [
     "? {a: b}\n: c",
     "--- a\n--- b",
     "\t{}",
-    "[" * 5000,
     "!!set {a}",
     "<<: 5",
     "\udcff",
-    BOMB,
     "{linear: !!int x}",
     "{linear: 2026-13-01}",
 ]
@@ -131,7 +129,7 @@ def test_invalid_values_are_rejected(words: tuple[str, ...], capsys: pytest.Capt
     ],
 )
 @pytest.mark.parametrize(
-    ("value", "reason"), [(BOMB, "aliases stand for"), ("[" * 5000, "nested deeper than")]
+    ("value", "reason"), [(BOMB, "aliases stand for"), ("[" * 200, "nested deeper than")]
 )
 def test_values_beyond_yamls_limits_have_a_sentence(
     words: tuple[str, ...], value: str, reason: str, capsys: pytest.CaptureFixture[str]

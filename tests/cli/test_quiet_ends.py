@@ -137,7 +137,7 @@ LONG = {
     "action send_goal": (("/nobodys", "turtlesim/action/RotateAbsolute"), "Waiting for an action server"),
     "run": (("turtlesim", "turtlesim_node", "--ros-args", "-r", "__node:=other"), "Spawning"),
 }
-"""What runs until Ctrl-C, and what it prints once it runs; `topic hz` stands for `bw` and `delay`, which listen as it does."""
+"""What runs until Ctrl-C, and what it prints once it runs; `topic bw` and `delay` listen as `hz` does."""
 
 
 @pytest.mark.parametrize("verb", LONG)

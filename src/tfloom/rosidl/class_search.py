@@ -13,7 +13,15 @@ if TYPE_CHECKING:
 
 
 class UnknownTypeError(LookupError):
-    """There is no interface of this name."""
+    """There is no interface of a name, the one argument.
+
+    The text has the nearest name that exists. It is made when it is asked for, because who catches this error to look
+    elsewhere would wait for the search through all definitions in vain.
+    """
+
+    def __str__(self) -> str:
+        (name,) = self.args
+        return f"there is no {_kind_word(name)} type '{name}'{_nearest_name_hint(name)}"
 
 
 def find_class(name: str) -> Any:
@@ -25,7 +33,7 @@ def find_class(name: str) -> Any:
     """
     interface_class = find_known_class(name)
     if interface_class is None:
-        raise UnknownTypeError(f"there is no {_kind_word(name)} type '{name}'{_nearest_name_hint(name)}")
+        raise UnknownTypeError(name)
     return interface_class
 
 
