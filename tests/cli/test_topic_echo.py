@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
+from contextlib import ExitStack
 from functools import partial
 
 import pytest
@@ -14,9 +14,13 @@ import yaml
 from tests.conftest import Program
 
 from tfloom.cli import main as cli
+from tfloom.cli.graph import joined_participant
+from tfloom.interfaces.std_msgs.msg import Int32
 from tfloom.interfaces.turtlesim.msg import Pose
-from tfloom.rmw.base import Sample
+from tfloom.rmw.base import NodeName, Sample
 from tfloom.rmw.events import Count, Event
+from tfloom.rmw.qos import DurabilityPolicy, QoS
+from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl import cdr
 
 POSE = "{x: 5.544444561004639, y: 5.544444561004639}"
@@ -116,17 +120,14 @@ def test_echo_with_a_type_waits_for_the_topic(
     assert "frame_id: world" in echo.output
 
 
-def test_earlier_messages_of_all_transient_publishers_are_received(
-    publish: Callable[..., object],
-) -> None:
-    flags = (*TRANSIENT, "--times", "1", "-w", "0", "--keep-alive", "60")
-
-    def publish_one(number: int) -> None:
-        publish("/late", "std_msgs/msg/Int32", f"{{data: {number}}}", *flags)
-
-    with ThreadPoolExecutor() as pool:
-        list(pool.map(publish_one, range(7)))
-    answer = transcript.run_here("topic", "echo", "--csv", "--timeout", "2", "/late")
+def test_earlier_messages_of_all_transient_publishers_are_received(domain_id: int) -> None:
+    qos = QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL)
+    with ExitStack() as stack:
+        for number in range(7):
+            participant = stack.enter_context(joined_participant())
+            writer = participant.create_writer(NodeName("/", f"node_{number}"), topic_of(Int32, "/late"), qos)
+            writer.write(cdr.encode(Int32(data=number)))
+        answer = transcript.run_here("topic", "echo", "--csv", "--timeout", "2", "/late")
     assert sorted(answer.text.splitlines()) == [str(number) for number in range(7)]
 
 
@@ -241,7 +242,7 @@ def test_timeout_ends_during_a_flood_of_messages(
 ) -> None:
     flood = start_program("tfloom", "topic", "pub", "-r", "1e9", "-p", "0", "/x", "std_msgs/msg/Empty")
     flood.wait_for("beginning")
-    assert transcript.run("topic", "echo", "--timeout", "1", "/x", timeout_s=20).exit_code == 0
+    assert transcript.run("topic", "echo", "--timeout", "0.5", "/x", timeout_s=20).exit_code == 0
 
 
 class LossyReader:

@@ -3,13 +3,26 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+import threading
+import time
+from collections.abc import Callable, Iterator
 
 import pytest
 import transcript
 from tests.conftest import Program
 
+from tfloom.cli.graph import joined_participant
 from tfloom.cli.topic import bw, rates
+from tfloom.interfaces.builtin_interfaces.msg import Time
+from tfloom.interfaces.geometry_msgs.msg import PointStamped
+from tfloom.interfaces.rosgraph_msgs.msg import Clock
+from tfloom.interfaces.std_msgs.msg import Header
+from tfloom.interfaces.turtlesim.msg import Pose
+from tfloom.rmw.base import NodeName
+from tfloom.rmw.qos import QoS
+from tfloom.rmw.typed_names import topic_of
+from tfloom.rosidl import cdr
+from tfloom.rosidl.message import Message
 
 QUICK = {"tfloom.cli.topic.rates.REPORT_S": 0.4, "tfloom.cli.sim_time.PATIENCE_S": 0.4}
 
@@ -18,16 +31,46 @@ def test_report_period_has_its_default() -> None:
     assert rates.REPORT_S == 1.0
 
 
+Publish = Callable[[str, Callable[[], Message]], None]
+
+
 @pytest.fixture
-def listen(domain_id: int, start_program: Callable[..., Program]) -> Callable[..., Program]:
+def publish(domain_id: int) -> Iterator[Publish]:
+    """Publish messages from this process on a topic, 50 a second: `publish(topic, make_message)`."""
+    ended, threads = threading.Event(), []
+
+    with joined_participant() as participant:
+
+        def start(topic: str, make: Callable[[], Message]) -> None:
+            writer = participant.create_writer(NodeName("/", "talker"), topic_of(type(make()), topic), QoS())
+
+            def run() -> None:
+                while not ended.wait(0.02):
+                    writer.write(cdr.encode(make()))
+
+            threads.append(threading.Thread(target=run))
+            threads[-1].start()
+
+        yield start
+        ended.set()
+        for thread in threads:
+            thread.join()
+
+
+@pytest.fixture
+def listen(publish: Publish, start_program: Callable[..., Program]) -> Callable[..., Program]:
     """Publish on /x at 50 Hz and start a verb on it."""
 
-    def start(verb: str, *flags: str, kind: str = "std_msgs/msg/Header", values: str = "{}") -> Program:
-        publisher = start_program("tfloom", "topic", "pub", "-r", "50", "-p", "0", "/x", kind, values)
-        publisher.wait_for("beginning")
+    def start(verb: str, *flags: str, make: Callable[[], Message] = Header) -> Program:
+        publish("/x", make)
         return start_program("python", *transcript.python_words("topic", verb, *flags, "/x", constants=QUICK))
 
     return start
+
+
+def stamped_now() -> PointStamped:
+    sec, nanosec = divmod(time.time_ns(), 10**9)
+    return PointStamped(header=Header(stamp=Time(sec=sec, nanosec=nanosec)))
 
 
 @pytest.mark.timing
@@ -46,7 +89,7 @@ def test_hz_counts_filtered_messages(listen: Callable[..., object]) -> None:
 
 
 def test_bw_output_matches_the_recording(listen: Callable[..., object]) -> None:
-    program = listen("bw", kind="turtlesim/msg/Pose")
+    program = listen("bw", make=Pose)
     recorded = transcript.golden("topic_bw").text.splitlines()
     program.wait_for("Message size")
     assert program.lines[0] == "Subscribed to [/x]"
@@ -59,22 +102,22 @@ def test_bw_output_matches_the_recording(listen: Callable[..., object]) -> None:
 
 
 def test_delay_is_measured_from_the_header_stamp(listen: Callable[..., object]) -> None:
-    program = listen("delay", kind="geometry_msgs/msg/PointStamped", values="{header: auto}")
+    program = listen("delay", make=stamped_now)
     program.wait_for("window: ")
     assert 0 <= float(program.lines[0].removeprefix("average delay: ")) < 0.5
 
 
 def test_delay_needs_a_header(domain_id: int, listen: Callable[..., object]) -> None:
     recorded = transcript.golden("topic_delay")
-    program = listen("delay", kind="turtlesim/msg/Pose")
+    program = listen("delay", make=Pose)
     assert program.wait() == recorded.exit_code
     assert program.output == recorded.text
 
 
-def test_verb_waits_for_a_missing_topic(domain_id: int, start_program: Callable[..., object]) -> None:
+def test_verb_waits_for_a_missing_topic(publish: Publish, start_program: Callable[..., Program]) -> None:
     program = start_program("python", *transcript.python_words("topic", "hz", "/late", constants=QUICK))
     program.wait_for("WARNING: topic [/late] does not appear to be published yet")
-    start_program("tfloom", "topic", "pub", "-r", "50", "/late", "std_msgs/msg/Empty")
+    publish("/late", Header)
     program.wait_for("average rate: ")
 
 
@@ -99,11 +142,9 @@ def test_spread_of_values() -> None:
 
 
 @pytest.fixture
-def simulated_time(domain_id: int, start_program: Callable[..., object]) -> int:
+def simulated_time(publish: Publish) -> int:
     """Publish the constant time 5000 s on /clock."""
-    values = "{clock: {sec: 5000}}"
-    clock = start_program("tfloom", "topic", "pub", "-r", "50", "/clock", "rosgraph_msgs/msg/Clock", values)
-    clock.wait_for("beginning")
+    publish("/clock", lambda: Clock(clock=Time(sec=5000)))
     return 5000
 
 
@@ -116,8 +157,7 @@ def test_pub_stamps_with_simulated_time(simulated_time: int, start_program: Call
 
 
 def test_delay_measures_by_simulated_time(simulated_time: int, listen: Callable[..., object]) -> None:
-    values = "{header: {stamp: {sec: 4990}}}"
-    program = listen("delay", "-s", kind="geometry_msgs/msg/PointStamped", values=values)
+    program = listen("delay", "-s", make=lambda: PointStamped(header=Header(stamp=Time(sec=4990))))
     program.wait_for("window: ")
     assert program.lines[0] == "average delay: 10.000"
 
