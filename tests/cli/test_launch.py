@@ -9,8 +9,7 @@ from types import SimpleNamespace
 
 import pytest
 import transcript
-
-from tfloom.launch import logging as launch_logging
+from transcript import launch_here as launch
 
 LAUNCH_FILES = Path(__file__).parents[1] / "golden" / "launch"
 
@@ -35,15 +34,6 @@ def masked(text: str) -> str:
 @pytest.fixture(autouse=True)
 def in_the_folder(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(LAUNCH_FILES)
-
-
-def launch(*words: str) -> transcript.Transcript:
-    """Run `ros2 launch` in this process, in which nothing is left of the launch before."""
-    launch_logging.reset()
-    try:
-        return transcript.run_here("launch", *words)
-    finally:
-        launch_logging.reset()
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import re
 from pathlib import Path
 
@@ -60,8 +59,12 @@ SKIPPED = [
 
 
 @pytest.fixture
-def launch_file(tmp_path: Path) -> Path:
+def launch_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """Write launch files of which little can run."""
+    monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path))
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
+    monkeypatch.delenv("AMENT_PREFIX_PATH", raising=False)
+    monkeypatch.chdir(tmp_path)
     (tmp_path / "mars.launch.py").write_text(MARS)
     path = tmp_path / "main.launch.py"
     path.write_text(MAIN)
@@ -69,9 +72,7 @@ def launch_file(tmp_path: Path) -> Path:
 
 
 def launch(path: Path, *words: str) -> transcript.Transcript:
-    environment = {**os.environ, "ROS_LOG_DIR": str(path.parent), "RMW_IMPLEMENTATION": "tfloom_local"}
-    environment.pop("AMENT_PREFIX_PATH", None)
-    return transcript.run("launch", *words, str(path), cwd=path.parent, env=environment)
+    return transcript.launch_here(*words, str(path))
 
 
 def test_what_is_missing_is_named_and_the_rest_runs(launch_file: Path) -> None:

@@ -19,6 +19,12 @@ pytestmark = pytest.mark.skipif(os.name != "posix", reason="the programs under t
 
 StartProgram = Callable[..., Program]
 
+
+@pytest.fixture(autouse=True)
+def _local_wire(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
+
+
 _MASKS = (
     (r"(?<=found below ).*", "FOLDER"),
     (r"(?<=pid )\d+|(?<=pid \[)\d+", "PID"),
@@ -36,9 +42,8 @@ def masked_lines(text: str) -> set[str]:
     return {line for line in text.splitlines() if not line.startswith(("[talker-1] ", "[crash-1] "))}
 
 
-def start(start_program: StartProgram, words: list[str], **environment: str) -> Program:
-    environment = {**os.environ, "RMW_IMPLEMENTATION": "tfloom_local", **environment}
-    return start_program(sys.executable, *transcript.python_words(*words), cwd=LAUNCH_FILES, env=environment)
+def start(start_program: StartProgram, words: list[str]) -> Program:
+    return start_program(sys.executable, *transcript.python_words(*words), cwd=LAUNCH_FILES)
 
 
 def test_processes_that_crash_respawn_and_ignore_signals(start_program: StartProgram) -> None:
@@ -60,11 +65,12 @@ def test_processes_that_crash_respawn_and_ignore_signals(start_program: StartPro
     assert "[crash-1] err" in program.lines
 
 
-def test_a_description_in_python_that_ends_by_itself(start_program: StartProgram) -> None:
+def test_a_description_in_python_that_ends_by_itself(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(LAUNCH_FILES)
     recorded = transcript.golden("launch_py")
-    program = start(start_program, recorded.command)
-    assert program.wait() == recorded.exit_code
-    assert masked_lines(program.output) == masked_lines(recorded.text)
+    launched = transcript.launch_here(*recorded.command[1:])
+    assert launched.exit_code == recorded.exit_code
+    assert masked_lines(launched.text) == masked_lines(recorded.text)
 
 
 @pytest.mark.parametrize(
@@ -82,18 +88,16 @@ def test_a_description_in_xml_and_yaml(name: str, last: str, start_program: Star
 LOGGED = '<launch><executable cmd="{} -c \'print(41 + 1)\'" output="log"/></launch>'
 
 
-def test_all_output_is_shown_on_request(start_program: StartProgram, tmp_path: Path) -> None:
+def test_all_output_is_shown_on_request(tmp_path: Path) -> None:
     path = tmp_path / "a.launch.xml"
     path.write_text(LOGGED.format(shlex.quote(sys.executable)))
-    quiet = start(start_program, ["launch", str(path)])
-    assert quiet.wait() == 0
-    assert not any(line.endswith("-1] 42") for line in quiet.lines)
-    shown = start(start_program, ["launch", "-a", str(path)])
-    assert shown.wait() == 0
-    assert any(line.endswith("-1] 42") for line in shown.lines)
+    quiet = transcript.launch_here(str(path))
+    assert (quiet.exit_code, "-1] 42" in quiet.text) == (0, False)
+    shown = transcript.launch_here("-a", str(path))
+    assert (shown.exit_code, "-1] 42" in shown.text) == (0, True)
 
 
-def test_prefix_of_all_or_of_some_programs(start_program: StartProgram, tmp_path: Path) -> None:
+def test_prefix_of_all_or_of_some_programs(tmp_path: Path) -> None:
     path = tmp_path / "a.launch.xml"
     path.write_text('<launch><executable cmd="echo one" output="screen"/></launch>')
     prefix = ["--launch-prefix", "echo 'before it'"]
@@ -102,13 +106,14 @@ def test_prefix_of_all_or_of_some_programs(start_program: StartProgram, tmp_path
         ([*prefix, "--launch-prefix-filter", "ech."], "[echo-1] before it echo one"),
         ([*prefix, "--launch-prefix-filter", "other"], "[echo-1] one"),
     ):
-        program = start(start_program, ["launch", *words, str(path)])
-        assert program.wait() == 0
-        assert line in program.lines
-        assert "WARNING" not in program.output
+        launched = transcript.launch_here(*words, str(path))
+        assert launched.exit_code == 0
+        assert line in launched.text.splitlines()
+        assert "WARNING" not in launched.text
 
 
-def test_launch_without_a_terminal(start_program: StartProgram) -> None:
-    program = start(start_program, ["launch", "-n", "need.launch.py", "need:=1"])
-    assert program.wait() == 0
-    assert "[INFO] [launch.user]: 1" in program.lines
+def test_launch_without_a_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(LAUNCH_FILES)
+    launched = transcript.launch_here("-n", "need.launch.py", "need:=1")
+    assert launched.exit_code == 0
+    assert "[INFO] [launch.user]: 1" in launched.text.splitlines()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import itertools
 import re
 import shlex
 import subprocess
@@ -13,9 +14,12 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import NamedTuple
 
+import pytest
 from tests.conftest import python_with
 
 from tfloom.cli.main import main
+from tfloom.launch import logging as launch_logging
+from tfloom.launch.descriptions import executable
 
 GOLDEN = Path(__file__).parents[1] / "golden" / "cli"
 PROGRAM = Path(sys.executable).with_name("tfloom")
@@ -75,6 +79,17 @@ def run_here(*words: str) -> Transcript:
     output = Output()
     exit_code = exit_code_of(words, output, output)
     return Transcript(list(words), output.text.rstrip("\n"), exit_code)
+
+
+def launch_here(*words: str) -> Transcript:
+    """Run `launch …` as `run_here` does, as if it were the first launch of this process."""
+    launch_logging.reset()
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(executable, "_process_numbers", itertools.count(1))
+        try:
+            return run_here("launch", *words)
+        finally:
+            launch_logging.reset()
 
 
 class Output(io.TextIOWrapper):
