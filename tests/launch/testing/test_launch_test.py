@@ -1,31 +1,60 @@
-"""The command `launch_test`, and the actions GTest and PyTest, by real processes."""
+"""The command `launch_test`, the actions GTest and PyTest, and the older service."""
 
 from __future__ import annotations
 
-import os
-import subprocess
 import sys
 import xml.etree.ElementTree as ET
+from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import NamedTuple
 
 import pytest
-from tests.conftest import run_to_end
+from launch_testing.legacy import LaunchTestService
+from launch_testing.legacy.output import create_output_lines_test
+from tests.conftest import PYTEST, run_to_end
 from tests.launch.testing.users import FAILING, LAUNCH, PASSING
 
-COMMAND = [sys.executable, "-m", "tfloom.launch.testing.launch_test"]
+from tfloom.launch.actions.execute_process import ExecuteProcess
+from tfloom.launch.launch_description import LaunchDescription
+from tfloom.launch.launch_service import LaunchService
+from tfloom.launch.testing.launch_test import main
 
 
-def launch_test(folder: Path, text: str, *words: str) -> subprocess.CompletedProcess[str]:
-    (folder / "some.launch.test.py").write_text(LAUNCH + text)
-    return run_to_end(
-        [*COMMAND, "some.launch.test.py", *words],
-        cwd=folder,
-        env={**os.environ, "ROS_LOG_DIR": str(folder / "log")},
-    )
+class Result(NamedTuple):
+    """What a run of the command came to."""
+
+    code: int
+    stdout: str
+    stderr: str
+
+
+LaunchTest = Callable[..., Result]
+
+
+@pytest.fixture
+def launch_test(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> Iterator[LaunchTest]:
+    """Return a function that runs the command on the text of a file, in this process."""
+    monkeypatch.chdir(tmp_path)
+
+    def launch_test(text: str, *words: str) -> Result:
+        Path("some.launch.test.py").write_text(LAUNCH + text)
+        try:
+            code = main(["some.launch.test.py", *words])
+        except SystemExit as end:
+            code = int(end.code or 0)
+        return Result(code, *capsys.readouterr())
+
+    yield launch_test
+    sys.modules.pop("some_launch_test", None)
 
 
 def test_tests_run_with_arguments_and_results_are_written(tmp_path: Path) -> None:
-    result = launch_test(tmp_path, PASSING["test_arguments.py"], "--junit-xml", "out.xml", "colour:=blue")
+    """As a command."""
+    (tmp_path / "some.launch.test.py").write_text(LAUNCH + PASSING["test_arguments.py"])
+    command = [sys.executable, "-m", "tfloom.launch.testing.launch_test", "some.launch.test.py"]
+    result = run_to_end([*command, "--junit-xml", "out.xml", "colour:=blue"], cwd=tmp_path)
     assert result.returncode == 0, result.stdout + result.stderr
     root = ET.parse(tmp_path / "out.xml").getroot()
     (suite,) = root
@@ -35,27 +64,26 @@ def test_tests_run_with_arguments_and_results_are_written(tmp_path: Path) -> Non
     assert suite.get("name") == "some.some.launch.test.launch_tests"
 
 
-def test_failed_test_is_the_exit_code(tmp_path: Path) -> None:
-    result = launch_test(
-        tmp_path, FAILING["test_assertion.py"][0], "--junit-xml", "out.xml", "--package-name", "mine"
-    )
-    assert result.returncode == 1
+def test_failed_test_is_the_exit_code(launch_test: LaunchTest) -> None:
+    text = FAILING["test_assertion.py"][0]
+    result = launch_test(text, "--junit-xml", "out.xml", "--package-name", "mine")
+    assert result.code == 1
     assert "AssertionError: cannot add" in result.stderr
-    suite = ET.parse(tmp_path / "out.xml").getroot()[0]
+    suite = ET.parse("out.xml").getroot()[0]
     assert (suite.get("tests"), suite.get("failures")) == ("3", "3")
     assert suite.get("name") == "mine.some.launch.test.launch_tests"
     assert {str(case.get("classname")).partition(".")[0] for case in suite} == {"mine"}
 
 
-def test_dead_process_is_the_exit_code(tmp_path: Path) -> None:
-    result = launch_test(tmp_path, FAILING["test_dead.py"][0])
-    assert result.returncode == 1
+def test_dead_process_is_the_exit_code(launch_test: LaunchTest) -> None:
+    result = launch_test(FAILING["test_dead.py"][0])
+    assert result.code == 1
     assert result.stderr.endswith("launch_test: Processes under test stopped before tests completed\n")
 
 
-def test_arguments_are_shown(tmp_path: Path) -> None:
-    result = launch_test(tmp_path, PASSING["test_arguments.py"], "--show-args")
-    assert result.returncode == 0, result.stderr
+def test_arguments_are_shown(launch_test: LaunchTest) -> None:
+    result = launch_test(PASSING["test_arguments.py"], "--show-args")
+    assert result.code == 0, result.stderr
     assert result.stdout == (
         "Arguments (pass arguments as '<name>:=<value>'):\n"
         "\n    'colour':\n        no description given\n"
@@ -72,18 +100,18 @@ def test_arguments_are_shown(tmp_path: Path) -> None:
     ],
 )
 def test_mistake_is_named_without_a_traceback(
-    tmp_path: Path, words: list[str], text: str, error: str
+    launch_test: LaunchTest, words: list[str], text: str, error: str
 ) -> None:
-    result = launch_test(tmp_path, text, *words)
-    assert result.returncode == 2
+    result = launch_test(text, *words)
+    assert result.code == 2
     assert error in result.stderr
     assert "Traceback" not in result.stderr
 
 
-def test_missing_file_is_named(tmp_path: Path) -> None:
-    result = run_to_end([*COMMAND, tmp_path / "none.py"])
-    assert result.returncode == 2
-    assert f"launch test file '{tmp_path}/none.py' does not exist" in result.stderr
+def test_missing_file_is_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit, match="2"):
+        main([str(tmp_path / "none.py")])
+    assert f"launch test file '{tmp_path}/none.py' does not exist" in capsys.readouterr().err
 
 
 TESTS_AS_PROCESSES = """
@@ -110,49 +138,39 @@ class TestThem(unittest.TestCase):
 """
 
 
-def test_tests_as_processes(tmp_path: Path) -> None:
+def test_tests_as_processes(launch_test: LaunchTest, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PYTEST_ADDOPTS", " ".join(PYTEST[2:]))
     (tmp_path / "test_inner.py").write_text("def test_one():\n    pass\n")
     (tmp_path / "slow").write_text("#!/bin/sh\nexec sleep 300\n")
     (tmp_path / "slow").chmod(0o755)
-    result = launch_test(tmp_path, TESTS_AS_PROCESSES)
-    assert result.returncode == 0, result.stdout + result.stderr
+    result = launch_test(TESTS_AS_PROCESSES)
+    assert result.code == 0, result.stdout + result.stderr
     assert "ran for more than 0.2 s, and is shut down" in result.stdout + result.stderr
 
 
-LEGACY = """
-import launch
-import sys
-from launch import LaunchDescription, LaunchService
-from launch.actions import ExecuteProcess, OpaqueFunction
-from launch_testing.legacy import LaunchTestService
-from launch_testing.legacy.output import create_output_lines_test
-
-description, tests = LaunchDescription(), LaunchTestService()
-wait = "import time\\ntry:\\n    time.sleep(300)\\nexcept KeyboardInterrupt: pass"
-tests.add_fixture_action(description, ExecuteProcess(cmd=[sys.executable, "-c", wait]))
-speak = ExecuteProcess(cmd=[sys.executable, "-c", "print('hello'); print('world')"])
-tests.add_test_action(description, speak)
-tests.add_output_test(description, speak, create_output_lines_test([sys.argv[1]]))
-tests.add_test_action(description, ExecuteProcess(cmd=[sys.executable, "-c", f"raise SystemExit({sys.argv[2]})"]))
-service = LaunchService()
-service.include_launch_description(description)
-raise SystemExit(tests.run(service))
-"""
+def python(code: str) -> ExecuteProcess:
+    return ExecuteProcess(cmd=[sys.executable, "-c", code])
 
 
 @pytest.mark.parametrize(
-    ("words", "code", "text"),
+    ("line", "exit_code", "code", "text"),
     [
-        (("world", "0"), 0, ""),
-        (("moon", "0"), 1, "lines are missing in the output: ['moon']"),
-        (("world", "4"), 1, "exited with 4"),
+        ("world", 0, 0, ""),
+        ("moon", 0, 1, "lines are missing in the output: ['moon']"),
+        ("world", 4, 1, "exited with 4"),
     ],
 )
-def test_older_service(tmp_path: Path, words: tuple[str, str], code: int, text: str) -> None:
-    result = run_to_end(
-        [sys.executable, "-c", LEGACY, *words],
-        cwd=tmp_path,
-        env={**os.environ, "ROS_LOG_DIR": str(tmp_path)},
-    )
-    assert result.returncode == code, result.stdout + result.stderr
-    assert text in result.stdout
+def test_older_service(
+    line: str, exit_code: int, code: int, text: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    description, tests = LaunchDescription(), LaunchTestService()
+    wait = "import time\ntry:\n    time.sleep(300)\nexcept KeyboardInterrupt: pass"
+    tests.add_fixture_action(description, python(wait))
+    speak = python("print('hello'); print('world')")
+    tests.add_test_action(description, speak)
+    tests.add_output_test(description, speak, create_output_lines_test([line]))
+    tests.add_test_action(description, python(f"raise SystemExit({exit_code})"))
+    service = LaunchService()
+    service.include_launch_description(description)
+    assert tests.run(service) == code
+    assert text in capsys.readouterr().out
