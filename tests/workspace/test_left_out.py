@@ -1,4 +1,4 @@
-"""Packages with C++ in them: what is built of them, and what their users are told."""
+"""Packages with C++ in them: what is built and tested of them, and what their users are told."""
 
 from __future__ import annotations
 
@@ -52,10 +52,41 @@ TOOLS_FILES = {
     "arm_tools/wave.py": "def main():\n    print('waving')\n",
 }
 
+BALLS = """\
+project(ball_tools)
+ament_python_install_package(ball_tools)
+if(BUILD_TESTING)
+  ament_add_pytest_test(sizes test/test_sizes.py
+    WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/test ENV COLOUR=red APPEND_ENV PATHS=${CMAKE_BINARY_DIR})
+endif()
+"""
+BALLS_TEST = """\
+import os
+from pathlib import Path
+
+from ball_tools.size import RADIUS
+
+
+def test_installed_package_is_imported():
+    assert RADIUS == 3
+    assert Path.cwd().name == "test"
+    assert os.environ["COLOUR"] == "red"
+    assert os.environ["PATHS"].endswith("/build/ball_tools")
+
+
+def test_mistake():
+    assert RADIUS == 4, "too small"
+"""
+BALLS_FILES = {
+    "ball_tools/__init__.py": "",
+    "ball_tools/size.py": "RADIUS = 3\n",
+    "test/test_sizes.py": BALLS_TEST,
+}
+
 
 @pytest.fixture(scope="module")
 def built(tmp_path_factory: pytest.TempPathFactory) -> Built:
-    """Build a workspace of packages with C++ in them; one has the name of a package of tfloom's."""
+    """Build a workspace of packages, two with C++ in them; one has the name of a package of tfloom's."""
     folder = tmp_path_factory.mktemp("workspace")
     source = folder / "src"
     write_cmake_package(source / "arm", ARM, "rclcpp", "controller_manager")
@@ -64,6 +95,8 @@ def built(tmp_path_factory: pytest.TempPathFactory) -> Built:
     manifest.write_text(manifest.read_text().replace("Of a test.", "<p>An <b>arm</b>.</p>"))
     write_cmake_package(source / "arm_tools", TOOLS)
     write_files(source / "arm_tools", TOOLS_FILES)
+    write_cmake_package(source / "ball_tools", BALLS)
+    write_files(source / "ball_tools", BALLS_FILES)
     write_cmake_package(source / "xacro", "project(xacro)\nadd_executable(xacro xacro.cpp)\n")
     return colcon(folder, "build")
 
@@ -111,8 +144,14 @@ def test_configured_files_and_programs_of_setup_cfg_are_installed(built: Built) 
     assert in_shell(built.folder, "tfloom run arm_tools wave") == "waving"
 
 
-def test_tests_of_a_package_in_cpp_are_those_that_start_no_program(built: Built) -> None:
-    tested = colcon(built.folder, "test", "--packages-select", "arm", "--event-handlers", "console_direct+")
+def test_tests_that_start_no_program_in_cpp_run_and_their_results_are_found(built: Built) -> None:
+    tested = colcon(built.folder, "test", "--packages-select", "arm", "ball_tools")
+    assert tested.code == 0, tested.output
     assert "arm: 1 launch test of its C++ left out" in tested.output
-    assert "1 passed" in tested.output
-    assert tested.code == 0
+    assert "1 package had test failures: ball_tools" in tested.output
+    result = colcon(built.folder, "test-result", "--all", "--verbose").output
+    assert "build/arm/test_results/arm/urdf.xunit.xml: 1 test, 0 errors, 0 failures" in result, result
+    assert "ball_tools/test_results/ball_tools/sizes.xunit.xml: 2 tests, 0 errors, 1 failure" in result, (
+        result
+    )
+    assert "AssertionError: too small" in result
