@@ -56,9 +56,8 @@ def zenoh_port() -> Iterator[int]:
 
 
 @pytest.fixture(autouse=True)
-def local_wire(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[None]:
+def local_wire(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
-    monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path / "log"))
     yield
     log_output.reset_levels()
     log_output.configure(file=None, console=True)

@@ -218,26 +218,33 @@ print(sorted({"pathlib", "urllib.parse", "ipaddress"} & set(sys.modules) - befor
     assert result.stdout == "[]\n"
 
 
-def test_records_are_also_written_to_a_file(tmp_path: Path, capsys: Capture) -> None:
+@pytest.fixture
+def log_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Return the folder of log files; it does not exist yet."""
+    monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path / "log"))
+    return tmp_path / "log"
+
+
+def test_records_are_also_written_to_a_file(log_folder: Path, capsys: Capture) -> None:
     arguments = ["--ros-args", "--log-file-name", "mine", "--disable-stdout-logs"]
     context = Context()
     context.init(arguments)
     logging.get_logger("x").info("kept")
     context.destroy()
     assert lines(capsys) == []
-    (path,) = (tmp_path / "log").iterdir()
+    (path,) = log_folder.iterdir()
     assert path.name.startswith(f"mine_{os.getpid()}_")
     assert re.fullmatch(r"\[INFO\] \[\d{10}\.\d{9}\] \[x\]: kept\n", path.read_text())
 
 
-def test_no_log_file_without_records_or_if_disabled(tmp_path: Path) -> None:
+def test_no_log_file_without_records_or_if_disabled(log_folder: Path) -> None:
     for arguments in ([], ["--ros-args", "--disable-external-lib-logs"]):
         context = Context()
         context.init(arguments)
         if arguments:
             logging.get_logger("x").info("not kept")
         context.destroy()
-    assert not (tmp_path / "log").exists()
+    assert not log_folder.exists()
 
 
 def test_unusable_log_directory_is_reported_once(
@@ -287,7 +294,7 @@ def test_node_of_an_ended_context_does_not_block_logging_of_its_namesake(capsys:
 
 
 def test_lone_surrogates_are_logged_as_escapes(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, make_node: Callable[..., Node], capsys: Capture
+    log_folder: Path, make_node: Callable[..., Node], capsys: Capture
 ) -> None:
     heard: list[str] = []
     node = make_node("talker")
@@ -299,5 +306,5 @@ def test_lone_surrogates_are_logged_as_escapes(
         while len(heard) < 2:
             executor.spin_once(timeout_sec=10)
     assert heard == ["a file name: \\udcff", "ü"]
-    (path,) = (tmp_path / "log").iterdir()
+    (path,) = log_folder.iterdir()
     assert [line.partition("]: ")[2] for line in path.read_text("utf-8").splitlines()] == heard

@@ -42,11 +42,10 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 @pytest.fixture(autouse=True, params=WIRES)
 def local_wire(
-    request: pytest.FixtureRequest, domain_id: int, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+    request: pytest.FixtureRequest, domain_id: int, monkeypatch: pytest.MonkeyPatch
 ) -> Iterator[str]:
     """Replace the in-process wire with DDS, and with Zenoh in turn; return its name."""
     monkeypatch.setenv("RMW_IMPLEMENTATION", request.param)
-    monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path / "log"))
     with use_port_of(domain_id):
         yield request.param
     log_output.reset_levels()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Callable
 from pathlib import Path
@@ -126,7 +127,7 @@ def test_failing_transitions_are_reported(
 
 
 def test_log_goes_to_console_rosout_and_file_at_the_set_level(
-    node: Node, call: Call, managed: Program, spin_until: SpinUntil, tmp_path: Path
+    node: Node, call: Call, managed: Program, spin_until: SpinUntil
 ) -> None:
     records: list[Log] = []
     node.create_subscription(Log, "/rosout", records.append, qos_profile_rosout_default)
@@ -153,8 +154,8 @@ def test_log_goes_to_console_rosout_and_file_at_the_set_level(
     assert records[0].function == "on_configure"
     assert records[0].line > 0
     assert records[0].stamp.sec > 0
-    (path,) = (path for path in (tmp_path / "log").iterdir() if path.name.startswith("managed_"))
-    assert re.fullmatch(rf"managed_{managed.process.pid}_\d+\.log", path.name)
+    (path,) = Path(os.environ["ROS_LOG_DIR"]).glob(f"managed_{managed.process.pid}_*.log")
+    assert re.fullmatch(r"managed_\d+_\d+\.log", path.name)
 
     def console() -> list[str]:
         return [line for line in managed.lines if line.startswith("[")]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -28,9 +27,8 @@ def wire_of_module(request: pytest.FixtureRequest, module_domain_id: int) -> Ite
 
 
 @pytest.fixture(autouse=True)
-def local_wire(wire_of_module: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[str]:
+def local_wire(wire_of_module: str, monkeypatch: pytest.MonkeyPatch) -> Iterator[str]:
     monkeypatch.setenv("RMW_IMPLEMENTATION", wire_of_module)
-    monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path / "log"))
     yield wire_of_module
     log_output.reset_levels()
     log_output.configure(file=None, console=True)
