@@ -491,28 +491,23 @@ def test_odd_values_of_any_type_are_a_sentence_or_a_message() -> None:
 # Types that another process alone has.
 
 
-@pytest.mark.parametrize(
-    ("what", "name", "values", "answer"),
-    [
-        ("topic", "/samples", {"at": ["4", "5", "6"]}, "published on /samples: 0 subscriptions"),
-        ("service", "/weigh", {"part": {"count": "4"}}, "grams: 10.0\n"),
-        ("action", "/sort", {"parts": [{"name": "b"}, {"name": "a"}]}, "SUCCEEDED\nsorted:\n- name: a\n"),
-    ],
+OWN = (
+    ("topic", "/samples", {"at": ["4", "5", "6"]}, "published on /samples: 0 subscriptions"),
+    ("service", "/weigh", {"part": {"count": "4"}}, "grams: 10.0\n"),
+    ("action", "/sort", {"parts": [{"name": "b"}, {"name": "a"}]}, "SUCCEEDED\nsorted:\n- name: a\n"),
 )
-def test_form_of_a_type_that_another_process_alone_has(
-    what: str,
-    name: str,
-    values: dict[str, Any],
-    answer: str,
-    page: Page,
-    start_program: Callable[..., Program],
+
+
+def test_forms_of_types_that_another_process_alone_has(
+    page: Page, start_program: Callable[..., Program]
 ) -> None:
     start_program("python", OWN_TYPES).wait_for("ready")
-    names = wait_for_name(page, what, name)
-    form = page.ask("form", op="form", what=what, name=name, type="", key="form")
-    assert (form["name"], form["type"]) == (name, names[name])
-    assert form["types"][form["root"]][0]["name"] in {"header", "part", "parts"}
-    assert ask(page, what, name, values).startswith(answer)
+    for what, name, values, answer in OWN:
+        names = wait_for_name(page, what, name)
+        form = page.ask("form", op="form", what=what, name=name, type="", key="form")
+        assert (form["name"], form["type"]) == (name, names[name])
+        assert form["types"][form["root"]][0]["name"] in {"header", "part", "parts"}
+        assert ask(page, what, name, values).startswith(answer)
 
 
 def wait_for_name(page: Page, what: str, name: str) -> dict[str, str]:

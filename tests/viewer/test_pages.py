@@ -362,7 +362,7 @@ def test_page_that_takes_nothing_gets_the_newest_state_and_no_queue(
 ) -> None:
     slow, other = open_page(viewer), open_page(viewer)
     monkeypatch.setattr(viewer, "_publish", lambda: None)  # the states below are the only ones
-    count = 100
+    count = 50
     for number in range(count):
         viewer.pages.publish({"number": number, "padding": "x" * 1_000_000})
         other.wait_for(lambda number=number: other.state.get("number") == number)
