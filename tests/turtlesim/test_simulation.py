@@ -27,6 +27,33 @@ def test_events_are_drawn_in_order() -> None:
     assert sim.canvas.color_at(turtle.x, turtle.y) == turtle.pen.color
 
 
+def test_scene_changes_with_the_picture() -> None:
+    sim = TurtleSim()
+    turtle = sim.world.turtles["turtle1"]
+    scenes = [sim.scene()]
+
+    def has_changed() -> bool:
+        scenes.append(sim.scene())
+        return scenes[-1] != scenes[-2]
+
+    sim.step()
+    assert not has_changed()
+    turtle.theta += 0.1
+    assert has_changed()
+    turtle.x += 0.1
+    assert has_changed()
+    sim.canvas.paint(Stroke((1.0, 1.0), (2.0, 2.0), (1, 2, 3), 3))
+    assert has_changed()
+    sim.clear()
+    assert has_changed()
+    sim.canvas.background = (1, 2, 3)
+    assert has_changed()
+    sim.world.spawn(1.0, 1.0, 0.0)
+    assert has_changed()
+    sim.world.kill("turtle1")
+    assert has_changed()
+
+
 def test_reset_clears_the_picture_and_the_world() -> None:
     sim = TurtleSim()
     turtle = sim.world.turtles["turtle1"]

@@ -43,15 +43,36 @@ def test_window_shows_the_picture(window: Window) -> None:
         sizes.append(size_px)
         return checked(size_px)
 
-    assert window.show(draw)
+    assert window.show(draw, 1)
     assert sizes == [500]
     assert surface_of(window).get_at((0, 0))[:3] == (255, 0, 0)
     assert surface_of(window).get_at((250, 250))[:3] == (10, 200, 30)
 
 
+def test_picture_is_drawn_anew_only_where_the_scene_or_the_window_has_changed(window: Window) -> None:
+    sizes: list[int] = []
+
+    def draw(size_px: int) -> Image.Image:
+        sizes.append(size_px)
+        return checked(size_px)
+
+    def shown(scene: object) -> list[int]:
+        sizes.clear()
+        assert window.show(draw, scene)
+        return sizes
+
+    pygame.event.clear()  # those of the new window
+    assert [shown([1]) == [500], shown([1]), shown([2]) == [500], shown([2])] == [True, [], True, []]
+    window._window.size = (900, 700)
+    assert shown([2]) == [700]
+    pygame.event.post(pygame.event.Event(pygame.WINDOWEXPOSED))
+    assert shown([2]) == [700]
+    assert shown([2]) == []
+
+
 def test_larger_window_has_a_larger_centred_picture(window: Window) -> None:
     window._window.size = (900, 700)
-    assert window.show(checked)
+    assert window.show(checked, 1)
     assert surface_of(window).get_at((100, 0))[:3] == (255, 0, 0)
     assert surface_of(window).get_at((99, 350))[:3] == (0, 0, 0)
     assert surface_of(window).get_at((799, 350))[:3] == (10, 200, 30)
@@ -59,7 +80,7 @@ def test_larger_window_has_a_larger_centred_picture(window: Window) -> None:
 
 def test_closed_window_ends_the_updates(window: Window) -> None:
     pygame.event.post(pygame.event.Event(pygame.QUIT))
-    assert not window.show(checked)
+    assert not window.show(checked, 1)
 
 
 def test_missing_display_raises(monkeypatch: pytest.MonkeyPatch) -> None:

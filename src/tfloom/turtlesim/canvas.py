@@ -25,6 +25,8 @@ class Canvas:
 
     def __init__(self, background: Color = DEFAULT_BACKGROUND) -> None:
         self.background = background
+        self.changes = 0
+        """A number that grows with each change of the strokes."""
         self._ink = Ink(FINE_PX)
         self._ground: Picture | None = None
         self._ground_color = background
@@ -32,11 +34,13 @@ class Canvas:
 
     def clear(self) -> None:
         """Remove all strokes, so that the background alone is left."""
+        self.changes += 1
         self._ink.clear()
         self._ground = None
 
     def paint(self, stroke: Stroke) -> None:
         """Draw a stroke with round ends."""
+        self.changes += 1
         ends = [_fine(*stroke.start), _fine(*stroke.end)]
         width = stroke.width_px * FINENESS
         self._ink.line(ends, stroke.color, width)

@@ -65,14 +65,18 @@ class TurtlesimNode(Node):
 
     def render(self, size_px: int) -> Picture:
         """Return the picture of the world, `size_px` by `size_px`."""
-        self.sim.canvas.background = parameters.background(self)
+        self._follow_background()
         return self.sim.render(size_px)
+
+    def _follow_background(self) -> None:
+        self.sim.canvas.background = parameters.background(self)
 
     def show_in(self, window: Window) -> None:
         """Update the picture in `window`; when the user closes it, shut down."""
 
         def refresh() -> None:
-            if not window.show(self.render):
+            self._follow_background()
+            if not window.show(self.sim.render, self.sim.scene()):
                 window.close()
                 try_shutdown(context=self.context)
 

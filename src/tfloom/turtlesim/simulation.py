@@ -49,6 +49,15 @@ class TurtleSim:
         """Return the picture, RGB, `size_px` by `size_px`."""
         return self.canvas.render(self.world.turtles.values(), size_px)
 
+    def scene(self) -> object:
+        """Return what the picture depends on, to compare it: of equal scenes of this simulation, it is the same."""
+        turtles = self.world.turtles.values()
+        return (
+            self.canvas.background,
+            self.canvas.changes,
+            sorted((turtle.name, turtle.kind, turtle.x, turtle.y, turtle.theta) for turtle in turtles),
+        )
+
     def _repr_png_(self) -> bytes:
         """Show the picture in a notebook."""
         return self.canvas.png(self.world.turtles.values())

@@ -40,11 +40,23 @@ class Window:
             self._window.minimum_size = (100, 100)
         except pygame.error as error:
             raise NoDisplayError(str(error)) from None
+        self._scene: object = None
 
-    def show(self, draw: Callable[[int], Picture]) -> bool:
-        """Show the picture that `draw(size_px)` returns; return False after the window was closed."""
-        if any(event.type in {pygame.QUIT, pygame.WINDOWCLOSE} for event in pygame.event.get()):
+    def show(self, draw: Callable[[int], Picture], scene: object) -> bool:
+        """Show the picture that `draw(size_px)` returns; return False after the window was closed.
+
+        Args:
+            draw: Called where the scene is another one than before, or something has happened to the window.
+            scene: What the picture shows: of equal scenes, it is the same.
+        """
+        events = pygame.event.get()
+        if any(event.type in {pygame.QUIT, pygame.WINDOWCLOSE} for event in events):
             return False
+        # Pictures at the screen's rate take a good part of a core, and most of the time all turtles rest. An event may
+        # tell that the window was uncovered or has another size.
+        if scene == self._scene and not events:
+            return True
+        self._scene = scene
         surface = self._window.get_surface()
         size = max(1, min(surface.get_size()))
         picture = draw(size)
