@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.cli.transcript import run_here
 
 from tfloom.node.context.context import Context
 from tfloom.node.node import Node
@@ -20,9 +21,9 @@ STATE = "{header: auto, name: [shoulder, rail, roll], position: [0.3, 0.1, 1.0]}
 
 
 def golden(name: str) -> list[str]:
-    """Return the reference's output, without the command, the shell's last line and the signal's."""
+    """Return the reference's output, without the command, the signal's line, and the last and empty ones."""
     lines = (GOLDEN / "cli" / f"{name}.txt").read_text().splitlines()[1:-1]
-    return [line for line in lines if "signal_handler" not in line]
+    return "\n".join(line for line in lines if "signal_handler" not in line).rstrip("\n").splitlines()
 
 
 def masked(lines: list[str]) -> list[str]:
@@ -38,13 +39,13 @@ def publisher(module_domain_id: int, start_module_program: Callable[..., Any]) -
 
 
 @pytest.fixture
-def ask(publisher: Any, start_module_program: Callable[..., Any]) -> Callable[..., list[str]]:
+def ask(publisher: Any) -> Callable[..., list[str]]:
     """Return a function that runs a verb, and returns its lines."""
 
     def run(*words: str) -> list[str]:
-        program = start_module_program("tfloom", *words)
-        assert program.wait() == 0, program.output
-        return list(program.lines)
+        answer = run_here(*words)
+        assert answer.exit_code == 0, answer.text
+        return answer.text.splitlines()
 
     return run
 
@@ -97,9 +98,7 @@ def test_the_description_and_the_fixed_joints_reach_late_subscriptions(ask: Call
     assert "      w: 0.707106790659974" in static
 
 
-def test_states_become_transforms(
-    publisher: Any, start_module_program: Callable[..., Any], ask: Callable[..., list[str]]
-) -> None:
+def test_states_become_transforms(publisher: Any, start_module_program: Callable[..., Any]) -> None:
     echo = start_module_program("tfloom", "run", "tf2_ros", "tf2_echo", "base", "tool")
     state = "sensor_msgs/msg/JointState"
     sender = start_module_program("tfloom", "topic", "pub", "-r", "20", "/joint_states", state, STATE)

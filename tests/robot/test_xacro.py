@@ -70,8 +70,12 @@ def test_the_program(robot: Path, start_program: Callable[..., Any]) -> None:
 
 
 def test_its_errors_are_lines(
-    robot: Path, start_program: Callable[..., Any], deviations: dict[str, dict[str, str]]
+    robot: Path,
+    deviations: dict[str, dict[str, str]],
+    monkeypatch: pytest.MonkeyPatch,
+    capfd: pytest.CaptureFixture[str],
 ) -> None:
+    monkeypatch.setattr(sys, "argv", [])  # which `main` sets
     assert "xacro-entities" in deviations
     for name, text, reason in [
         ("nothere.xacro", None, "No such file or directory"),
@@ -86,10 +90,12 @@ def test_its_errors_are_lines(
         path = robot.with_name(name)
         if text is not None:
             path.write_text(text)
-        program = start_program(*XACRO, path)
-        assert program.wait() == 2, program.output
-        assert reason in program.output
-        assert "Traceback" not in program.output
+        with pytest.raises(SystemExit) as end:
+            xacro_program.main([str(path)])
+        printed = "".join(capfd.readouterr())
+        assert end.value.code == 2, printed
+        assert reason in printed
+        assert "Traceback" not in printed
 
 
 def test_where_it_is_not_installed(

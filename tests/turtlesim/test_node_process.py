@@ -12,6 +12,8 @@ from typing import Any
 import pytest
 from PIL import Image
 
+from tfloom.turtlesim.node import main
+
 TURTLESIM = ("tfloom", "run", "turtlesim", "turtlesim_node")
 SPAWNED = "Spawning turtle [turtle1]"
 
@@ -23,16 +25,20 @@ def environment(**changes: str) -> dict[str, str]:
     return screenless | changes
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-def test_signal_ends_the_program_cleanly(
-    domain_id: int, start_program: Callable[..., Any], number: int
+@pytest.mark.parametrize(("number", "ending"), [(signal.SIGINT, "gif"), (signal.SIGTERM, "png")])
+def test_signal_ends_the_program_cleanly_and_its_picture_is_recorded_without_a_screen(
+    domain_id: int, start_program: Callable[..., Any], tmp_path: Path, number: int, ending: str
 ) -> None:
-    program = start_program(*TURTLESIM, env=environment())
+    path = tmp_path / f"out.{ending}"
+    program = start_program(*TURTLESIM, "--record", path, env=environment())
     program.wait_for(SPAWNED)
     program.wait_for("Running headless: ")
     program.signal(number)
     assert program.wait() == 0
     assert "Traceback" not in program.output
+    with Image.open(path) as picture:
+        assert picture.size == (500, 500)
+        assert picture.convert("RGB").getpixel((5, 5)) == pytest.approx((69, 86, 255), abs=6)
 
 
 def test_signal_during_a_step_ends_the_program_cleanly(
@@ -57,26 +63,9 @@ sys.exit(node.main(["--headless"]))
     assert "Traceback" not in program.output
 
 
-@pytest.mark.parametrize("ending", ["gif", "png"])
-def test_picture_is_recorded_without_a_screen(
-    domain_id: int, start_program: Callable[..., Any], tmp_path: Path, ending: str
-) -> None:
-    path = tmp_path / f"out.{ending}"
-    program = start_program(*TURTLESIM, "--record", path, env=environment())
-    program.wait_for("Running headless: ")
-    program.signal(signal.SIGINT)
-    assert program.wait() == 0
-    with Image.open(path) as picture:
-        assert picture.size == (500, 500)
-        assert picture.convert("RGB").getpixel((5, 5)) == pytest.approx((69, 86, 255), abs=6)
-
-
-def test_invalid_recording_gives_an_error_message(
-    domain_id: int, start_program: Callable[..., Any], tmp_path: Path
-) -> None:
-    program = start_program(*TURTLESIM, "--record", tmp_path / "out.avi")
-    assert program.wait() == 1
-    assert program.lines[0].startswith("turtlesim_node: can't record to")
+def test_invalid_recording_gives_an_error_message(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["--record", str(tmp_path / "out.avi")]) == 1
+    assert capsys.readouterr().err.startswith("turtlesim_node: can't record to")
 
 
 def test_the_window_opens_and_ends_with_the_node(domain_id: int, start_program: Callable[..., Any]) -> None:

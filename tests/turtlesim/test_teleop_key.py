@@ -37,10 +37,10 @@ def listener(domain_id: int) -> Iterator[Listener]:
         yield listener
 
 
-def test_arrow_keys_drive_the_turtle(
+def test_keys_drive_and_turn_the_turtle(
     listener: Listener, start_program: Start, start_teleop: Start, press: Press
 ) -> None:
-    start_program(*TURTLESIM)
+    turtlesim = start_program(*TURTLESIM)
     listener.spin_until(lambda: listener.poses)
     teleop = start_teleop()
     # Repeatedly, because the first press may precede discovery.
@@ -51,9 +51,24 @@ def test_arrow_keys_drive_the_turtle(
         press(key)
         expected = linear, angular
         listener.spin_until(lambda: twisted(listener.twists[-1]) == expected)  # noqa: B023
+    listener.spin_until(
+        lambda: listener.poses[-1].angular_velocity == listener.poses[-1].linear_velocity == 0.0
+    )
+
+    def press_and_look() -> bool:
+        if not listener.poses[-1].angular_velocity:
+            press(b"T")
+        return abs(listener.poses[-1].theta - 0.7854) < 0.03
+
+    listener.spin_until(press_and_look)
+    turtlesim.wait_for("Rotation goal completed successfully")
+    press(b"d")
+    listener.spin_until(lambda: listener.poses[-1].theta > 1.0)
+    press(b"f")
+    turtlesim.wait_for("Rotation goal canceled")
     press(b"q")
     assert teleop.wait() == 0
-    assert teleop.lines == [
+    assert teleop.lines[:5] == [
         "Reading from keyboard",
         "---------------------------",
         "Use arrow keys to move the turtle.",
@@ -62,36 +77,29 @@ def test_arrow_keys_drive_the_turtle(
     ]
 
 
-def test_heading_keys_turn_the_turtle(
-    listener: Listener, start_program: Start, start_teleop: Start, press: Press
+def check_end(teleop: Any, number: int, terminal: tuple[int, int], before: list[Any]) -> None:
+    """Check that a signal ends the program, and that the terminal is as it was before."""
+    assert termios.tcgetattr(terminal[0]) != before
+    teleop.signal(number)
+    assert teleop.wait() == 0
+    assert termios.tcgetattr(terminal[0]) == before
+    assert "Traceback" not in teleop.output
+
+
+def test_heading_key_without_a_turtle_says_what_is_missing_and_ctrl_c_ends_the_program(
+    domain_id: int, start_teleop: Start, press: Press, terminal: tuple[int, int]
 ) -> None:
-    turtlesim = start_program(*TURTLESIM)
-    listener.spin_until(lambda: listener.poses)
-    start_teleop()
-
-    def press_and_look() -> bool:
-        if not listener.poses[-1].angular_velocity:
-            press(b"T")
-        return listener.poses[-1].theta > 0.7
-
-    listener.spin_until(press_and_look)
-    turtlesim.wait_for("Rotation goal completed successfully")
-    listener.spin_until(lambda: abs(listener.poses[-1].theta - 0.7854) < 0.03)
-    press(b"d")
-    listener.spin_until(lambda: listener.poses[-1].theta > 1.0)
-    press(b"f")
-    turtlesim.wait_for("Rotation goal canceled")
-
-
-def test_heading_key_without_a_turtle_says_what_is_missing(
-    domain_id: int, start_teleop: Start, press: Press
-) -> None:
+    before = termios.tcgetattr(terminal[0])
     teleop = start_teleop()
     press(b"t")
     teleop.wait_for("no server of the action /turtle1/rotate_absolute is there. Start turtlesim_node")
+    check_end(teleop, signal.SIGINT, terminal, before)
 
 
-def test_keys_held_down_do_not_queue_up(listener: Listener, start_teleop: Start, press: Press) -> None:
+def test_keys_held_down_do_not_queue_up_and_sigterm_ends_the_program(
+    listener: Listener, start_teleop: Start, press: Press, terminal: tuple[int, int]
+) -> None:
+    before = termios.tcgetattr(terminal[0])
     teleop = start_teleop("--ros-args", "-p", "scale_linear:=0.5", "-p", "scale_angular:=0.25")
     # Repeatedly, because the first press may precede discovery.
     listener.spin_until(lambda: press(b"\x1b[A") and listener.twists)
@@ -105,20 +113,7 @@ def test_keys_held_down_do_not_queue_up(listener: Listener, start_teleop: Start,
     turns = [twist for twist in listener.twists if twist.angular.z]
     assert 1 <= len(turns) <= 3
     assert turns[0].angular.z == 0.25
-
-
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-def test_signal_ends_the_program_and_restores_the_terminal(
-    domain_id: int, start_teleop: Start, terminal: tuple[int, int], number: int
-) -> None:
-    ours, _ = terminal
-    before = termios.tcgetattr(ours)
-    teleop = start_teleop()
-    assert termios.tcgetattr(ours) != before
-    teleop.signal(number)
-    assert teleop.wait() == 0
-    assert termios.tcgetattr(ours) == before
-    assert "Traceback" not in teleop.output
+    check_end(teleop, signal.SIGTERM, terminal, before)
 
 
 def test_input_without_terminal_gives_the_remedy(domain_id: int, start_program: Start) -> None:

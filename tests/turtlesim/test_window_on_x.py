@@ -16,7 +16,7 @@ from typing import Any
 
 import pytest
 from PIL import Image, ImageChops
-from tests.conftest import run_to_end
+from tests.conftest import run_to_end, wait_until
 from tests.spun import SpunNode, spun
 
 from tfloom.interfaces.turtlesim.msg import Pose
@@ -73,7 +73,7 @@ class Screen:
         return picture
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def screen() -> Iterator[Screen]:
     reading, writing = os.pipe()
     # Without -noreset, it restarts when the last client disconnects, and drops new connections.
@@ -113,18 +113,19 @@ class Watcher(SpunNode):
 
 
 @pytest.fixture
-def watcher(domain_id: int) -> Iterator[Watcher]:
-    with spun(Watcher(domain_id)) as watcher:
+def watcher(module_domain_id: int) -> Iterator[Watcher]:
+    with spun(Watcher(module_domain_id)) as watcher:
         yield watcher
 
 
-@pytest.fixture
-def turtlesim(screen: Screen, domain_id: int, start_program: Callable[..., Any]) -> Any:
-    return start_program(*TURTLESIM, env=screen.environment)
+@pytest.fixture(scope="module")
+def turtlesim(screen: Screen, module_domain_id: int, start_module_program: Callable[..., Any]) -> Any:
+    """The program, whose turtle the first test finds at rest and the second one moves; the third closes the window."""
+    return start_module_program(*TURTLESIM, env=screen.environment)
 
 
-@pytest.fixture
-def window(turtlesim: Any, screen: Screen, wait_until: Callable[..., None]) -> str:
+@pytest.fixture(scope="module")
+def window(turtlesim: Any, screen: Screen) -> str:
     """The window's id. Before it, the toolkit may create one or two windows, which it closes at once."""
     turtlesim.wait_for("Spawning turtle [turtle1]")
     seen: list[str] = []
@@ -153,41 +154,9 @@ def unlike(picture: Image.Image, other: Image.Image) -> float:
     return difference.histogram()[255] / (picture.width * picture.height)
 
 
-def test_window_shows_the_turtle_driven_by_keys(
-    turtlesim: Any,
-    window: str,
-    screen: Screen,
-    watcher: Watcher,
-    start_teleop: Callable[..., Any],
-    press: Callable[[bytes], int],
-    wait_until: Callable[..., None],
-    tmp_path: Path,
-) -> None:
+def test_picture_resolution_follows_the_window_size(window: str, screen: Screen, tmp_path: Path) -> None:
     assert '"TurtleSim"' in screen.run("xwininfo", "-id", window)
     assert screen.size(window) == (500, 500)
-    teleop = start_teleop()
-    watcher.spin_until(lambda: press(b"\x1b[A") and watcher.poses and watcher.poses[-1].x > 7.5)
-    watcher.spin_until(watcher.is_at_rest)
-    press(b"q")
-    assert teleop.wait() == 0
-    scene = expected(watcher.poses[-1], 500)
-    path = tmp_path / "window.png"
-    wait_until(lambda: unlike(screen.picture(window, path), scene) < 0.002)
-    picture = screen.picture(window, path)
-    assert picture.getpixel((5, 5)) == BACKGROUND
-    assert picture.getpixel((270, 250)) == PEN
-    assert unlike(picture, expected(Pose(x=5.5, y=5.5), 500)) > 0.004, (
-        "the comparison sees a turtle elsewhere"
-    )
-
-
-def test_picture_resolution_follows_the_window_size(
-    turtlesim: Any,
-    window: str,
-    screen: Screen,
-    wait_until: Callable[..., None],
-    tmp_path: Path,
-) -> None:
     screen.run("xdotool", "windowmove", window, "0", "0")
 
     def is_shown(size: tuple[int, int]) -> bool:
@@ -202,6 +171,31 @@ def test_picture_resolution_follows_the_window_size(
     for size in ((1000, 800), (300, 420)):
         screen.run("xdotool", "windowsize", window, *map(str, size))
         wait_until(lambda size=size: is_shown(size))
+
+
+def test_window_shows_the_turtle_driven_by_keys(
+    window: str,
+    screen: Screen,
+    watcher: Watcher,
+    start_teleop: Callable[..., Any],
+    press: Callable[[bytes], int],
+    tmp_path: Path,
+) -> None:
+    screen.run("xdotool", "windowsize", window, "500", "500")
+    teleop = start_teleop()
+    watcher.spin_until(lambda: press(b"\x1b[A") and watcher.poses and watcher.poses[-1].x > 7.5)
+    watcher.spin_until(watcher.is_at_rest)
+    press(b"q")
+    assert teleop.wait() == 0
+    scene = expected(watcher.poses[-1], 500)
+    path = tmp_path / "window.png"
+    wait_until(lambda: unlike(screen.picture(window, path), scene) < 0.002)
+    picture = screen.picture(window, path)
+    assert picture.getpixel((5, 5)) == BACKGROUND
+    assert picture.getpixel((270, 250)) == PEN
+    assert unlike(picture, expected(Pose(x=5.5, y=5.5), 500)) > 0.004, (
+        "the comparison sees a turtle elsewhere"
+    )
 
 
 def ask_to_close(display: str, window: int) -> None:
