@@ -52,6 +52,17 @@ def local_wire(
     log_output.configure(file=None, console=True)
 
 
+@pytest.fixture(scope="module", params=WIRES)
+def wire_of_module(request: pytest.FixtureRequest, module_domain_id: int) -> Iterator[str]:
+    """Select DDS, and Zenoh in turn, for a module whose tests share a program; return its name.
+
+    Such a module replaces `local_wire` by it, and `domain_id` by `module_domain_id`.
+    """
+    with pytest.MonkeyPatch.context() as patch, use_port_of(module_domain_id):
+        patch.setenv("RMW_IMPLEMENTATION", request.param)
+        yield request.param
+
+
 @pytest.fixture
 def context(domain_id: int) -> Iterator[Context]:
     context = Context()

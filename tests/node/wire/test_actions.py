@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import signal
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import pytest
 from tests.conftest import Program, wait_until
+from tests.node.wire.conftest import PROGRAMS
 
 from tfloom.interfaces.action_msgs.msg import GoalStatus, GoalStatusArray
 from tfloom.interfaces.action_msgs.srv import CancelGoal
@@ -27,16 +28,34 @@ SpinUntil = Callable[..., None]
 WAITS = 100  # a goal that waits until it is cancelled
 
 
+@pytest.fixture(autouse=True)
+def local_wire(wire_of_module: str) -> str:
+    return wire_of_module
+
+
 @pytest.fixture
-def server(start: Start) -> Program:
-    return start("action_server", 900)
+def domain_id(module_domain_id: int) -> int:
+    return module_domain_id
+
+
+@pytest.fixture(scope="module")
+def server(wire_of_module: str, start_module_program: Start) -> Iterator[Program]:
+    """Return the server that most tests share."""
+    program = start_module_program("python", PROGRAMS / "action_server.py", "fibonacci", "900")
+    program.wait_for("ready")
+    yield program
+    program.end()
+
+
+def connected(node: Node, name: str) -> ActionClient:
+    client = ActionClient(node, Fibonacci, name)
+    assert client.wait_for_server(timeout_sec=20)
+    return client
 
 
 @pytest.fixture
 def client(node: Node, server: Program) -> ActionClient:
-    client = ActionClient(node, Fibonacci, "fibonacci")
-    assert client.wait_for_server(timeout_sec=20)
-    return client
+    return connected(node, "fibonacci")
 
 
 def test_server_that_is_discovered_is_ready_at_the_first_question(node: Node, server: Program) -> None:
@@ -93,8 +112,7 @@ def test_several_goals_of_several_clients_run_at_once(
 ) -> None:
     other_node = make_node("other")
     executor.add_node(other_node)
-    other = ActionClient(other_node, Fibonacci, "fibonacci")
-    assert other.wait_for_server(timeout_sec=20)
+    other = connected(other_node, "fibonacci")
     waiting = finish(send(client, WAITS))
     handles = [
         finish(future) for order in (3, 5, 7) for future in (send(client, order), send(other, order + 1))
@@ -119,18 +137,16 @@ def test_late_client_receives_the_states_of_all_goals(
     states = {
         bytes(goal_status.goal_info.goal_id.uuid): goal_status.status for goal_status in told[0].status_list
     }
-    assert states == {
-        bytes(done.goal_id.uuid): GoalStatus.STATUS_SUCCEEDED,
-        bytes(waiting.goal_id.uuid): GoalStatus.STATUS_EXECUTING,
-    }
+    assert states[bytes(done.goal_id.uuid)] == GoalStatus.STATUS_SUCCEEDED
+    assert states[bytes(waiting.goal_id.uuid)] == GoalStatus.STATUS_EXECUTING
+    finish(waiting.cancel_goal_async())
 
 
 def test_results_are_kept_for_the_timeout_of_the_server(
     node: Node, start: Start, finish: Finish, spin_until: SpinUntil
 ) -> None:
-    start("action_server", 0.3)
-    client = ActionClient(node, Fibonacci, "fibonacci")
-    assert client.wait_for_server(timeout_sec=20)
+    start("action_server", "forgetful", 0.3)
+    client = connected(node, "forgetful")
     handle = finish(send(client, 2))
     assert finish(handle.get_result_async()).status == GoalStatus.STATUS_SUCCEEDED
     spin_until(lambda: finish(handle.get_result_async()).status == GoalStatus.STATUS_UNKNOWN)
@@ -140,9 +156,10 @@ def test_results_are_kept_for_the_timeout_of_the_server(
 def test_server_continues_after_a_client_is_killed_during_a_goal(
     client: ActionClient, server: Program, start: Start, finish: Finish
 ) -> None:
+    begun = server.lines.count("executing 100")
     other = start("action_client")
     assert other.lines == ["accepted ready"]
-    server.wait_for("executing 100")
+    wait_until(lambda: server.lines.count("executing 100") > begun)
     other.signal(signal.SIGKILL)
     other.wait()
     assert finish(finish(send(client, 3)).get_result_async()).status == GoalStatus.STATUS_SUCCEEDED
@@ -152,13 +169,10 @@ def test_server_continues_after_a_client_is_killed_during_a_goal(
 
 
 def test_restarted_server_accepts_goals_after_a_kill(
-    short_lease: float,
-    client: ActionClient,
-    server: Program,
-    start: Start,
-    finish: Finish,
-    executor: SingleThreadedExecutor,
+    short_lease: float, node: Node, start: Start, finish: Finish, executor: SingleThreadedExecutor
 ) -> None:
+    server = start("action_server", "restarted", 900)
+    client = connected(node, "restarted")
     handle = finish(send(client, WAITS))
     result = handle.get_result_async()
     server.wait_for("executing 100")
@@ -168,7 +182,7 @@ def test_restarted_server_accepts_goals_after_a_kill(
     assert not client.wait_for_server(timeout_sec=0.0)
     executor.spin_until_future_complete(result, timeout_sec=20)
     assert isinstance(result.exception(), NoResponseError)
-    start("action_server", 900)
+    start("action_server", "restarted", 900)
     assert client.wait_for_server(timeout_sec=20)
     assert finish(finish(send(client, 4)).get_result_async()).status == GoalStatus.STATUS_SUCCEEDED
     assert (

@@ -7,31 +7,18 @@ from typing import Any
 
 import pytest
 from tests.conftest import Program
-from tests.node.wire.conftest import PROGRAMS, WIRES
-from tests.zenoh_ports import use_port_of
+from tests.node.wire.conftest import PROGRAMS
 
 from tfloom.node.builtin.parameter_client import AsyncParameterClient
-from tfloom.node.log import log_output
 from tfloom.node.node import Node
 from tfloom.node.parameters.parameter import Parameter
 
 Finish = Callable[..., Any]
 
 
-@pytest.fixture(scope="module", autouse=True, params=WIRES)
-def wire_of_module(request: pytest.FixtureRequest, module_domain_id: int) -> Iterator[str]:
-    """Select a wire for the module's program and for the tests."""
-    with pytest.MonkeyPatch.context() as patch, use_port_of(module_domain_id):
-        patch.setenv("RMW_IMPLEMENTATION", request.param)
-        yield request.param
-
-
 @pytest.fixture(autouse=True)
-def local_wire(wire_of_module: str, monkeypatch: pytest.MonkeyPatch) -> Iterator[str]:
-    monkeypatch.setenv("RMW_IMPLEMENTATION", wire_of_module)
-    yield wire_of_module
-    log_output.reset_levels()
-    log_output.configure(file=None, console=True)
+def local_wire(wire_of_module: str) -> str:
+    return wire_of_module
 
 
 @pytest.fixture(scope="module", autouse=True)

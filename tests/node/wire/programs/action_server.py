@@ -1,7 +1,7 @@
-"""Serves /fibonacci: the outcome of a goal depends on its order.
+"""Serves an action: the outcome of a goal depends on its order.
 
 0 to 40: computed, with feedback. 70: the server is destroyed during the goal, and recreated afterwards. 100: it waits
-until it is cancelled. The argument is the time for which results are kept [s].
+until it is cancelled. The arguments are its name and the time for which results are kept [s].
 """
 
 import sys
@@ -52,12 +52,12 @@ def make_server():
     return ActionServer(
         node,
         Fibonacci,
-        "fibonacci",
+        sys.argv[1],
         execute,
         goal_callback=judge,
         cancel_callback=judge_cancel,
         callback_group=ReentrantCallbackGroup(),
-        result_timeout=float(sys.argv[1]),
+        result_timeout=float(sys.argv[2]),
     )
 
 
