@@ -112,10 +112,10 @@ def test_each_of_many_client_processes_receives_its_responses(
         start_program(
             "python",
             PROGRAMS / "service_clients.py",
-            *map(str, (number, 4, 20)),
+            *map(str, (number, 4, 5)),
             stdin=subprocess.PIPE,
         )
-        for number in range(3)
+        for number in range(2)
     ]
     for caller in callers:
         caller.wait_for("ready")
@@ -124,7 +124,7 @@ def test_each_of_many_client_processes_receives_its_responses(
         caller.process.stdin.flush()
     for caller in callers:
         assert caller.wait(60) == 0, caller.output
-        assert caller.lines[-1] == "right: 80"
+        assert caller.lines[-1] == "right: 20"
 
 
 def test_client_of_another_vendor_is_ignored_with_one_log_line(
