@@ -37,7 +37,8 @@ def exposed_in_sources(decorator: str) -> Iterator[tuple[str, str]]:
     """Yield the names that tfloom's modules expose, and the modules."""
     for path in sorted((HOUSE / "launch").rglob("*.py")):
         module = ".".join(("tfloom", *path.relative_to(HOUSE).with_suffix("").parts))
-        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+        text = path.read_text("utf-8")
+        for node in ast.walk(ast.parse(text)) if f"@{decorator}" in text else ():
             if isinstance(node, (ast.ClassDef, ast.FunctionDef)):
                 for call in node.decorator_list:
                     if isinstance(call, ast.Call) and ast.unparse(call.func) == decorator:
