@@ -8,6 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from tests.spun import SpunNode, spun
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -69,48 +70,61 @@ SPINNING: dict[str, dict[str, list[str]]] = {
     "logs": {"logs/levels.py": [r"Only the first time: 1$", r"Each second: (9|1\d)$"]},
 }
 
-# Programs that end without a signal, the programs that they need, and their output.
-ENDING: dict[str, tuple[list[str], list[str], list[str]]] = {
-    "wait once": (["topics/talker.py"], ["topics/wait_once.py"], [r"The next words: Hello \d+$"]),
-    "call": (["services/add_server.py"], ["services/add_client.py"], [r"2 \+ 3 = 5$"]),
-    "call in asyncio": (
+# Programs that run until a signal, and those that end by themselves beside them, with their output.
+ENDING: dict[str, tuple[list[str], dict[str, list[str]]]] = {
+    "wait once": (["topics/talker.py"], {"topics/wait_once.py": [r"The next words: Hello \d+$"]}),
+    "calls": (
         ["services/add_server.py"],
-        ["services/add_client_in_asyncio.py"],
-        [r"3 \+ 4 = 7$", r"In all 21$"],
+        {
+            "services/add_client.py": [r"2 \+ 3 = 5$"],
+            "services/add_client_in_asyncio.py": [r"3 \+ 4 = 7$", r"In all 21$"],
+            "services/add_client_in_thread.py": [r"In all 10$"],
+        },
     ),
-    "call in thread": (["services/add_server.py"], ["services/add_client_in_thread.py"], [r"In all 10$"]),
-    "spawned processes": ([], ["executors/processes.py", "spawn"], [r"By spawn: \[1, 4, 9\]$"]),
-    "forked processes": ([], ["executors/processes.py", "fork"], [r"By fork: \[1, 4, 9\]$"]),
+    "spawned and forked processes": (
+        [],
+        {
+            "executors/processes.py spawn": [r"By spawn: \[1, 4, 9\]$"],
+            "executors/processes.py fork": [r"By fork: \[1, 4, 9\]$"],
+        },
+    ),
     "parameters": (
         ["parameters/thruster.py", "parameters/watch.py"],
-        ["parameters/tune.py"],
-        [r"serial = 1: Trying to set a read-only parameter", r"In the end: 0\.5, right$"],
+        {
+            "parameters/tune.py": [
+                r"serial = 1: Trying to set a read-only parameter",
+                r"In the end: 0\.5, right$",
+            ]
+        },
     ),
-    "goal": (
+    "goals": (
         ["actions/fibonacci_server.py"],
-        ["actions/fibonacci_client.py", "--ros-args", "-p", "order:=3"],
-        [r"So far \[0, 1, 1\]$", r"The goal succeeded: \[0, 1, 1, 2, 3\]$"],
-    ),
-    "canceled goal": (
-        ["actions/fibonacci_server.py"],
-        ["actions/fibonacci_client.py", "--ros-args", "-p", "order:=30", "-p", "cancel_after:=2"],
-        [r"That will do$", r"The goal was canceled: \[0, 1, 1, 2(, \d+)*\]$"],
+        {
+            "actions/fibonacci_client.py --ros-args -p order:=3": [
+                r"So far \[0, 1, 1\]$",
+                r"The goal succeeded: \[0, 1, 1, 2, 3\]$",
+            ],
+            "actions/fibonacci_client.py --ros-args -p order:=30 -p cancel_after:=2": [
+                r"That will do$",
+                r"The goal was canceled: \[0, 1, 1, 2(, \d+)*\]$",
+            ],
+        },
     ),
     "navigation": (
         ["navigation/fake_navigation.py"],
-        ["navigation/patrol.py"],
-        [
-            r"bt_navigator is active$",
-            r"[01]\.\d m to go to \(1\.0, 0\.0\)$",
-            r"(?s)The goal succeeded$.*The goal succeeded$.*The goal was canceled$",
-            r"The goal failed: the goal is beyond the map$",
-            r"After the shutdown, a goal is accepted: False$",
-        ],
+        {
+            "navigation/patrol.py": [
+                r"bt_navigator is active$",
+                r"[01]\.\d m to go to \(1\.0, 0\.0\)$",
+                r"(?s)The goal succeeded$.*The goal succeeded$.*The goal was canceled$",
+                r"The goal failed: the goal is beyond the map$",
+                r"After the shutdown, a goal is accepted: False$",
+            ]
+        },
     ),
     "lifecycle": (
         ["lifecycle/sensor.py"],
-        ["lifecycle/manager.py"],
-        [r"It measured \d+\.0$", "is finalized$"],
+        {"lifecycle/manager.py": [r"It measured \d+\.0$", "is finalized$"]},
     ),
 }
 
@@ -125,7 +139,9 @@ def end_well(number: signal.Signals, *programs: object) -> None:
     """Send a signal to programs, and check that they end with 0 and without a traceback."""
     for program in programs:
         program.signal(number)
-    assert [program.wait() for program in programs] == [0] * len(programs), programs[0].output
+    assert [program.wait() for program in programs] == [0] * len(programs), [
+        program.output for program in programs
+    ]
     for program in programs:
         assert "Traceback" not in program.output
         assert "Exception" not in program.output
@@ -147,16 +163,25 @@ def test_spinning_programs_end_on_a_signal(
     end_well(number, *programs)
 
 
+def wait_for_node(name: str, domain_id: int) -> None:
+    with spun(SpunNode("watcher", domain_id)) as watcher:
+        assert watcher.node.wait_for_node(f"/{name}", 20.0)
+
+
 @pytest.mark.parametrize("scene", ENDING)
 def test_finite_programs_end_with_their_output(scene: str, domain_id: int, start_program: Start) -> None:
-    others, (path, *words), lines = ENDING[scene]
+    others, clients = ENDING[scene]
     servers = [start_program("python", EXAMPLES / other) for other in others]
     for node in filter(None, map(UNASKED.get, others)):
-        start_program("python", "-u", "-c", WATCH, node).wait_for("it is there")
-    program = start_program("python", EXAMPLES / path, *words)
-    assert program.wait() == 0, program.output
-    assert has(program, *lines), program.output
-    assert "Traceback" not in program.output
+        wait_for_node(node, domain_id)
+    programs = {}
+    for words, lines in clients.items():
+        path, *arguments = words.split()
+        programs[start_program("python", EXAMPLES / path, *arguments)] = lines
+    for program, lines in programs.items():
+        assert program.wait() == 0, program.output
+        assert has(program, *lines), program.output
+        assert "Traceback" not in program.output
     end_well(signal.SIGINT if list(ENDING).index(scene) % 2 else signal.SIGTERM, *servers)
 
 
@@ -176,11 +201,10 @@ def test_finite_programs_end_with_their_output(scene: str, domain_id: int, start
     ],
 )
 def test_waiting_program_ends_cleanly(
-    path: str, number: signal.Signals, domain_id: int, start_program: Start, wait_until: Callable[..., None]
+    path: str, number: signal.Signals, domain_id: int, start_program: Start
 ) -> None:
     program = start_program("python", EXAMPLES / path)
-    watcher = start_program("python", "-u", "-c", WATCH, NODES.get(path, Path(path).stem))
-    watcher.wait_for("it is there")
+    wait_for_node(NODES.get(path, Path(path).stem), domain_id)
     program.signal(number)
     assert program.wait() == 0, program.output
     assert "Traceback" not in program.output
@@ -223,10 +247,3 @@ NODES = {
     "lifecycle/manager.py": "manager",
     "navigation/patrol.py": "navigator",
 }
-
-WATCH = """
-import sys, rclpy
-rclpy.init()
-node = rclpy.create_node("watcher")
-print("it is there" if node.wait_for_node("/" + sys.argv[1], 20.0) else "never came")
-"""
