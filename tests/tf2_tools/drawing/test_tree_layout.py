@@ -102,7 +102,7 @@ def test_a_thousand_siblings() -> None:
     assert layout.size.breadth == pytest.approx(10_000.0)
 
 
-@settings(deadline=None)
+@settings(deadline=None, max_examples=30)
 @given(st.data())
 def test_no_two_nodes_overlap(data: st.DataObject) -> None:
     names = [f"f{i}" for i in range(data.draw(st.integers(1, 40)))]

@@ -10,7 +10,7 @@ from itertools import combinations
 from pathlib import Path
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from PIL import Image
 from pypdfium2 import PdfDocument
@@ -113,8 +113,8 @@ def test_a_page_of_400_frames_has_the_shape_of_a_screen() -> None:
         build_tree([trees.record("a", "a")], 0.0),
         build_tree([trees.record("世界/🤖" * 40, "\x00\n\t"), trees.record("é" * 300, "世界/🤖" * 40)], 0.0),
         build_tree([trees.record("9" * 5000, "²"), trees.record("9" * 4999, "²")], 1e30),
-        trees.chain(150),
-        trees.fan(150),
+        trees.chain(60),
+        trees.fan(60),
     ],
     ids=["empty", "itself", "unicode", "digits", "chain", "fan"],
 )
@@ -166,6 +166,7 @@ def overlap(one: tuple[float, float, float, float], other: tuple[float, float, f
     return not (apart or one[3] <= other[1] + 1e-6 or other[3] <= one[1] + 1e-6)
 
 
+@settings(deadline=None, max_examples=40)
 @given(st.data())
 def test_parts_of_a_graph_do_not_overlap(data: st.DataObject) -> None:
     names = [f"{'x' * data.draw(st.integers(1, 60))}{i}" for i in range(data.draw(st.integers(1, 12)))]

@@ -31,7 +31,7 @@ def png_bytes(picture: Picture) -> bytes:
     _Painter(ImageDraw.Draw(image), resolution * FINER).draw(picture.shapes)
     file = io.BytesIO()
     dots = resolution * 72.0
-    image.reduce(FINER).save(file, "PNG", dpi=(dots, dots), optimize=True)
+    image.reduce(FINER).save(file, "PNG", dpi=(dots, dots))
     return file.getvalue()
 
 
