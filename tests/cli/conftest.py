@@ -3,14 +3,21 @@
 from __future__ import annotations
 
 import sys
+import threading
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 from tests.conftest import Program
 
+from tfloom.cli.graph import joined_participant
 from tfloom.node.context.context import Context
 from tfloom.node.node import Node
+from tfloom.rmw.base import NodeName
+from tfloom.rmw.qos import QoS
+from tfloom.rmw.typed_names import topic_of
+from tfloom.rosidl import cdr
+from tfloom.rosidl.message import Message
 from tfloom.workspace import index
 
 sys.path.append(str(Path(__file__).parent))
@@ -41,6 +48,28 @@ def onlooker(domain_id: int) -> Iterator[Node]:
     context.init(args=[], domain_id=domain_id)
     yield Node("onlooker", context=context)
     context.destroy()
+
+
+@pytest.fixture
+def publish(domain_id: int) -> Iterator[Callable[..., None]]:
+    """Publish from this process: `publish(topic, make_message, rate_hz)`."""
+    ended, threads = threading.Event(), list[threading.Thread]()
+    with joined_participant() as participant:
+
+        def start(topic: str, make: Callable[[], Message], rate_hz: float = 50.0) -> None:
+            writer = participant.create_writer(NodeName("/", "talker"), topic_of(type(make()), topic), QoS())
+
+            def run() -> None:
+                while not ended.wait(1 / rate_hz):
+                    writer.write(cdr.encode(make()))
+
+            threads.append(threading.Thread(target=run))
+            threads[-1].start()
+
+        yield start
+        ended.set()
+        for thread in threads:
+            thread.join()
 
 
 @pytest.fixture

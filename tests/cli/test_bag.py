@@ -11,7 +11,7 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import nullcontext
-from itertools import chain, pairwise
+from itertools import chain, count, pairwise
 from pathlib import Path
 from typing import Any
 
@@ -25,6 +25,7 @@ from tfloom.bag import open_bag
 from tfloom.bag.reindexing import reindex
 from tfloom.bag.writing.bag_writer import BagWriter
 from tfloom.cli.main import main
+from tfloom.interfaces.std_msgs.msg import String
 
 BAGS = Path(__file__).parents[1] / "golden" / "bags"
 CLOCK = re.compile(r"\[\d+\.\d+\] ")
@@ -193,14 +194,14 @@ def test_services_are_counted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
 
 
 @pytest.fixture
-def talker(domain_id: int, start_program: Callable[..., Any]) -> Any:
-    program = start_program("tfloom", "run", "demo_nodes_py", "talker")
-    program.wait_for("Hello World: 0")
-    return program
+def chatter(publish: Callable[..., None]) -> None:
+    """Publish numbered texts on /chatter, ten a second."""
+    numbers = count()
+    publish("/chatter", lambda: String(data=f"Hello World: {next(numbers)}"), 10.0)
 
 
 def texts_on_disk(folder: Path) -> int:
-    """Return how many of the talker's messages the files of a bag hold."""
+    """Return how many numbered messages the files of a bag hold."""
     # One by its number, because sqlite3 has a message in its log and in the database, until the log is used again.
     texts = (re.findall(rb"Hello World: \d+", path.read_bytes()) for path in folder.glob("*_0.*"))
     return len(set(chain.from_iterable(texts)))
@@ -211,13 +212,14 @@ def recorder_lines(recorded: str) -> list[str]:
 
 
 def test_recording_and_playing_as_recorded(
-    talker: Any,
     domain_id: int,
     start_program: Callable[..., Any],
     tmp_path: Path,
     deviations: dict[str, dict[str, str]],
 ) -> None:
     assert {"bag-play-lines", "signal-line"} <= deviations.keys()
+    talker = start_program("tfloom", "run", "demo_nodes_py", "talker")
+    talker.wait_for("Hello World: 0")
     recorder = start_program("tfloom", "bag", "record", "-o", tmp_path / "b1", "/chatter", cwd=tmp_path)
     recorder.wait_for("Stopping discovery...")
     wait_until(lambda: texts_on_disk(tmp_path / "b1") >= 2)
@@ -255,7 +257,7 @@ def test_recording_and_playing_as_recorded(
 
 
 def test_killed_recorder_loses_at_most_the_last_second(
-    talker: Any, domain_id: int, start_program: Callable[..., Any], tmp_path: Path
+    chatter: None, start_program: Callable[..., Any], tmp_path: Path
 ) -> None:
     folders = {storage_id: tmp_path / storage_id for storage_id in ("mcap", "sqlite3")}
     recorders = [
@@ -340,9 +342,7 @@ def test_keys_of_a_terminal_pause_and_step(
         os.close(terminal)
 
 
-def test_full_disk_is_explained(
-    talker: Any, domain_id: int, start_program: Callable[..., Any], tmp_path: Path
-) -> None:
+def test_full_disk_is_explained(chatter: None, start_program: Callable[..., Any], tmp_path: Path) -> None:
     command = f"ulimit -f 1; exec '{transcript.PROGRAM}' bag record -o '{tmp_path / 'bag'}' -a"
     recorder = start_program("bash", "-c", command)
     assert recorder.wait(30.0) == 1
@@ -352,16 +352,15 @@ def test_full_disk_is_explained(
     assert "Traceback" not in recorder.output
 
 
-@pytest.mark.parametrize("rate_hz", ["3", "62"])
+@pytest.mark.parametrize("rate_hz", [3.0, 62.0])
 def test_files_are_split_by_their_duration_beside_talkers(
-    rate_hz: str, domain_id: int, start_program: Callable[..., Any], tmp_path: Path
+    rate_hz: float, publish: Callable[..., None], start_program: Callable[..., Any], tmp_path: Path
 ) -> None:
     """A slow talker's messages are all written when the next one is of a new file, a quick one's are not."""
     folder = tmp_path / "bag"
-    talk = ("tfloom", "topic", "pub", "-r", rate_hz, "/chatter", "std_msgs/msg/String", "{data: a}")
-    start_program(*talk).wait_for("publishing #1")
+    publish("/chatter", lambda: String(data="a"), rate_hz)
     recorder = start_program("tfloom", "bag", "record", "-d", "1", "-o", folder, "--topics", "/chatter")
-    wait_until((folder / "bag_4.mcap").exists, 40.0)
+    wait_until((folder / "bag_3.mcap").exists, 40.0)
     recorder.signal(signal.SIGINT)
     assert recorder.wait() == 0
     paths = sorted(folder.glob("bag_*.mcap"))

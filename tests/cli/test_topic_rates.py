@@ -3,25 +3,19 @@
 from __future__ import annotations
 
 import re
-import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 
 import pytest
 import transcript
 from tests.conftest import Program
 
-from tfloom.cli.graph import joined_participant
 from tfloom.cli.topic import bw, rates
 from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.interfaces.geometry_msgs.msg import PointStamped
 from tfloom.interfaces.rosgraph_msgs.msg import Clock
 from tfloom.interfaces.std_msgs.msg import Header
 from tfloom.interfaces.turtlesim.msg import Pose
-from tfloom.rmw.base import NodeName
-from tfloom.rmw.qos import QoS
-from tfloom.rmw.typed_names import topic_of
-from tfloom.rosidl import cdr
 from tfloom.rosidl.message import Message
 
 QUICK = {"tfloom.cli.topic.rates.REPORT_S": 0.4, "tfloom.cli.sim_time.PATIENCE_S": 0.4}
@@ -31,34 +25,8 @@ def test_report_period_has_its_default() -> None:
     assert rates.REPORT_S == 1.0
 
 
-Publish = Callable[[str, Callable[[], Message]], None]
-
-
 @pytest.fixture
-def publish(domain_id: int) -> Iterator[Publish]:
-    """Publish messages from this process on a topic, 50 a second: `publish(topic, make_message)`."""
-    ended, threads = threading.Event(), []
-
-    with joined_participant() as participant:
-
-        def start(topic: str, make: Callable[[], Message]) -> None:
-            writer = participant.create_writer(NodeName("/", "talker"), topic_of(type(make()), topic), QoS())
-
-            def run() -> None:
-                while not ended.wait(0.02):
-                    writer.write(cdr.encode(make()))
-
-            threads.append(threading.Thread(target=run))
-            threads[-1].start()
-
-        yield start
-        ended.set()
-        for thread in threads:
-            thread.join()
-
-
-@pytest.fixture
-def listen(publish: Publish, start_program: Callable[..., Program]) -> Callable[..., Program]:
+def listen(publish: Callable[..., None], start_program: Callable[..., Program]) -> Callable[..., Program]:
     """Publish on /x at 50 Hz and start a verb on it."""
 
     def start(verb: str, *flags: str, make: Callable[[], Message] = Header) -> Program:
@@ -114,7 +82,9 @@ def test_delay_needs_a_header(domain_id: int, listen: Callable[..., object]) -> 
     assert program.output == recorded.text
 
 
-def test_verb_waits_for_a_missing_topic(publish: Publish, start_program: Callable[..., Program]) -> None:
+def test_verb_waits_for_a_missing_topic(
+    publish: Callable[..., None], start_program: Callable[..., Program]
+) -> None:
     program = start_program("python", *transcript.python_words("topic", "hz", "/late", constants=QUICK))
     program.wait_for("WARNING: topic [/late] does not appear to be published yet")
     publish("/late", Header)
@@ -142,7 +112,7 @@ def test_spread_of_values() -> None:
 
 
 @pytest.fixture
-def simulated_time(publish: Publish) -> int:
+def simulated_time(publish: Callable[..., None]) -> int:
     """Publish the constant time 5000 s on /clock."""
     publish("/clock", lambda: Clock(clock=Time(sec=5000)))
     return 5000
