@@ -13,9 +13,9 @@ from tests.conftest import Program
 FIRST, SECOND = 2**63, 2**63 + 1
 
 
-@pytest.fixture(autouse=True)
-def container(domain_id: int, start_program: Callable[..., Program]) -> Program:
-    program = start_program("python", Path(__file__).with_name("a_container.py"))
+@pytest.fixture(scope="module", autouse=True)
+def container(module_domain_id: int, start_module_program: Callable[..., Program]) -> Program:
+    program = start_module_program("python", Path(__file__).with_name("a_container.py"))
     program.wait_for("ready")
     return program
 

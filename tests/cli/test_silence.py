@@ -17,38 +17,25 @@ from tfloom.cli.param import common as param_common
 HERE = Path(__file__).parent
 
 
-QUICK = {"tfloom.cli.param.common.TIMEOUT_S": 2.0, "tfloom.cli.lifecycle.common.TIMEOUT_S": 2.5}
-
-
 def test_default_waits_have_their_values() -> None:
     assert (param_common.TIMEOUT_S, lifecycle_common.TIMEOUT_S) == (5.0, 10.0)
 
 
+@pytest.fixture(scope="module")
+def silent_node(module_domain_id: int, start_module_program: Callable[..., Program]) -> None:
+    start_module_program("python", HERE / "a_silent_node.py", stdin=subprocess.PIPE).wait_for("ready")
+
+
 @pytest.fixture
-def silent_node(domain_id: int, start_program: Callable[..., Program]) -> None:
-    start_program("python", HERE / "a_silent_node.py", stdin=subprocess.PIPE).wait_for("ready")
+def quick(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Shorten the waits for responses."""
+    monkeypatch.setattr(param_common, "TIMEOUT_S", 2.0)
+    monkeypatch.setattr(lifecycle_common, "TIMEOUT_S", 2.5)
 
 
-@pytest.mark.usefixtures("silent_node")
-def test_lists_contain_the_nodes_that_respond(start_program: Callable[..., Program]) -> None:
-    start_program("python", HERE / "a_lifecycle_node.py").wait_for("ready")
-    parameters = transcript.run("param", "list", "--filter", "use_sim_time", constants=QUICK)
-    assert parameters.text.splitlines() == [
-        "no response from /a_silent_node/list_parameters within 2 s",
-        "/a_node:",
-        "  use_sim_time",
-    ]
-    states = transcript.run("lifecycle", "get", constants=QUICK)
-    assert states.text.splitlines() == [
-        "no response from /a_silent_node/get_state within 2.5 s",
-        "/a_node: unconfigured [1]",
-    ]
-    assert parameters.exit_code == states.exit_code == 0
-
-
-@pytest.mark.usefixtures("silent_node")
+@pytest.mark.usefixtures("silent_node", "quick")
 def test_no_response_gives_an_error_message() -> None:
-    answer = transcript.run("param", "list", constants=QUICK)
+    answer = transcript.run_here("param", "list")
     assert (answer.text, answer.exit_code) == (
         "no response from /a_silent_node/list_parameters within 2 s",
         1,
@@ -59,9 +46,26 @@ def test_no_response_gives_an_error_message() -> None:
 @pytest.mark.skipif(os.name != "posix", reason="needs a pseudo-terminal")
 def test_terminal_gets_a_message_about_the_wait(start_program: Callable[..., Program]) -> None:
     words = ("service", "call", "--timeout", "1.2", "/silence", "std_srvs/srv/Empty")
-    piped = transcript.run(*words).text
+    piped = transcript.run_here(*words).text
     assert "to answer" not in piped
     command = [str(transcript.PROGRAM), *words]
     shown = start_program("python", "-c", f"import pty; pty.spawn({command})")
     shown.wait_for("waiting for a response from /silence")
     shown.wait_for("no response from /silence within 1.2 s")
+
+
+@pytest.mark.usefixtures("silent_node", "quick")
+def test_lists_contain_the_nodes_that_respond(start_program: Callable[..., Program]) -> None:
+    start_program("python", HERE / "a_lifecycle_node.py").wait_for("ready")
+    parameters = transcript.run_here("param", "list", "--filter", "use_sim_time")
+    assert parameters.text.splitlines() == [
+        "no response from /a_silent_node/list_parameters within 2 s",
+        "/a_node:",
+        "  use_sim_time",
+    ]
+    states = transcript.run_here("lifecycle", "get")
+    assert states.text.splitlines() == [
+        "no response from /a_silent_node/get_state within 2.5 s",
+        "/a_node: unconfigured [1]",
+    ]
+    assert parameters.exit_code == states.exit_code == 0

@@ -18,6 +18,7 @@ from typing import Any
 
 import pytest
 
+from tfloom.cli.main import main
 from tfloom.tf2_tools.top.terminal import LEAVE
 
 PATIENCE_S = 20.0
@@ -237,13 +238,11 @@ def test_a_terminal_that_is_closed_ends_the_program(robot: int, terminal: Callab
     assert shown.process.wait(timeout=PATIENCE_S) in {0, 129}
 
 
-def test_without_a_terminal_the_table_is_printed_once(
-    robot: int, start_program: Callable[..., object]
-) -> None:
-    once = start_program("tfloom", "tf", "top", "--follow", "odom", "laser")
-    assert once.wait() == 0  # type: ignore[attr-defined]
-    lines = once.lines  # type: ignore[attr-defined]
+def test_without_a_terminal_the_table_is_printed_once(robot: int, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["tf", "top", "--follow", "odom", "laser"]) == 0
+    output = capsys.readouterr().out
+    lines = output.splitlines()
     assert [line.split()[0] for line in lines[1:3]] == ["FRAME", "odom"]
     assert "└ base" in lines[3]
     assert "translation [m]    x    +0.000  y    +0.000  z    +0.500" in lines[-2]
-    assert "\x1b" not in once.output  # type: ignore[attr-defined]
+    assert "\x1b" not in output
