@@ -11,6 +11,7 @@ from typing import Any
 
 import pytest
 
+from tfloom.node.context.utilities import get_default_context
 from tfloom.tf2_tools import echo, static_publisher, view_frames
 
 GOLDEN = Path(__file__).parents[1] / "golden" / "cli"
@@ -124,16 +125,26 @@ def test_view_frames_matches_the_reference(
     assert (tmp_path / "out.pdf").read_bytes().startswith(b"%PDF-")
 
 
+def view_here(capfd: pytest.CaptureFixture[str], *words: str) -> tuple[int, str]:
+    """Run view_frames in this process, in its current folder; return exit code and output."""
+    context = get_default_context()
+    code = view_frames.main([*words])
+    context.destroy()
+    return code, "".join(capfd.readouterr())
+
+
 def test_view_frames_names_the_publishing_node_in_each_format(
-    domain_id: int, start_program: Callable[..., Any], tmp_path: Path
+    domain_id: int,
+    start_program: Callable[..., Any],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capfd: pytest.CaptureFixture[str],
 ) -> None:
+    monkeypatch.chdir(tmp_path)
     static = start_program(*STATIC, *CAMERA, "--ros-args", "-r", "__node:=calibration")
     static.wait_for("from 'world' to 'camera'")
-    view = start_program(
-        *VIEW_FRAMES, "-t", "1", "-o", "out", "--format", "svg,html", "--format", "json", cwd=tmp_path
-    )
-    assert view.wait() == 0
-    assert view.output.count("Exporting graph in out.") == 3
+    code, text = view_here(capfd, "-t", "1", "-o", "out", "--format", "svg,html", "--format", "json")
+    assert (code, text.count("Exporting graph in out.")) == (0, 3)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["out.html", "out.json", "out.svg"]
     (transform,) = json.loads((tmp_path / "out.json").read_text("utf-8"))["transforms"]
     assert transform["publishers"] == ["/calibration"]
@@ -159,11 +170,11 @@ def test_view_frames_refuses_other_formats_and_a_missing_folder(
 
 
 def test_view_frames_names_its_files_by_the_time(
-    domain_id: int, start_program: Callable[..., Any], tmp_path: Path
+    domain_id: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:
-    view = start_program(*VIEW_FRAMES, "-t", "0.1", cwd=tmp_path)
-    assert view.wait() == 0
-    assert "No tf data received" in view.output
+    monkeypatch.chdir(tmp_path)
+    code, text = view_here(capfd, "-t", "0.1")
+    assert (code, "No tf data received" in text) == (0, True)
     names = sorted(path.name for path in tmp_path.iterdir())
     stamped = re.compile(r"frames_\d{4}-\d\d-\d\d_\d\d\.\d\d\.\d\d\.(gv|pdf)")
     assert names[0] == "frames.pdf"
@@ -173,9 +184,9 @@ def test_view_frames_names_its_files_by_the_time(
 
 
 def test_view_frames_with_an_unwritable_file(
-    domain_id: int, start_program: Callable[..., Any], tmp_path: Path
+    domain_id: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:
+    monkeypatch.chdir(tmp_path)
     (tmp_path / "out.gv").mkdir()
-    view = start_program(*VIEW_FRAMES, "-t", "0", "-o", "out", cwd=tmp_path)
-    assert view.wait() == 1
-    assert f"can't write {tmp_path / 'out.gv'}: Is a directory" in view.output
+    code, text = view_here(capfd, "-t", "0", "-o", "out")
+    assert (code, f"can't write {tmp_path / 'out.gv'}: Is a directory" in text) == (1, True)
