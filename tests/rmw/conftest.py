@@ -6,7 +6,7 @@ import json
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from importlib import import_module
 from itertools import count
 from pathlib import Path
@@ -67,6 +67,39 @@ def ask(program: Program, *words: object, answer: str = "") -> list[str]:
 
     wait_until(answers)
     return answers()[0]
+
+
+_FORK_FOR_EACH_END = """
+import os
+for end in ENDS:
+    child = os.fork()
+    if not child:
+        exec(PROGRAM + end)
+        break
+    print("ended", os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), flush=True)
+"""
+
+
+def outputs_by_end(
+    start_program: Callable[..., Program], imports: str, program: str, ends: Iterable[str]
+) -> list[tuple[int, list[str]]]:
+    """Run a program with each of these last lines, and return its exit codes, and the lines that it printed.
+
+    Each is a fork of a process that has done the imports, which take longer than the rest.
+    """
+    code = f"{imports}\nPROGRAM, ENDS = {program!r}, {list(ends)!r}\n{_FORK_FOR_EACH_END}"
+    # From 3.12 on Python warns about a fork with other threads, as numpy's are.
+    forking = start_program("python", "-W", "ignore::DeprecationWarning", "-c", code)
+    assert forking.wait() == 0, forking.output
+    outputs: list[tuple[int, list[str]]] = []
+    printed: list[str] = []
+    for line in forking.lines:
+        if line.startswith("ended "):
+            outputs.append((int(line.split()[1]), printed))
+            printed = []
+        else:
+            printed.append(line)
+    return outputs
 
 
 @pytest.fixture

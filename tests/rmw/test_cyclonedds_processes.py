@@ -8,12 +8,14 @@ import threading
 import time
 
 import pytest
+from tests.rmw.conftest import outputs_by_end
 
 from tfloom._native import ReadyQueue, SampleQueue
 from tfloom.rmw.base import NodeName
 from tfloom.rmw.cyclonedds import open_participant
 from tfloom.rmw.qos import DurabilityPolicy, QoS, ReliabilityPolicy
 
+needs_fork = pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork")
 DATA = b"\0\1\0\0data"
 STRESS_S = 0.5
 
@@ -142,12 +144,15 @@ def test_idle_process_uses_no_cpu_time(participant, start_peer, node, topic, wai
     assert peer("cpu_s", 2.0) < 0.02
 
 
-LEAVES_WITHOUT_A_WORD = """
-import sys
+IMPORTS = """
+import gc, sys
 from tfloom._native import ReadyQueue, SampleQueue
+from tfloom.rmw import cyclonedds
 from tfloom.rmw.backends import open_participant
 from tfloom.rmw.base import NodeName, Topic
 from tfloom.rmw.qos import QoS
+"""
+LEAVES_WITHOUT_A_WORD = """
 participant = open_participant()
 node, topic = NodeName("/", "n"), Topic("/chatter", "std_msgs/msg/String", "")
 participant.add_node(node)
@@ -162,24 +167,22 @@ for _ in range(100):
 """
 
 
-@pytest.mark.parametrize(
-    ("last_line", "code"),
-    [
-        ("", 0),
-        ("sys.exit(3)", 3),
-        ("del participant, ends", 0),
-        ("raise KeyboardInterrupt", -signal.SIGINT),
-        (
-            "import gc; ends[0].me = ends; participant.me = participant; del ends, participant; gc.collect()",
-            0,
-        ),
-    ],
-    ids=["falls off the end", "exits", "deletes all", "is interrupted", "collects garbage"],
-)
-def test_a_process_that_closes_nothing_ends(domain_id, start_program, last_line: str, code: int) -> None:
-    program = start_program("python", "-c", LEAVES_WITHOUT_A_WORD + last_line)
-    assert program.wait() == code
-    assert program.lines[-1:] == ([] if code >= 0 else ["KeyboardInterrupt"])
+ENDS = {
+    "pass": 0,
+    "sys.exit(3)": 3,
+    "del participant, ends": 0,
+    "raise KeyboardInterrupt": -signal.SIGINT,
+    "ends[0].me = ends; participant.me = participant; del ends, participant; gc.collect()": 0,
+}
+"""The last line of a process, and its exit code."""
+
+
+@needs_fork
+def test_a_process_that_closes_nothing_ends(domain_id, start_program) -> None:
+    outputs = outputs_by_end(start_program, IMPORTS, LEAVES_WITHOUT_A_WORD, ENDS)
+    assert [(code, lines[-1:]) for code, lines in outputs] == [
+        (code, [] if code >= 0 else ["KeyboardInterrupt"]) for code in ENDS.values()
+    ]
 
 
 FORKS = """
@@ -197,9 +200,11 @@ participant.close()
 """
 
 
-@pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork")
+@needs_fork
 def test_forked_child_ends_without_effect_on_its_parent(domain_id, start_program) -> None:
     # From 3.12 on Python warns about a fork with other threads, which is tested here.
-    program = start_program("python", "-W", "ignore::DeprecationWarning", "-c", LEAVES_WITHOUT_A_WORD + FORKS)
+    program = start_program(
+        "python", "-W", "ignore::DeprecationWarning", "-c", IMPORTS + LEAVES_WITHOUT_A_WORD + FORKS
+    )
     assert program.wait() == 0
     assert program.output == "child 7"

@@ -23,7 +23,7 @@ keep = AtTheVeryEnd()
 """
 
 
-@pytest.mark.parametrize("turn", range(3))
+@pytest.mark.parametrize("turn", range(2))
 def test_a_waiting_daemon_thread_does_not_abort_the_process(start_program, turn: int) -> None:
     program = start_program("python", "-c", WAITS_AT_THE_END)
     assert program.wait() == 0, program.output
@@ -35,7 +35,7 @@ FORKS = (
     + """
 import os, sys, time
 time.sleep(0.1)  # so that some of the threads wait for the GIL
-for _ in range(20):
+for _ in range(8):
     child = os.fork()
     if child == 0:
         sys.exit(0)
@@ -131,7 +131,7 @@ def test_a_participant_is_freed_by_a_callback(domain_id: int, start_program) -> 
     assert program.lines == ["freed"]
 
 
-@pytest.mark.parametrize("turn", range(3))
+@pytest.mark.parametrize("turn", range(2))
 def test_the_interpreter_ends_while_callbacks_run(domain_id: int, start_program, turn: int) -> None:
     program = start_program("python", "-c", WITH_A_FEEDER + ENDS_DURING_CALLBACKS)
     assert program.wait() == 0, program.output

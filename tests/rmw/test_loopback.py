@@ -110,7 +110,7 @@ def test_other_sockets_of_the_process_stay_as_they_are(domain_id: int) -> None:
         of_tcp.bind(("", first + 100))
         thread.start()
         try:
-            for _ in range(20):
+            for _ in range(8):
                 participant = cyclonedds.CycloneParticipant(domain_id, "/")
                 assert sockets_of(domain_id)[first] == "lo"
                 participant.close()

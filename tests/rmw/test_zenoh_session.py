@@ -17,7 +17,7 @@ from typing import Any
 
 import pytest
 from tests.conftest import Program, run_to_end, wait_until
-from tests.rmw.conftest import ask, tell
+from tests.rmw.conftest import ask, outputs_by_end, tell
 from tests.zenoh_ports import hold_zenoh_port
 
 from tfloom.cli import health
@@ -32,6 +32,7 @@ from tfloom.rmw.zenoh_session import ZenohSession, open_session
 
 zenoh = pytest.importorskip("zenoh", reason="eclipse-zenoh is not installed: pip install 'tfloom[zenoh]'")
 
+needs_fork = pytest.mark.skipif(not hasattr(os, "fork"), reason="this system has no fork")
 MEMBER = Path(__file__).parent / "programs" / "zenoh_member.py"
 STOCK = """{
   // What a stock node has: rmw_zenoh's defaults, which seek a router and gossip to routers alone.
@@ -483,7 +484,7 @@ def test_takeover_survives_an_error(monkeypatch: pytest.MonkeyPatch, start: Call
     opened.close()
 
 
-@pytest.mark.skipif(not hasattr(os, "fork"), reason="this system has no fork")
+@needs_fork
 def test_a_forked_child_is_refused_and_ends() -> None:
     code = """
 import os, sys
@@ -520,13 +521,15 @@ ENDS = [
 """The last lines of a program, and its exit code."""
 
 
-NEVER_CLOSES = """
+IMPORTS = """
 import signal, sys, threading, time
 from contextlib import suppress
 import zenoh
 from tfloom.rmw.errors import ClosedError
 from tfloom.rmw.zenoh_config import meeting_point_configuration
 from tfloom.rmw.zenoh_session import ZenohSession, open_session
+"""
+NEVER_CLOSES = """
 opened = open_session()
 kept = opened.session.declare_subscriber("test/**", zenoh.handlers.Callback(lambda sample: None, indirect=False))
 def flood():
@@ -537,15 +540,17 @@ def flood():
 """
 
 
+@needs_fork
 @pytest.mark.parametrize("role", ["owner", "guest"])
-def test_a_program_that_never_closes_ends(role: str, start: Callable[..., Program]) -> None:
+def test_a_program_that_never_closes_ends(
+    role: str, start: Callable[..., Program], start_program: Callable[..., Program]
+) -> None:
     if role == "guest":
         start("owner", "tick")
-    for body, expected in ENDS:
-        done = run_to_end([sys.executable, "-c", NEVER_CLOSES + body])
-        is_interrupted = "SIGINT" in body and done.returncode == -signal.SIGINT
-        assert done.returncode == expected or is_interrupted, done.stderr
-        assert "panicked" not in done.stderr
+    outputs = outputs_by_end(start_program, IMPORTS, NEVER_CLOSES, [end for end, _ in ENDS])
+    for (code, lines), (end, expected) in zip(outputs, ENDS, strict=True):
+        assert code == expected or ("SIGINT" in end and code == -signal.SIGINT), lines
+        assert "panicked" not in "".join(lines)
 
 
 @pytest.mark.parametrize("role", ["owner", "guest"])

@@ -16,7 +16,7 @@ from typing import Any
 
 import pytest
 from tests.conftest import Program, wait_until
-from tests.rmw.conftest import Peer
+from tests.rmw.conftest import Peer, outputs_by_end
 from tests.zenoh_ports import use_port_of
 
 from tfloom._native import ReadyQueue, SampleQueue
@@ -936,12 +936,15 @@ def test_samples_and_the_graph_come_back_after_a_routers_death(
         participant.close()
 
 
-END = """
+IMPORTS = """
 import sys, threading, time
-import rclpy
+import rclpy, zenoh
 from rclpy.node import Node
 from example_interfaces.srv import AddTwoInts
 from std_msgs.msg import String
+from tfloom.rmw import zenoh_wire
+"""
+NODE_THAT_HEARS = """
 rclpy.init(args=[])
 node = Node("ends")
 heard = []
@@ -955,29 +958,26 @@ print("ready", flush=True)
 """
 
 
-@pytest.mark.parametrize(
-    ("end", "code", "text"),
-    [
-        ("raise KeyError('main')", 1, "KeyError: 'main'"),
-        ("threading.Thread(target=rclpy.spin, args=(node,), daemon=True).start(); sys.exit(4)", 4, ""),
-        ("sys.exit(5)", 5, ""),
-        ("node.destroy_node(); rclpy.shutdown(); sys.exit(6)", 6, ""),
-        (
-            "threading.Timer(0.2, lambda: [publisher.publish(String()) for _ in range(5000)]).start(); sys.exit(7)",
-            7,
-            "",
-        ),
-    ],
-    ids=["exception", "daemon spins", "exit", "shut down", "thread writes"],
-)
-def test_a_program_ends_without_a_hang(
-    end: str, code: int, text: str, domain_id: int, start_program: Callable[..., Program]
-) -> None:
-    program = start_program("python", "-c", f"{END}\n{end}")
-    assert program.wait() == code, program.output
-    assert text in program.output
-    assert "panicked" not in program.output
-    assert "FATAL" not in program.output
+ENDS = {
+    "raise KeyError('main')": (1, "KeyError: 'main'"),
+    "threading.Thread(target=rclpy.spin, args=(node,), daemon=True).start(); sys.exit(4)": (4, "ready"),
+    "sys.exit(5)": (5, "ready"),
+    "node.destroy_node(); rclpy.shutdown(); sys.exit(6)": (6, "ready"),
+    "threading.Timer(0.2, lambda: [publisher.publish(String()) for _ in range(5000)]).start(); sys.exit(7)": (
+        7,
+        "ready",
+    ),
+}
+"""The last line of a program, and its exit code and the last line that it prints."""
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork")
+def test_a_program_ends_without_a_hang(domain_id: int, start_program: Callable[..., Program]) -> None:
+    outputs = outputs_by_end(start_program, IMPORTS, NODE_THAT_HEARS, ENDS)
+    assert [(code, lines[-1]) for code, lines in outputs] == list(ENDS.values()), outputs
+    printed = "".join(line for _, lines in outputs for line in lines)
+    assert "panicked" not in printed
+    assert "FATAL" not in printed
 
 
 def test_ctrl_c_ends_a_call(domain_id: int, start_program: Callable[..., Program]) -> None:
@@ -994,7 +994,7 @@ def test_ctrl_c_ends_a_call(domain_id: int, start_program: Callable[..., Program
     program = start_program(
         "python",
         "-c",
-        f"{END}\nthreading.Thread(target=rclpy.spin, args=(node,), daemon=True).start()\n"
+        f"{IMPORTS}{NODE_THAT_HEARS}\nthreading.Thread(target=rclpy.spin, args=(node,), daemon=True).start()\n"
         "client.wait_for_service(20)\nclient.call(AddTwoInts.Request())",
     )
     slow.wait_for("asked")
