@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import os
 import re
 import signal
@@ -15,7 +16,8 @@ import pytest
 from PIL import Image
 from tests.conftest import python_with
 
-from tfloom.cli.demo import describe_end, describe_wire
+from tfloom.cli.demo import NOBODY_WATCHES, UNWATCHED_S, describe_end, describe_wire
+from tfloom.cli.main import main
 from tfloom.demos.show import Show, ShowError
 from tfloom.demos.threads import WINDOWLESS_PROGRAMS, ThreadProgram, thread_starter
 from tfloom.node.context.utilities import get_default_context
@@ -49,13 +51,13 @@ def without_library(monkeypatch: pytest.MonkeyPatch) -> dict[str, object]:
 def test_demonstration_prints_draws_and_ends(
     start_program: Start, tmp_path: Path, without_library: dict[str, object]
 ) -> None:
+    constants = without_library | {"tfloom.cli.demo.UNWATCHED_S": 0.5}
     run = "from tfloom.cli.main import main; sys.exit(main())"
-    command = python_with(without_library, run, "demo", "--seconds", "1")
-    demo = start_program(sys.executable, *command, cwd=tmp_path)
+    demo = start_program(sys.executable, *python_with(constants, run, "demo"), cwd=tmp_path)
     assert demo.wait(60.0) == 0, demo.output
     assert MISSING.fullmatch(demo.lines[3])
     assert "ROS_DOMAIN_ID" not in demo.output
-    assert demo.lines[2] == "It ends after 1 s."
+    assert demo.lines[2] == "It has no terminal, so it ends after 0.5 s, or after --seconds N."
     drawn = demo.lines.index(f"The tree of frames is drawn in {tmp_path / 'frames.pdf'}")
     assert demo.lines[drawn + 1] == f"The turtles, drawn anew each second, are in {tmp_path / 'turtles.png'}"
     assert demo.lines[-1] == f"The picture of the turtles is in {tmp_path / 'turtles.png'}"
@@ -97,13 +99,16 @@ def test_signal_ends_the_process(
     assert "Traceback" not in demo.output
 
 
-def test_failing_program_is_named(start_program: Start, tmp_path: Path, local: None) -> None:
+def test_failing_program_is_named(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], local: None
+) -> None:
+    monkeypatch.chdir(tmp_path)
     (tmp_path / "frames.pdf").mkdir()
-    demo = start_program("tfloom", "demo", cwd=tmp_path)
-    assert demo.wait(60.0) == 1
-    assert "view_frames ended unexpectedly with exit code 1" in demo.lines
-    assert re.search(r"\[view_frames\]: can't write .*frames.pdf: Is a directory", demo.output)
-    assert "Traceback" not in demo.output
+    assert main(["demo"]) == 1
+    error = capsys.readouterr().err
+    assert "view_frames ended unexpectedly with exit code 1\n" in error
+    assert re.search(r"\[view_frames\]: can't write .*frames.pdf: Is a directory", error)
+    assert "Traceback" not in error
 
 
 def test_exception_in_a_program_is_printed_with_its_name(
@@ -180,44 +185,30 @@ def test_program_ends_if_requested_before_its_start(tmp_path: Path, monkeypatch:
     assert program.exit_code() == 7
 
 
-@pytest.mark.parametrize("is_terminal", [True, False])
-def test_end_without_a_terminal_comes_by_itself(
-    start_program: Start, tmp_path: Path, local: None, is_terminal: bool
-) -> None:
-    """With one it comes at Ctrl-C, and the first lines say so either way."""
-    streams = (
-        "import pty; pty.spawn([sys.executable, '-c', sys.argv[1]])" if is_terminal else "exec(sys.argv[1])"
-    )
-    shown = python_with(
-        {"tfloom.cli.demo.UNWATCHED_S": 0.5}, "from tfloom.cli.main import main; sys.exit(main(['demo']))"
-    )
-    demo = start_program(sys.executable, "-c", f"import sys; {streams}", shown[1], cwd=tmp_path)
-    if not is_terminal:
-        assert demo.wait(60.0) == 0
-        assert demo.lines[2] == "It has no terminal, so it ends after 0.5 s, or after --seconds N."
-        return
-    demo.wait_for("drawn anew each second")
-    assert demo.output.splitlines()[2].strip() == "Ctrl-C ends the demonstration."
-    assert demo.process.poll() is None
+class Terminal(io.StringIO):
+    def isatty(self) -> bool:
+        return True
 
 
 @pytest.mark.parametrize(
-    ("requested_s", "opens_page", "expected"),
+    ("requested_s", "opens_page", "stream", "expected"),
     [
-        (4.5, False, (4.5, "It ends after 4.5 s.")),
-        (None, True, (None, "Ctrl-C ends the demonstration.")),
+        (4.5, False, Terminal(), (4.5, "It ends after 4.5 s.")),
+        (None, False, Terminal(), (None, "Ctrl-C ends the demonstration.")),
+        (None, True, None, (None, "Ctrl-C ends the demonstration.")),
+        (None, False, None, (UNWATCHED_S, NOBODY_WATCHES.format(seconds=UNWATCHED_S))),
     ],
 )
 def test_end_is_as_requested(
     monkeypatch: pytest.MonkeyPatch,
     requested_s: float | None,
     opens_page: bool,
+    stream: Terminal | None,
     expected: tuple[float | None, str],
 ) -> None:
-    for name in ("stdin", "stdout"):
-        monkeypatch.setattr(sys, name, None)  # as for a program without a console
+    monkeypatch.setattr(sys, "stdin", stream)
+    monkeypatch.setattr(sys, "stdout", None)  # as for a program without a console
     assert describe_end(requested_s, opens_page=opens_page) == expected
-    assert describe_end(None, opens_page=False)[0] is not None
 
 
 def test_processes_are_used_if_the_library_is_installed(monkeypatch: pytest.MonkeyPatch) -> None:
