@@ -1,17 +1,23 @@
-"""The tutorial with tfloom's programs: keys, turtlesim, broadcaster, tf2_echo, each a process, over DDS."""
+"""Keys, turtlesim, a broadcaster, tfloom's or an example's, and tf2_echo: each a process, over DDS."""
 
 from __future__ import annotations
 
+import math
 import os
 import pty
 import re
+import shutil
 import signal
 import time
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.conftest import COLCON_PYTHON
+from tests.workspace.conftest import BIN, colcon
 
+EXAMPLES = Path(__file__).parents[2] / "examples"
 BROADCASTER = "tfloom.demos.turtle_tf2_py.turtle_tf2_broadcaster"
 PROGRAMS = {
     "turtlesim": ("tfloom", "run", "turtlesim", "turtlesim_node", "--headless"),
@@ -39,10 +45,10 @@ class Echo:
         last = self.last()
         return float(last[part]) if last else 0.0
 
-
-def matrix(block: re.Match[str]) -> list[list[float]]:
-    """Return the first three rows of a printed matrix."""
-    return [[float(cell) for cell in row.split()] for row in block["matrix"].splitlines()]
+    def rows(self) -> list[list[float]]:
+        """Return the first three rows of its matrix; none before the first one."""
+        last = self.last()
+        return [[float(cell) for cell in row.split()] for row in last["matrix"].splitlines()] if last else []
 
 
 @pytest.fixture
@@ -52,6 +58,16 @@ def start(domain_id: int, start_program: Callable[..., Any]) -> Iterator[Callabl
     yield lambda name: start_program(*PROGRAMS[name], stdin=read)
     os.close(read)
     os.close(write)
+
+
+@pytest.fixture
+def built_broadcaster(tmp_path: Path) -> list[str]:
+    """Build the example package in a workspace, and return the command that sources it and starts its program."""
+    shutil.copytree(EXAMPLES / "turtle_frames", tmp_path / "src" / "turtle_frames")
+    built = colcon(tmp_path, "build", "--packages-select", "turtle_frames")
+    assert built.code == 0, built.output
+    script = tmp_path / "install" / "setup.bash"
+    return ["bash", "-c", f"source '{script}' && exec '{BIN / 'ros2'}' run turtle_frames broadcaster"]
 
 
 @pytest.fixture
@@ -68,32 +84,35 @@ def test_frame_follows_the_keys(
     start_program: Callable[..., Any],
     wait_until: Callable[..., None],
     terminal: tuple[int, int],
+    built_broadcaster: list[str],
 ) -> None:
     ours, theirs = terminal
     teleop = start_program("tfloom", "run", "turtlesim", "turtle_teleop_key", stdin=theirs)
     teleop.wait_for("'Q' to quit.")
     start("turtlesim")
-    start("broadcaster")
+    broadcaster = start_program(*built_broadcaster, env=os.environ | COLCON_PYTHON)
+    broadcaster.wait_for("[broadcaster]: Broadcasting world to turtle1")
     echo = Echo(start("echo"))
     wait_until(lambda: echo.number("x") == 5.544)
+    poses = start_program("tfloom", "topic", "echo", "--csv", "/turtle1/pose")
 
-    def until(key: bytes, is_there: Callable[[list[list[float]]], bool]) -> list[list[float]]:
-        """Press a key until the frame is where it shall be, and return the first rows of its matrix."""
+    def press_until(key: bytes, is_there: Callable[[list[list[float]]], bool]) -> None:
+        wait_until(lambda: os.write(ours, key) and is_there(echo.rows()))
 
-        def rows() -> list[list[float]]:
-            last = echo.last()
-            assert last is not None
-            assert [row[3] for row in matrix(last)] == [float(last["x"]), float(last["y"]), 0.0]
-            return matrix(last)
-
-        wait_until(lambda: os.write(ours, key) and is_there(rows()))
-        return rows()
-
-    moved = until(b"\x1b[A", lambda rows: rows[0][3] > 6.0)
-    assert [row[:3] for row in moved] == [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
-    until(b"\x1b[D", lambda rows: rows[1][0] > 0.1)
+    press_until(b"\x1b[A", lambda rows: rows[0][3] > 6.0)
+    assert [row[:3] for row in echo.rows()] == [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+    press_until(b"\x1b[D", lambda rows: rows[1][0] > 0.1)
     os.write(ours, b"q")
     assert teleop.wait() == 0
+    wait_until(lambda: poses.lines[-1].endswith(",0.0,0.0"), what="the turtle to stand")
+    x, y, theta, *_ = (float(value) for value in poses.lines[-1].split(","))
+    sine, cosine = math.sin(theta), math.cos(theta)
+    standing = [[cosine, -sine, 0.0, x], [sine, cosine, 0.0, y], [0.0, 0.0, 1.0, 0.0]]
+    wait_until(lambda: echo.rows() == [pytest.approx(row, abs=0.0006) for row in standing])
+    assert echo.number("x") == pytest.approx(x, abs=0.0006)
+    broadcaster.signal(signal.SIGINT)
+    broadcaster.wait()
+    assert "Traceback" not in broadcaster.output
 
 
 def test_each_program_can_be_killed_and_restarted(
