@@ -5,12 +5,14 @@ from __future__ import annotations
 import signal
 import subprocess
 import threading
+import time
 from collections.abc import Callable
 from typing import Any
 
 import pytest
 from tests.conftest import Program, wait_until
 from tests.node.wire.conftest import PROGRAMS
+from tests.zenoh_ports import NEEDS_ZENOH
 
 from tfloom.interfaces.example_interfaces.srv import AddTwoInts
 from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
@@ -18,7 +20,7 @@ from tfloom.node.endpoints.client import NoResponseError
 from tfloom.node.endpoints.service_introspection import ServiceIntrospectionState
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
-from tfloom.node.qos.qos import QoSProfile
+from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
 from tfloom.rmw import cyclone_services
 from tfloom.rmw.errors import ForeignPeerError
 
@@ -188,3 +190,19 @@ def test_server_of_another_vendor_is_not_called_with_one_log_line(
     assert adding.wait_for_service(timeout_sec=20)
     assert finish(adding.call_async(AddTwoInts.Request(a=1, b=1))).sum == 2
     assert "hanging" not in server.output  # no part of the rejected call was sent before
+
+
+@pytest.mark.parametrize("local_wire", [pytest.param("rmw_zenoh_cpp", marks=NEEDS_ZENOH)], indirect=True)
+def test_publisher_ends_at_once_while_a_client_hears_that_its_server_has_ended(node: Node) -> None:
+    """Zenoh ends a publisher with a heartbeat without releasing the GIL, for which the client's news may wait."""
+    kept = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+    for _ in range(30):
+        client = node.create_client(AddTwoInts, "add")
+        service = node.create_service(AddTwoInts, "add", lambda _, response: response)
+        publisher = node.create_publisher(AddTwoInts.Event, "kept", kept)
+        assert client.wait_for_service(timeout_sec=20)
+        begun_s = time.monotonic()
+        node.destroy_service(service)
+        node.destroy_publisher(publisher)
+        assert time.monotonic() - begun_s < 5.0
+        node.destroy_client(client)
