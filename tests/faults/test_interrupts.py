@@ -19,15 +19,16 @@ FOLDER = str(Path(tfloom.node.__file__).parent)
 
 
 class Interrupt:
-    """Raises KeyboardInterrupt at the call with a number, of those of functions in `FOLDER`.
+    """Raises KeyboardInterrupt at the call with a number, from 1, of those of functions in `FOLDER`; 0 is none.
 
     Python runs handlers of signals there. A trace of lines would raise at places where no handler runs, as between the
     block of a `with` and its `__exit__`, and leave locks locked.
     """
 
-    def __init__(self, number: int) -> None:
-        self.left = number
-        self.place = ""
+    def __init__(self, number: int = 0) -> None:
+        self.number = number
+        self.places: list[tuple[object, ...]] = []
+        """Which function is called, and where, of each call so far."""
 
     def trace(self, frame: FrameType, event: str, _argument: object) -> None:
         """Trace a frame; see sys.settrace."""
@@ -36,11 +37,28 @@ class Interrupt:
         ):  # its end is a call, too, whose exception is printed and dropped
             return
         if event == "call" and frame.f_code.co_filename.startswith(FOLDER):
-            self.left -= 1
-            if self.left == 0:
+            caller = frame.f_back
+            assert caller is not None
+            self.places.append((frame.f_code, caller.f_code, caller.f_lineno))
+            if len(self.places) == self.number:
                 sys.settrace(None)
-                self.place = f"{frame.f_code.co_filename}:{frame.f_lineno}"
                 raise KeyboardInterrupt
+
+
+def interrupted(interrupt: Interrupt, context: Context) -> str:
+    """Make a node; return what was wrong with the end of that, or nothing."""
+    before = sys.gettrace()
+    sys.settrace(interrupt.trace)
+    try:
+        node = Node("interrupted", context=context)
+    except KeyboardInterrupt as error:
+        return f"{interrupt.places[-1]}: {error.__context__!r}" if error.__context__ is not None else ""
+    except Exception as error:  # noqa: BLE001 - each is one too many
+        return f"{interrupt.places[-1]}: {error!r}"
+    finally:
+        sys.settrace(before)
+    node.destroy_node()
+    return "it was not interrupted" if interrupt.number else ""
 
 
 @pytest.fixture
@@ -54,26 +72,13 @@ def _garbage_is_kept() -> Iterator[None]:
 
 @pytest.mark.usefixtures("_garbage_is_kept")
 def test_ctrl_c_at_each_call_of_a_new_node(local_context: Context) -> None:
+    """A call that is made again at the same place, as for each service, is interrupted the first and the last time."""
     Node("warm_up", context=local_context).destroy_node()
-    wrong = []
-    number = 0
-    while True:
-        number += 1
-        interrupt = Interrupt(number)
-        before = sys.gettrace()
-        sys.settrace(interrupt.trace)
-        node = None
-        try:
-            node = Node("interrupted", context=local_context)
-        except KeyboardInterrupt as error:
-            if error.__context__ is not None:
-                wrong.append(f"{interrupt.place}: {error.__context__!r}")
-        except Exception as error:  # noqa: BLE001 - each is one too many
-            wrong.append(f"{interrupt.place}: {error!r}")
-        finally:
-            sys.settrace(before)
-        if node is not None:
-            node.destroy_node()
-            break
-    assert not wrong, "\n".join(wrong)
-    assert number > 50
+    undisturbed = Interrupt()
+    assert not interrupted(undisturbed, local_context)
+    numbers = list(range(1, len(undisturbed.places) + 1))
+    last = dict(zip(undisturbed.places, numbers, strict=True))
+    first = dict(zip(reversed(undisturbed.places), reversed(numbers), strict=True))
+    wrong = [interrupted(Interrupt(number), local_context) for number in (*first.values(), *last.values())]
+    assert not any(wrong), "\n".join(filter(None, wrong))
+    assert len(wrong) > 50
