@@ -344,14 +344,14 @@ def test_servers_and_clients_that_are_killed_leave_no_descriptor_and_no_thread(
     short_lease: float, start: Start, node: Node
 ) -> None:
     """What the first round leaves is what the library keeps for good."""
-
     end_servers(kill, start, node)
-    sockets, threads = number_of_sockets(), threads_of_node()
+    # Zenoh's wire starts this one, for good, when a server first leaves a request unanswered.
+    sockets, threads = number_of_sockets(), {*threads_of_node(), "tfloom_zenoh_timers"}
     for _ in range(4):
         end_servers(kill, start, node)
         # The socket of a process that was killed last is closed as soon as the wire has seen its end.
         wait_until(lambda: number_of_sockets() <= sockets, what=f"no more than {sockets} sockets")
-        assert threads_of_node() == threads
+        assert threads_of_node() <= threads
 
 
 def number_of_sockets() -> int:
@@ -359,13 +359,8 @@ def number_of_sockets() -> int:
     return sum(connection.fd >= 0 for connection in psutil.Process().net_connections())
 
 
-def threads_of_node() -> list[str]:
-    """Return the names of this process's threads, without the test's own, which read the output of its programs.
-
-    Python lists a thread that it has not started, as one of pytest-xdist, from when that thread first asks for itself.
-    """
-    return sorted(
-        thread.name
-        for thread in threading.enumerate()
-        if "_read" not in thread.name and not isinstance(thread, threading._DummyThread)
-    )
+def threads_of_node() -> set[str]:
+    """Return the names of this process's threads, without the test's own, which read the output of its programs."""
+    names = [thread.name for thread in threading.enumerate() if "_read" not in thread.name]
+    assert len(set(names)) == len(names), names
+    return set(names)

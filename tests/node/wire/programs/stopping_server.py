@@ -34,7 +34,7 @@ class Server:
 
     def stop_at(self, step):
         if step == self.step:
-            print(f"at {step}", flush=True)
+            print(f"at {step}\n", end="", flush=True)  # the line as a whole, because other threads print, too
             while rclpy.ok():
                 time.sleep(0.01)
 
