@@ -80,6 +80,7 @@ def imports_of_file(path: Path, source: Path) -> Iterator[Import]:
 
 
 def _import_statements(node: ast.AST, kind: Kind) -> Iterator[tuple[ast.Import | ast.ImportFrom, Kind]]:
+    """Yield the imports of a statement and those in it, without a look at expressions, which have none."""
     if isinstance(node, (ast.Import, ast.ImportFrom)):
         yield node, kind
         return
@@ -91,8 +92,9 @@ def _import_statements(node: ast.AST, kind: Kind) -> Iterator[tuple[ast.Import |
         for child in node.orelse:
             yield from _import_statements(child, kind)
         return
-    for child in ast.iter_child_nodes(node):
-        yield from _import_statements(child, kind)
+    for block in ("body", "handlers", "orelse", "finalbody", "cases"):
+        for child in getattr(node, block, ()):
+            yield from _import_statements(child, kind)
 
 
 def imports_of_package(package: Path) -> list[Import]:

@@ -192,7 +192,7 @@ def _users_functions(files: dict[str, _File]) -> dict[str, set[str]]:
     """Return for each file, without its ending, the names of variables and members that hold a std::function."""
     aliases = {name for file in files.values() for name in _ALIAS.findall(file.text)}
     types = "|".join([r"std::function<[^;{]*?\)>", *(rf"(?:\w+::)*{alias}\b" for alias in sorted(aliases))])
-    declared = re.compile(rf"({types})[>&\s]*\s(\w+)\s*(?=[;,){{=])")
+    declared = re.compile(rf"\b({types})[>&\s]*\s(\w+)\s*(?=[;,){{=])")
     names: dict[str, set[str]] = {}
     for name, file in files.items():
         # Parameters of templates, which are of any type, and types of the file's own.

@@ -188,8 +188,15 @@ class Generator:
         return {*self._table, *inner} - {""}
 
     def _submodules(self, module: str) -> list[str]:
-        names = (other.rpartition(".") for other in self._facades)
-        return sorted(name for parent, _, name in names if parent == module and not name.startswith("_"))
+        return sorted(name for name in self._children.get(module, ()) if not name.startswith("_"))
+
+    @cached_property
+    def _children(self) -> dict[str, list[str]]:
+        children: dict[str, list[str]] = {}
+        for module in self._facades:
+            parent, _, name = module.rpartition(".")
+            children.setdefault(parent, []).append(name)
+        return children
 
 
 def _top_package(module: str) -> str:
