@@ -69,7 +69,7 @@ def test_results_equal_those_of_the_oracle(operations: list, target: str, source
     assert np.linalg.norm(answer.rotation_xyzw) == pytest.approx(1, abs=1e-12)
 
 
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=25, deadline=None)
 @given(
     st.lists(inserts, min_size=1, max_size=60),
     st.lists(st.tuples(st.sampled_from(FRAMES), st.sampled_from(FRAMES), queries), max_size=20),
@@ -89,7 +89,7 @@ def test_frozen_equals_live(operations: list, questions: list[tuple[str, str, in
     assert mapped.all_frames_as_yaml() == live.all_frames_as_yaml()
 
 
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=25, deadline=None)
 @given(
     st.lists(inserts, min_size=1, max_size=60),
     st.sampled_from(FRAMES),
@@ -128,7 +128,7 @@ def trees(draw: st.DrawFn) -> Buffer:
 within = st.integers(100 * SECOND, 110 * SECOND)
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=30, deadline=None)
 @given(trees(), st.permutations(FRAMES), within)
 def test_lookups_compose(buffer: Buffer, order: list[str], stamp: int) -> None:
     a, b, c = order[:3]
@@ -139,7 +139,7 @@ def test_lookups_compose(buffer: Buffer, order: list[str], stamp: int) -> None:
     assert np.allclose(a_from_b @ b_from_a, np.eye(4), rtol=1e-9, atol=1e-9 * 700)
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=30, deadline=None)
 @given(trees(), st.permutations(FRAMES), within, within)
 def test_full_lookup_uses_the_fixed_frame(
     buffer: Buffer, order: list[str], target_stamp: int, source_stamp: int
@@ -152,7 +152,7 @@ def test_full_lookup_uses_the_fixed_frame(
     assert np.allclose(as_matrix(full), target_from_fixed @ fixed_from_source, rtol=1e-9, atol=1e-9 * 700)
 
 
-@pytest.mark.parametrize("seed", range(5))
+@pytest.mark.parametrize("seed", range(2))
 def test_a_long_history_in_any_order(seed: int) -> None:
     """Thousands of samples, shuffled: blocks split, fill up and are pruned."""
     random = np.random.default_rng(seed)
@@ -176,7 +176,7 @@ def test_a_long_history_in_any_order(seed: int) -> None:
 
 def test_stored_rotations_have_length_one_and_the_sign_of_their_matrix() -> None:
     random = np.random.default_rng(8)
-    for _ in range(3000):
+    for _ in range(1000):
         q = random.normal(size=4)
         q /= np.linalg.norm(q)
         length = 1 + random.choice([0.0, 1e-12, 4.9e-9, -4.9e-9, 5.1e-9, 1e-6, 1e-3]) * random.random()
