@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import gzip
 import json
+import re
 from collections.abc import Iterator
-from fnmatch import fnmatchcase
+from fnmatch import fnmatchcase, translate
 from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -136,12 +137,23 @@ def reason_for(name: Name, reasons: dict[str, str]) -> str | None:
     """Return the reason why a name is missing or differs; None if it does neither."""
     if is_only_imported(name):
         return ONLY_IMPORTED
+    if not _any_pattern().match(name.full):
+        return None
     return next((reason for pattern, reason in reasons.items() if is_of(name, pattern)), None)
+
+
+@cache
+def _any_pattern() -> re.Pattern[str]:
+    """Return an expression for what a pattern of `missing.txt` may match, because most names are matched by none."""
+    patterns = [pattern.removesuffix("()") for pattern in missing()]
+    return re.compile("|".join(translate(name) for pattern in patterns for name in (pattern, f"{pattern}.*")))
 
 
 def is_missing(full: str) -> bool:
     """Return whether `missing.txt` names a name of a module; one that is there and differs isn't missing."""
-    return any(not pattern.endswith("()") and fnmatchcase(full, pattern) for pattern in missing())
+    return _any_pattern().match(full) is not None and any(
+        not pattern.endswith("()") and fnmatchcase(full, pattern) for pattern in missing()
+    )
 
 
 def is_only_imported(name: Name) -> bool:
