@@ -12,11 +12,12 @@ import pytest
 import zstandard
 from tests.bag.recordings import watched
 
+from tfloom.bag.reading import mcap_implausible
 from tfloom.bag.reading.compression import MIN_RATIO, MIN_SIZE
 from tfloom.bag.reading.mcap_records import MAGIC, RECORD_HEADER, Opcode
 
 MEGABYTE = 1 << 20
-LARGE = 25 * MEGABYTE
+LARGE = 8 * MEGABYTE
 
 
 def record(opcode: int, content: bytes) -> bytes:
@@ -85,19 +86,23 @@ def write(path: Path, data: bytes, indexes: Sequence[bytes], times: tuple[int, i
     [
         (lambda: bytes(LARGE), "have a record of kind 0 at byte 0, after 0 messages"),
         (lambda: CHANNEL + message(5, b"a") + bytes(LARGE), "of kind 0 at byte 62, after 1 mess"),
-        (lambda: CHANNEL * MEGABYTE, "hold more than 131072 schemas and channels"),
+        (lambda: CHANNEL * (MEGABYTE // 4), "hold more than 50000 schemas and channels"),
         (lambda: record(Opcode.SCHEMA, bytes(LARGE)), "hold no message"),
-        (
-            lambda: CHANNEL + message(5, b"") * (MEGABYTE + 9000),
-            "hold more than 1048576 messages of one time",
-        ),
+        (lambda: CHANNEL + message(5, b"") * (MEGABYTE // 4), "hold more than 50000 messages of one time"),
         (lambda: CHANNEL + message(5, bytes(LARGE))[:-9], "their last record isn't whole"),
     ],
     ids=["zeros", "zeros after a message", "channels", "no message", "tiny messages", "cut off"],
 )
 def test_chunk_of_a_large_size_without_messages_for_it_is_left_out(
-    make: Callable[[], bytes], reason: str, compression: str, has_summary: bool, tmp_path: Path
+    make: Callable[[], bytes],
+    reason: str,
+    compression: str,
+    has_summary: bool,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
+    monkeypatch.setattr(mcap_implausible, "MAX_OTHERS", 50_000)
+    monkeypatch.setattr(mcap_implausible, "MAX_MESSAGES", 50_000)
     # Made here: as values of the parameters, each worker would hold all of them from its start to its end.
     content = make()
     data, of_chunk = chunk(content, compression)
@@ -125,7 +130,7 @@ def test_chunk_that_is_indexed_again_and_again_is_read_once(size: int | None, tm
     data, of_chunk = chunk(CHANNEL + message(5, b"a"))
     if size is not None:
         of_chunk = index(len(HEAD), len(data), "zstd", 0, size)
-    found, said, most = watched(write(tmp_path / "a.mcap", data, [of_chunk] * 20_000))
+    found, said, most = watched(write(tmp_path / "a.mcap", data, [of_chunk] * 5_000))
     assert found == [b"a"]
     assert len(said) == 1
     assert "more than fit before it" in said[0]
@@ -144,7 +149,7 @@ def test_two_indexes_of_one_place_overlap(tmp_path: Path) -> None:
 def test_many_empty_chunks_are_legal_and_take_no_memory(tmp_path: Path) -> None:
     data, of_chunk = chunk(CHANNEL + message(5, b"a"))
     empty, of_empty = chunk(b"")
-    count = 10_000
+    count = 4_000
     path = write(tmp_path / "a.mcap", data + empty * count, [of_chunk, *[of_empty] * count])
     found, said, most = watched(path)
     assert (found, said) == ([b"a"], [])

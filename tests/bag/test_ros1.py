@@ -227,7 +227,7 @@ def test_random_damage_gives_errors_and_warnings_only(tmp_path: Path) -> None:
         whole = write(tmp_path / f"{compression}.bag", compression, chunk_size=2000).read_bytes()
         for form in (whole, without_index(whole), *([within_a_chunk(whole)] if compression is None else [])):
             first = records(whole)[1][1]
-            for _ in range(60):
+            for _ in range(25):
                 data = bytearray(form)
                 for _ in range(chance.randint(1, 6)):
                     data[chance.randrange(first, len(data))] = chance.choice(

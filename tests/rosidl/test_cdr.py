@@ -318,7 +318,7 @@ finite = st.floats(allow_nan=False)
 text = st.text(st.characters(blacklist_categories=["Cs"], blacklist_characters="\0"))
 
 
-@settings(deadline=None, max_examples=200)
+@settings(deadline=None, max_examples=60)
 @given(
     st.lists(st.tuples(text, st.integers(-(2**31), 2**31 - 1), st.integers(0, 2**32 - 1), finite, finite)),
 )

@@ -27,10 +27,10 @@ def test_references_to_the_class_are_released() -> None:
     classes = (TFMessage, TransformStamped, Transform, Vector3, Empty)
 
     def work() -> list[int]:
-        for _ in range(100):
+        for _ in range(20):
             cdr.decode(TFMessage, data)
             cdr.decode(Empty, cdr.encode(Empty()))
-            [Vector3() for _ in range(2000)]
+            [Vector3() for _ in range(1000)]
         gc.collect()
         return [sys.getrefcount(cls) for cls in classes]
 
@@ -55,9 +55,9 @@ def test_reused_memory_is_initialised() -> None:
     assert not hasattr(fresh, "x")
     decoded = cdr.decode(Vector3, cdr.encode(Vector3()))
     decoded.x = "not checked"  # type: ignore[assignment]
-    twists = [Twist() for _ in range(5000)]
+    twists = [Twist() for _ in range(1000)]
     del twists
-    assert all(twist == Twist() for twist in [Twist() for _ in range(5000)])
+    assert all(twist == Twist() for twist in [Twist() for _ in range(1000)])
 
 
 def count(cls: type) -> int:
@@ -118,7 +118,7 @@ def test_truncated_numbers_name_the_field() -> None:
 def test_long_chains_are_freed_without_overflow() -> None:
     for cls in (Vector3, type("Longer", (Vector3,), {})):
         chain: Any = None
-        for _ in range(200_000):
+        for _ in range(100_000):
             chain = cls(x=chain)
         del chain
     gc.collect()
@@ -176,7 +176,7 @@ def test_threads_compile_a_type_concurrently(tmp_path: Path, monkeypatch: pytest
     interval = sys.getswitchinterval()
     sys.setswitchinterval(1e-6)
     try:
-        for n in range(10):
+        for n in range(5):
             (folder / f"Inner{n}.msg").write_text("float64 x\nstring name\n")
             (folder / f"Outer{n}.msg").write_text(f"Inner{n} a\nInner{n}[] b\n")
             found: list[Message] = []
@@ -199,7 +199,7 @@ def test_threads_use_messages_concurrently() -> None:
     wrong: list[object] = []
 
     def work() -> None:
-        for _ in range(200):
+        for _ in range(100):
             message = cdr.decode(TFMessage, data)
             if cdr.encode(message) != data or String(data="a").data != "a":
                 wrong.append(message)

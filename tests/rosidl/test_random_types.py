@@ -79,7 +79,7 @@ def store_of(*texts: tuple[str, str]) -> Typestore:
     return store
 
 
-@settings(deadline=None, max_examples=80, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(deadline=None, max_examples=50, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.data())
 def test_bytes_equal_those_of_rosbags(data: st.DataObject) -> None:
     inner_text = data.draw(definitions(primitives(wide=False)))
@@ -97,7 +97,7 @@ def test_bytes_equal_those_of_rosbags(data: st.DataObject) -> None:
         assert store.hash_rihs01(OUTER) == outer._TYPE_HASH
 
 
-@settings(deadline=None, max_examples=80, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(deadline=None, max_examples=50, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.data())
 def test_decode_undoes_encode_for_any_type(data: st.DataObject) -> None:
     define(INNER, data.draw(definitions(primitives(wide=True))))

@@ -48,7 +48,7 @@ def test_transforms_of_a_message_are_stored(count: int) -> None:
         assert "broadcaster: 'me'" in buffer.all_frames_as_yaml()
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=100, deadline=None)
 @given(
     st.lists(
         st.tuples(
@@ -163,7 +163,7 @@ def test_hostile_bytes_never_harm() -> None:
     buffer.frame_names()
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=150, deadline=None)
 @given(st.binary(max_size=40))
 def test_names_are_stored_exactly_when_they_are_utf8(name: bytes) -> None:
     body = struct.pack("<IiI", 1, 0, 0) + struct.pack("<I", len(name) + 1) + name + b"\0"
