@@ -43,10 +43,10 @@ def test_a_text_beyond_a_limit_is_refused(read: Any, text: str, problem: str, li
     assert f" at line {line}, column " in str(caught.value)
 
 
-def test_text_without_aliases_has_no_limit_of_length(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_text_beside_aliases_has_no_limit_of_length(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(user_yaml, "MAX_EXPANDED_SIZE", 1000)
     assert len(load(f"[{'1, ' * 1001}]")) == 1001
-    assert load("x" * 1001) == "x" * 1001
+    assert load("[&a 1, *a, " + "x" * 1001 + ", *a]") == [1, 1, "x" * 1001, 1]
 
 
 def test_aliases_and_levels_within_the_limits_are_read() -> None:
