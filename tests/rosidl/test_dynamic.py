@@ -220,7 +220,7 @@ def test_unknown_names_raise_with_the_nearest_name() -> None:
     }.items():
         with pytest.raises(LookupError) as raised:
             get_message_class(name)
-        assert raised.value.args[0] == text
+        assert str(raised.value) == text
 
 
 def test_defaults_of_arrays_are_new_each_time() -> None:
