@@ -12,7 +12,7 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -49,9 +49,10 @@ from launch.actions import ExecuteProcess
 def generate_launch_description():
     return LaunchDescription([
         ExecuteProcess(
-            cmd=[sys.executable, "-c", {code!r}], name="loud", sigterm_timeout="0.2", sigkill_timeout="0.2", **{options}
+            cmd=[sys.executable, "-c", code], name="loud", sigterm_timeout="0.2", sigkill_timeout="0.2",
+            output={output!r}, emulate_tty=emulate_tty,
         )
-        for _ in range({count})
+        for code, emulate_tty in {programs!r}
     ])
 """
 WRITES = "import os, signal\n{before}\ndata = {data} * 1000\nwhile True:\n    os.write(1, data)"
@@ -59,18 +60,11 @@ DEAF = "signal.signal(signal.SIGINT, signal.SIG_IGN); signal.signal(signal.SIGTE
 SHORT, LONG = "b'y\\n' * 30", "b'y' * 60"
 
 
-def write_file(
-    folder: Path,
-    *,
-    data: str = SHORT,
-    count: int = 1,
-    before: str = "",
-    **options: object,
-) -> Path:
+def write_file(folder: Path, programs: Sequence[tuple[str, bool]], output: str) -> Path:
+    """Write a launch file of deaf programs: what each writes, and whether it does to a terminal."""
     file = folder / "loud.launch.py"
-    code = WRITES.format(before=before, data=data)
-    options = {"output": "screen", **options}
-    file.write_text(FILE.format(code=code, count=count, options=options), "utf-8")
+    words = [(WRITES.format(before=DEAF, data=data), emulate_tty) for data, emulate_tty in programs]
+    file.write_text(FILE.format(programs=words, output=output), "utf-8")
     return file
 
 
@@ -81,6 +75,8 @@ class Screen:
         self.ours, self.theirs = os.openpty() if is_terminal else os.pipe()
         self.text = b""
         self.size = 0
+        self.heard: set[bytes] = set()
+        """The processes whose names have come."""
         self.pause_s = 0.0
         """Time between two reads of a thousand bytes [s]; infinite: nothing more is read."""
         self._ends = threading.Event()
@@ -100,6 +96,7 @@ class Screen:
             if not data:
                 return
             self.size += len(data)
+            self.heard.update(name for name in (b"loud-1", b"loud-2", b"loud-3") if b"[%s] y" % name in data)
             self.text = (self.text + data)[-5000:]
 
     def close(self) -> None:
@@ -153,7 +150,7 @@ STOPPED_S = float("inf")
 def test_a_screen_that_takes_nothing_delays_no_signal(
     tmp_path: Path, wait_until: Callable[..., None], number: int, pause_s: float, is_terminal: bool
 ) -> None:
-    file = write_file(tmp_path, before=DEAF, output="both", count=2)
+    file = write_file(tmp_path, [(SHORT, False)] * 2, "both")
     with launched(file, tmp_path / "log", is_terminal=is_terminal) as (process, screen):
         wait_until(lambda: screen.size > 10_000, timeout_s=60)
         screen.pause_s = pause_s
@@ -176,21 +173,17 @@ def is_blocked_on_output(process: psutil.Popen) -> bool:
 @pytest.mark.parametrize(
     "output", ["full", *(pytest.param(output, marks=pytest.mark.slow) for output in ("screen", "both"))]
 )
-@pytest.mark.parametrize(
-    "options",
-    [{"data": SHORT, "count": 4}, {"data": LONG, "count": 2}, {"data": SHORT, "emulate_tty": True}],
-    ids=["short-lines", "no-line-end", "terminal"],
-)
 def test_deaf_processes_that_write_at_full_speed_are_ended_in_time(
-    tmp_path: Path, wait_until: Callable[..., None], options: dict, output: str
+    tmp_path: Path, wait_until: Callable[..., None], output: str
 ) -> None:
-    file = write_file(tmp_path, before=DEAF, output=output, **options)
+    """One writes short lines, one no line end, and one to a terminal."""
+    file = write_file(tmp_path, [(SHORT, False), (LONG, False), (SHORT, True)], output)
     with launched(file, tmp_path / "log") as (process, screen):
-        wait_until(lambda: screen.size > 1_000_000, timeout_s=60)
+        wait_until(lambda: screen.size > 1_000_000 and len(screen.heard) == 3, timeout_s=60)
         assert seconds_until_it_ends(process, signal.SIGTERM) < OBEYED_S
     (log,) = (tmp_path / "log").rglob("launch.log")
-    with log.open("rb") as lines:
-        assert any(b"sending signal 'SIGKILL' to process[loud-" in line for line in lines)
+    killed = re.findall(rb"sending signal 'SIGKILL' to process\[loud-(\d)\]", log.read_bytes())
+    assert sorted(killed) == [b"1", b"2", b"3"]
 
 
 def test_handlers_that_are_slower_than_the_output_delay_no_signal(

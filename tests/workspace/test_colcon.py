@@ -76,6 +76,36 @@ def write_sound_packages(source: Path) -> None:
     )
 
 
+HOOKED = """\
+project(ball_worlds)
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/made.dsv "x")
+configure_file(hooks/plugins.dsv.in plugins.dsv)
+ament_environment_hooks("${CMAKE_CURRENT_SOURCE_DIR}/hooks/${PROJECT_NAME}.dsv.in" hooks/${PROJECT_NAME}.sh.in)
+ament_environment_hooks(hooks/only.sh.in ${CMAKE_CURRENT_BINARY_DIR}/plugins.dsv)
+ament_environment_hooks(hooks/none.sh hooks/odd.fish)
+ament_package()
+"""
+
+
+def write_package_with_hooks(source: Path) -> None:
+    """Write one with hooks: as lines and as a script, as a script alone, made by configure_file, and bad ones."""
+    script = (
+        'ament_prepend_unique_value WORLDS "$AMENT_CURRENT_PREFIX/share/@PROJECT_NAME@/worlds"\n'
+        "ament_append_unique_value WORLDS /last\n"
+    )
+    write_cmake_package(source / "ball_worlds", HOOKED)
+    write_files(
+        source / "ball_worlds",
+        {
+            "hooks/ball_worlds.dsv.in": "prepend-non-duplicate;MODELS;share/@PROJECT_NAME@/models\n",
+            "hooks/ball_worlds.sh.in": script.replace("WORLDS", "MODELS").replace('worlds"', 'models"'),
+            "hooks/only.sh.in": script,
+            "hooks/plugins.dsv.in": "set;BALL_PLUGINS;lib/${PROJECT_NAME}\n",
+            "hooks/odd.fish": "",
+        },
+    )
+
+
 def write_faulty_packages(source: Path) -> None:
     write_cmake_package(source / "ball_cpp", "project(ball_cpp)\nadd_executable(ball ball.cpp)\n", "rclcpp")
     mixed = (
@@ -103,12 +133,13 @@ def built(tmp_path_factory: pytest.TempPathFactory) -> Built:
     folder = tmp_path_factory.mktemp("workspace")
     write_sound_packages(folder / "src")
     write_faulty_packages(folder / "src")
+    write_package_with_hooks(folder / "src")
     return colcon(folder, "build")
 
 
 def test_what_can_be_built_is_built_and_the_rest_fails(built: Built) -> None:
     assert built.code == 1
-    assert "5 packages finished" in built.output
+    assert "6 packages finished" in built.output
     assert "6 packages failed: ball_bad ball_curly ball_empty ball_typeless ball_xml twin" in built.output
     assert "Traceback" not in built.output
 
@@ -209,51 +240,17 @@ def test_scripts_set_the_variables_of_a_sourced_ros(
     assert shown.splitlines() == ["jazzy 2 3", "rolling 2 3", "jazzy 2 3"]
 
 
-HOOKED = """\
-project(ball_worlds)
-file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/made.dsv "x")
-configure_file(hooks/plugins.dsv.in plugins.dsv)
-ament_environment_hooks("${CMAKE_CURRENT_SOURCE_DIR}/hooks/${PROJECT_NAME}.dsv.in" hooks/${PROJECT_NAME}.sh.in)
-ament_environment_hooks(hooks/only.sh.in ${CMAKE_CURRENT_BINARY_DIR}/plugins.dsv)
-ament_environment_hooks(hooks/none.sh hooks/odd.fish)
-ament_package()
-"""
-
-
-@pytest.fixture(scope="module")
-def hooked(tmp_path_factory: pytest.TempPathFactory) -> Built:
-    """Build a package with hooks: as lines and as a script, as a script alone, made by configure_file, and bad ones."""
-    folder = tmp_path_factory.mktemp("hooked")
-    script = (
-        'ament_prepend_unique_value WORLDS "$AMENT_CURRENT_PREFIX/share/@PROJECT_NAME@/worlds"\n'
-        "ament_append_unique_value WORLDS /last\n"
-    )
-    write_cmake_package(folder / "src" / "ball_worlds", HOOKED)
-    write_files(
-        folder / "src" / "ball_worlds",
-        {
-            "hooks/ball_worlds.dsv.in": "prepend-non-duplicate;MODELS;share/@PROJECT_NAME@/models\n",
-            "hooks/ball_worlds.sh.in": script.replace("WORLDS", "MODELS").replace('worlds"', 'models"'),
-            "hooks/only.sh.in": script,
-            "hooks/plugins.dsv.in": "set;BALL_PLUGINS;lib/${PROJECT_NAME}\n",
-            "hooks/odd.fish": "",
-        },
-    )
-    return colcon(folder, "build")
-
-
 @pytest.mark.parametrize("shell", ["bash", "zsh", "sh"])
 @pytest.mark.parametrize("script", ["install/setup.{}", "install/ball_worlds/share/ball_worlds/package.{}"])
-def test_hooks_of_packages_set_variables(shell: str, script: str, hooked: Built) -> None:
+def test_hooks_of_packages_set_variables(shell: str, script: str, built: Built) -> None:
     if shutil.which(shell) is None:
         pytest.skip(f"{shell} is not installed")
-    assert hooked.code == 0
-    prefix = hooked.folder / "install" / "ball_worlds"
+    prefix = built.folder / "install" / "ball_worlds"
     source = f". ./{script.format(shell)}"
     show = 'echo "$MODELS"; echo "$WORLDS"; echo "${AMENT_CURRENT_PREFIX-none}"; echo "${BALL_PLUGINS-none}"'
     once = f"unset MODELS WORLDS BALL_PLUGINS; {source}; set -u; {show}; set +u"
     again = f"{source}; echo $WORLDS; export WORLDS=/mine; {source}; echo $WORLDS"
-    shown = in_shell(hooked.folder, f"cd '{hooked.folder}'; {once}; {again}", shell)
+    shown = in_shell(built.folder, f"cd '{built.folder}'; {once}; {again}", shell)
     models, worlds, left, plugins, twice, added = shown.split()
     assert models.split(":")[0] == f"{prefix}/share/ball_worlds/models"
     assert worlds == twice == f"{prefix}/share/ball_worlds/worlds:/last"
@@ -262,15 +259,13 @@ def test_hooks_of_packages_set_variables(shell: str, script: str, hooked: Built)
     assert added == worlds.replace(":", ":/mine:")
 
 
-def test_hooks_that_can_not_be_used_are_named(hooked: Built) -> None:
+def test_hooks_that_can_not_be_used_are_named(built: Built) -> None:
     assert (
         "CMakeLists.txt:6: ament_environment_hooks(): hooks/none.sh is left out, because it can't be read"
-        in (hooked.output)
+        in (built.output)
     )
-    assert (
-        "hooks/odd.fish is left out: its name ends in none of dsv, sh, bash, zsh, ps1, bat" in hooked.output
-    )
-    environment = hooked.folder / "install" / "ball_worlds" / "share" / "ball_worlds" / "environment"
+    assert "hooks/odd.fish is left out: its name ends in none of dsv, sh, bash, zsh, ps1, bat" in built.output
+    environment = built.folder / "install" / "ball_worlds" / "share" / "ball_worlds" / "environment"
     assert sorted(path.name for path in environment.iterdir()) == [
         "ball_worlds.dsv",
         "ball_worlds.sh",
