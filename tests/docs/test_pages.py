@@ -60,19 +60,20 @@ def test_commands_print_what_the_page_says(
 ) -> None:
     environment = os.environ | COLCON_PYTHON
     environment |= {"PATH": f"{BIN}{os.pathsep}{os.environ['PATH']}", "COLUMNS": "80"}
-    sourced = ""
     for command in page.steps(page.blocks(path)):
         if not isinstance(command, page.Command):
             name, text = command
             (folder / name).write_text(text, "utf-8")
             continue
         if (word := command.words.split()[0]) == "source":
-            sourced += f"{command.words} && "
+            sourced = run_to_end(["bash", "-c", f"{command.words} && env -0"], cwd=folder, env=environment)
+            assert sourced.returncode == 0, sourced.stderr
+            environment = dict(line.split("=", 1) for line in sourced.stdout.split("\0")[:-1])
             continue
         if not shutil.which(word, path=environment["PATH"]):
             pytest.skip(f"{path.name} runs {word!r}, which is not installed")
         expected = page.pattern(command.output)
-        running = start_program("bash", "-c", f"{sourced}exec {command.words}", cwd=folder, env=environment)
+        running = start_program("bash", "-c", f"exec {command.words}", cwd=folder, env=environment)
         where = f"{path.name}:{command.line}: {command.words}"
 
         def is_printed(running: Program = running, expected: page.re.Pattern[str] = expected) -> bool:
