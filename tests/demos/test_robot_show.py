@@ -11,6 +11,7 @@ from typing import Any
 
 import pytest
 from tests.demos.marked import alive, kill_when_there
+from tests.docs import page
 
 from tfloom.bag.opening import open_bag
 from tfloom.demos import robot_show
@@ -21,20 +22,22 @@ Start = Callable[..., Any]
 
 
 @pytest.mark.wire
-def test_ctrl_c_ends_it_and_compares(
+def test_demonstration_prints_what_its_page_says_records_and_ends(
     start_program: Start, tmp_path: Path, mark: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """How it ends after a duration is tested by its page of the documentation."""
     pytest.importorskip("viser", reason="the page needs the extra: pip install 'tfloom[view]'")
-    monkeypatch.setenv("BROWSER", "true")
-    demo = start_program("tfloom", "demo", "robot", "--view", cwd=tmp_path)
+    (command,) = page.commands(page.blocks(page.DOCS / "how_to" / "robot_in_a_room.md"))
+    monkeypatch.setenv("BROWSER", f"sh -c 'touch {tmp_path}.opened' %s")
+    demo = start_program(*command.words.split(), "--view", cwd=tmp_path)
     line = demo.wait_for("See it in a browser: http://127.0.0.1:")
     with urllib.request.urlopen(line.removeprefix("See it in a browser: ")) as response:
         assert b"<title>tfloom view</title>" in response.read()
-    line = demo.wait_for("the corrected pose off by")
-    assert re.search(r"odometry is off by \d\.\d\d m, the corrected pose off by 0\.\d\d m$", line)
-    demo.signal(signal.SIGINT)
-    assert demo.wait() == 0, demo.output
+    assert demo.wait(90.0) == 0, demo.output
+    assert page.pattern(command.output).match(page.MASKED.sub("#", demo.output + "\n")), demo.output
+    assert Path(f"{tmp_path}.opened").exists()
+    assert re.search(
+        r"odometry is off by \d\.\d\d m, the corrected pose off by 0\.\d\d m$", demo.output, re.MULTILINE
+    )
     (recording,) = tmp_path.iterdir()
     assert f"The recording is in {recording}" in demo.lines
     assert re.match(r"odometry alone +\d+\.\d m +0\.\d{3} m", demo.lines[-2]), demo.output
