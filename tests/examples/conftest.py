@@ -6,6 +6,7 @@ import importlib
 import importlib.util
 import sys
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from types import ModuleType
 
@@ -29,11 +30,18 @@ def load_example(monkeypatch: pytest.MonkeyPatch) -> Callable[[str], ModuleType]
     return load
 
 
-@pytest.fixture
-def load_room(monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[[str], ModuleType]]:
-    """Import a module of the robot in a room, whose programs import each other by their files' names."""
+@contextmanager
+def room_modules() -> Iterator[Callable[[str], ModuleType]]:
+    """Yield the function that imports a module of the robot in a room; they import each other by their files' names."""
     folder = EXAMPLES / "robot_in_a_room"
-    monkeypatch.syspath_prepend(str(folder))
-    yield importlib.import_module
+    with pytest.MonkeyPatch.context() as patch:
+        patch.syspath_prepend(str(folder))
+        yield importlib.import_module
     for path in folder.glob("*.py"):
         sys.modules.pop(path.stem, None)
+
+
+@pytest.fixture
+def load_room() -> Iterator[Callable[[str], ModuleType]]:
+    with room_modules() as load:
+        yield load

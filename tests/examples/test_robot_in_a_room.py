@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import math
 from collections.abc import Callable
 from types import ModuleType
@@ -10,6 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 from tests.conftest import wait_until
+from tests.examples.conftest import room_modules
 
 from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.interfaces.geometry_msgs.msg import PoseWithCovarianceStamped, Twist
@@ -29,15 +31,21 @@ def hits(room: Any, x: float, y: float, yaw: float, limit: float = 8.0, noise: f
     return ends[ranges < limit]
 
 
-@pytest.fixture
-def room_map(load_room: Load) -> Any:
+@pytest.fixture(scope="module")
+def mapped_room() -> Any:
     """The map of the room from four places whose poses are known."""
-    planar, occupancy, room = load_room("planar"), load_room("occupancy"), load_room("room")
-    grid = occupancy.OccupancyMap()
-    for x, y in ((0.0, 0.0), (3.0, -1.5), (6.0, 2.5), (-1.5, 3.5)):
-        for _ in range(3):
-            grid.insert(planar.Pose2D(x, y), hits(room.Room(), x, y, 0.0), np.empty((0, 2)))
+    with room_modules() as load:
+        planar, occupancy, room = load("planar"), load("occupancy"), load("room")
+        grid = occupancy.OccupancyMap()
+        for x, y in ((0.0, 0.0), (3.0, -1.5), (6.0, 2.5), (-1.5, 3.5)):
+            for _ in range(3):
+                grid.insert(planar.Pose2D(x, y), hits(room.Room(), x, y, 0.0), np.empty((0, 2)))
     return grid
+
+
+@pytest.fixture
+def room_map(mapped_room: Any) -> Any:
+    return copy.deepcopy(mapped_room)
 
 
 @pytest.mark.parametrize(
