@@ -17,7 +17,6 @@ from tfloom.cli.numbers import finite, rate, whole
 NAMES = [
     "",
     "/",
-    "//",
     "a b",
     "ü",
     "~",
@@ -26,7 +25,6 @@ NAMES = [
     "{",
     "\udcff",
     "a\nb",
-    "*",
     "..",
     "/tmp",
     "a/b/c/d",

@@ -28,6 +28,13 @@ AddExtensions: TypeAlias = "Callable[[VerbParser, Any, str], Callable[[], None]]
 """Adds words to a parser, given its own and a group of entry points; returns what adds them to the help."""
 
 
+_UNSIZED = partial(argparse.HelpFormatter, width=1 << 20)
+"""Makes the formatter with which argparse checks each argument that is added.
+
+One that asks for the terminal's width imports shutil and its compression, a twentieth of a short command's time.
+"""
+
+
 class VerbParser(argparse.ArgumentParser):
     """A parser for one word of the command line, which adds its arguments or verbs when it parses.
 
@@ -45,7 +52,7 @@ class VerbParser(argparse.ArgumentParser):
         add_extensions: AddExtensions | None = None,
         **options: Any,
     ) -> None:
-        super().__init__(*args, **options)
+        super().__init__(*args, **{"formatter_class": _UNSIZED, **options})
         self._module = module
         self._group = group
         self._fill_extension = fill_extension
@@ -101,7 +108,17 @@ class VerbParser(argparse.ArgumentParser):
         add_help_lines, self._add_help_lines = self._add_help_lines, None
         if add_help_lines is not None:
             add_help_lines()
+        self._fit_to_terminal()
         return super().format_help()
+
+    def format_usage(self) -> str:
+        """Return the usage."""
+        self._fit_to_terminal()
+        return super().format_usage()
+
+    def _fit_to_terminal(self) -> None:
+        if self.formatter_class is _UNSIZED:
+            self.formatter_class = argparse.HelpFormatter
 
     def fill(self) -> None:
         """Import the verb or the extension and add its arguments, or add the verbs of the group; once."""
