@@ -365,8 +365,12 @@ HEAVY = {"numpy", "pygame", "PIL", "reportlab", "yaml", "asyncio"}
 
 @pytest.mark.parametrize(
     ("arguments", "heavy"),
-    [(["--help"], HEAVY), (["topic", "list", "--spin-time", "0.2"], HEAVY | {"pathlib", "socket"})],
-    ids=["help", "topic list"],
+    [
+        (["--help"], HEAVY),
+        (["topic", "list", "--spin-time", "0.2"], HEAVY | {"pathlib", "socket"}),
+        (["launch", "--help"], HEAVY | {"tfloom._native"}),
+    ],
+    ids=["help", "topic list", "launch"],
 )
 def test_quick_command_loads_no_heavy_module(arguments: list[str], heavy: set[str], domain_id: int) -> None:
     loaded = modules_loaded_by("-m", "tfloom.cli", *arguments, ROS_DOMAIN_ID=str(domain_id))

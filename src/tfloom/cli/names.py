@@ -5,9 +5,12 @@ from __future__ import annotations
 import difflib
 import re
 from collections.abc import Collection, Iterable, Sequence
+from typing import TYPE_CHECKING
 
 from tfloom.cli.errors import CommandError
-from tfloom.rmw.base import NodeName
+
+if TYPE_CHECKING:
+    from tfloom.rmw.base import NodeName
 
 
 def full_name(name: str) -> str:
@@ -68,6 +71,7 @@ def named_node(name: str) -> NodeName:
         CommandError: it is not a valid name of a node.
     """
     from tfloom.node.values.names import InvalidNodeNameException, validate_node_name
+    from tfloom.rmw.base import NodeName
 
     try:
         validate_node_name(name)
