@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 import sys
+from collections.abc import Callable
 from importlib.util import find_spec
 from itertools import pairwise
 from pathlib import Path
@@ -12,6 +13,7 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
+from tests.conftest import Program
 
 from tfloom._native import (
     DdsParticipant,
@@ -69,17 +71,35 @@ def recorded_topic(kind: str, topic_name: str) -> Topic:
     return Topic(topic_from_dds(topic_name) or "", type_from_dds(end["type_name"]), type_hash)
 
 
-@needs_package
-def test_endpoints_match_those_of_a_real_ros(
-    participant, node, domain_id, monkeypatch, start_program
-) -> None:
+KILL = {
+    (kind, name): recorded_endpoint(kind, name)
+    for kind, name in (("subscription", "rq/killRequest"), ("publication", "rr/killReply"))
+}
+"""The recorded ends of a server."""
+
+
+@pytest.fixture(scope="module")
+def observed(module_domain_id: int, start_module_program: Callable[..., Program]) -> list[dict[str, Any]]:
+    """Return what a plain DDS participant discovers of a node with the recorded endpoints."""
+    participant, node = open_participant(module_domain_id), NodeName("/tests", "here")
+    participant.add_node(node)
     for (kind, name), qos in RECORDED.items():
         create = participant.create_writer if kind == "publication" else participant.create_reader
         create(node, recorded_topic(kind, name), qos)
-    monkeypatch.setenv("CYCLONEDDS_URI", configuration())
-    program = start_program("python", OBSERVE, str(domain_id), str(len(RECORDED)))
-    assert program.wait() == 0, program.output
-    seen = {(entry["kind"], entry.get("topic_name")): entry for entry in map(json.loads, program.lines)}
+    hashes = [re.search("RIHS01_[0-9a-f]+", str(end["qos"]))[0] for end in KILL.values()]
+    participant.create_responder(node, Service("/kill", "turtlesim/srv/Kill", *hashes), QoS())
+    participant.create_writer(node, Topic("/last", "std_msgs/msg/String", ""), QoS())
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("CYCLONEDDS_URI", configuration())
+        program = start_module_program("python", OBSERVE, str(module_domain_id), str(len(RECORDED) + 1))
+        assert program.wait() == 0, program.output
+    participant.close()
+    return [json.loads(line) for line in program.lines]
+
+
+@needs_package
+def test_endpoints_match_those_of_a_real_ros(observed: list[dict[str, Any]]) -> None:
+    seen = {(entry["kind"], entry.get("topic_name")): entry for entry in observed}
     node_list = {("publication", "ros_discovery_info"), ("subscription", "ros_discovery_info")}
     for kind, name in RECORDED.keys() | node_list:
         expected, got = recorded_endpoint(kind, name), seen[kind, name]
@@ -89,21 +109,11 @@ def test_endpoints_match_those_of_a_real_ros(
 
 @needs_package
 def test_service_endpoints_match_those_of_a_real_ros(
-    participant, node, domain_id, monkeypatch, start_program, deviations
+    observed: list[dict[str, Any]], deviations: dict[str, dict[str, str]]
 ) -> None:
-    recorded = {
-        ("subscription", "rq/killRequest"): recorded_endpoint("subscription", "rq/killRequest"),
-        ("publication", "rr/killReply"): recorded_endpoint("publication", "rr/killReply"),
-    }
-    hashes = [re.search("RIHS01_[0-9a-f]+", str(end["qos"]))[0] for end in recorded.values()]
-    participant.create_responder(node, Service("/kill", "turtlesim/srv/Kill", *hashes), QoS())
-    participant.create_writer(node, Topic("/last", "std_msgs/msg/String", ""), QoS())
-    monkeypatch.setenv("CYCLONEDDS_URI", configuration())
-    program = start_program("python", OBSERVE, str(domain_id), "1")
-    assert program.wait() == 0, program.output
-    seen = {(entry["kind"], entry.get("topic_name")): entry for entry in map(json.loads, program.lines)}
+    seen = {(entry["kind"], entry.get("topic_name")): entry for entry in observed}
     server_ids = set()
-    for key, expected in recorded.items():
+    for key, expected in KILL.items():
         got = seen[key]
         assert got["type_name"] == expected["type_name"]
         *policies, user_data = expected["qos"]
@@ -122,13 +132,8 @@ def test_service_endpoints_match_those_of_a_real_ros(
 
 
 @needs_package
-def test_the_participant_announces_its_enclave(participant, domain_id, monkeypatch, start_program) -> None:
-    monkeypatch.setenv("CYCLONEDDS_URI", configuration())
-    participant.create_writer(NodeName("/", "n"), Topic("/a", "std_msgs/msg/String", ""), QoS())
-    program = start_program("python", OBSERVE, str(domain_id), "1")
-    assert program.wait() == 0, program.output
-    entries = [json.loads(line) for line in program.lines]
-    announced = [entry["qos"] for entry in entries if entry["kind"] == "participant"]
+def test_the_participant_announces_its_enclave(observed: list[dict[str, Any]]) -> None:
+    announced = [entry["qos"] for entry in observed if entry["kind"] == "participant"]
     recorded = GOLDEN["participant"][0]["user_data"]
     assert [qos for qos in announced if set(recorded) <= set(qos)]
 

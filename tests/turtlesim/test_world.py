@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tfloom.turtlesim.world import (
@@ -273,6 +273,7 @@ def test_usable_numbers() -> None:
     assert not is_usable(1e39)
 
 
+@settings(max_examples=40)
 @given(st.floats(-3.4e38, 3.4e38))
 def test_normalized_headings(angle: float) -> None:
     heading = normalize_angle(angle)
@@ -295,6 +296,7 @@ ORDERS = st.lists(
 )
 
 
+@settings(max_examples=40)
 @given(ORDERS)
 def test_a_turtle_never_leaves_the_world(orders: list) -> None:
     world = World()
