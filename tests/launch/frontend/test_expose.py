@@ -167,6 +167,7 @@ class EntryPoint:
 def installed(monkeypatch: pytest.MonkeyPatch) -> list[EntryPoint]:
     """Return the list of installed entry points, to add some."""
     entry_points: list[EntryPoint] = []
+    monkeypatch.setattr("tfloom.launch.frontend.extensions.may_have_entry_points", lambda _: True)
     monkeypatch.setattr(
         "importlib.metadata.entry_points",
         lambda group: [entry_point for entry_point in entry_points if entry_point.group == group],

@@ -5,8 +5,6 @@ Heavy modules are imported inside functions, because each help text looks for en
 
 from __future__ import annotations
 
-import sys
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -18,28 +16,10 @@ __all__ = [
     "get_entry_points",
     "get_first_line_doc",
     "load_entry_points",
-    "may_have_entry_points",
 ]
 
 EXTENSION_POINT_GROUP_NAME = "ros2cli.extension_point"
 """The group in which packages register the groups that others may extend."""
-
-
-def may_have_entry_points(group_name: str) -> bool:
-    """Return whether the text of a group's name is in the entry points of any installed package.
-
-    It reads the files alone, because `importlib.metadata` takes longer to import than most verbs take to run.
-    """
-    section = f"[{group_name}]".encode()
-    for folder in filter(None, sys.path):
-        for pattern in ("*.dist-info/entry_points.txt", "*.egg-info/entry_points.txt"):
-            for path in Path(folder).glob(pattern):
-                try:
-                    if section in path.read_bytes():
-                        return True
-                except OSError:  # noqa: PERF203
-                    continue
-    return False
 
 
 def get_all_entry_points() -> dict[str, dict[str, tuple[metadata.Distribution, metadata.EntryPoint]]]:

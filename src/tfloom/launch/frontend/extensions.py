@@ -5,6 +5,8 @@ from __future__ import annotations
 import warnings
 from typing import Any
 
+from tfloom.entry_points import may_have_entry_points
+
 __all__ = ["load_entry_points", "load_launch_extensions"]
 
 _loaded = False
@@ -23,9 +25,9 @@ def load_launch_extensions() -> None:
 
 def load_entry_points(group: str) -> dict[str, Any]:
     """Return the objects of all entry points of a group, by their names. One that fails is reported by a warning."""
-    from importlib.metadata import (
-        entry_points,
-    )  # takes 10 ms to load, and most launch files need no extension
+    if not may_have_entry_points(group):
+        return {}
+    from importlib.metadata import entry_points
 
     loaded = {}
     for entry_point in entry_points(group=group):

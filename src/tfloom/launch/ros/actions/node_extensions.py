@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 from typing import TYPE_CHECKING, Any
 
+from tfloom.entry_points import may_have_entry_points
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.ros.utilities.plugin_support import PluginException, satisfies_version
 
@@ -99,6 +100,8 @@ def get_extensions(logger: Logger) -> dict[str, NodeActionExtension]:
 @functools.cache
 def _entry_points() -> tuple[Any, ...]:
     """Return the entry points; they are looked up once, because that reads a file of each installed package."""
+    if not may_have_entry_points(GROUP):
+        return ()
     from importlib.metadata import entry_points
 
     return tuple(entry_points(group=GROUP))
