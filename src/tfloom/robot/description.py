@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from tfloom._native import Transform
 
@@ -25,16 +25,14 @@ MOVING = frozenset(("revolute", "continuous", "prismatic"))
 """The types that have one position, which a JointState gives."""
 
 
-@dataclass(frozen=True)
-class Limit:
+class Limit(NamedTuple):
     """The range of a joint's position [rad] or [m]."""
 
     lower: float
     upper: float
 
 
-@dataclass(frozen=True)
-class Mimic:
+class Mimic(NamedTuple):
     """A joint that follows another: it stands at multiplier * position of `joint` + offset."""
 
     joint: str
@@ -42,8 +40,7 @@ class Mimic:
     offset: float
 
 
-@dataclass(frozen=True)
-class Joint:
+class Joint(NamedTuple):
     """A joint between two links."""
 
     name: str
@@ -62,8 +59,7 @@ class Joint:
     mimic: Mimic | None = None
 
 
-@dataclass(frozen=True)
-class Description:
+class Description(NamedTuple):
     """A robot: one tree of links.
 
     Joints are in the order of the text.

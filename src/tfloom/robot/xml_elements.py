@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 from xml.parsers import expat
 
 from tfloom.robot.urdf_error import UrdfError
@@ -17,16 +16,20 @@ MAX_DEPTH = 200
 """Levels of elements in elements."""
 
 
-@dataclass
 class Element:
-    """An element, without its text."""
+    """An element, without its text.
 
-    tag: str
-    """Name, with the prefix of its namespace, as `xacro:macro`."""
-    attributes: dict[str, str]
-    line: int
-    """Line of its start tag, from 1."""
-    children: list[Element] = field(default_factory=list)
+    Args:
+        tag: Name, with the prefix of its namespace, as `xacro:macro`.
+        attributes: Its attributes.
+        line: Line of its start tag, from 1.
+    """
+
+    def __init__(self, tag: str, attributes: dict[str, str], line: int) -> None:
+        self.tag = tag
+        self.attributes = attributes
+        self.line = line
+        self.children: list[Element] = []
 
     def all_of(self, tag: str) -> Iterator[Element]:
         """Yield the children of a name, in order."""
