@@ -281,7 +281,7 @@ def test_lost_messages_are_reported(
     assert "echo-lost-messages" in deviations
     monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
     monkeypatch.setattr("tfloom.rmw.local.LocalParticipant.create_reader", lambda *_: LossyReader())
-    words = ["topic", "echo", "/x", "turtlesim/msg/Pose", "--csv", "--timeout", "1", "--qos-depth", "5"]
+    words = ["topic", "echo", "/x", "turtlesim/msg/Pose", "--csv", "--timeout", "3", "--qos-depth", "5"]
     assert cli.main([*words, *flags]) == 0
     out, err = capsys.readouterr()
     assert out == "1.0,0.0,0.0,0.0,0.0\n2.0,0.0,0.0,0.0,0.0\n"

@@ -104,7 +104,7 @@ def test_frame_follows_the_keys(
     press_until(b"\x1b[D", lambda rows: rows[1][0] > 0.1)
     os.write(ours, b"q")
     assert teleop.wait() == 0
-    wait_until(lambda: poses.lines[-1].endswith(",0.0,0.0"), what="the turtle to stand")
+    wait_until(lambda: poses.lines and poses.lines[-1].endswith(",0.0,0.0"), what="the turtle to stand")
     x, y, theta, *_ = (float(value) for value in poses.lines[-1].split(","))
     sine, cosine = math.sin(theta), math.cos(theta)
     standing = [[cosine, -sine, 0.0, x], [sine, cosine, 0.0, y], [0.0, 0.0, 1.0, 0.0]]

@@ -112,6 +112,7 @@ def graph(data: bytes) -> bool:
     participant_data, topic, type_name, user_data, gid, node_list = (*parts[:5], rest or parts[5])
     participant, endpoint = gid[:16].ljust(16, b"\0"), gid[-16:].ljust(16, b"\1")
     found = CycloneGraph.__new__(CycloneGraph)
+    found._endpoints = {}
     found._native = SimpleNamespace(
         snapshot=lambda: (
             [(participant, participant_data, node_list)],
