@@ -56,11 +56,15 @@ def commands(folder: Path) -> dict[str, tuple[object, ...]]:
 
 @pytest.mark.skipif(os.name != "posix", reason="the program that is run is a script")
 @pytest.mark.parametrize("setter", ["rclpy", "ros2 run", "ros2 launch"])
-def test_variables_are_set_unless_they_have_a_value(setter: str, tmp_path: Path) -> None:
+def test_variables_are_set(setter: str, tmp_path: Path) -> None:
     command = commands(tmp_path)[setter]
     output = run(*command, AMENT_PREFIX_PATH=str(tmp_path))
     assert "got jazzy 2 3" in output
     assert setter != "ros2 launch" or "distro jazzy" in output
+
+
+def test_variables_that_have_a_value_keep_it(tmp_path: Path) -> None:
+    command = commands(tmp_path)["rclpy"]
     kept = run(*command, AMENT_PREFIX_PATH=str(tmp_path), ROS_DISTRO="rolling", ROS_PYTHON_VERSION="")
     assert "got rolling 2 \n" in kept
 

@@ -31,7 +31,7 @@ def test_each_process_knows_all_nodes(wire: str, domain_id: int, monkeypatch: py
     monkeypatch.setattr(discovery, "DOMAIN_ID", domain_id)
     with hold_zenoh_port() as port:
         monkeypatch.setattr(discovery, "PORT", port)
-        check(discovery.measure(wire, 25))
+        check(discovery.measure(wire, 12))
 
 
 @LINUX

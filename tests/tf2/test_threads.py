@@ -52,7 +52,7 @@ def message(x: float, stamp: int) -> TransformStamped:
 
 def test_lookups_while_others_insert() -> None:
     buffer = Buffer(None)
-    steps = 1000
+    steps = 500
     # Each link is constant over time, so any result has a known length.
     for link in range(3):
         buffer.set(f"f{link}", f"f{link + 1}", SECOND, (link + 1.0, 0, 0), (0, 0, 0, 1))
@@ -61,7 +61,7 @@ def test_lookups_while_others_insert() -> None:
         for step in range(parity, steps, 2):
             for link in range(3):
                 place = f"f{link}", f"f{link + 1}", SECOND + step
-                buffer.set(*place, (link + 1.0, 0, 0), (0, 0, 0, 1), static=link == 1 and step % 500 == 0)
+                buffer.set(*place, (link + 1.0, 0, 0), (0, 0, 0, 1), static=link == 1 and step % 250 == 0)
 
     def look_up() -> None:
         for step in range(steps):
@@ -78,7 +78,7 @@ def test_latest_common_time_and_its_transform_belong_together() -> None:
     is_over = threading.Event()
 
     def insert() -> None:
-        for step in range(2, 20_000):
+        for step in range(2, 8_000):
             for pair in (("a", "b"), ("b", "c")):
                 buffer.set(*pair, step * 1000, (step, 0, 0), (0, 0, 0, 1))
         is_over.set()
@@ -99,7 +99,7 @@ def test_latest_common_time_and_its_transform_belong_together() -> None:
 def test_messages_that_change_while_they_are_read() -> None:
     buffer = Buffer(None)
     shared = TFMessage(transforms=[message(1.0, SECOND)])
-    rounds = 3000
+    rounds = 1500
 
     def change() -> None:
         for step in range(rounds):
