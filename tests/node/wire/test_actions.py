@@ -34,7 +34,8 @@ def local_wire(wire_of_module: str) -> str:
 
 
 @pytest.fixture
-def domain_id(module_domain_id: int) -> int:
+def domain_id(module_domain_id: int, start_program: Start) -> int:
+    """Return the module's domain. The test's node ends before its programs; see `domain_id` of tests/conftest.py."""
     return module_domain_id
 
 
@@ -153,6 +154,26 @@ def test_results_are_kept_for_the_timeout_of_the_server(
     assert finish(client.cancel(handle.goal_id)).return_code == CancelGoal.Response.ERROR_UNKNOWN_GOAL_ID
 
 
+def test_server_can_be_destroyed_during_a_goal_and_recreated(
+    client: ActionClient, server: Program, finish: Finish, executor: SingleThreadedExecutor
+) -> None:
+    finish(send(client, 70))
+    server.wait_for("destroyed False 0")
+
+    def is_answered() -> bool:
+        """Send a goal; one sent before the old server has left the graph gets no response."""
+        assert client.wait_for_server(timeout_sec=20)
+        sent.append(send(client, 4))
+        executor.spin_until_future_complete(sent[-1], timeout_sec=1.0)
+        return sent[-1].done() and sent[-1].exception() is None
+
+    sent: list[Future[Any]] = []
+    wait_until(is_answered)
+    response = finish(sent[-1].result().get_result_async())
+    assert response.status == GoalStatus.STATUS_SUCCEEDED
+    assert "Traceback" not in server.output
+
+
 def test_server_continues_after_a_client_is_killed_during_a_goal(
     client: ActionClient, server: Program, start: Start, finish: Finish
 ) -> None:
@@ -188,23 +209,3 @@ def test_restarted_server_accepts_goals_after_a_kill(
     assert (
         finish(handle.get_result_async()).status == GoalStatus.STATUS_UNKNOWN
     )  # the new server doesn't have that goal
-
-
-def test_server_can_be_destroyed_during_a_goal_and_recreated(
-    client: ActionClient, server: Program, finish: Finish, executor: SingleThreadedExecutor
-) -> None:
-    finish(send(client, 70))
-    server.wait_for("destroyed False 0")
-
-    def is_answered() -> bool:
-        """Send a goal; one sent before the old server has left the graph gets no response."""
-        assert client.wait_for_server(timeout_sec=20)
-        sent.append(send(client, 4))
-        executor.spin_until_future_complete(sent[-1], timeout_sec=1.0)
-        return sent[-1].done() and sent[-1].exception() is None
-
-    sent: list[Future[Any]] = []
-    wait_until(is_answered)
-    response = finish(sent[-1].result().get_result_async())
-    assert response.status == GoalStatus.STATUS_SUCCEEDED
-    assert "Traceback" not in server.output

@@ -92,36 +92,31 @@ def test_requested_transitions_are_made_and_published(
     assert [event.transition.id for event in events[:2]] == [Transition.TRANSITION_CONFIGURE, 10]
 
 
-@pytest.mark.parametrize(
-    ("wish", "ends"),
-    [
-        ("failure", [("transition_failure", "unconfigured")]),
-        ("raise", [("transition_error", "errorprocessing"), ("transition_success", "unconfigured")]),
-    ],
-)
+FAILURES = {
+    "failure": [("transition_failure", "unconfigured")],
+    "raise": [("transition_error", "errorprocessing"), ("transition_success", "unconfigured")],
+}
+"""What follows the start of a transition, by the way in which it fails."""
+
+
 def test_failing_transitions_are_reported(
-    node: Node,
-    call: Call,
-    managed: Program,
-    finish: Callable[..., Any],
-    spin_until: SpinUntil,
-    wish: str,
-    ends: list[tuple[str, str]],
+    node: Node, call: Call, managed: Program, finish: Callable[..., Any], spin_until: SpinUntil
 ) -> None:
     events: list[TransitionEvent] = []
     subscription = node.create_subscription(TransitionEvent, "/managed/transition_event", events.append, 10)
     spin_until(subscription.get_publisher_count)
     client = AsyncParameterClient(node, "/managed")
     assert client.wait_for_services(timeout_sec=20)
-    assert finish(client.set_parameters([Parameter("configure", value=wish)])).results[0].successful
-    assert not change(call, "configure")
-    spin_until(lambda: len(events) == 1 + len(ends))
-    assert [(event.transition.label, event.goal_state.label) for event in events[1:]] == ends
-    assert state(call) == "unconfigured"
-    if wish == "raise":
-        managed.wait_for("Error raised while configuring: broken")
-        managed.wait_for("ValueError: broken")
-        managed.wait_for("[managed]: cleaning up")
+    for wish, ends in FAILURES.items():
+        events.clear()
+        assert finish(client.set_parameters([Parameter("configure", value=wish)])).results[0].successful
+        assert not change(call, "configure")
+        spin_until(lambda ends=ends: len(events) == 1 + len(ends))
+        assert [(event.transition.label, event.goal_state.label) for event in events[1:]] == ends
+        assert state(call) == "unconfigured"
+    managed.wait_for("Error raised while configuring: broken")
+    managed.wait_for("ValueError: broken")
+    managed.wait_for("[managed]: cleaning up")
     assert finish(client.set_parameters([Parameter("configure", value="success")])).results[0].successful
     assert change(call, "configure")
 

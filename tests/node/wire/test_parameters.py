@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from itertools import count
 from pathlib import Path
 from typing import Any
 
 import pytest
 from tests.conftest import Program
+from tests.node.wire.conftest import PROGRAMS
 
 from tfloom.interfaces.rcl_interfaces.msg import ParameterEvent, ParameterType
 from tfloom.node.builtin.parameter_client import AsyncParameterClient
@@ -33,12 +34,35 @@ TYPES = {
 }
 
 
+@pytest.fixture(autouse=True)
+def local_wire(wire_of_module: str) -> str:
+    return wire_of_module
+
+
 @pytest.fixture
-def client(node: Node, start: Start) -> AsyncParameterClient:
-    start("parameters")
-    client = AsyncParameterClient(node, "/ns/remote")
+def domain_id(module_domain_id: int, start_program: Start) -> int:
+    """Return the module's domain. The test's node ends before its programs; see `domain_id` of tests/conftest.py."""
+    return module_domain_id
+
+
+@pytest.fixture(scope="module")
+def remote(wire_of_module: str, start_module_program: Start) -> Iterator[None]:
+    """Run a node whose parameters most tests change; none needs to know what others have set."""
+    program = start_module_program("python", PROGRAMS / "parameters.py")
+    program.wait_for("ready")
+    yield
+    program.end()
+
+
+def connected(node: Node, name: str) -> AsyncParameterClient:
+    client = AsyncParameterClient(node, name)
     assert client.wait_for_services(timeout_sec=20)
     return client
+
+
+@pytest.fixture
+def client(node: Node, remote: None) -> AsyncParameterClient:
+    return connected(node, "/ns/remote")
 
 
 def values(response: Any) -> list[Any]:
@@ -106,26 +130,26 @@ def test_qos_and_values_come_from_files_and_the_command_line(
   ros__parameters:
     integer: 1
     qos_overrides:
-      /ns/chatter:
+      /ns/talk:
         publisher:
           reliability: best_effort
           depth: 3
-/ns/remote:
+/ns/local:
   ros__parameters:
     integer: 2
     string: from the file
     group: {inner: {deep: 9}}
 """
     )
-    start("parameters", "--ros-args", "--params-file", path, "-p", "double:=9.5")
-    client = AsyncParameterClient(node, "/ns/remote")
-    assert client.wait_for_services(timeout_sec=20)
+    renamed = ["-r", "__node:=local", "-r", "chatter:=talk"]
+    start("parameters", "--ros-args", "--params-file", path, "-p", "double:=9.5", *renamed)
+    client = connected(node, "/ns/local")
     names = ["integer", "string", "double", "group.inner.deep"]
     assert values(finish(client.get_parameters(names))) == [2, "from the file", 9.5, 9]
-    spin_until(lambda: node.count_publishers("/ns/chatter"))
-    (info,) = node.get_publishers_info_by_topic("/ns/chatter")
+    spin_until(lambda: node.count_publishers("/ns/talk"))
+    (info,) = node.get_publishers_info_by_topic("/ns/talk")
     assert info.qos_profile.reliability is ReliabilityPolicy.BEST_EFFORT
-    prefix = "qos_overrides./ns/chatter.publisher."
+    prefix = "qos_overrides./ns/talk.publisher."
     listed = finish(client.list_parameters()).result.names
     assert [name for name in listed if name.startswith(prefix)] == [
         f"{prefix}{policy}" for policy in ("history", "depth", "reliability")
