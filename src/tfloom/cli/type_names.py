@@ -53,11 +53,20 @@ def _likeness(name: str, type_name: str) -> float:
     if name == type_name or base == known_base:
         return 1.0 if "/" not in name or name == type_name else SAME_BASE
     if "/" not in name:
-        return SAME_BASE * difflib.SequenceMatcher(None, base, known_base).ratio()
+        return SAME_BASE * _ratio(base, known_base)
     if name.count("/") == 1:
         package, _, last = type_name.partition("/")
         type_name = f"{package}/{last.rpartition('/')[2]}"
-    return SAME_BASE * difflib.SequenceMatcher(None, name, type_name).ratio()
+    return SAME_BASE * _ratio(name, type_name)
+
+
+def _ratio(name: str, known: str) -> float:
+    """Return difflib's similarity of two texts; 0 if it is too small for a near name, which most are at a glance."""
+    least = NEAR / SAME_BASE
+    if 2 * min(len(name), len(known)) < least * (len(name) + len(known)):
+        return 0.0
+    matcher = difflib.SequenceMatcher(None, name, known)
+    return matcher.ratio() if matcher.quick_ratio() >= least else 0.0
 
 
 def _rank(name: str) -> int:
