@@ -10,9 +10,11 @@ import pytest
 from tests.conftest import TIMEOUT_S, wait_until
 
 from tfloom.node import client_library as rclpy
+from tfloom.node.builtin.parameter_client import AsyncParameterClient
 from tfloom.node.context.context import Context
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
+from tfloom.node.parameters.parameter import Parameter
 
 
 class SpunNode:
@@ -39,6 +41,18 @@ class SpunNode:
             return condition()
 
         wait_until(is_met, timeout_s, what)
+
+    def parameters_of(self, node: str) -> AsyncParameterClient:
+        """Return a client of another node's parameters, as soon as its services are there."""
+        client = AsyncParameterClient(self.node, node)
+        self.spin_until(client.services_are_ready, f"the services of {node}")
+        return client
+
+    def set_parameter(self, node: str, name: str, value: object) -> Any:
+        """Set a parameter of another node, as `ros2 param set` does; return its SetParametersResult."""
+        answer = self.parameters_of(node).set_parameters([Parameter(name, value=value)])
+        self.spin_until(answer.done, f"{name} of {node}")
+        return answer.result().results[0]
 
     def end(self) -> None:
         self.executor.shutdown()

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 from tests.conftest import Program, python_with
+from tests.spun import SpunNode, spun
 
 GOLDEN = Path(__file__).parents[1] / "golden" / "cli"
 NAMES = [
@@ -193,27 +194,18 @@ def test_parameters_of_another_node_are_set_and_read(start: Start, start_quick: 
     end(blackboard)
 
 
-def test_setting_one_parameter_sets_another(
-    start: Start, start_program: Start, wait_until: Callable[..., None]
-) -> None:
-    def is_there() -> bool:
-        listed = start_program("tfloom", "node", "list")
-        return listed.wait() == 0 and "/set_parameters_callback" in listed.lines
-
+def test_setting_one_parameter_sets_another(start: Start, domain_id: int) -> None:
     node = start("set_parameters_callback")
-    wait_until(is_there)
-    param = ("tfloom", "param")
-    setter = start_program(*param, "set", "/set_parameters_callback", "param1", "28.0")
-    assert setter.wait() == 0, setter.output
-    for name, value in (("param1", "28.0"), ("param2", "4.0")):
-        getter = start_program(*param, "get", "/set_parameters_callback", name)
-        assert getter.wait() == 0
-        assert getter.lines == [f"Double value is: {value}"]
+    with spun(SpunNode("setter", domain_id)) as setter:
+        assert setter.set_parameter("/set_parameters_callback", "param1", 28.0).successful
+        answer = setter.parameters_of("/set_parameters_callback").get_parameters(["param1", "param2"])
+        setter.spin_until(answer.done)
+    assert [value.double_value for value in answer.result().values] == [28.0, 4.0]
     end(node)
 
 
 def test_service_events_are_published(
-    start: Start, start_program: Start, wait_until: Callable[..., None]
+    start: Start, start_program: Start, domain_id: int, wait_until: Callable[..., None]
 ) -> None:
     def tells(event: str) -> bool:
         return re.search(rf"event_type: ({event})$", echo.output, re.MULTILINE) is not None
@@ -223,15 +215,11 @@ def test_service_events_are_published(
     echo = start_program("tfloom", "service", "echo", "/add_two_ints")
     wait_until(lambda: tells("1|REQUEST_RECEIVED"))
     assert not tells("3|RESPONSE_RECEIVED")
-    refused = start_program(
-        "tfloom", "param", "set", "/introspection_client", "client_configure_introspection", "all"
-    )
-    refused.wait()
-    assert "must be one of 'disabled', 'metadata', or 'contents" in refused.output
-    setter = start_program(
-        "tfloom", "param", "set", "/introspection_client", "client_configure_introspection", "metadata"
-    )
-    assert setter.wait() == 0
+    switch = "/introspection_client", "client_configure_introspection"
+    with spun(SpunNode("setter", domain_id)) as setter:
+        refused = setter.set_parameter(*switch, "all")
+        assert "must be one of 'disabled', 'metadata', or 'contents" in refused.reason
+        assert setter.set_parameter(*switch, "metadata").successful
     wait_until(lambda: tells("3|RESPONSE_RECEIVED"))
     end(program)
 

@@ -180,15 +180,14 @@ def test_mapper_that_is_killed_and_a_laser_that_stops(observer: Observer, start_
     observer.last.clear()
     again = start_program("python", FOLDER / "mapper.py")
     observer.wait_for(lambda: "/map" in observer.last, "the map of the second mapper")
-    off = start_program("tfloom", "param", "set", "/robot", "laser", "false")
-    assert off.wait() == 0, off.output
+    assert observer.set_parameter("/robot", "laser", False).successful
     again.wait_for("No scan for 2 s: map → odom stays as it is")
     stamp = observer.buffer.lookup_transform("map", "odom", Time()).header.stamp.sec
     observer.wait_for(
         lambda: observer.buffer.lookup_transform("map", "odom", Time()).header.stamp.sec > stamp,
         "map → odom without scans",
     )
-    assert start_program("tfloom", "param", "set", "/robot", "laser", "true").wait() == 0
+    assert observer.set_parameter("/robot", "laser", True).successful
     again.wait_for("Scans are received again")
     second = start_program("python", FOLDER / "robot.py")
     for program in (robot, second):
