@@ -149,7 +149,8 @@ def test_laptop_reads_tf_and_nothing_else(
     robot = join()
     asked = serve(robot)
     laptop = join("laptop.json5")
-    laptop.subscribe(TF)
+    for key in (TF, CMD_VEL):
+        laptop.subscribe(key)
     statics: list[bytes] = []
     note = direct(lambda sample: statics.append(sample.payload.to_bytes()))
     history = zenoh.ext.HistoryConfig(detect_late_publishers=True, max_samples=1)
