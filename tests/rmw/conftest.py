@@ -7,8 +7,8 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from importlib import import_module
-from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -102,24 +102,30 @@ def outputs_by_end(
     return outputs
 
 
-@pytest.fixture
-def start_peer(domain_id: int, start_program: Callable[..., Any]) -> Iterator[Callable[..., Peer]]:
-    """Start a peer on this test's domain, on the wire that the environment selects, by `start()`.
+@contextmanager
+def peers(start_program: Callable[..., Program]) -> Iterator[Callable[..., Peer]]:
+    """Yield a function that starts peers, on the wire and the domain that the environment selects, by `start()`.
 
     Words are a command that starts it in turn, as one that enters a namespace.
     """
-    names = count()
-    peers: list[Peer] = []
+    started: list[Peer] = []
 
     def start(*words: str, **options: object) -> Peer:
         command = (*words, sys.executable, PROGRAMS / "peer.py")
         program = start_program(*command, stdin=subprocess.PIPE, **options)
-        peers.append(Peer(program, f"peer_{next(names)}"))
-        return peers[-1]
+        started.append(Peer(program, f"peer_{len(started)}"))
+        return started[-1]
 
     yield start
-    for peer in peers:
+    for peer in started:
         peer.program.process.stdin.close()
+
+
+@pytest.fixture
+def start_peer(domain_id: int, start_program: Callable[..., Any]) -> Iterator[Callable[..., Peer]]:
+    """Start a peer on this test's domain; see `peers`."""
+    with peers(start_program) as start:
+        yield start
 
 
 @pytest.fixture(

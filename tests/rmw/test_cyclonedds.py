@@ -1,12 +1,18 @@
-"""DDS between two processes: unchanged bytes, qualities of service, peers that join and leave."""
+"""DDS between two processes, each with the endpoints of all tests: unchanged bytes, qualities of service."""
 
 from __future__ import annotations
 
 import random
+import re
+from collections.abc import Callable, Iterator
 
 import pytest
+from tests.conftest import Program
+from tests.rmw.conftest import Peer, peers
 
 from tfloom._native import ReadyQueue, SampleQueue
+from tfloom.rmw.base import NodeName, Participant, Topic
+from tfloom.rmw.cyclonedds import open_participant
 from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoS, ReliabilityPolicy
 
 HEADER = b"\0\1\0\0"
@@ -15,14 +21,46 @@ TRANSIENT_LOCAL = QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL, depth=5)
 BEST_EFFORT = QoS(reliability=ReliabilityPolicy.BEST_EFFORT)
 
 
+@pytest.fixture(scope="module")
+def start_peer(
+    module_domain_id: int, start_module_program: Callable[..., Program]
+) -> Iterator[Callable[..., Peer]]:
+    with peers(start_module_program) as start:
+        yield start
+
+
+@pytest.fixture(scope="module")
+def peer(start_peer: Callable[..., Peer]) -> Peer:
+    return start_peer()
+
+
+@pytest.fixture(scope="module")
+def participant(module_domain_id: int, node: NodeName) -> Iterator[Participant]:
+    participant = open_participant(module_domain_id)
+    participant.add_node(node)
+    yield participant
+    participant.close()
+
+
+@pytest.fixture(scope="module")
+def node() -> NodeName:
+    return NodeName("/tests", "here")
+
+
+@pytest.fixture
+def topic(request: pytest.FixtureRequest) -> Topic:
+    """Return a topic of the test alone."""
+    name = re.sub(r"\W", "_", request.node.name)
+    return Topic(f"/{name}", "std_msgs/msg/String", "RIHS01_" + "0" * 64)
+
+
 def padded(data: bytes) -> bytes:
     return data + bytes(-len(data) % 4)
 
 
 @pytest.mark.parametrize("size", [1, 2, 3, 4, 5, 1000, 65_536, 2_000_001])
-def test_payloads_arrive_unchanged(participant, start_peer, node, topic, take_data, wait_until, size) -> None:
+def test_payloads_arrive_unchanged(participant, peer, node, topic, take_data, wait_until, size) -> None:
     reader = participant.create_reader(node, topic, KEEP_ALL)
-    peer = start_peer()
     end, _ = peer("writer", topic, KEEP_ALL)
     wait_until(lambda: peer("matched", end))
     peer("write_random", end, size, size)
@@ -30,10 +68,7 @@ def test_payloads_arrive_unchanged(participant, start_peer, node, topic, take_da
     assert data == padded(HEADER + random.Random(size).randbytes(size))
 
 
-def test_many_random_payloads_arrive_in_order(
-    participant, start_peer, node, topic, take_data, wait_until
-) -> None:
-    peer = start_peer()
+def test_many_random_payloads_arrive_in_order(participant, peer, node, topic, take_data, wait_until) -> None:
     end, _ = peer("reader", topic, KEEP_ALL)
     writer = participant.create_writer(node, topic, KEEP_ALL)
     wait_until(writer.matched_count)
@@ -46,9 +81,8 @@ def test_many_random_payloads_arrive_in_order(
     assert got == [padded(data).hex() for data in sent]
 
 
-def test_samples_have_writer_and_stamp(participant, start_peer, node, topic, wait_until) -> None:
+def test_samples_have_writer_and_stamp(participant, peer, node, topic, wait_until) -> None:
     reader = participant.create_reader(node, topic, KEEP_ALL)
-    peer = start_peer()
     ends = [peer("writer", topic, KEEP_ALL) for _ in range(2)]
     wait_until(lambda: reader.matched_count() == 2 and all(peer("matched", end) for end, _ in ends))
     samples = []
@@ -79,9 +113,8 @@ def test_samples_of_an_ended_process_are_complete_and_have_their_writer(
 
 @pytest.mark.parametrize("depth", [1, 5])
 def test_late_reader_receives_the_samples_of_a_transient_local_writer(
-    participant, start_peer, node, topic, take_data, depth
+    participant, peer, node, topic, take_data, depth
 ) -> None:
-    peer = start_peer()
     end, _ = peer("writer", topic, TRANSIENT_LOCAL._replace(depth=depth))
     for i in range(8):
         peer("write", end, (HEADER + bytes(3) + bytes([i])).hex())
@@ -91,9 +124,8 @@ def test_late_reader_receives_the_samples_of_a_transient_local_writer(
 
 
 def test_late_volatile_reader_receives_later_samples_only(
-    participant, start_peer, node, topic, take_data, wait_until
+    participant, peer, node, topic, take_data, wait_until
 ) -> None:
-    peer = start_peer()
     end, _ = peer("writer", topic, TRANSIENT_LOCAL)
     peer("write", end, (HEADER + b"old.").hex())
     reader = participant.create_reader(node, topic, KEEP_ALL)
@@ -102,10 +134,9 @@ def test_late_volatile_reader_receives_later_samples_only(
     assert take_data(reader, 1) == [HEADER + b"new."]
 
 
-def test_keep_last_keeps_the_last(participant, start_peer, node, topic, take_data, wait_until) -> None:
+def test_keep_last_keeps_the_last(participant, peer, node, topic, take_data, wait_until) -> None:
     reader = participant.create_reader(node, topic, QoS(depth=3))
     every = participant.create_reader(node, topic, KEEP_ALL)
-    peer = start_peer()
     end, _ = peer("writer", topic, KEEP_ALL)
     wait_until(lambda: peer("matched", end) == 2)
     for i in range(20):
@@ -114,9 +145,8 @@ def test_keep_last_keeps_the_last(participant, start_peer, node, topic, take_dat
     assert [data[4] for data in take_data(reader, 3)] == [17, 18, 19]
 
 
-def test_best_effort_endpoints_match(participant, start_peer, node, topic, take_data, wait_until) -> None:
+def test_best_effort_endpoints_match(participant, peer, node, topic, take_data, wait_until) -> None:
     reader = participant.create_reader(node, topic, BEST_EFFORT)
-    peer = start_peer()
     end, _ = peer("writer", topic, BEST_EFFORT)
     wait_until(lambda: reader.matched_count() and peer("matched", end))  # either may discover the other first
     peer("write", end, (HEADER + b"data").hex())
@@ -143,9 +173,8 @@ STRONG = QoS(
     ids=lambda weaker: next(iter(weaker)),
 )
 def test_weaker_offer_than_requested_does_not_match(
-    participant, start_peer, node, topic, wait_until, weaker
+    participant, peer, node, topic, wait_until, weaker
 ) -> None:
-    peer = start_peer()
     weak, _ = peer("writer", topic, STRONG._replace(**weaker))
     reader = participant.create_reader(node, topic, STRONG)
     # Endpoints are announced in the order of their creation, so after the second has matched, the first can't match.
@@ -155,8 +184,7 @@ def test_weaker_offer_than_requested_does_not_match(
     assert peer("matched", weak) == 0
 
 
-def test_expired_sample_is_not_delivered(participant, start_peer, node, topic, take_data) -> None:
-    peer = start_peer()
+def test_expired_sample_is_not_delivered(participant, peer, node, topic, take_data) -> None:
     brief, _ = peer("writer", topic, TRANSIENT_LOCAL._replace(lifespan_ns=1_000_000))
     lasting, _ = peer("writer", topic, TRANSIENT_LOCAL)
     peer("write", brief, (HEADER + b"brief...").hex())
@@ -166,11 +194,10 @@ def test_expired_sample_is_not_delivered(participant, start_peer, node, topic, t
     assert take_data(reader, 1) == [HEADER + b"lasting."]
 
 
-def test_sink_receives_all_samples_and_take_none(participant, start_peer, node, topic, wait_until) -> None:
+def test_sink_receives_all_samples_and_take_none(participant, peer, node, topic, wait_until) -> None:
     queue, sink = ReadyQueue(), SampleQueue(1000)
     reader = participant.create_reader(node, topic, KEEP_ALL)
     reader.notify(queue, 1)
-    peer = start_peer()
     end, gid = peer("writer", topic, KEEP_ALL)
     wait_until(lambda: peer("matched", end) and reader.matched_count())
     peer("write", end, (HEADER + b"\0\0\0\0").hex())
@@ -200,14 +227,11 @@ def test_no_sample_is_pushed_after_close(participant, node, topic, wait_until) -
         assert sink.pushed() == pushed
 
 
-def test_notify_posts_at_once_only_if_samples_are_waiting(
-    participant, start_peer, node, topic, wait_until
-) -> None:
+def test_notify_posts_at_once_only_if_samples_are_waiting(participant, peer, node, topic, wait_until) -> None:
     first, second = ReadyQueue(), ReadyQueue()
     reader = participant.create_reader(node, topic, KEEP_ALL)
     reader.notify(first, 1)
     assert first.wait(0) == []
-    peer = start_peer()
     end, _ = peer("writer", topic, KEEP_ALL)
     wait_until(lambda: peer("matched", end) and reader.matched_count())
     for text in (b"one.", b"two."):
