@@ -1,7 +1,7 @@
-"""Publishes on /chatter with the QoS of its first argument (JSON of QoSProfile's fields, durations in s).
+"""Publishes on /chatter, as lines on stdin say, and prints its publisher's events.
 
-Lines on stdin: a number publishes that many messages, `assert` asserts its liveliness, `leave` ends it. It prints
-its events as JSON: the event's name and the status's fields.
+JSON of QoSProfile's fields, durations in s, creates a publisher with that QoS, `leave` destroys it, a number publishes
+that many messages, `assert` asserts its liveliness. Events are printed as JSON: the name and the status's fields.
 """
 
 import json
@@ -37,11 +37,14 @@ def qos_of(text):
 
 
 def read_commands():
+    publisher = None
     for line in sys.stdin:
         word = line.strip()
-        if word == "leave":
-            break
-        if word == "assert":
+        if word.startswith("{"):
+            publisher = node.create_publisher(String, "chatter", qos_of(word), event_callbacks=callbacks)
+        elif word == "leave":
+            node.destroy_publisher(publisher)
+        elif word == "assert":
             publisher.assert_liveliness()
         else:
             for number in range(int(word)):
@@ -54,7 +57,6 @@ rclpy.init()
 node = rclpy.create_node("talker")
 events = ("deadline", "liveliness", "matched")
 callbacks = PublisherEventCallbacks(**{event: teller(event) for event in events})
-publisher = node.create_publisher(String, "chatter", qos_of(sys.argv[1]), event_callbacks=callbacks)
 say("ready")
 threading.Thread(target=read_commands).start()
 try:
