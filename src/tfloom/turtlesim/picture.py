@@ -39,13 +39,14 @@ def to_png(picture: Picture) -> bytes:
 
 
 def save(picture: Picture, path: Path, **options: Any) -> None:
-    """Write a picture to a file, in the format of the file's ending.
+    """Write a picture to a file, in the format that the file's ending names, as .png.
 
     Raises:
         OSError: it can't be written.
     """
     file = io.BytesIO()
-    picture.save(file, Image.registered_extensions()[path.suffix.lower()], **options)
+    # By the format's name, because Pillow's table of endings is complete only after it has loaded all its plug-ins.
+    picture.save(file, path.suffix[1:].upper(), **options)
     write_file(path, file.getbuffer())
 
 
