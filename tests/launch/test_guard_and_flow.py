@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 from tests.conftest import run_to_end
 
-from tfloom.launch.processes.guard import Guard
+from tfloom.launch.processes.guard import Guard, guardian_command
 from tfloom.launch.processes.local_process import OUTPUT_S, LocalProcess
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="process groups are of POSIX")
@@ -69,7 +69,7 @@ def test_a_guardian_ignores_the_signals_that_end_others(wait_until: Callable[...
     numbers = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT)
     process = sleeping()
     guardian = subprocess.Popen(
-        [sys.executable, "-m", "tfloom.launch.processes.guardian", uuid.uuid4().hex, "0"],
+        guardian_command(uuid.uuid4().hex, 0.0),
         stdin=subprocess.PIPE,
     )
     try:

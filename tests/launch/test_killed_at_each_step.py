@@ -89,7 +89,7 @@ STEPS = {
 
 VICTIMS = {
     "launch": lambda words: "launch" in words and "-m" in words,
-    "guardian": lambda words: "tfloom.launch.processes.guardian" in words,
+    "guardian": lambda words: any(word.endswith("guardian.py") for word in words),
     "node": lambda words: any(word.endswith("/walker") for word in words),
     "child of the node": lambda words: words[-1] == "6001",
     "included process": lambda words: DEAF in words,

@@ -40,6 +40,7 @@ from tfloom.launch.events.process import (
 )
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.processes.family import KILL_S, TAG, end, find, members_of, tagged
+from tfloom.launch.processes.guard import guardian_command
 from tfloom.launch.substitutions.text_substitution import TextSubstitution
 from tfloom.launch.substitutions.variables import LaunchConfiguration
 
@@ -391,10 +392,8 @@ def test_the_guardian_ends_no_group_that_the_launch_no_longer_has() -> None:
 
 def run_guardian(lines: str) -> None:
     """Run a guardian of a launch that was killed, after it had sent some lines."""
-    module = "tfloom.launch.processes.guardian"
-    subprocess.run(
-        [sys.executable, "-m", module, uuid.uuid4().hex, "0"], input=lines.encode(), timeout=30, check=True
-    )
+    command = guardian_command(uuid.uuid4().hex, 0.0)
+    subprocess.run(command, input=lines.encode(), timeout=30, check=True)
 
 
 def test_no_process_is_of_a_launch_that_began_after_it() -> None:

@@ -1,4 +1,4 @@
-"""A process that ends a launch's processes when the launch itself was killed: `python -m …guardian ID TIME`.
+"""A process that ends a launch's processes when the launch itself was killed: `python -S …/guardian.py ID TIME`.
 
 Its stdin is a pipe, whose other end only the launch holds; the kernel closes it with the launch, however that ended.
 """
@@ -26,8 +26,11 @@ def main(arguments: list[str]) -> int:
     launch_id, since_s = arguments[0], float(arguments[1])
     lines = [line.split() for line in sys.stdin.buffer]  # until the launch has ended: the guardian waits here
     folders = [bytes.fromhex(words[1].decode()) for words in lines if words[0] == b"remove"]
-    import shutil  # not needed before, as the next
+    # Not needed before, as the next: `site` finds the packages.
+    import shutil
+    import site
 
+    site.main()
     from tfloom.launch.processes import family
 
     # In the order of the lines: the system may have given the id of a group that has ended to a later process of the
