@@ -27,7 +27,8 @@ class Canvas:
         self.background = background
         self.changes = 0
         """A number that grows with each change of the strokes."""
-        self._ink = Ink(FINE_PX)
+        self._ink: Ink | None = None
+        """The strokes; None before the first one, because so large a picture takes time and memory."""
         self._ground: Picture | None = None
         self._ground_color = background
         self._changed: Box | None = None
@@ -35,7 +36,7 @@ class Canvas:
     def clear(self) -> None:
         """Remove all strokes, so that the background alone is left."""
         self.changes += 1
-        self._ink.clear()
+        self._ink = None
         self._ground = None
 
     def paint(self, stroke: Stroke) -> None:
@@ -43,6 +44,8 @@ class Canvas:
         self.changes += 1
         ends = [_fine(*stroke.start), _fine(*stroke.end)]
         width = stroke.width_px * FINENESS
+        if self._ink is None:
+            self._ink = Ink(FINE_PX)
         self._ink.line(ends, stroke.color, width)
         self._touch(ends, width / 2)
 
@@ -58,6 +61,8 @@ class Canvas:
 
     def color_at(self, x: float, y: float) -> Color:
         """Return the colour of the strokes at a point [m]; white where there is none."""
+        if self._ink is None:
+            return NOTHING_DRAWN
         px, py = (min(max(int(value), 0), FINE_PX - 1) for value in _fine(x, y))
         return self._ink.color_at(px, py) or NOTHING_DRAWN
 
@@ -87,17 +92,17 @@ class Canvas:
             ground = self._ground = plain(size_px, self.background)
             self._ground_color = self.background
             changed = (0, 0, FINE_PX, FINE_PX)
-        if changed is not None:
-            self._scale_ink(ground, changed)
+        if changed is not None and self._ink is not None:
+            self._lay_ink(self._ink, ground, changed)
         return ground
 
-    def _scale_ink(self, ground: Picture, part: Box) -> None:
+    def _lay_ink(self, ink: Ink, ground: Picture, part: Box) -> None:
         """Lay the ink within `part`, in the ink's pixels, onto `ground`."""
         ratio = FINE_PX / ground.width
         left, top = (max(0, int(edge / ratio) - 1) for edge in part[:2])
         right, bottom = (min(ground.width, int(edge / ratio) + 2) for edge in part[2:])
         if left < right and top < bottom:
-            self._ink.lay_onto(ground, (left, top, right, bottom), self.background)
+            ink.lay_onto(ground, (left, top, right, bottom), self.background)
 
 
 def _fine(x: float, y: float) -> tuple[float, float]:

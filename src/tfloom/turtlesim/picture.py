@@ -17,7 +17,6 @@ Box: TypeAlias = tuple[int, int, int, int]
 """Left, top, right and bottom [px]; right and bottom are outside."""
 Picture: TypeAlias = Image.Image
 
-CLEAR = (0, 0, 0, 0)
 OPAQUE = 255
 
 
@@ -60,10 +59,6 @@ class Ink:
     def __init__(self, side_px: int) -> None:
         self._image = Image.new("RGBA", (side_px, side_px))
         self._draw = ImageDraw.Draw(self._image)
-
-    def clear(self) -> None:
-        """Make all pixels transparent."""
-        self._image.paste(CLEAR, (0, 0, *self._image.size))
 
     def line(self, ends: list[Point], color: Color, width_px: int) -> None:
         """Draw a line with round ends."""
