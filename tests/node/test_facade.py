@@ -80,9 +80,20 @@ def test_a_traceback_shows_the_name_that_ros_shows() -> None:
 
 def test_objects_show_the_names_that_ros_shows() -> None:
     result = run(
-        "import inspect, rclpy, launch, launch_ros.actions\n"
+        "import inspect, launch, launch_ros.actions\n"
+        "import rclpy, rclpy.action, rclpy.executors, rclpy.task, rclpy.time_source\n"
         "from launch import LaunchDescription, LaunchIntrospector, actions, conditions, events, substitutions\n"
-        "rclpy.init(); print(rclpy.create_node('a'))\n"
+        "from std_msgs.msg import String; from std_srvs.srv import Empty\n"
+        "from example_interfaces.action import Fibonacci\n"
+        "rclpy.init(); node = rclpy.create_node('a'); print(node)\n"
+        "print(node.create_publisher(String, 'a', 1), node.create_subscription(String, 'a', print, 1))\n"
+        "print(node.create_client(Empty, 'b'), node.create_service(Empty, 'b', print))\n"
+        "print(node.create_timer(1, print), node.create_guard_condition(print), node.create_rate(1))\n"
+        "print(rclpy.action.ActionClient(node, Fibonacci, 'c'))\n"
+        "print(rclpy.action.ActionServer(node, Fibonacci, 'c', print))\n"
+        "print(node.context, node.default_callback_group, rclpy.executors.SingleThreadedExecutor())\n"
+        "print(rclpy.task.Future(), rclpy.time_source.TimeSource(), launch.LaunchContext(), launch.LaunchService())\n"
+        "print([*node.get_publishers_info_by_topic('/a'), rclpy.executors.MultiThreadedExecutor()])\n"
         "print(actions.LogInfo(msg=''), conditions.IfCondition('1'), events.Shutdown())\n"
         "print(launch_ros.actions.SetParameter('a', 1), substitutions.TextSubstitution(text=''))\n"
         "print(LaunchIntrospector().format_launch_description(LaunchDescription([actions.GroupAction([])])))\n"
@@ -91,34 +102,6 @@ def test_objects_show_the_names_that_ros_shows() -> None:
     )
     assert re.findall(r"<(\S+) object at 0x[0-9a-f]+>", result.stdout) == [
         "rclpy.node.Node",
-        "launch.actions.log_info.LogInfo",
-        "launch.conditions.if_condition.IfCondition",
-        "launch.events.shutdown.Shutdown",
-        "launch_ros.actions.set_parameter.SetParameter",
-        "launch.substitutions.text_substitution.TextSubstitution",
-        "launch.launch_description.LaunchDescription",
-        "launch.actions.group_action.GroupAction",
-        "__main__.Own",
-    ], result.stderr
-    assert result.stdout.endswith(" True\n")
-
-
-def test_what_nodes_create_shows_the_names_that_ros_shows() -> None:
-    result = run(
-        "import rclpy, launch, rclpy.action, rclpy.executors, rclpy.task, rclpy.time_source\n"
-        "from std_msgs.msg import String; from std_srvs.srv import Empty\n"
-        "from example_interfaces.action import Fibonacci\n"
-        "rclpy.init(); node = rclpy.create_node('a')\n"
-        "print(node.create_publisher(String, 'a', 1), node.create_subscription(String, 'a', print, 1))\n"
-        "print(node.create_client(Empty, 'b'), node.create_service(Empty, 'b', print))\n"
-        "print(node.create_timer(1, print), node.create_guard_condition(print), node.create_rate(1))\n"
-        "print(rclpy.action.ActionClient(node, Fibonacci, 'c'))\n"
-        "print(rclpy.action.ActionServer(node, Fibonacci, 'c', print))\n"
-        "print(node.context, node.default_callback_group, rclpy.executors.SingleThreadedExecutor())\n"
-        "print(rclpy.task.Future(), rclpy.time_source.TimeSource(), launch.LaunchContext(), launch.LaunchService())\n"
-        "print([*node.get_publishers_info_by_topic('/a'), rclpy.executors.MultiThreadedExecutor()])"
-    )
-    assert re.findall(r"<(\S+) object at 0x[0-9a-f]+>", result.stdout) == [
         "rclpy.publisher.Publisher",
         "rclpy.subscription.Subscription",
         "rclpy.client.Client",
@@ -137,7 +120,16 @@ def test_what_nodes_create_shows_the_names_that_ros_shows() -> None:
         "launch.launch_service.LaunchService",
         "rclpy.topic_endpoint_info.TopicEndpointInfo",
         "rclpy.executors.MultiThreadedExecutor",
+        "launch.actions.log_info.LogInfo",
+        "launch.conditions.if_condition.IfCondition",
+        "launch.events.shutdown.Shutdown",
+        "launch_ros.actions.set_parameter.SetParameter",
+        "launch.substitutions.text_substitution.TextSubstitution",
+        "launch.launch_description.LaunchDescription",
+        "launch.actions.group_action.GroupAction",
+        "__main__.Own",
     ], result.stderr
+    assert result.stdout.endswith(" True\n")
 
 
 def test_an_error_of_missing_arguments_shows_the_name_that_ros_shows() -> None:
