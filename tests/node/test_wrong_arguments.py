@@ -13,8 +13,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.each import for_each
 
 import tfloom
+from tfloom.node.context.context import Context
 from tfloom.node.node import Node
 
 MODULES = (
@@ -425,18 +427,23 @@ def _misuse(line: str, node: Node) -> BaseException:
     return caught.value
 
 
-@pytest.mark.parametrize("line", ROWS)
-def test_error_says_what_was_given_near_the_line(line: str, node: Node) -> None:
-    error = _misuse(line, node)
+def _misuse_of_a_new_node(line: str) -> BaseException:
+    with Context() as context, Node("tester", context=context) as node:
+        return _misuse(line, node)
+
+
+@for_each(ROWS)
+def test_error_says_what_was_given_near_the_line(line: str) -> None:
+    error = _misuse_of_a_new_node(line)
     kind, _, text = ROWS[line].partition(": ")
     assert type(error).__name__ == kind
     assert text in "\n".join([str(error), *getattr(error, "__notes__", ())])
     _check_frames(error)
 
 
-@pytest.mark.parametrize("line", TIMES)
-def test_number_in_place_of_a_time_has_a_note(line: str, node: Node) -> None:
-    error = _misuse(line, node)
+@for_each(TIMES)
+def test_number_in_place_of_a_time_has_a_note(line: str) -> None:
+    error = _misuse_of_a_new_node(line)
     assert isinstance(error, TypeError)
     assert str(error) in {
         f"{kind} must have sec and nanosec, or nanoseconds." for kind in ("time", "duration")
