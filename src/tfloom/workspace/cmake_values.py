@@ -109,6 +109,8 @@ def expand_text(text: str, variables: Variables) -> str:
     # `${A_${B}}` is read from the inside out, one level of all references in a round, until nothing changes. The last
     # level and the escapes come at the end, in one pass, whose results aren't read again.
     variables.count(len(text))
+    if "$" not in text and "\\" not in text:  # as most words of a file
+        return text
     for _ in range(_MAX_NESTING):
         inner = re.sub(
             r"\$\{([^{}]*\$\{[A-Za-z0-9_./+-]*\}[^{}]*)\}", lambda m: _inner(m[0], variables), text
@@ -126,6 +128,8 @@ def _inner(text: str, variables: Variables) -> str:
 
 def split_list(text: str) -> list[str]:
     """Return the elements of a list, which semicolons separate; empty ones are omitted, as in arguments."""
+    if ";" not in text:
+        return [text] if text else []
     return [part.replace("\\;", ";") for part in re.split(r"(?<!\\);", text) if part]
 
 
