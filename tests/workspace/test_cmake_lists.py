@@ -134,6 +134,7 @@ def test_quotes_brackets_and_escapes_are_read(tmp_path: Path) -> None:
         ('set(v a.x b.y)\nlist(FILTER v INCLUDE REGEX "[.]x$")', ["a.x"]),
         ("set(n v)\nset(in_v a)\nset(v ${in_${n}}b)", ["ab"]),
         ("set(v a)\nunset(v)", []),
+        (r'set(v a\ b "c\"d" "e\tf")', ["a b", 'c"d', "e\tf"]),
         ("set(v a CACHE STRING x)", ["a"]),
         ("foreach(i a b)\nlist(APPEND v msg/${i}.msg)\nendforeach()", ["msg/a.msg", "msg/b.msg"]),
         ("set(l a b)\nforeach(i IN LISTS l ITEMS c)\nlist(APPEND v ${i})\nendforeach()", ["a", "b", "c"]),
