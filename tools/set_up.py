@@ -231,10 +231,15 @@ class Environment:
     def pip(self, *arguments: str, quietly: bool = False) -> bool:
         """Run pip in the environment, and return whether it succeeded. Print its messages unless `quietly`.
 
+        What it installs is compiled when it is first imported: pip would compile all files, most of which no program
+        here imports, and take as long for that as for the rest of the installation.
+
         Raises:
             SetUpError: pip reached no package index, or failed, and `quietly` is false.
         """
-        command = [str(self.python), "-I", "-m", "pip", *arguments, "--quiet", "--disable-pip-version-check"]
+        lazily = ["--no-compile"] if arguments[0] == "install" else []
+        options = [*lazily, "--quiet", "--disable-pip-version-check"]
+        command = [str(self.python), "-I", "-m", "pip", *arguments, *options]
         offline = False
         with subprocess.Popen(
             command,

@@ -163,6 +163,19 @@ def test_compiler_and_packages_have_the_checkout_for_themselves(
     assert [line.startswith("-- Waiting for another set-up") for line in others] == [True, True]
 
 
+@pytest.mark.skipif(os.name != "posix", reason="the program in pip's place is a script")
+def test_pip_compiles_nothing_that_is_not_imported(tmp_path: Path) -> None:
+    environment = set_up.Environment(tmp_path)
+    environment.python = tmp_path / "python"
+    environment.python.write_text(f"#!/bin/sh\necho \"$@\" >>'{tmp_path}/called'\n")
+    environment.python.chmod(0o755)
+    assert environment.pip("install", "numpy")
+    assert environment.pip("download", "numpy")
+    installed, downloaded = (tmp_path / "called").read_text().splitlines()
+    assert "--no-compile" in installed.split()
+    assert "--no-compile" not in downloaded.split()  # has no such option
+
+
 @pytest.mark.slow
 def test_two_set_ups_at_once_make_one_environment(tmp_path: Path) -> None:
     with ThreadPoolExecutor(2) as pool:
