@@ -44,12 +44,9 @@ StartBridge = Callable[..., tuple[Program, int]]
 TOPICS = 100
 
 
-def test_many_topics(node: Node, start_bridge: StartBridge) -> None:
+def test_many_topics(domain_id: int, node: Node) -> None:
     """They are found while a client is connected, each is read, and closed when it is gone."""
-    program, port = start_bridge()
-    client = Client(port)
-    with closing(client.socket):
-        client.wait_for(lambda: client.info)
+    with connected(domain_id) as client:
         names = [f"/many/topic_{number}" for number in range(TOPICS)]
         publishers = {name: node.create_publisher(String, name, 1) for name in names}
         for number, name in enumerate(names):
@@ -73,8 +70,6 @@ def test_many_topics(node: Node, start_bridge: StartBridge) -> None:
             node.destroy_publisher(publishers[name])
         client.wait_for(lambda: len(client.channels.keys() & set(names)) == 1, "the end of the topics")
         assert names[0] in client.channels
-    program.signal(signal.SIGINT)
-    assert program.wait() == 0
 
 
 def test_client_stays_connected_while_many_topics_come_and_go(domain_id: int, node: Node) -> None:
