@@ -27,14 +27,16 @@ def test_listener_logs_what_the_talker_publishes(start: Callable[..., Program]) 
     end(talker, listener)
 
 
-@pytest.mark.parametrize("name", ["add_two_ints_client", "add_two_ints_client_async"])
-def test_clients_log_the_sum_of_two_and_three(start: Callable[..., Program], name: str) -> None:
-    client = start("run", "demo_nodes_cpp", name)
-    client.wait_for("[add_two_ints_client]: service not available, waiting again...")
+def test_clients_log_the_sum_of_two_and_three(start: Callable[..., Program]) -> None:
+    names = ("add_two_ints_client", "add_two_ints_client_async")
+    clients = [start("run", "demo_nodes_cpp", name) for name in names]
+    for client in clients:
+        client.wait_for("[add_two_ints_client]: service not available, waiting again...")
     server = start("run", "demo_nodes_cpp", "add_two_ints_server")
-    assert client.wait() == 0
-    assert said(client.lines, "add_two_ints_client")[-1] == "Result of add_two_ints: 5"
-    assert server.lines[-1] == "a: 2 b: 3"
+    for client in clients:
+        assert client.wait() == 0
+        assert said(client.lines, "add_two_ints_client")[-1] == "Result of add_two_ints: 5"
+    assert server.lines[1::2] == ["a: 2 b: 3"] * 2
     end(server, number=signal.SIGTERM)
 
 
