@@ -16,13 +16,14 @@ SECOND = 1_000_000_000
 FRAMES = [f"f{i}" for i in range(5)]
 
 # Values of a table, because drawing seven numbers for each sample takes longer than all else; equal samples are common.
+# None is half a turn from another, because slerp between such has two ways to go.
 RANDOM = np.random.default_rng(3)
 translations = st.sampled_from(
     [(0.0, 0.0, 0.0), (100.0, -100.0, 1e-9), *map(tuple, RANDOM.uniform(-100, 100, (30, 3)).tolist())]
 )
 rotations = st.sampled_from(
     [
-        *((0.0, 0.0, 0.0, 1.0), (0.0, 0.0, 0.0, -1.0), (1.0, 0.0, 0.0, 0.0), (0.5, 0.5, -0.5, 0.5)),
+        *((0.0, 0.0, 0.0, 1.0), (0.0, 0.0, 0.0, -1.0), (0.5, 0.5, -0.5, 0.5)),
         *map(tuple, RANDOM.normal(size=(30, 4)).tolist()),
     ]
 )
