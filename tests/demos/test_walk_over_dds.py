@@ -6,18 +6,14 @@ import math
 import os
 import pty
 import re
-import shutil
 import signal
 import time
 from collections.abc import Callable, Iterator
-from pathlib import Path
 from typing import Any
 
 import pytest
 from tests.conftest import COLCON_PYTHON
-from tests.workspace.conftest import BIN, colcon
 
-EXAMPLES = Path(__file__).parents[2] / "examples"
 BROADCASTER = "tfloom.demos.turtle_tf2_py.turtle_tf2_broadcaster"
 PROGRAMS = {
     "turtlesim": ("tfloom", "run", "turtlesim", "turtlesim_node", "--headless"),
@@ -58,16 +54,6 @@ def start(domain_id: int, start_program: Callable[..., Any]) -> Iterator[Callabl
     yield lambda name: start_program(*PROGRAMS[name], stdin=read)
     os.close(read)
     os.close(write)
-
-
-@pytest.fixture
-def built_broadcaster(tmp_path: Path) -> list[str]:
-    """Build the example package in a workspace, and return the command that sources it and starts its program."""
-    shutil.copytree(EXAMPLES / "turtle_frames", tmp_path / "src" / "turtle_frames")
-    built = colcon(tmp_path, "build", "--packages-select", "turtle_frames")
-    assert built.code == 0, built.output
-    script = tmp_path / "install" / "setup.bash"
-    return ["bash", "-c", f"source '{script}' && exec '{BIN / 'ros2'}' run turtle_frames broadcaster"]
 
 
 @pytest.fixture
