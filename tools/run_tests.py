@@ -20,7 +20,9 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 TIMING_WORKERS = 3
-WORKERS_PER_CORE = 3
+WORKERS_PER_CORE = 5
+SLOW_WORKERS_PER_CORE = 3
+"""Fewer, because slow tests compile and check types with several processes each."""
 MAX_WORKERS = 16
 """Limited because all workers use DDS domains from the same 70."""
 TESTS = ROOT / "tests"
@@ -36,9 +38,10 @@ NOTHING_SELECTED = 5
 """pytest's exit code when it ran no test."""
 
 
-def number_of_workers() -> int:
+def number_of_workers(*, slow: bool) -> int:
     """Return the number of processes that run tests in parallel."""
-    return min(MAX_WORKERS, WORKERS_PER_CORE * (os.cpu_count() or 1))
+    per_core = SLOW_WORKERS_PER_CORE if slow else WORKERS_PER_CORE
+    return min(MAX_WORKERS, per_core * (os.cpu_count() or 1))
 
 
 def timing_files(paths: list[Path]) -> list[str]:
@@ -161,7 +164,7 @@ def main() -> int:
     if options.slow:
         by_file.append(f"--override-ini=faulthandler_timeout={MAX_SLOW_TEST_S}")
     adopt_orphans()
-    many = number_of_workers()
+    many = number_of_workers(slow=options.slow)
     few = [f"--numprocesses={min(TIMING_WORKERS, many)}", *by_file]
     named = [path for argument in rest if (path := Path(argument.partition("::")[0])).exists()]
     if not named:

@@ -35,7 +35,8 @@ def test_multisim_starts_two_turtlesims(
         user.node.create_subscription(Pose, f"/{name}/turtle1/pose", received.append, 10)
     program = start_program("tfloom", "launch", "turtlesim", "multisim.launch.py")
     wait_until(user.sees(lambda: all(poses.values())))
-    assert user.nodes() == {f"/{name}/turtlesim" for name in NAMESPACES}
+    # A node may be known after its topics, so it is waited for, too.
+    wait_until(user.sees(lambda: user.nodes() == {f"/{name}/turtlesim" for name in NAMESPACES}))
     expect_clean_end(program)
     wait_until(user.sees(lambda: not user.nodes()))
 
