@@ -76,6 +76,17 @@ WIRE_VARIABLE = "TFLOOM_TEST_WIRE"
 """The wire of all tests that take a domain and select none, in the place of DDS: a value of RMW_IMPLEMENTATION."""
 
 
+def refuse_marks_of_other_files(mark: str, items: list[pytest.Item]) -> None:
+    """Refuse a mark that a test has by another file, because tools/run_tests.py would not find its file.
+
+    Raises:
+        pytest.UsageError: there is one.
+    """
+    for path in {item.path for item in items if item.get_closest_marker(mark)}:
+        if f"mark.{mark}" not in path.read_text("utf-8"):
+            raise pytest.UsageError(f"{path}: write pytest.mark.{mark} in this file, for tools/run_tests.py")
+
+
 @pytest.hookimpl(tryfirst=True)  # before -m selects
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Mark the tests that take a domain as `wire`, and skip those marked so where there is no DDS library.
@@ -90,6 +101,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         from tests.zenoh_ports import NOT_ON_ZENOH
 
         items[:] = [item for item in items if item.name.partition("[")[0] not in NOT_ON_ZENOH]
+    for mark in ("slow", "timing"):
+        refuse_marks_of_other_files(mark, items)
     for item in items:
         if DOMAIN_FIXTURES & set(getattr(item, "fixturenames", ())):
             item.add_marker(pytest.mark.wire)

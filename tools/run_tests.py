@@ -44,12 +44,15 @@ def number_of_workers(*, slow: bool) -> int:
     return min(MAX_WORKERS, per_core * (os.cpu_count() or 1))
 
 
-def timing_files(paths: list[Path]) -> list[str]:
-    """Return the files of these with tests that measure time, because collecting all takes longer than these tests."""
+def files_marked(mark: str, paths: list[Path]) -> list[str]:
+    """Return the files of these with tests of a mark, because collecting all takes each worker seconds.
+
+    tests/conftest.py refuses a mark that its file doesn't name.
+    """
     files = [
         file for path in paths for file in ([path] if path.is_file() else sorted(path.rglob("test_*.py")))
     ]
-    return [str(path) for path in files if "mark.timing" in path.read_text("utf-8")]
+    return [str(path) for path in files if f"mark.{mark}" in path.read_text("utf-8")]
 
 
 def tier_of(*, slow: bool, ros: bool) -> str:
@@ -171,10 +174,11 @@ def main() -> int:
         compile_tests()
     parts = {}
     # Tests that measure time run first and in few processes: beside the others they would measure these, too.
-    if not options.no_timing and (files := timing_files(named or [TESTS])):
+    if not options.no_timing and (files := files_marked("timing", named or [TESTS])):
         arguments = [*few, *rest] if named else [*few, *rest, *files]
         parts["measuring time"] = run(f"{marks} and timing", arguments)
-    parts["others"] = run(f"{marks} and not timing", [f"--numprocesses={many}", *by_file, *rest])
+    slow = files_marked("slow", [TESTS]) if options.slow and not named else []
+    parts["others"] = run(f"{marks} and not timing", [f"--numprocesses={many}", *by_file, *rest, *slow])
     times = ", ".join(f"{name} {seconds:.0f} s" for name, (_, seconds) in parts.items())
     print(f"Tests that are {tier}: {times}")
     # A part in which a selection matches nothing is no failure, unless it is so in both.

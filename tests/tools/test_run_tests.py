@@ -6,10 +6,12 @@ import re
 import subprocess
 import sys
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import psutil
 import pytest
-from tests.conftest import PYTEST, python_with, run_to_end
+from tests.conftest import PYTEST, python_with, refuse_marks_of_other_files, run_to_end
 from tools import run_tests
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -72,3 +74,17 @@ def test_all_tests_beside_the_real_rclpy_and_the_witness_are_run() -> None:
         path for path in marked if not any(path.is_relative_to(named) for named in run_tests.ROS_TESTS)
     ]
     assert not left_out
+
+
+def test_a_mark_of_another_file_is_refused(tmp_path: Path) -> None:
+    """The tiers look for files with the text of a mark."""
+    file = tmp_path / "test_a.py"
+    file.write_text("from marks import slow\n\n@slow\ndef test_a():\n    pass\n")
+    item: Any = SimpleNamespace(path=file, get_closest_marker=lambda mark: mark == "slow")
+    with pytest.raises(pytest.UsageError, match=r"test_a\.py: write pytest\.mark\.slow in this file"):
+        refuse_marks_of_other_files("slow", [item])
+    assert run_tests.files_marked("slow", [tmp_path]) == []
+    refuse_marks_of_other_files("timing", [item])
+    file.write_text(file.read_text().replace("@slow", "@pytest.mark.slow"))
+    refuse_marks_of_other_files("slow", [item])
+    assert run_tests.files_marked("slow", [tmp_path]) == [str(file)]
