@@ -29,24 +29,33 @@ class Limit(NamedTuple):
     """The range of a joint's position [rad] or [m]."""
 
     lower: float
+    """The least position."""
     upper: float
+    """The greatest position."""
 
 
 class Mimic(NamedTuple):
     """A joint that follows another: it stands at multiplier * position of `joint` + offset."""
 
     joint: str
+    """Name of the joint that it follows."""
     multiplier: float
+    """Positions of this joint for one of `joint`."""
     offset: float
+    """Position where `joint` is at 0 [rad] or [m]."""
 
 
 class Joint(NamedTuple):
     """A joint between two links."""
 
     name: str
+    """Its name, one of the robot's."""
     type: JointType
+    """How it moves."""
     parent: str
+    """The link that it is on."""
     child: str
+    """The link that it carries."""
     origin: Transform
     """parent_from_joint, at position 0."""
     axis: tuple[float, float, float]
@@ -54,23 +63,24 @@ class Joint(NamedTuple):
     line: int
     """Line of the description, from 1."""
     limit: Limit | None = None
+    """Range of a joint with one position; None if none is given."""
     soft_limit: Limit | None = None
     """Range of the safety controller, without the ends that are not given, which are infinite."""
     mimic: Mimic | None = None
+    """What it follows; None if it moves by itself."""
 
 
 class Description(NamedTuple):
-    """A robot: one tree of links.
-
-    Joints are in the order of the text.
-    """
+    """A robot: one tree of links."""
 
     name: str
+    """The robot's name."""
     root: str
     """The link that is no joint's child."""
     links: tuple[str, ...]
     """In the order of the text."""
     joints: dict[str, Joint]
+    """Its joints by name, in the order of the text."""
 
 
 def variables_of(joint: Joint) -> list[str]:

@@ -106,7 +106,7 @@ def test_calls_and_goals_are_answered_or_fail_while_servers_come_and_go(
 
 
 @pytest.mark.slow
-def test_10000_calls_and_goals_at_first_on_a_busy_machine(
+def test_5000_calls_and_goals_at_first_on_a_busy_machine(
     short_lease: float,
     start: Start,
     start_program: Callable[..., Program],
@@ -114,10 +114,10 @@ def test_10000_calls_and_goals_at_first_on_a_busy_machine(
     executor: SingleThreadedExecutor,
 ) -> None:
     with busy_machine(start_program):  # not for all of them, because other tests run at the same time
-        outcomes = count_outcomes(1000, 50, start, node, executor)
-    outcomes += count_outcomes(9000, 50, start, node, executor, seed=8)
+        outcomes = count_outcomes(400, 50, start, node, executor)
+    outcomes += count_outcomes(4600, 50, start, node, executor, seed=8)
     assert outcomes["open"] == 0
-    assert outcomes.total() == 10_000
+    assert outcomes.total() == 5000
     assert outcomes["answered"] > 0
     assert outcomes["failed"] > 0
 
