@@ -114,11 +114,13 @@ def _shown(name: Name) -> str:
         return f"{name.path} = {name.signature}"
     texts = []
     kind = "positional"
-    for each in parameters_of(name.signature):
-        if each.kind == "keyword" and kind == "positional":
+    for parameter in parameters_of(name.signature):
+        if parameter.kind == "keyword" and kind == "positional":
             texts.append("*")
-        kind = "keyword" if each.kind != "positional" else kind
-        texts.append(each.name if each.default is None else f"{each.name}={_short(each.default)}")
+        kind = "keyword" if parameter.kind != "positional" else kind
+        texts.append(
+            parameter.name if parameter.default is None else f"{parameter.name}={_short(parameter.default)}"
+        )
     return f"{name.path}({', '.join(texts)})".replace("|", "\\|")
 
 

@@ -121,8 +121,10 @@ def test_robot_maps_its_room_and_the_correction_is_better_than_the_odometry(
     tool = observer.position("base_link", "tool")
     observer.wait_for(lambda: np.linalg.norm(observer.position("base_link", "tool") - tool) > 0.1, "the arm")
     check_second_robot(observer, start_program)
-    observer.wait_for(lambda: observer.error("odom") > 0.25, "a drift of the odometry")
-    assert observer.error("map") < 0.1
+    # At one time, not at the first: on a busy machine, the mapper may have scans to catch up with.
+    observer.wait_for(
+        lambda: observer.error("odom") > 0.25 and observer.error("map") < 0.1, "a drift that is corrected"
+    )
     observer.wait_for(lambda: "/map" in observer.last)
     check_walls(load_room("room"), observer.last["/map"])
     recorder.signal(signal.SIGINT)

@@ -279,7 +279,7 @@ def _updates(world: World, add: Callable[[Updater, Fails], None]) -> list[Except
     world.node.create_subscription(
         DiagnosticArray,
         "/diagnostics",
-        lambda message: arrived.append({each.name: each.message for each in message.status}),
+        lambda message: arrived.append({status.name: status.message for status in message.status}),
         10,
     )
     updater = world.watch(Updater(world.node, 0.01))
@@ -289,7 +289,7 @@ def _updates(world: World, add: Callable[[Updater, Fails], None]) -> list[Except
         updater.add("sound", lambda status: (status.summary(b"\x00", "fine"), status)[1])
 
     def both() -> list[dict[str, str]]:
-        return [each for each in arrived if each.get("under_test: sound") == "fine"]
+        return [names for names in arrived if names.get("under_test: sound") == "fine"]
 
     wait_until(lambda: len(both()) > 1, what="an update after the failure")
     assert "Injected" in both()[0]["under_test: failing"]

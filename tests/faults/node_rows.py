@@ -109,8 +109,8 @@ def _incompatible_qos(world: World, adapt: Adapt) -> list[Exception]:
     else:
         of_subscriptions = callbacks
     reliable, best_effort = (
-        QoSProfile(depth=1, reliability=each)
-        for each in (ReliabilityPolicy.RELIABLE, ReliabilityPolicy.BEST_EFFORT)
+        QoSProfile(depth=1, reliability=policy)
+        for policy in (ReliabilityPolicy.RELIABLE, ReliabilityPolicy.BEST_EFFORT)
     )
     for _ in range(2):
         world.node.create_publisher(Int32, "qos", best_effort, event_callbacks=of_publishers)

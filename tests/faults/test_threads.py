@@ -140,7 +140,9 @@ def _threads_end() -> Iterator[None]:
     """Check that no thread is left."""
     before = set(threading.enumerate())
     yield
-    wait_until(lambda: not {each.name for each in set(threading.enumerate()) - before} - {"tf2_deadlines"})
+    wait_until(
+        lambda: not {thread.name for thread in set(threading.enumerate()) - before} - {"tf2_deadlines"}
+    )
 
 
 @pytest.fixture
@@ -344,7 +346,7 @@ def test_participant_without_a_thread(domain_id: int, tmp_path: Path) -> None:
         "program, or raise the limit of processes (ulimit -u)"
     )
     assert answers[-1] == "worked"
-    assert {each.split(":")[0] for each in answers} <= {"WireError", "RuntimeError", "worked"}
+    assert {answer.split(":")[0] for answer in answers} <= {"WireError", "RuntimeError", "worked"}
 
 
 # Pages

@@ -78,7 +78,7 @@ def descriptions(data: bytes) -> bool:
     except ValueError:
         return False
     description.type_description.type_name = DESCRIBED
-    names = {DESCRIBED, *(each.type_name for each in description.referenced_type_descriptions)}
+    names = {DESCRIBED, *(referenced.type_name for referenced in description.referenced_type_descriptions)}
     known = {name for name in names if sources.find_source(name) is not None} if _are_types(names) else set()
     try:
         hashes = {DESCRIBED: _own_hash(description)}
@@ -182,7 +182,7 @@ def _recording(data: bytes, name: str) -> bool:
         try:
             bag = open_bag(path)
             messages = list(bag.messages())
-            stamps = [each.log_time_ns for each in messages]
+            stamps = [message.log_time_ns for message in messages]
             assert stamps == sorted(stamps) or caught
             if stamps:
                 part = list(bag.messages(None, stamps[len(stamps) // 2], stamps[-1]))
@@ -194,7 +194,7 @@ def _recording(data: bytes, name: str) -> bool:
                     class_of(path, topic)
         except BagError as error:
             return _refused(error, is_clear=error.path == str(path))
-        assert all(str(path) in str(each.message) for each in caught)
+        assert all(str(path) in str(warning.message) for warning in caught)
     return bool(messages)
 
 
@@ -247,8 +247,8 @@ def joint_states(data: bytes) -> bool:
     except ValueError as error:
         return _refused(error, is_clear=str(error).startswith("JointState: byte "))
     if message is not None:
-        for each in cdr.decode(TFMessage, message).transforms:
-            turn = each.transform.rotation
+        for transform in cdr.decode(TFMessage, message).transforms:
+            turn = transform.transform.rotation
             assert abs(turn.x**2 + turn.y**2 + turn.z**2 + turn.w**2 - 1) < 1e-6
     return True
 

@@ -83,7 +83,7 @@ def of_rotations() -> list[str]:
         f"Rotation.EulerZYZ(1,{beta},.3)" for beta in ("0", "1e-7", "1e-3", "1", "-1", "math.pi", "4")
     ]
     gets = ["GetRPY()", "GetEulerZYX()", "GetEulerZYZ()", "GetQuaternion()", "GetRot()", "GetRotAngle()"]
-    found = [f"{each}.{get}" for each in rotations for get in gets]
+    found = [f"{rotation}.{get}" for rotation in rotations for get in gets]
     for _ in range(3):
         found += [f"Rotation.{make}({numbers(3)})" for make in ("RPY", "EulerZYX", "EulerZYZ")]
         found.append(f"Rotation.Quaternion({numbers(4)})")
@@ -304,8 +304,8 @@ NAMES = {
     **{name: getattr(PyKDL, name) for name in ("Vector", "Rotation", "Frame", "Twist", "Wrench")},
     **{name: getattr(PyKDL, name) for name in ("SetToZero", "dot", "Equal", "diff", "addDelta")},
     **{
-        each.__name__: each
-        for each in (changed, set_at, zeroed, written_to_parts, math, pickle, copy, deepcopy, PyKDL)
+        function.__name__: function
+        for function in (changed, set_at, zeroed, written_to_parts, math, pickle, copy, deepcopy, PyKDL)
     },
 }
 

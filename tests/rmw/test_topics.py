@@ -67,8 +67,8 @@ def test_matched_counts_follow_both_sides(wires: Wires) -> None:
     ids=["name", "type"],
 )
 def test_another_name_or_type_is_another_topic(wires: Wires, take_data: TakeData, topic: Topic) -> None:
-    writer, other_writer = (wires[0].create_writer(HERE, each, QoS()) for each in (TOPIC, topic))
-    reader, other = (wires[1].create_reader(THERE, each, QoS()) for each in (TOPIC, topic))
+    writer, other_writer = (wires[0].create_writer(HERE, written, QoS()) for written in (TOPIC, topic))
+    reader, other = (wires[1].create_reader(THERE, read, QoS()) for read in (TOPIC, topic))
     wait_until(lambda: writer.matched_count() == reader.matched_count() == other.matched_count() == 1)
     wait_until(lambda: other_writer.matched_count() == 1)
     writer.write(texts(1)[0])
@@ -205,7 +205,7 @@ def test_writers_on_many_threads_lose_and_swap_none(wires: Wires, take_data: Tak
         thread.join()
     taken = [int(data[4:]) for data in take_data(reader, 400)]
     for number in range(4):
-        mine = [each for each in taken if each // 1000 == number]
+        mine = [value for value in taken if value // 1000 == number]
         assert mine == list(range(1000 * number, 1000 * number + 100))
 
 

@@ -74,9 +74,9 @@ def marker(share: Path, package: str) -> list[str]:
 
 def test_hashes_equal_those_of_ros(built: Built) -> None:
     recorded = {
-        each["type_name"]: each["hash_string"]
+        type_hash["type_name"]: type_hash["hash_string"]
         for path in (built.share / "test_msgs").glob("*/*.json")
-        for each in json.loads(path.read_text("utf-8"))["type_hashes"]
+        for type_hash in json.loads(path.read_text("utf-8"))["type_hashes"]
     }
     code = (
         "import json, sys; from tfloom.rosidl.registry import find_class\n"
@@ -88,7 +88,7 @@ def test_hashes_equal_those_of_ros(built: Built) -> None:
 
 def test_octets_equal_those_of_ros_but_for_padding(built: Built) -> None:
     """The real rclpy leaves padding as it was in memory, and reserves more than wide strings need."""
-    ours, theirs = (json.loads(built.run(each, END, "serialize")) for each in (OURS, THEIRS))
+    ours, theirs = (json.loads(built.run(python, END, "serialize")) for python in (OURS, THEIRS))
     assert len(ours) > MESSAGES
     assert json.loads(built.run(OURS, END, "compare", stdin=json.dumps(theirs))) == dict.fromkeys(ours, 0)
     without_rest = {name: octets[: len(ours[name])] for name, octets in theirs.items()}
@@ -141,7 +141,7 @@ def test_idl_files_define_what_the_definitions_do(built: Built) -> None:
             continue
         name = f"{package}/{kind}/{base}"
         idl, text = (
-            PackageDefinitions(package, {name: each}, [built.share.parent]) for each in (path, definition)
+            PackageDefinitions(package, {name: source}, [built.share.parent]) for source in (path, definition)
         )
         whole = {
             f"{package}/{other.parent.name}/{other.stem}": other
@@ -165,7 +165,10 @@ def content(interface: spec.Interface) -> list[object]:
                 (field.name, str(field.type).replace("char", "uint8"), field.default)
                 for field in message.fields
             ],
-            [(each.name, str(each.type).replace("char", "uint8"), each.value) for each in message.constants],
+            [
+                (constant.name, str(constant.type).replace("char", "uint8"), constant.value)
+                for constant in message.constants
+            ],
         )
         for message in spec.messages_of(interface)
     ]

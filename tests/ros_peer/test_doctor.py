@@ -20,7 +20,7 @@ def peers_of_doctor() -> dict[str, Any]:
     """Return the finding of `doctor` on peers."""
     command = [sys.executable, "-m", "tfloom", "doctor", "--json", "--exclude-packages"]
     done = run_to_end(command)
-    return next(each for each in json.loads(done.stdout) if each["check"] == "peers")
+    return next(finding for finding in json.loads(done.stdout) if finding["check"] == "peers")
 
 
 def test_doctor_names_vendor_version_and_form_of_services(start_end: StartEnd) -> None:

@@ -29,7 +29,7 @@ def test_closed_endpoints_are_no_longer_counted(new_ends: Ends, wait_until: Call
         closing("close", "closed")
         wait_until(lambda each=counting: each("matches", "closed") == 0, what="no match")
         kind = "PUBLISHER" if closing is new_ends.writer else "SUBSCRIPTION"
-        assert kind not in {each["kind"] for each in counting("endpoints", "/closed")}
+        assert kind not in {endpoint["kind"] for endpoint in counting("endpoints", "/closed")}
         counting("close", "closed")
 
 
@@ -59,8 +59,8 @@ def test_reader_that_was_killed_hears_again_and_another_loses_nothing(
     vendor = vendors(direction)[1]
     stayed = start_end(vendor, "another_reader")
     quality = {"depth": 1000}
-    for each in (reader, stayed):
-        each("subscription", "stream", "number", "/stream", quality)
+    for end in (reader, stayed):
+        end("subscription", "stream", "number", "/stream", quality)
     writer("publisher", "stream", "number", "/stream", quality)
     wait_until(lambda: writer("matches", "stream") == 2, what="both matches")
     wait_until(lambda: stayed("matches", "stream") == 1 == reader("matches", "stream"), what="both matches")

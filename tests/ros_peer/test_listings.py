@@ -98,7 +98,9 @@ def test_topics_of_tfloom_are_listed_by_fast_dds(
     theirs = start_end(THEIRS, "asker")
     for topic, message_class in TOPICS.values():
         wait_until(
-            lambda topic=topic: [each["node"] for each in theirs("endpoints", topic)] == ["/fleet/robot"] * 2,
+            lambda topic=topic: (
+                [endpoint["node"] for endpoint in theirs("endpoints", topic)] == ["/fleet/robot"] * 2
+            ),
             what=topic,
         )
         expected = [
@@ -151,7 +153,7 @@ def test_doctor_names_each_vendor_and_what_passes(
     start_end(THEIRS, "theirs")
     start_end(OURS, "ours")
     monkeypatch.setenv("TFLOOM_FASTDDS_SERVICES", translated)
-    findings = {each["check"]: each for each in json.loads(ros2("doctor", "--json"))}
+    findings = {finding["check"]: finding for finding in json.loads(ros2("doctor", "--json"))}
     peers = findings["peers"]
     assert peers["verdict"] == ("ok" if translated == "1" else "warning")
     by_node = {re.findall(r"\((.*?)\)", text)[0]: text for text in peers["details"].values()}

@@ -48,7 +48,7 @@ def test_all_large_messages_arrive(new_ends: Ends, size: int, wait_until: Callab
     wait_until(lambda: new_ends.reader("count", "large") == 1, what="the first message")
     new_ends.writer("publish", "large", *sent[1:])
     wait_until(lambda: new_ends.reader("count", "large") == len(sent), LARGE_S, "all messages")
-    assert new_ends.reader("received", "large") == [octets(*each) for each in sent]
+    assert new_ends.reader("received", "large") == [octets(*written) for written in sent]
 
 
 @pytest.fixture

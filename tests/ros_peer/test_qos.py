@@ -149,7 +149,9 @@ def test_late_joiner_receives_the_last_messages(
 
 @pytest.mark.row("late joiners")
 @pytest.mark.parametrize("reliability", RELIABILITIES)
-@pytest.mark.parametrize("durability", DURABILITIES, ids=[f"{each.lower()} offered" for each in DURABILITIES])
+@pytest.mark.parametrize(
+    "durability", DURABILITIES, ids=[f"{durability.lower()} offered" for durability in DURABILITIES]
+)
 def test_late_volatile_reader_receives_what_follows_alone(
     ends: Ends, direction: str, durability: str, reliability: str, wait_until: Callable[..., None]
 ) -> None:

@@ -26,7 +26,7 @@ def test_a_stock_node_is_named(peer: RosPeer, domain_id: int, start_program: Cal
     findings = json.loads("\n".join(line for line in doctor.lines if not line.startswith("waiting")))[
         "findings"
     ]
-    named = {each["code"]: each["nodes"] for each in findings if "/stock" in each["nodes"]}
+    named = {finding["code"]: finding["nodes"] for finding in findings if "/stock" in finding["nodes"]}
     assert {code: nodes for code, nodes in named.items() if code not in {"TF404", "TF405", "TF406"}} == {
         "TF301": ["/stock"],
         "TF503": ["/stock", "/tf_buffer"],

@@ -30,7 +30,7 @@ def test_a_node_on_fast_dds_is_named(
     explain = start_program("tfloom", "tf", "explain", "map", "odom", "--json")
     assert explain.wait() == 0
     (link,) = json.loads(explain.output[explain.output.index("{") :])["chain"]
-    assert [each["node"] for each in link["publishers"]] == ["/their_broadcaster"]
+    assert [publisher["node"] for publisher in link["publishers"]] == ["/their_broadcaster"]
     path = tmp_path / "saved.yaml"
     assert start_program("tfloom", "tf", "save", path).wait() == 0
     assert read_statics(path) == [StaticTransform("map", "odom", (0.5, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0))]

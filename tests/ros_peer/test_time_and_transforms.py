@@ -40,7 +40,9 @@ def test_buffer_is_filled_from_fast_dds(both: dict[str, End], wait_until: Callab
     ours("listen_to_transforms")
     theirs("publisher", "tf", "transforms", "/tf", LIVE)
     wait_until(lambda: theirs("matches", "tf") == 1, what="a match")
-    wait_until(lambda: "PUBLISHER" in {each["kind"] for each in ours("endpoints", "/tf")}, what="a match")
+    wait_until(
+        lambda: "PUBLISHER" in {endpoint["kind"] for endpoint in ours("endpoints", "/tf")}, what="a match"
+    )
     for second in range(3):
         theirs("publish", "tf", [["odom", "base", STAMP_NS + second * SECOND_NS, float(second)]])
     middle_ns = STAMP_NS + 3 * SECOND_NS // 2

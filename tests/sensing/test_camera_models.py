@@ -161,7 +161,7 @@ def test_pixels_and_points() -> None:
     x, y, z = camera.project_pixel_to_3d_ray((u, v))
     assert math.hypot(x, y, z) == pytest.approx(1)
     assert (x / z * 1.5, y / z * 1.5) == pytest.approx((0.2, -0.1))
-    assert all(math.isnan(each) for each in camera.project_3d_to_pixel((1, 1, 0)))
+    assert all(math.isnan(coordinate) for coordinate in camera.project_3d_to_pixel((1, 1, 0)))
     assert camera.get_delta_x(camera.get_delta_u(0.3, 2.0), 2.0) == pytest.approx(0.3)
     assert camera.get_delta_y(camera.get_delta_v(0.3, 2.0), 2.0) == pytest.approx(0.3)
     assert camera.get_delta_u(1.0, 0) == camera.get_delta_v(1.0, 0) == math.inf
@@ -284,7 +284,7 @@ def test_old_methods(old: str) -> None:
     )
     with pytest.warns(DeprecationWarning, match=re.escape(reason)) as warned:
         value = getattr(camera, old)(*arguments)
-    assert [str(each.message) for each in warned] == [
+    assert [str(warning.message) for warning in warned] == [
         f"Call to deprecated method {old}. ({reason}) -- Deprecated since version J-turtle."
     ]
     assert warned[0].filename == __file__

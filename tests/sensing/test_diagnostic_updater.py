@@ -89,7 +89,7 @@ def fill(level: bytes, message: str) -> Callable[[DiagnosticStatusWrapper], Diag
 
 
 def values(stat: DiagnosticStatus) -> dict[str, str]:
-    return {each.key: each.value for each in stat.values}
+    return {pair.key: pair.value for pair in stat.values}
 
 
 def summary(stat: DiagnosticStatus) -> tuple[bytes, str]:
@@ -441,8 +441,8 @@ def test_the_package_hands_on() -> None:
         TopicDiagnostic,
         DiagnosedPublisher,
     }
-    for each in ours:
-        assert getattr(diagnostic_updater, each.__name__) is each
+    for cls in ours:
+        assert getattr(diagnostic_updater, cls.__name__) is cls
     assert status_module.DiagnosticStatusWrapper is DiagnosticStatusWrapper
     assert updater_module.Updater is Updater
     assert updater_module.CompositeDiagnosticTask is CompositeDiagnosticTask

@@ -101,17 +101,17 @@ def test_markers_come_and_move_and_go(server: InteractiveMarkerServer, client: C
     server.applyChanges()
     update = client.next()
     assert (update.type, update.seq_num) == (InteractiveMarkerUpdate.UPDATE, 1)
-    assert [each.name for each in update.markers] == ["cube", "ball"]
+    assert [marker.name for marker in update.markers] == ["cube", "ball"]
     answer = client.ask()
     assert answer.sequence_number == 1
-    assert {each.name: each.pose.position.x for each in answer.markers} == {"cube": 1, "ball": 2}
+    assert {marker.name: marker.pose.position.x for marker in answer.markers} == {"cube": 1, "ball": 2}
 
     assert server.setPose("cube", pose(5))
     assert server.setPose("ball", pose(6), Header(frame_id="odom"))
     server.applyChanges()
     update = client.next()
     assert update.seq_num == 2
-    assert [(each.name, each.pose.position.x, each.header.frame_id) for each in update.poses] == [
+    assert [(pose.name, pose.pose.position.x, pose.header.frame_id) for pose in update.poses] == [
         ("cube", 5, "map"),
         ("ball", 6, "odom"),
     ]
@@ -169,8 +169,10 @@ def test_a_marker_is_replaced_and_keeps_its_callback(server: InteractiveMarkerSe
 
 def test_feedback_moves_and_calls_back(server: InteractiveMarkerServer, client: Client) -> None:
     got: list[tuple[str, float]] = []
-    server.insert(marker("cube", 1), feedback_callback=lambda each: got.append(("any", each.pose.position.x)))
-    server.setCallback("cube", lambda each: got.append(("menu", each.menu_entry_id)), MENU_SELECT)
+    server.insert(
+        marker("cube", 1), feedback_callback=lambda feedback: got.append(("any", feedback.pose.position.x))
+    )
+    server.setCallback("cube", lambda feedback: got.append(("menu", feedback.menu_entry_id)), MENU_SELECT)
     server.applyChanges()
     client.next()
     client.send(feedback("cube", POSE_UPDATE, 9, header=Header(frame_id="elsewhere")))
@@ -214,7 +216,7 @@ def test_a_callback_may_use_the_server(server: InteractiveMarkerServer, client: 
 
 def test_two_clients_take_turns(server: InteractiveMarkerServer, monkeypatch: pytest.MonkeyPatch) -> None:
     got: list[str] = []
-    server.insert(marker("cube"), feedback_callback=lambda each: got.append(each.client_id))
+    server.insert(marker("cube"), feedback_callback=lambda feedback: got.append(feedback.client_id))
     server.applyChanges()
     seconds = [100.0]
     monkeypatch.setattr(
@@ -269,7 +271,9 @@ def test_do_set_pose(server: InteractiveMarkerServer) -> None:
 def test_a_menu(server: InteractiveMarkerServer, capsys: pytest.CaptureFixture[str]) -> None:
     menu, got = MenuHandler(), []
     drive = menu.insert("Drive")
-    fast = menu.insert("Fast", parent=drive, callback=lambda each: got.append(("fast", each.marker_name)))
+    fast = menu.insert(
+        "Fast", parent=drive, callback=lambda feedback: got.append(("fast", feedback.marker_name))
+    )
     menu.insert("Run", parent=drive, command_type=MenuEntry.ROSRUN, command="turtlesim turtlesim_node")
     hidden = menu.insert("Hidden", callback=got.append)
     menu.insert("Below", parent=hidden)
@@ -289,7 +293,9 @@ def test_a_menu(server: InteractiveMarkerServer, capsys: pytest.CaptureFixture[s
     assert menu.apply(server, "cube")
     server.applyChanges()
     entries = server.get("cube").menu_entries
-    assert [(each.title, each.id, each.parent_id, each.command_type, each.command) for each in entries] == [
+    assert [
+        (entry.title, entry.id, entry.parent_id, entry.command_type, entry.command) for entry in entries
+    ] == [
         ("Drive", drive, 0, MenuEntry.FEEDBACK, ""),
         ("[x] Fast", fast, drive, MenuEntry.FEEDBACK, ""),
         ("Run", fast + 1, drive, MenuEntry.ROSRUN, "turtlesim turtlesim_node"),
@@ -311,7 +317,7 @@ def test_a_menu_is_applied_again(server: InteractiveMarkerServer, client: Client
     menu.setCheckState(entry, MenuHandler.CHECKED)
     assert menu.reApply(server)
     server.applyChanges()
-    assert {each.name: each.menu_entries[0].title for each in client.next().markers} == {
+    assert {marker.name: marker.menu_entries[0].title for marker in client.next().markers} == {
         "a": "[x] Light",
         "b": "[x] Light",
     }
@@ -328,7 +334,7 @@ def test_parts_of_a_menu(capsys: pytest.CaptureFixture[str]) -> None:
     assert menu.top_level_handles_ == []
     entries: list[MenuEntry] = []
     assert menu.pushMenuEntries([handle], entries, 0)
-    assert [each.title for each in entries] == ["Loose"]
+    assert [entry.title for entry in entries] == ["Loose"]
     assert not menu.pushMenuEntries([99, handle], entries, 0)
     assert "context handle not found" in capsys.readouterr().err
     context = EntryContext()

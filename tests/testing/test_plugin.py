@@ -73,7 +73,7 @@ def test_is_clean(ros_node):
     context, thread = contexts.pop()
     thread.join(10)
     assert not thread.is_alive()
-    assert not any(each.ok() for each in [*contexts, context])
+    assert not any(other.ok() for other in [*contexts, context])
     assert live_contexts() == [ros_node.context]
     assert ros_node.get_node_names() == ["test_node"]
 

@@ -83,17 +83,17 @@ class Transforms:
         self.type = TFMessage
 
     def make(self, value: list[list[Any]]) -> Any:
-        return self.type(transforms=[transform(*each) for each in value])
+        return self.type(transforms=[transform(*item) for item in value])
 
     def read(self, message: Any) -> list[list[Any]]:
         return [
             [
-                each.header.frame_id,
-                each.child_frame_id,
-                Time.from_msg(each.header.stamp).nanoseconds,
-                each.transform.translation.x,
+                stamped.header.frame_id,
+                stamped.child_frame_id,
+                Time.from_msg(stamped.header.stamp).nanoseconds,
+                stamped.transform.translation.x,
             ]
-            for each in message.transforms
+            for stamped in message.transforms
         ]
 
 
@@ -268,7 +268,7 @@ class End:
         name = kind.__name__
         if name not in self._ends:
             self._ends[name] = kind(self.node)
-        self._ends[name].sendTransform([transform(*each) for each in transforms])
+        self._ends[name].sendTransform([transform(*item) for item in transforms])
 
 
 def answer(end: End, line: str) -> None:

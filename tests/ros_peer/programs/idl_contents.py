@@ -19,7 +19,7 @@ def of_type(type_: Any) -> list[Any]:
 
 
 def annotations(element: Any) -> list[Any]:
-    return [[each.name, each.value] for each in element.annotations]
+    return [[annotation.name, annotation.value] for annotation in element.annotations]
 
 
 def of_message(message: Any) -> dict[str, Any]:
@@ -28,9 +28,10 @@ def of_message(message: Any) -> dict[str, Any]:
         "type": of_type(structure.namespaced_type),
         "annotations": annotations(structure),
         "comments": structure.get_comment_lines(),
-        "members": [[each.name, of_type(each.type), annotations(each)] for each in structure.members],
+        "members": [[member.name, of_type(member.type), annotations(member)] for member in structure.members],
         "constants": [
-            [each.name, of_type(each.type), each.value, annotations(each)] for each in message.constants
+            [constant.name, of_type(constant.type), constant.value, annotations(constant)]
+            for constant in message.constants
         ],
     }
 
@@ -51,7 +52,7 @@ def of_element(element: Any) -> Any:
         of_type(element.namespaced_type),
         *map(of_message, (element.goal, element.result, element.feedback, element.feedback_message)),
         *map(of_service, (element.send_goal_service, element.get_result_service)),
-        [each.locator for each in element.implicit_includes],
+        [include.locator for include in element.implicit_includes],
     ]
 
 
@@ -59,7 +60,7 @@ def contents(path: Path) -> list[Any]:
     """Return the elements of a file as JSON values."""
     file = parse_idl_file(IdlLocator(path.parent, path.name))
     assert file.locator.get_absolute_path() == path
-    return [of_element(each) for each in file.content.elements]
+    return [of_element(element) for element in file.content.elements]
 
 
 def main() -> None:
