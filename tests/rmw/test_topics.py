@@ -137,6 +137,7 @@ def test_late_readers_of_a_transient_local_topic_get_its_last_samples(
     wires: Wires, take_data: TakeData
 ) -> None:
     writer = wires[0].create_writer(HERE, TOPIC, LATCHED)
+    wait_until(lambda: writer.matched_count() == 0)  # a reader of the test before gets no sample of this one
     for data in texts(*range(5)):
         writer.write(data)
     asks = wires[1].create_reader(THERE, TOPIC, LATCHED._replace(depth=10))
