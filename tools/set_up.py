@@ -232,12 +232,13 @@ class Environment:
         """Run pip in the environment, and return whether it succeeded. Print its messages unless `quietly`.
 
         What it installs is compiled when it is first imported: pip would compile all files, most of which no program
-        here imports, and take as long for that as for the rest of the installation.
+        here imports, and take as long for that as for the rest of the installation. It does so where Python was asked
+        to write no compiled files, because each process would compile anew what it imports.
 
         Raises:
             SetUpError: pip reached no package index, or failed, and `quietly` is false.
         """
-        lazily = ["--no-compile"] if arguments[0] == "install" else []
+        lazily = ["--no-compile"] if arguments[0] == "install" and not sys.dont_write_bytecode else []
         options = [*lazily, "--quiet", "--disable-pip-version-check"]
         command = [str(self.python), "-I", "-m", "pip", *arguments, *options]
         offline = False
