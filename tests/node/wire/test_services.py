@@ -196,7 +196,7 @@ def test_server_of_another_vendor_is_not_called_with_one_log_line(
 def test_publisher_ends_at_once_while_a_client_hears_that_its_server_has_ended(node: Node) -> None:
     """Zenoh ends a publisher with a heartbeat without releasing the GIL, for which the client's news may wait."""
     kept = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
-    for _ in range(30):
+    for _ in range(8):
         client = node.create_client(AddTwoInts, "add")
         service = node.create_service(AddTwoInts, "add", lambda _, response: response)
         publisher = node.create_publisher(AddTwoInts.Event, "kept", kept)
