@@ -25,6 +25,7 @@ from tfloom.rmw.base import NodeName, Participant, Reader, Requester, Sample, Se
 from tfloom.rmw.errors import ClosedError, ForeignPeerError, NoBackendError, WireError
 from tfloom.rmw.events import Event, LivelinessChanged, Matched
 from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoS, ReliabilityPolicy
+from tfloom.rmw.zenoh_events import Timers
 from tfloom.rmw.zenoh_graph import ZenohGraph
 from tfloom.rmw.zenoh_tokens import End, Kind, Token, data_key, gid_of, token_key
 
@@ -418,8 +419,27 @@ def test_server_without_a_route_is_not_ready_and_the_route_wakes_its_waiters(
     client.send(HEADER + b"ask")
     wait_until(lambda: client.take() is not None)
     queryable.undeclare()
-    assert queue.wait(30 * 10**9) == [8]
     wait_until(client.is_synchronising)
+    token.undeclare()
+
+
+def test_route_wakes_waiters_where_no_thread_can_be_started(
+    participant: Participant, domain_id: int, plain: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(*_: object) -> int:
+        raise RuntimeError("can't start new thread")
+
+    monkeypatch.setattr(Timers, "add", refuse)
+    client = participant.create_requester(NODE, KILL, QoS())
+    queue = ReadyQueue()
+    client.notify_ready(queue, 8)
+    assert queue.wait(30 * 10**9) == [8]  # at the start
+    token = declare_token(plain, domain_id, Kind.SERVER, KILL_END)
+    assert queue.wait(30 * 10**9) == [8]  # a server
+    queryable = declare_answering_server(plain, domain_id)
+    assert queue.wait(30 * 10**9) == [8]
+    wait_until(client.is_ready)
+    queryable.undeclare()
     token.undeclare()
 
 

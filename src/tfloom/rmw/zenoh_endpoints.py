@@ -41,8 +41,6 @@ __all__ = ["ZenohEndpoint", "ZenohReader", "ZenohWriter"]
 
 HEARTBEAT_S = 0.5
 """How long after a sample its number is announced again, so that a reader knows of the last one that it missed [s]."""
-NEWS_S = 0.002
-"""Time in which Zenoh tells the clients of this process what has just changed [s]."""
 HEADER_SIZE = 4
 """Size of the encapsulation header: a shorter sample holds nothing."""
 MAX_DEPTH = 1_000_000
@@ -172,7 +170,6 @@ class ZenohWriter(ZenohEndpoint):
         self._asserted_s = time.monotonic()
         self._is_alive = True
         self._publisher: Any = None
-        self._has_heartbeat = False
         qos = info.qos
         self._is_timed = qos.deadline_ns < INFINITE_NS or qos.liveliness_lease_ns < INFINITE_NS
 
@@ -190,7 +187,6 @@ class ZenohWriter(ZenohEndpoint):
                 "publisher_detection": True,
             }
             if is_reliable:
-                self._has_heartbeat = True
                 options["sample_miss_detection"] = extension.MissDetectionConfig(
                     heartbeat=None, sporadic_heartbeat=HEARTBEAT_S
                 )
@@ -245,14 +241,6 @@ class ZenohWriter(ZenohEndpoint):
             if self._is_closed:
                 raise ClosedError(f"cannot write to {self.info.topic.name}: its writer is closed") from None
             raise WireError(f"cannot write to {self.info.topic.name}: {reason_of(error)}") from None
-
-    def close(self) -> None:
-        """Leave the topic. Closing again does nothing."""
-        if self._has_heartbeat and not self._is_closed and not self._is_forked:
-            # Zenoh ends the task of a heartbeat without releasing the GIL, and waits up to 10 s for the thread of that
-            # task, which may be waiting for the GIL: to tell a client here that its server has just been closed.
-            time.sleep(NEWS_S)
-        super().close()
 
     def assert_liveliness(self) -> None:
         """Assert that this writer is alive. On this wire other programs hear of it by samples alone.

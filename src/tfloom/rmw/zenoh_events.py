@@ -1,6 +1,6 @@
 """From what the events of the Zenoh wire, which itself has none, follow: gaps in the numbers of samples, and time.
 
-A thread looks for missed deadlines and ended leases. It is started with the first endpoint that has one.
+A thread looks for missed deadlines and ended leases, and for routes to servers. It is started with the first one.
 """
 
 from __future__ import annotations

@@ -32,6 +32,8 @@ ENDLESS_S = 1e9
 ROUTE_WAIT_S = 0.5
 """The longest wait for the route to a server whose token has come before it [s]."""
 POLL_S = 0.001
+MAX_POLL_S = 0.1
+"""The times between two looks for a route, at first and after some while [s]."""
 MAX_WAIT_FOR_END_S = 60.0
 """How long a response is awaited from a server that has left, while Zenoh tells nothing of the request's end [s]."""
 
@@ -110,8 +112,8 @@ class ZenohRequester(_ServiceEnd):
         self._end_timers: dict[str, int] = {}
         """The timer that ends the wait for a server that has left, by its id."""
         self._querier: Any = None
-        self._matching: Any = None
-        """Tells when the route to a server comes: a server may be on the graph before."""
+        self._is_awaiting_route = False
+        """Whether a timer looks for the route to a server, which may be on the graph before."""
         self._ready: tuple[ReadyQueue, int] | None = None
         self._watch: tuple[ReadyQueue, int] | None = None
         """The queue and token of `watch_servers`."""
@@ -126,26 +128,48 @@ class ZenohRequester(_ServiceEnd):
             consolidation=zenoh.ConsolidationMode.NONE,
             **options,
         )
-        self._matching = self._querier.declare_matching_listener(
-            zenoh.handlers.Callback(self._on_matching, indirect=False)
-        )
         return self._querier
 
-    def adopt(self, token: Any, querier: Any) -> None:
-        """Take the token and the querier; see `ZenohEnd.adopt`."""
-        super().adopt(token, self._matching, querier)
-
-    def _on_matching(self, _status: Any) -> None:
-        """Note that the route to a server has come or gone; called on a thread of Zenoh."""
-        self._post_ready()
-
-    def add_peer(self, peer: Peer) -> None:
+    def add_peer(self, peer: Peer) -> Callable[[], None] | None:
         """Note a server that was discovered, or why it is none for this client."""
-        if self._is_same_type(peer):
+        is_same_type = self._is_same_type(peer)
+        if is_same_type:
             self._servers = self._servers | {peer.gid.hex()}
         else:
             self._others = {**self._others, peer.gid: self._difference(peer, "a server")}
         self._post_ready()
+        return self._tell_of_route if is_same_type else None
+
+    def _tell_of_route(self) -> None:
+        """Post readiness once there is a route to the servers.
+
+        Zenoh has a listener for this, but calls it on the threads that also end a publisher's heartbeat. For that end
+        Zenoh waits up to 10 s without releasing the GIL: in vain, if listeners in Python keep them waiting for it.
+        """
+        if self._is_awaiting_route or self._is_closed:
+            return
+        if self._has_route():  # it may have come after the waiters were told of the server
+            self._post_ready()
+            return
+        self._is_awaiting_route = True
+        begun_s = time.monotonic()
+        try:
+            self._timers.add(begun_s + POLL_S, lambda now_s: self._look_for_route(now_s, begun_s))
+        except RuntimeError:  # the system has no thread
+            self._is_awaiting_route = False
+            self._await_route()
+            self._post_ready()
+
+    def _look_for_route(self, now_s: float, begun_s: float) -> float:
+        """Post readiness if there is a route, or no server any more. Return when to look again [s]."""
+        # Before the look, so that a server that comes meanwhile is either seen by it or starts a timer of its own.
+        self._is_awaiting_route = False
+        if self._is_closed or not self._servers or self._has_route():
+            self._post_ready()
+            return math.inf
+        self._is_awaiting_route = True
+        # Ever more seldom: a server whose route never comes would cost a part of a core.
+        return now_s + min(max(POLL_S, (now_s - begun_s) / 8), MAX_POLL_S)
 
     def remove_peer(self, peer: Peer) -> Callable[[], None] | None:
         """Note a server that has left. What it sent before may come after this news, which Zenoh sends first."""
