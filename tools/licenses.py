@@ -16,7 +16,7 @@ from pathlib import Path
 
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
-from tools.set_up import PACKAGES, STAGES, read_project
+from tools.set_up import PACKAGES, STAGES, dependencies_of, read_project
 
 COMPILED_IN = "compiled in"
 REQUIRED = "required"
@@ -138,7 +138,7 @@ def roots_of_project() -> dict[str, list[str]]:
             for requirement in project["build-system"]["requires"]
             if requirement.startswith("nanobind")
         ],
-        REQUIRED: project["project"]["dependencies"],
+        REQUIRED: dependencies_of(project),
         **{f"extra {name}": requirements for name, requirements in extras.items() if name != "all"},
         DEVELOPMENT: [requirement for group in groups for requirement in project["dependency-groups"][group]],
     }

@@ -282,9 +282,16 @@ class Environment:
             # The core is compiled anew when its sources or the settings of its build change. Of the Python files, only
             # the one with the version is in the digest, because an editable package reads them from the checkout.
             if name == "demo":
-                settings = [project["build-system"], project["project"], project["tool"]["scikit-build"]]
+                tool = project["tool"]
+                settings = [
+                    project["build-system"],
+                    project["project"],
+                    tool["scikit-build"],
+                    tool["dynamic-metadata"],
+                ]
                 sources = [
                     PACKAGE / "__init__.py",
+                    ROOT / "tools" / "wheel_requirements.py",
                     ROOT / "CMakeLists.txt",
                     *sorted((ROOT / "native").rglob("*.?pp")),
                 ]
@@ -452,7 +459,7 @@ def read_project(python: Path) -> dict[str, Any]:
 def requirements_of(project: Mapping[str, Any], stage: str) -> list[str]:
     """Return the additions of a stage to the one before it, as requirements for pip."""
     groups, extras = STAGES[stage]
-    own: list[str] = project["project"]["dependencies"] if stage in {"demo", *ALONE} else []
+    own = dependencies_of(project) if stage in {"demo", *ALONE} else []
     if stage in ALONE:
         own = [requirement for requirement in own if distribution(requirement) != DDS]
     grouped = [requirement for group in groups for requirement in project["dependency-groups"][group]]
@@ -460,6 +467,14 @@ def requirements_of(project: Mapping[str, Any], stage: str) -> list[str]:
         requirement for name in extras for requirement in project["project"]["optional-dependencies"][name]
     ]
     return [*grouped, *own, *extra]
+
+
+def dependencies_of(project: Mapping[str, Any]) -> list[str]:
+    """Return what tfloom requires; see tools/wheel_requirements.py."""
+    (requirements,) = (
+        entry["dependencies"] for entry in project["tool"]["dynamic-metadata"] if "dependencies" in entry
+    )
+    return list(requirements)
 
 
 def distribution(requirement: str) -> str:
@@ -515,14 +530,18 @@ def check_compiler() -> None:
     with tempfile.TemporaryDirectory() as folder:
         program = Path(folder) / "program.cpp"
         program.write_text(CXX_20)
-        command = [*compiler.split(), "-std=c++20", "-fsyntax-only", str(program)]
+        # Compiled to an object: zig's compiler fails where nothing is written.
+        command = [*compiler.split(), "-std=c++20", "-c", str(program), "-o", str(program.with_suffix(".o"))]
         try:
-            works = subprocess.run(command, capture_output=True, check=False).returncode == 0
-        except OSError:
-            works = False
-    if not works:
+            done = subprocess.run(command, capture_output=True, text=True, errors="replace", check=False)
+        except OSError as error:
+            raise SetUpError(
+                f"{compiler} can't be started: {error.strerror}; CXX names another compiler"
+            ) from None
+    if done.returncode:
+        said = next((f": {line}" for line in done.stderr.splitlines() if "error" in line), "")
         raise SetUpError(
-            f"{compiler} compiles no C++20: g++ 12, clang 15 or newer does; CXX names another compiler"
+            f"{compiler} compiles no C++20: g++ 12, clang 15 or newer does; CXX names another compiler{said}"
         )
     header = Path(sysconfig.get_path("include")) / "Python.h"
     if not header.is_file():

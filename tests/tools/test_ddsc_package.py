@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib.util
 import os
+import re
 import subprocess
 import sys
 import zipfile
@@ -13,7 +14,7 @@ from types import ModuleType
 import pytest
 from packaging.requirements import Requirement
 from tests.conftest import run_to_end
-from tools.set_up import read_project
+from tools.set_up import dependencies_of, read_project
 
 from tfloom.rmw.cyclone_library import find_library
 
@@ -131,7 +132,7 @@ def test_cyclonedds_is_required_only_where_it_has_a_wheel(
 ) -> None:
     """Elsewhere pip would compile it, and fail."""
     here = {"python_version": python, "sys_platform": system, "platform_machine": machine}
-    requirements = map(Requirement, read_project(Path(sys.executable))["project"]["dependencies"])
+    requirements = map(Requirement, dependencies_of(read_project(Path(sys.executable))))
     names = {
         requirement.name
         for requirement in requirements
@@ -139,6 +140,23 @@ def test_cyclonedds_is_required_only_where_it_has_a_wheel(
     }
     assert ("cyclonedds" in names) == is_required
     assert "numpy" in names
+
+
+@pytest.mark.parametrize(("libc", "is_required"), [("gnu", True), ("musl", False)])
+def test_wheel_for_musl_requires_no_cyclonedds(libc: str, is_required: bool, tmp_path: Path) -> None:
+    """It has no wheel there, and no marker of a requirement names musl."""
+    code = (
+        "import sys, sysconfig; sysconfig.get_config_vars()\n"  # which are read from a file of that name
+        f"sys.implementation._multiarch = 'x86_64-linux-{libc}'\n"
+        "from scikit_build_core.build import prepare_metadata_for_build_wheel\n"
+        "print(prepare_metadata_for_build_wheel(sys.argv[1]))"
+    )
+    done = run_to_end([sys.executable, "-c", code, tmp_path], cwd=ROOT)
+    assert done.returncode == 0, done.stdout + done.stderr
+    metadata = (tmp_path / done.stdout.splitlines()[-1] / "METADATA").read_text("utf-8")
+    required = set(re.findall(r"^Requires-Dist: ([\w.-]+)(?!.*extra ==)", metadata, re.MULTILINE))
+    expected = {Requirement(text).name for text in dependencies_of(read_project(Path(sys.executable)))}
+    assert required == expected - (set() if is_required else {"cyclonedds"})
 
 
 @pytest.mark.slow

@@ -18,7 +18,7 @@ from tests.conftest import FIGURE, run_to_end
 from tests.wheels import release_files, release_tools, wheel_of
 from tools import release
 from tools.release import MAX_WHEEL_SIZE, Tools
-from tools.set_up import SetUpError, distribution, read_project
+from tools.set_up import SetUpError, read_project
 
 import tfloom
 
@@ -88,6 +88,12 @@ def test_sdist_holds_what_a_build_needs_alone(files: list[Path]) -> None:
     (sdist,) = (path for path in files if path.name.startswith("tfloom-") and path.name.endswith(".tar.gz"))
     with tarfile.open(sdist) as archive:
         names = [name for name in archive.getnames() if "/" in name]
+        (info,) = (name for name in names if name.count("/") == 1 and name.endswith("/PKG-INFO"))
+        file = archive.extractfile(info)
+        assert file is not None
+        metadata = file.read().decode()
+    assert "\nDynamic: Requires-Dist\n" in metadata  # a wheel for musl requires less
+    assert "\nRequires-Dist: numpy>=" in metadata
     tops = {name.split("/")[1] for name in names}
     expected = {
         "CHANGELOG.md",
@@ -100,8 +106,12 @@ def test_sdist_holds_what_a_build_needs_alone(files: list[Path]) -> None:
         "native",
         "pyproject.toml",
         "src",
+        "tools",  # what writes the requirements of a wheel
     }
     assert tops == expected
+    assert [name for name in names if name.split("/")[1:2] == ["tools"] and not name.endswith("/tools")] == [
+        f"{names[0].split('/')[0]}/tools/wheel_requirements.py"
+    ]
     examples = {
         name.split("/")[2] for name in names if name.split("/")[1:2] == ["examples"] and name.count("/") > 2
     }
@@ -199,23 +209,6 @@ def test_what_tests_a_wheel_is_the_core_tier_of_the_matrix() -> None:
     (core,) = re.findall(r'^core="(.*)"$', (ROOT / ".ci" / "matrix").read_text("utf-8"), re.MULTILINE)
     assert command.endswith(core)
     assert all((ROOT / path).exists() for path in core.split())
-
-
-def test_a_wheel_for_musl_is_tested_with_all_it_needs_but_dds() -> None:
-    project = read_project(Path(sys.executable))
-    overrides = {override["select"]: override for override in project["tool"]["cibuildwheel"]["overrides"]}
-    needed = {distribution(requirement) for requirement in project["project"]["dependencies"]} - {
-        "cyclonedds"
-    }
-    needed |= set(project["tool"]["cibuildwheel"]["test-requires"])
-    assert needed <= set(overrides["*-musllinux_*"]["before-test"].split())
-    free_threaded = set(overrides["cp314t-*"]["test-requires"])
-    assert needed - set(project["tool"]["cibuildwheel"]["test-requires"]) | free_threaded == set(
-        overrides["cp314t-musllinux_*"]["before-test"].split()
-    ) - {"PIP_NO_DEPS=0", "python", "-m", "pip", "install"}
-    page = (ROOT / "docs" / "platforms.md").read_text("utf-8")
-    (line,) = re.findall(r"^pip install (numpy .*)$", page, re.MULTILINE)
-    assert needed - set(project["tool"]["cibuildwheel"]["test-requires"]) == set(line.split())
 
 
 def test_the_distributions_have_one_version(monkeypatch: pytest.MonkeyPatch) -> None:

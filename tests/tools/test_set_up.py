@@ -251,11 +251,25 @@ def test_without_a_compiler_the_package_is_named(
 
 
 def test_a_compiler_that_is_too_old_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("CXX", str(write_program(tmp_path / "g++-9", "exit 1")))
-    with pytest.raises(
-        set_up.SetUpError, match=r"g\+\+-9 compiles no C\+\+20: g\+\+ 12, clang 15 or newer does"
-    ):
+    compiler = write_program(tmp_path / "g++-9", "echo warning: old >&2; echo error: no concepts >&2; exit 1")
+    monkeypatch.setenv("CXX", str(compiler))
+    expected = r"g\+\+-9 compiles no C\+\+20: g\+\+ 12, clang 15 or newer does; .*: error: no concepts$"
+    with pytest.raises(set_up.SetUpError, match=expected):
         set_up.check_compiler()
+
+
+def test_a_compiler_that_is_not_there_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("CXX", "/nowhere/g++")
+    with pytest.raises(set_up.SetUpError, match=r"/nowhere/g\+\+ can't be started: No such file"):
+        set_up.check_compiler()
+
+
+def test_a_compiler_writes_an_object(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """zig's fails where it is to check the syntax alone."""
+    log = tmp_path / "arguments"
+    monkeypatch.setenv("CXX", str(write_program(tmp_path / "zig-c++", f'echo "$@" > {log}')))
+    set_up.check_compiler()
+    assert re.search(r"-c \S+\.cpp -o \S+\.o\n$", log.read_text("utf-8"))
 
 
 def test_compiling_tells_the_time(
