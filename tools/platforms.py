@@ -3,8 +3,9 @@
 `testing`, `unstable` and `debian13` are Debian's on this processor, with its newest Python, the next one and 3.13:
 README's `make demo`, then tests. `arm64` is Debian 13 on arm64, whose programs qemu-user runs: the extension is
 cross-compiled here; there the demonstration, tests, and a talk with nodes of this machine, over the loopback interface
-that both share. With `--short`, only the checks that take less than five minutes on two quiet cores. It needs these
-packages of Debian, and to be root, because of chroots, mounts and binfmt_misc:
+that both share. `musl` is Debian 13 with a Python on the C library of Alpine, compiled by tools/python_on_musl.sh. With
+`--short`, only the checks that take less than five minutes on two quiet cores. It needs these packages of Debian, and
+to be root, because of chroots, mounts and binfmt_misc:
 
     apt-get install mmdebstrap qemu-user-static g++-aarch64-linux-gnu
 """
@@ -14,6 +15,7 @@ from __future__ import annotations
 import argparse
 import os
 import re
+import shlex
 import shutil
 import signal
 import subprocess
@@ -25,7 +27,17 @@ from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from tools.set_up import ROOT, SetUpError, only_one, output_of, say
+from tools.set_up import PACKAGES as PACKAGES_OF_TESTS
+from tools.set_up import (
+    ROOT,
+    SetUpError,
+    distribution,
+    only_one,
+    output_of,
+    read_project,
+    requirements_of,
+    say,
+)
 
 FOLDER = ROOT / "build" / "platforms"
 HERE = "root/tfloom"
@@ -79,7 +91,7 @@ SHORT_TESTS = "tests/tf2/test_arrays.py tests/tf2/test_vectors.py tests/kdl"
 """Those that run first on arm64: with the paths of `native/` that are written for its processor."""
 CERTIFICATES = Path("/etc/ssl/certs/ca-certificates.crt")
 TOOLS = "g++ make git ca-certificates binutils iproute2 faketime"
-SUITES = {"testing": "testing", "unstable": "sid", "debian13": "trixie", "arm64": "trixie"}
+SUITES = {"testing": "testing", "unstable": "sid", "debian13": "trixie", "arm64": "trixie", "musl": "trixie"}
 PYTHONS = {"testing": "python3", "unstable": "python3.15", "debian13": "python3"}
 """The Python of each system of this processor, by the name of its command."""
 PACKAGES = {name: f"{python} {python}-venv {python}-dev {TOOLS}" for name, python in PYTHONS.items()}
@@ -89,7 +101,16 @@ PACKAGES |= {
     "python3-argcomplete python3-pil python3-reportlab python3-psutil python3-rich python3-pytest python3-pytest-xdist "
     "python3-pytest-rerunfailures python3-hypothesis python3-pandas python3-transforms3d python3-scipy python3-xxhash "
     "libddsc0t64",
+    "musl": "musl python3-venv make git ca-certificates binutils perl tcl autoconf automake libtool libltdl-dev "
+    "pkgconf xz-utils",
 }
+ON_MUSL = "/opt/musl"
+"""The folder in which tools/python_on_musl.sh puts a Python and its compilers."""
+NOT_ON_MUSL = {"eclipse-zenoh", "opencv-python-headless", "pygame-ce"}
+"""What tests of other folders need, and what has no wheel for musl: it would be compiled for long, or with Rust."""
+WIDE_VECTORS = "tests/tf2/test_vectors.py::test_wide_vectors_are_used_where_the_processor_has_them"
+TESTS_ON_MUSL = TESTS | {"core tests": f"{CORE} --deselect {WIDE_VECTORS}"}
+"""zig's runtime, unlike g++'s on Alpine, doesn't tell what the processor has."""
 ARM64_MAGIC = (
     r":M::\x7fELF\x02\x01\x01\x00\x00\x00\x00\x00\x00\x00\x00\x00\x02\x00\xb7\x00"
     r":\xff\xff\xff\xff\xff\xff\xff\x00\xff\xff\xff\xff\xff\xff\xff\xff\xfe\xff\xff\xff:/usr/bin/qemu-aarch64-static:F"
@@ -622,8 +643,52 @@ def run_arm64(*, is_short: bool) -> list[Row]:
         return rows + run_all(system, checks, is_short=is_short)
 
 
+def run_on_musl(*, is_short: bool) -> list[Row]:
+    """Run README's `make demo`, `pip install` and tests with a Python on musl."""
+    chroot = Chroot("musl", output_of(["dpkg", "--print-architecture"]).strip())
+    rows = [measured("musl", "installed", lambda: chroot.create("minbase"))]
+    if rows[-1].is_good:
+        export_checkout(chroot.folder / HERE)
+        rows.append(
+            measured("musl", "Python", partial(run_in, chroot, "sh tools/python_on_musl.sh", "python"))
+        )
+    if not rows[-1].is_good:
+        return rows
+    python = f"{ON_MUSL}/bin/python3"
+    compilers = {"CC": f"{ON_MUSL}/cc", "CXX": f"{ON_MUSL}/c++"}
+    packages = [
+        requirement
+        for requirement in requirements_of(read_project(Path(sys.executable)), "test")
+        if distribution(requirement) not in NOT_ON_MUSL
+    ]
+    packages += [f"./packages/{name}" for name in PACKAGES_OF_TESTS]
+    venv = "/tmp/venv"  # noqa: S108 - of the chroot
+    install = (
+        f"{python} -m venv {venv} && {venv}/bin/pip install --quiet . && {venv}/bin/tfloom demo --seconds 8"
+    )
+    commands = {
+        "make demo": f'make PYTHON={python} demo ARGS="--seconds 8"',
+        "pip install .; tfloom demo": install,
+        "what the tests need": f".venv/bin/pip install --quiet {shlex.join(packages)}",
+    }
+    commands |= {
+        what: f".venv/bin/python tools/run_tests.py --quiet --no-timing {paths}"
+        for what, paths in TESTS_ON_MUSL.items()
+    }
+    checks = [
+        Check(
+            what,
+            partial(run_in, chroot, command, log_name(what), **compilers),
+            is_short=what not in TESTS_ON_MUSL,
+        )
+        for what, command in commands.items()
+    ]
+    return rows + run_all(f"musl, {chroot_output(chroot, f'{python} --version')}", checks, is_short=is_short)
+
+
 PARTS: dict[str, Callable[..., list[Row]]] = {name: partial(run_native, name) for name in PYTHONS} | {
-    "arm64": run_arm64
+    "arm64": run_arm64,
+    "musl": run_on_musl,
 }
 
 

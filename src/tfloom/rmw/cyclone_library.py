@@ -203,6 +203,8 @@ def _how_to_install() -> str:
             "./packages/tfloom-ddsc, in tfloom's sources; or pip install --no-deps --target DIR --python-version 3.13 "
             "--only-binary=:all: cyclonedds==11.0.1, with DIR on PYTHONPATH"
         )
+    elif is_musl:
+        advice = f"PyPI has none for musl; {VARIABLE} names one that was built for it"
     else:
         advice = (
             "install the system's, by apt-get install libddsc0t64 (Debian 13, Ubuntu) or libddsc0debian (Debian 12), "
