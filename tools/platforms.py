@@ -4,8 +4,8 @@
 README's `make demo`, then tests. `arm64` is Debian 13 on arm64, whose programs qemu-user runs: the extension is
 cross-compiled here; there the demonstration, tests, and a talk with nodes of this machine, over the loopback interface
 that both share. `musl` is Debian 13 with a Python on the C library of Alpine, compiled by tools/python_on_musl.sh. With
-`--short`, only the checks that take less than five minutes on two quiet cores. It needs these packages of Debian, and
-to be root, because of chroots, mounts and binfmt_misc:
+`--short`, only the checks that take less than five minutes on two quiet cores, and on musl the Python they need. It
+needs these packages of Debian, and to be root, because of chroots, mounts and binfmt_misc:
 
     apt-get install mmdebstrap qemu-user-static g++-aarch64-linux-gnu
 """
