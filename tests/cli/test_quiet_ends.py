@@ -167,5 +167,7 @@ def test_ctrl_c_at_any_time_ends_without_traceback() -> None:
             process.wait(0.003 + 0.06 * step)
         process.send_signal(signal.SIGINT)
         _, errors = process.communicate(timeout=30)
+        if errors.splitlines()[1:] == ['  File "<string>", line 1, in <module>', "KeyboardInterrupt"]:
+            continue  # it came before the command was called
         assert errors == "", step
         assert process.returncode in {0, cli.INTERRUPTED}

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import math
 import os
+import signal
 import socket
 import struct
 import sys
@@ -441,6 +442,38 @@ def test_route_wakes_waiters_where_no_thread_can_be_started(
     wait_until(client.is_ready)
     queryable.undeclare()
     token.undeclare()
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.usefixtures("zenoh_environment")
+def test_signal_within_a_callback_of_zenoh_reaches_the_program(
+    domain_id: int, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str], number: int
+) -> None:
+    """Zenoh tells of an own token on the thread that declares it, and would print the handler's exception and go on."""
+    from tfloom.rmw.zenoh_wire import open_participant
+
+    told: list[str] = []
+
+    def on_token(_graph: ZenohGraph, sample: Any) -> None:
+        if not told and threading.current_thread() is threading.main_thread():
+            signal.raise_signal(number)
+            told.append(str(sample.key_expr))
+
+    def handle(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(ZenohGraph, "_on_token", on_token)
+    participant = open_participant(domain_id)
+    before = signal.signal(number, handle)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            participant.add_node(NODE)
+        assert signal.getsignal(number) is handle
+    finally:
+        signal.signal(number, before)
+        participant.close()
+    assert len(told) == 1
+    assert "callback error" not in capfd.readouterr().err
 
 
 def test_request_waits_for_the_route(participant: Participant, domain_id: int, plain: Any) -> None:

@@ -9,6 +9,7 @@ from typing import Any
 
 from tfloom.rmw.errors import ClosedError
 from tfloom.rmw.zenoh_graph import Peer, ZenohGraph
+from tfloom.rmw.zenoh_library import signals_deferred
 from tfloom.rmw.zenoh_session import refuse_fork
 from tfloom.rmw.zenoh_tokens import Kind
 
@@ -100,6 +101,7 @@ class ZenohEnd:
 
 def end_declarations(declarations: list[Any]) -> None:
     """End what Zenoh has of an endpoint, in order. One that the session's end has ended before is no error."""
-    for declaration in declarations:
-        with suppress(Exception):  # a ZError, whose class is loaded with the library
-            declaration.undeclare()
+    with signals_deferred():
+        for declaration in declarations:
+            with suppress(Exception):  # a ZError, whose class is loaded with the library
+                declaration.undeclare()

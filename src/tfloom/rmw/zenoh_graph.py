@@ -15,7 +15,7 @@ from tfloom._native import ReadyQueue
 from tfloom.rmw.base import EndpointInfo, NodeName, ParticipantInfo, ServiceEndInfo, Topic
 from tfloom.rmw.callback_files import callback_files
 from tfloom.rmw.topic_names import type_to_dds
-from tfloom.rmw.zenoh_library import open_library
+from tfloom.rmw.zenoh_library import open_library, signals_deferred
 from tfloom.rmw.zenoh_session import refuse_fork
 from tfloom.rmw.zenoh_tokens import PREFIX, End, Kind, Token, TokenError, gid_of, parse_token, token_pattern
 
@@ -88,9 +88,11 @@ class ZenohGraph:
         self._is_forked = False
         zenoh = open_library()
         self._put = zenoh.SampleKind.PUT
-        self._subscriber = session.liveliness().declare_subscriber(
-            token_pattern(domain_id), zenoh.handlers.Callback(self._on_token, indirect=False), history=True
-        )
+        callback = zenoh.handlers.Callback(self._on_token, indirect=False)
+        with signals_deferred():
+            self._subscriber = session.liveliness().declare_subscriber(
+                token_pattern(domain_id), callback, history=True
+            )
 
     def _on_token(self, sample: Any) -> None:
         key = str(sample.key_expr)
@@ -273,7 +275,7 @@ class ZenohGraph:
 
     def close(self) -> None:
         """Stop listening."""
-        with suppress(Exception):  # a ZError: the session has ended before
+        with signals_deferred(), suppress(Exception):  # a ZError: the session has ended before
             self._subscriber.undeclare()
 
 

@@ -1,17 +1,21 @@
-"""The search for eclipse-zenoh, the library of the Zenoh wire, and its log.
+"""The search for eclipse-zenoh, the library of the Zenoh wire, its log, and signals while it calls back.
 
 `import zenoh` costs a command time, so it is done when a session or a router is opened.
 """
 
 from __future__ import annotations
 
+import signal
 import sys
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
 from importlib.machinery import PathFinder
-from types import ModuleType
+from types import FrameType, ModuleType
 
 from tfloom.rmw.errors import NoBackendError
 
-__all__ = ["find_library", "open_library"]
+__all__ = ["find_library", "open_library", "signals_deferred"]
 
 _HOW_TO_INSTALL = "install it with: pip install 'tfloom[zenoh]'"
 _HOW_TO_DO_WITHOUT = (
@@ -49,3 +53,27 @@ def open_library() -> ModuleType:
     if is_first:
         zenoh.init_log_from_env_or("off")
     return zenoh
+
+
+@contextmanager
+def signals_deferred() -> Iterator[None]:
+    """Call the handlers of SIGINT and SIGTERM at the end of the block, for those that come within it.
+
+    Zenoh calls back on the thread that declares something, or ends it. If that is the main one, a handler may run in
+    the callback. What it raises, as KeyboardInterrupt, would be printed by Zenoh, and the program would go on.
+    """
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    signals = (signal.SIGINT, signal.SIGTERM)
+    handlers = {number: handler for number in signals if callable(handler := signal.getsignal(number))}
+    came: list[tuple[int, FrameType | None]] = []
+    try:
+        for number in handlers:
+            signal.signal(number, lambda *arguments: came.append(arguments))
+        yield
+    finally:
+        for number, handler in handlers.items():
+            signal.signal(number, handler)
+        for came_number, frame in came:
+            handlers[signal.Signals(came_number)](came_number, frame)

@@ -22,7 +22,7 @@ from tfloom.rmw.zenoh_end import end_declarations
 from tfloom.rmw.zenoh_endpoints import ZenohReader, ZenohWriter
 from tfloom.rmw.zenoh_events import Timers
 from tfloom.rmw.zenoh_graph import ZenohGraph
-from tfloom.rmw.zenoh_library import open_library
+from tfloom.rmw.zenoh_library import open_library, signals_deferred
 from tfloom.rmw.zenoh_services import ServiceEndpoint, ZenohRequester, ZenohResponder
 from tfloom.rmw.zenoh_session import FORK_ADVICE, ZenohSession, open_session, refuse_fork
 from tfloom.rmw.zenoh_tokens import End, Kind, Token, data_key, gid_of, token_key, wire_qos
@@ -224,7 +224,8 @@ class ZenohParticipant:
         zenoh = open_library()
         declared: list[Any] = []
         try:
-            declared.insert(0, end.declare(self._session.session, key))
+            with signals_deferred():
+                declared.insert(0, end.declare(self._session.session, key))
             # Known to its peers from the token on, which comes second, so that it is ready when they know of it.
             declared.insert(0, self._declare_token(token_text))
         except zenoh.ZError as error:
@@ -245,7 +246,8 @@ class ZenohParticipant:
     def _declare_token(self, key: str) -> Any:
         zenoh = open_library()
         try:
-            token = self._session.session.liveliness().declare_token(key)
+            with signals_deferred():
+                token = self._session.session.liveliness().declare_token(key)
         except zenoh.ZError as error:
             raise WireError(f"cannot announce {key}: {reason_of(error)}") from None
         self.graph.add_own(key)
