@@ -26,6 +26,7 @@ from tfloom.rmw.base import NodeName, Participant, Reader, Requester, Sample, Se
 from tfloom.rmw.errors import ClosedError, ForeignPeerError, NoBackendError, WireError
 from tfloom.rmw.events import Event, LivelinessChanged, Matched
 from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoS, ReliabilityPolicy
+from tfloom.rmw.zenoh_endpoints import ZenohReader
 from tfloom.rmw.zenoh_events import Timers
 from tfloom.rmw.zenoh_graph import ZenohGraph
 from tfloom.rmw.zenoh_tokens import End, Kind, Token, data_key, gid_of, token_key
@@ -473,6 +474,30 @@ def test_signal_within_a_callback_of_zenoh_reaches_the_program(
         signal.signal(number, before)
         participant.close()
     assert len(told) == 1
+    assert "callback error" not in capfd.readouterr().err
+
+
+def test_ctrl_c_while_the_main_thread_writes_to_an_own_reader_loses_nothing(
+    participant: Participant, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    receive = ZenohReader._on_sample
+    interrupted: list[bool] = []
+
+    def on_sample(reader: ZenohReader, sample: Any) -> None:
+        if not interrupted:
+            interrupted.append(threading.current_thread() is threading.main_thread())
+            signal.raise_signal(signal.SIGINT)
+        receive(reader, sample)
+
+    monkeypatch.setattr(ZenohReader, "_on_sample", on_sample)
+    reader = participant.create_reader(NODE, TOPIC, QoS())
+    writer = participant.create_writer(NODE, TOPIC, QoS())
+    with pytest.raises(KeyboardInterrupt):
+        writer.write(HEADER + b"one")
+    writer.write(HEADER + b"two")
+    taken: list[Sample] = []
+    wait_until(lambda: taken.extend(iter(reader.take, None)) or len(taken) == 2)
+    assert interrupted == [True]
     assert "callback error" not in capfd.readouterr().err
 
 

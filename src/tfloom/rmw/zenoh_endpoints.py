@@ -11,6 +11,7 @@ import threading
 import time
 from collections import deque
 from collections.abc import Callable
+from contextlib import nullcontext
 from typing import Any
 
 from tfloom._native import ReadyQueue, Sink
@@ -34,7 +35,7 @@ from tfloom.rmw.zenoh_end import ZenohEnd
 from tfloom.rmw.zenoh_events import LostSamples, Timers
 from tfloom.rmw.zenoh_feeder import Feeder
 from tfloom.rmw.zenoh_graph import Peer, ZenohGraph
-from tfloom.rmw.zenoh_library import open_library
+from tfloom.rmw.zenoh_library import open_library, signals_deferred
 from tfloom.rmw.zenoh_tokens import Kind
 
 __all__ = ["ZenohEndpoint", "ZenohReader", "ZenohWriter"]
@@ -50,6 +51,7 @@ MAX_CATCH_UPS = 256
 CATCH_UP_S = 2.0
 """How long samples are held until the earlier ones have come [s]."""
 _NS_PER_S = 1e9
+_NOTHING = nullcontext()
 
 
 class ZenohEndpoint(ZenohEnd):
@@ -170,6 +172,8 @@ class ZenohWriter(ZenohEndpoint):
         self._asserted_s = time.monotonic()
         self._is_alive = True
         self._publisher: Any = None
+        self._own_readers: set[bytes] = set()
+        """Those of this session, which Zenoh calls while it writes."""
         qos = info.qos
         self._is_timed = qos.deadline_ns < INFINITE_NS or qos.liveliness_lease_ns < INFINITE_NS
 
@@ -201,6 +205,14 @@ class ZenohWriter(ZenohEndpoint):
             **options,
         )
         return self._publisher
+
+    def _peer_matched(self, peer: Peer) -> Callable[[], None] | None:
+        if peer.token.zid == self._graph.zid:
+            self._own_readers.add(peer.gid)
+        return None
+
+    def _peer_unmatched(self, peer: Peer) -> None:
+        self._own_readers.discard(peer.gid)
 
     def start_timers(self) -> None:
         """Start to watch its deadline and its lease."""
@@ -236,7 +248,8 @@ class ZenohWriter(ZenohEndpoint):
             self._active_s = self._asserted_s = time.monotonic()
             self._is_alive = True
         try:
-            self._publisher.put(bytes(data), attachment=pack(number, self.gid))
+            with signals_deferred() if self._own_readers else _NOTHING:
+                self._publisher.put(bytes(data), attachment=pack(number, self.gid))
         except open_library().ZError as error:
             if self._is_closed:
                 raise ClosedError(f"cannot write to {self.info.topic.name}: its writer is closed") from None

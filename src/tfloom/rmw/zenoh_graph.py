@@ -76,7 +76,7 @@ class ZenohGraph:
     """
 
     def __init__(self, session: Any, domain_id: int, zid: str, *, expects_others: bool = False) -> None:
-        self._zid = zid
+        self.zid = zid
         self._expects_others = expects_others
         self._own_prefix = f"{PREFIX}/{domain_id}/{zid}/"
         self._lock = threading.Lock()
@@ -230,13 +230,13 @@ class ZenohGraph:
 
     def participants(self) -> list[ParticipantInfo]:
         """Return the sessions with a token, this one included, in order of their gids: their ids, padded with zeros."""
-        nodes: dict[str, list[NodeName]] = {self._zid: []}
+        nodes: dict[str, list[NodeName]] = {self.zid: []}
         for entity in self._snapshot(set(Kind)):
             names = nodes.setdefault(entity.token.zid, [])
             if entity.token.kind is Kind.NODE:
                 names.append(entity.token.node)
         return sorted(
-            ParticipantInfo(_gid_of_session(zid), names, zid == self._zid) for zid, names in nodes.items()
+            ParticipantInfo(_gid_of_session(zid), names, zid == self.zid) for zid, names in nodes.items()
         )
 
     def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
@@ -258,7 +258,7 @@ class ZenohGraph:
         if not self._expects_others:
             return True
         with self._lock:
-            return any(entity.token.zid != self._zid for entity in self._entities.values())
+            return any(entity.token.zid != self.zid for entity in self._entities.values())
 
     def delivers_incompatible(self) -> bool:
         """Return True: keys connect endpoints, and they tell nothing of qualities."""

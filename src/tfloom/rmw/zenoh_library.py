@@ -5,7 +5,8 @@
 
 from __future__ import annotations
 
-import signal
+# The functions of the module signal try to make an enum of each handler, by exceptions: that takes ten times as long.
+import _signal  # type: ignore[import-not-found]
 import sys
 import threading
 from collections.abc import Iterator
@@ -59,21 +60,29 @@ def open_library() -> ModuleType:
 def signals_deferred() -> Iterator[None]:
     """Call the handlers of SIGINT and SIGTERM at the end of the block, for those that come within it.
 
-    Zenoh calls back on the thread that declares something, or ends it. If that is the main one, a handler may run in
-    the callback. What it raises, as KeyboardInterrupt, would be printed by Zenoh, and the program would go on.
+    Zenoh calls back on the thread that declares something, ends it, or writes to a reader of the same session. If that
+    is the main one, a handler may run in the callback. What it raises, as KeyboardInterrupt, would be printed by Zenoh,
+    and the program would go on.
     """
     if threading.current_thread() is not threading.main_thread():
         yield
         return
-    signals = (signal.SIGINT, signal.SIGTERM)
-    handlers = {number: handler for number in signals if callable(handler := signal.getsignal(number))}
+    handlers = {
+        number: handler
+        for number in (_signal.SIGINT, _signal.SIGTERM)
+        if callable(handler := _signal.getsignal(number))
+    }
     came: list[tuple[int, FrameType | None]] = []
+
+    def note(number: int, frame: FrameType | None) -> None:
+        came.append((number, frame))
+
     try:
         for number in handlers:
-            signal.signal(number, lambda *arguments: came.append(arguments))
+            _signal.signal(number, note)
         yield
     finally:
         for number, handler in handlers.items():
-            signal.signal(number, handler)
-        for came_number, frame in came:
-            handlers[signal.Signals(came_number)](came_number, frame)
+            _signal.signal(number, handler)
+        for number, frame in came:
+            handlers[number](number, frame)
