@@ -470,11 +470,9 @@ def requirements_of(project: Mapping[str, Any], stage: str) -> list[str]:
 
 
 def dependencies_of(project: Mapping[str, Any]) -> list[str]:
-    """Return what tfloom requires; see tools/wheel_requirements.py."""
-    (requirements,) = (
-        entry["dependencies"] for entry in project["tool"]["dynamic-metadata"] if "dependencies" in entry
-    )
-    return list(requirements)
+    """Return what tfloom requires with glibc; see tools/wheel_requirements.py."""
+    (table,) = (entry for entry in project["tool"]["dynamic-metadata"] if "dependencies" in entry)
+    return [*table["dependencies"], *table["needs-glibc"]]
 
 
 def distribution(requirement: str) -> str:

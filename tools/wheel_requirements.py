@@ -6,7 +6,6 @@ requirement tells glibc from musl, so pip would compile it on Alpine.
 
 from __future__ import annotations
 
-import re
 import sys
 from collections.abc import Mapping
 from typing import Any
@@ -20,14 +19,7 @@ def dynamic_metadata(settings: Mapping[str, Any], project: Mapping[str, Any]) ->
         project: The table `project`.
     """
     is_musl = "musl" in getattr(sys.implementation, "_multiarch", "")
-    left_out = settings["needs-glibc"] if is_musl else []
-    return {
-        "dependencies": [
-            requirement
-            for requirement in settings["dependencies"]
-            if re.split(r"[^\w.-]", requirement, maxsplit=1)[0] not in left_out
-        ]
-    }
+    return {"dependencies": [*settings["dependencies"], *([] if is_musl else settings["needs-glibc"])]}
 
 
 def dynamic_wheel(settings: Mapping[str, Any]) -> dict[str, bool]:  # noqa: ARG001
