@@ -1,6 +1,8 @@
 #include <nanobind/nanobind.h>
+#include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/vector.h>
 
+#include <memory>
 #include <stdexcept>
 #include <vector>
 
@@ -74,7 +76,7 @@ void bind_core(nb::module_& m) {
       .def(
           "forget", [](Sink& sink, const nb::bytes& publisher_gid) { sink.forget(gid_of_publisher(publisher_gid)); },
           "publisher_gid"_a, "Forget what is stored for a publisher that has left.")
-      .def("notify", &Sink::notify, "queue"_a.none(), "token"_a, nb::keep_alive<1, 2>(),
+      .def("notify", &Sink::notify, "queue"_a.none(), "token"_a,
            "Post `token` to `queue` after a push, for waits with `quiet` only; None ends it.\n\n"
            "Post at once if there was a push since `take_pushed`.")
       .def("take_pushed", &Sink::take_pushed, "Return whether a sample was pushed since the last call.");
@@ -88,7 +90,7 @@ void bind_core(nb::module_& m) {
 
   nb::class_<ReadyQueue>(m, "ReadyQueue",
                          "A queue of tokens of entities that are ready: any thread may post, one thread waits.")
-      .def(nb::init<>())
+      .def(nb::new_([] { return std::make_shared<ReadyQueue>(); }))  // so that C++ shares it without Python
       .def("post", &ReadyQueue::post, "token"_a, nb::call_guard<ReleasedGil>(),
            "Post a token. A token that is posted again before it is taken is taken once.")
       .def("wait", &wait_for_tokens, "timeout_ns"_a, "quiet"_a = false,

@@ -1,10 +1,13 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
+#include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 
+#include <memory>
 #include <tuple>
+#include <utility>
 
 #include "bindings/bindings.hpp"
 #include "bindings/gil.hpp"
@@ -74,6 +77,17 @@ void write(Writer& writer, const nb::bytes& data) {
   writer.write(view);
 }
 
+// Share the sink with a reader, which may release it on any thread.
+void feed(Reader& reader, nb::typed<nb::object, Sink> sink) {
+  auto* receiver = nb::cast<Sink*>(sink);
+  std::shared_ptr<Sink> shared(receiver, [owner = sink.release().ptr()](Sink*) {
+    const AcquiredGil gil;
+    if (gil) Py_DECREF(owner);
+  });
+  const ReleasedGil released;
+  reader.feed(std::move(shared));
+}
+
 template <typename Endpoint>
 nb::list matched(Endpoint& endpoint) {
   nb::list peers;
@@ -99,10 +113,10 @@ void bind_endpoint(nb::class_<Endpoint>& endpoint) {
            "Return the gid and the user data of each peer that is matched now.")
       .def(
           "notify_event",
-          [](Endpoint& self, int event, ReadyQueue* queue, ReadyQueue::Token token) {
-            self.notify_event(static_cast<dds::Event>(event), queue, token);
+          [](Endpoint& self, int event, ReadyQueue::Shared queue, ReadyQueue::Token token) {
+            self.notify_event(static_cast<dds::Event>(event), std::move(queue), token);
           },
-          "event"_a, "queue"_a.none(), "token"_a, nb::keep_alive<1, 3>(),
+          "event"_a, "queue"_a.none(), "token"_a,
           "Post `token` to `queue` when the status of `event` (tfloom.rmw.events.Event) may have changed; None ends "
           "it.")
       .def("take_event", &take_event<Endpoint>, "event"_a,
@@ -196,11 +210,11 @@ void bind_reader(nb::module_& m) {
       .def("__init__", &init_on_topic<Reader>, "participant"_a, "topic_name"_a, "type_name"_a, "qos"_a, "user_data"_a,
            nb::keep_alive<1, 2>(),
            "Create a reader of a topic, given by its names on the wire; `qos` is a resolved tfloom.rmw.qos.QoS.")
-      .def("notify", &Reader::notify, "queue"_a.none(), "token"_a, nb::keep_alive<1, 2>(),
+      .def("notify", &Reader::notify, "queue"_a.none(), "token"_a,
            "Post `token` to `queue` when there are samples to take; None ends it.")
       .def("take", &take_sample, nb::sig("def take(self) -> tuple[bytes, int, int, bytes] | None"),
            "Remove the oldest sample: (data, source stamp, received stamp, gid), or None.")
-      .def("feed", &Reader::feed, "sink"_a, nb::keep_alive<1, 2>(), ReleaseGil(),
+      .def("feed", &feed, "sink"_a,
            "Push every further sample into `sink`, on a thread without Python.")
       .def("close", &Reader::close, ReleaseGil(),
            "Leave the topic. Afterwards neither queue nor sink is used. Closing again does nothing.");
@@ -217,7 +231,7 @@ void bind_graph(nb::module_& m) {
            "Return participants (gid, user data, node list) and endpoints (gid, participant's gid, whether a writer, "
            "topic, type, user data, qos), texts as the received bytes.")
       .def("changes", &Graph::changes, ReleaseGil(), "Return a number that grows with each change.")
-      .def("notify", &Graph::notify, "queue"_a.none(), "token"_a, nb::keep_alive<1, 2>(),
+      .def("notify", &Graph::notify, "queue"_a.none(), "token"_a,
            "Post `token` to `queue` whenever the graph has changed; None ends it.")
       .def("close", &Graph::close, ReleaseGil(), "Stop listening. Closing again does nothing.");
 }

@@ -14,8 +14,12 @@
 namespace tfloom {
 
 // Any thread may post; one thread waits. A token that is posted again before it is taken is taken once.
-class ReadyQueue {
+//
+// What posts to a queue shares it, for as long as it posts to it: a queue that waits no more is freed, with its
+// descriptor, though the endpoints to which it was given live on.
+class ReadyQueue : public std::enable_shared_from_this<ReadyQueue> {
  public:
+  using Shared = std::shared_ptr<ReadyQueue>;
   using Token = std::uint64_t;
   enum class Outcome { ready, timeout, interrupted };
 

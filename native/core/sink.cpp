@@ -1,14 +1,16 @@
 #include "core/sink.hpp"
 
+#include <utility>
+
 namespace tfloom {
 
-void Sink::notify(ReadyQueue* queue, ReadyQueue::Token token) {
+void Sink::notify(ReadyQueue::Shared queue, ReadyQueue::Token token) {
   const std::lock_guard lock(mutex_);
   // A token that nobody has taken would wake the former queue for a sink that is no longer its own.
   if (queue_ != nullptr) queue_->withdraw(token_);
-  queue_ = queue;
+  queue_ = std::move(queue);
   token_ = token;
-  if (queue != nullptr && is_pushed_) queue->post_quietly(token);
+  if (queue_ != nullptr && is_pushed_) queue_->post_quietly(token);
 }
 
 void Sink::signal_push() {

@@ -37,7 +37,7 @@ class Sink {
   virtual void forget(const Gid& /*publisher*/) {}
 
   // Post `token` quietly after a push, at once if there was one since `take_pushed`; nullptr ends it.
-  void notify(ReadyQueue* queue, ReadyQueue::Token token);
+  void notify(ReadyQueue::Shared queue, ReadyQueue::Token token);
 
   // Return whether a sample was pushed since the last call.
   [[nodiscard]] bool take_pushed() { return is_pushed_.exchange(false); }
@@ -50,7 +50,7 @@ class Sink {
  private:
   std::atomic<bool> is_pushed_ = false;
   std::mutex mutex_;
-  ReadyQueue* queue_ = nullptr;  // guarded by mutex_, like the next
+  ReadyQueue::Shared queue_;  // guarded by mutex_, like the next
   ReadyQueue::Token token_ = 0;
 };
 

@@ -58,11 +58,11 @@ void Events::post_to_watcher(Event event) {
   if (watcher.queue != nullptr) watcher.queue->post(watcher.token);
 }
 
-void Events::notify(Event event, ReadyQueue* queue, ReadyQueue::Token token) {
+void Events::notify(Event event, ReadyQueue::Shared queue, ReadyQueue::Token token) {
   check(event);
   const std::lock_guard lock(mutex_);
-  watchers_[index_of(event)] = {queue, token};
   if (queue != nullptr) queue->post(token);
+  watchers_[index_of(event)] = {std::move(queue), token};
 }
 
 void Events::check(Event event) const {

@@ -31,7 +31,7 @@ class Events {
 
   // Post `token` to `queue` now, and whenever the status of `event` may have changed; nullptr ends this.
   // Throw std::invalid_argument for an event that this kind of endpoint does not have.
-  void notify(Event event, ReadyQueue* queue, ReadyQueue::Token token);
+  void notify(Event event, ReadyQueue::Shared queue, ReadyQueue::Token token);
 
   // Return the status of `entity`, with the changes since the last call; empty if it has not changed.
   // Throw std::invalid_argument as `notify` does.
@@ -42,7 +42,7 @@ class Events {
 
  private:
   struct Watcher {
-    ReadyQueue* queue = nullptr;
+    ReadyQueue::Shared queue;
     ReadyQueue::Token token = 0;
   };
 

@@ -108,9 +108,9 @@ std::uint64_t Graph::changes() {
   return changes_;
 }
 
-void Graph::notify(ReadyQueue* queue, ReadyQueue::Token token) {
+void Graph::notify(ReadyQueue::Shared queue, ReadyQueue::Token token) {
   const std::lock_guard lock(mutex_);
-  queue_ = queue;
+  queue_ = std::move(queue);
   token_ = token;
 }
 

@@ -51,7 +51,7 @@ class Graph {
   [[nodiscard]] std::uint64_t changes();
 
   // Post `token` whenever the graph has changed; nullptr ends this.
-  void notify(ReadyQueue* queue, ReadyQueue::Token token);
+  void notify(ReadyQueue::Shared queue, ReadyQueue::Token token);
 
   void close();
 
@@ -76,7 +76,7 @@ class Graph {
   std::map<Gid, EndpointInfo> endpoints_;
   std::vector<TopicName> new_writers_;  // topics of reliable writers of Fast DDS that were just discovered
   std::uint64_t changes_ = 0;
-  ReadyQueue* queue_ = nullptr;
+  ReadyQueue::Shared queue_;
   ReadyQueue::Token token_ = 0;
   bool closed_ = false;
   Feeder::Task drain_task_;

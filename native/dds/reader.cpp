@@ -89,15 +89,16 @@ void Reader::matches_changed() {
   participant_.feeder().schedule(drain_task_);
 }
 
-void Reader::notify(ReadyQueue* queue, ReadyQueue::Token token) {
+void Reader::notify(ReadyQueue::Shared queue, ReadyQueue::Token token) {
   const std::lock_guard lock(listener_mutex_);
   if (closed_ || sink_ != nullptr) return;
-  queue_ = queue;
+  queue_ = std::move(queue);
   token_ = token;
-  if (queue != nullptr && may_have_data_) queue->post(token);
+  if (queue_ != nullptr && may_have_data_) queue_->post(token);
 }
 
-void Reader::feed(Sink* sink) {
+void Reader::feed(std::shared_ptr<Sink> sink) {
+  std::shared_ptr<Sink> former;  // released last, without a lock, because that may need the GIL
   const std::lock_guard lifecycle(lifecycle_mutex_);
   {
     const std::lock_guard lock(listener_mutex_);
@@ -107,8 +108,9 @@ void Reader::feed(Sink* sink) {
   participant_.feeder().cancel(drain_task_);
   {
     const std::lock_guard lock(feed_mutex_);  // afterwards, no thread pushes into the former sink
-    sink_ = sink;
+    sink_ = sink.get();
   }
+  former = std::exchange(shared_sink_, std::move(sink));
   participant_.feeder().schedule(drain_task_);
 }
 
@@ -194,8 +196,8 @@ std::size_t Reader::matched_count() const { return closed_ ? 0 : peers_.matched_
 
 std::vector<Peer> Reader::matched() { return closed_ ? std::vector<Peer>() : peers_.matched(entity_.get()); }
 
-void Reader::notify_event(Event event, ReadyQueue* queue, ReadyQueue::Token token) {
-  if (!closed_) events_.notify(event, queue, token);
+void Reader::notify_event(Event event, ReadyQueue::Shared queue, ReadyQueue::Token token) {
+  if (!closed_) events_.notify(event, std::move(queue), token);
 }
 
 std::optional<Events::Status> Reader::take_event(Event event) {
@@ -203,6 +205,7 @@ std::optional<Events::Status> Reader::take_event(Event event) {
 }
 
 void Reader::close() {
+  std::shared_ptr<Sink> former;  // as in `feed`
   const std::lock_guard lifecycle(lifecycle_mutex_);
   if (closed_.exchange(true) || participant_.is_forked()) return;
   entity_.stop_listening();
@@ -211,6 +214,7 @@ void Reader::close() {
     const std::lock_guard lock(listener_mutex_);
     queue_ = nullptr;
   }
+  former = std::move(shared_sink_);
   events_.close();
   entity_.close();
   topic_.close();

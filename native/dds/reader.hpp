@@ -31,7 +31,7 @@ class Reader {
   Reader& operator=(const Reader&) = delete;
 
   // Post `token` when there are samples to take, at once if there may be some now; nullptr ends this.
-  void notify(ReadyQueue* queue, ReadyQueue::Token token);
+  void notify(ReadyQueue::Shared queue, ReadyQueue::Token token);
 
   // Remove the oldest sample and pass it to `receive`. Return false if there is none, or if a sink is fed.
   bool take(const Receive& receive);
@@ -40,14 +40,15 @@ class Reader {
   // ends are dropped. To be called before the first take.
   void join(std::shared_ptr<rtps::ServiceEnd> end) { service_end_ = std::move(end); }
 
-  // Push every further sample into `sink`, on the library's threads or the feeder's.
-  void feed(Sink* sink);
+  // Push every further sample into `sink`, on the library's threads or the feeder's. The reader shares it until another
+  // one is fed or the reader is closed.
+  void feed(std::shared_ptr<Sink> sink);
 
   [[nodiscard]] std::size_t matched_count() const;
   [[nodiscard]] std::vector<Peer> matched();
   [[nodiscard]] const Gid& gid() const { return gid_; }
 
-  void notify_event(Event event, ReadyQueue* queue, ReadyQueue::Token token);
+  void notify_event(Event event, ReadyQueue::Shared queue, ReadyQueue::Token token);
   [[nodiscard]] std::optional<Events::Status> take_event(Event event);
 
   // Leave the topic. After it has returned, neither queue nor sink is used.
@@ -81,8 +82,9 @@ class Reader {
   std::mutex feed_mutex_;                    // held by the thread that feeds; a listener acquires it by try_lock only
   std::vector<Gid> publishers_;              // guarded by feed_mutex_: those at the last change of the matches
   std::mutex lifecycle_mutex_;               // held during `feed` and `close`
+  std::shared_ptr<Sink> shared_sink_;        // what sink_ points to; guarded by lifecycle_mutex_
   std::mutex listener_mutex_;                // acquired in the listener, so it is held for short sections only
-  ReadyQueue* queue_ = nullptr;              // guarded by listener_mutex_, like the next
+  ReadyQueue::Shared queue_;                 // guarded by listener_mutex_, like the next
   ReadyQueue::Token token_ = 0;
 };
 

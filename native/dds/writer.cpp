@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "core/busy_wait.hpp"
 #include "dds/serdata.hpp"
@@ -98,8 +99,8 @@ std::size_t Writer::matched_count() const { return closed_ ? 0 : peers_.matched_
 
 std::vector<Peer> Writer::matched() { return closed_ ? std::vector<Peer>() : peers_.matched(entity_.get()); }
 
-void Writer::notify_event(Event event, ReadyQueue* queue, ReadyQueue::Token token) {
-  if (!closed_) events_.notify(event, queue, token);
+void Writer::notify_event(Event event, ReadyQueue::Shared queue, ReadyQueue::Token token) {
+  if (!closed_) events_.notify(event, std::move(queue), token);
 }
 
 std::optional<Events::Status> Writer::take_event(Event event) {

@@ -33,7 +33,7 @@ class Writer {
   [[nodiscard]] std::vector<Peer> matched();
   [[nodiscard]] const Gid& gid() const { return gid_; }
 
-  void notify_event(Event event, ReadyQueue* queue, ReadyQueue::Token token);
+  void notify_event(Event event, ReadyQueue::Shared queue, ReadyQueue::Token token);
   [[nodiscard]] std::optional<Events::Status> take_event(Event event);
 
   // Send a message that readers acknowledge and drop: the end of an instance that does not exist.

@@ -184,12 +184,17 @@ Library make_library() {
 // What a user of the wire creates, in this order. A throw destroys what was created before.
 void live(const Library& library) {
   const TopicName topic{"rt/topic", "Type_"};
-  tfloom::SampleQueue sink(1);
+  const auto former = std::make_shared<tfloom::SampleQueue>(1), sink = std::make_shared<tfloom::SampleQueue>(1);
   Participant participant(library, 1, "", "", false);
   Graph graph(participant, topic, {}, "");
   Writer writer(participant, topic, {}, "");
   Reader reader(participant, topic, {}, "");
-  reader.feed(&sink);
+  reader.feed(former);
+  reader.feed(sink);
+  check(former.use_count() == 1, "a reader shares a sink in whose place it feeds another");
+  check(sink.use_count() == 2, "a reader does not share the sink that it feeds");
+  reader.close();
+  check(sink.use_count() == 1, "a closed reader shares a sink");
 }
 
 void check_nothing_is_left(const std::string& when) {

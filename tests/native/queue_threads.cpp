@@ -60,7 +60,7 @@ class Reader {
 
 // One thread pushes into a sink; another waits for the sink's tokens, and detaches and attaches as executors do.
 void check_sink() {
-  ReadyQueue queue;
+  const auto queue = std::make_shared<ReadyQueue>();
   SampleQueue sink(1);
   std::thread wire([&] {
     const std::byte data[5]{};
@@ -69,9 +69,9 @@ void check_sink() {
   std::vector<ReadyQueue::Token> tokens;
   std::uint64_t seen = 0;
   for (ReadyQueue::Token token = 1; seen < samples; ++token) {
-    sink.notify(&queue, token);
+    sink.notify(queue, token);
     for (int spins = 0; spins < 5 && seen < samples; ++spins) {
-      const auto outcome = queue.wait(10'000'000'000, tokens, true);
+      const auto outcome = queue->wait(10'000'000'000, tokens, true);
       check(outcome == ReadyQueue::Outcome::ready, "a push woke no thread");
       if (outcome != ReadyQueue::Outcome::ready) seen = samples;
       for (const auto taken : tokens) check(taken == token, "a token came after it had been withdrawn");
