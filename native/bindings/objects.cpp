@@ -140,8 +140,9 @@ nb::object as_int(PyObject* value) {
   if (PyIndex_Check(value) == 0) throw_mismatch("an int", value);
   const auto held = nb::borrow(value);
   auto number = nb::steal(PyNumber_Index(value));
-  if (!number.is_valid()) throw nb::python_error();
-  return number;
+  if (number.is_valid()) return number;
+  clear_type_error();  // an array of numpy has __index__, which only one integer gives
+  throw_mismatch("an int", value);
 }
 
 }  // namespace
@@ -162,8 +163,11 @@ bool ObjectReader::boolean(Value value) {
 }
 
 std::uint8_t ObjectReader::octet(Value value) {
-  if (!PyBytes_Check(value) || PyBytes_GET_SIZE(value) != 1) throw_mismatch("bytes of length 1", value);
-  return static_cast<std::uint8_t>(PyBytes_AS_STRING(value)[0]);
+  if (PyBytes_Check(value) && PyBytes_GET_SIZE(value) == 1) return static_cast<std::uint8_t>(PyBytes_AS_STRING(value)[0]);
+  if (PyByteArray_Check(value) && PyByteArray_GET_SIZE(value) == 1) {
+    return static_cast<std::uint8_t>(PyByteArray_AS_STRING(value)[0]);
+  }
+  throw_mismatch("bytes of length 1", value);
 }
 
 std::string_view ObjectReader::any_string(Value value) {

@@ -58,6 +58,12 @@ class Number:
         ),
         (Bool(data=1), "Bool.data must be a bool, got 1 (int)"),
         (Byte(data=3), "Byte.data must be bytes of length 1, got 3 (int)"),
+        (
+            Byte(data=bytearray(b"ab")),
+            "Byte.data must be bytes of length 1, got bytearray(b'ab') (bytearray)",
+        ),
+        (Int8(data=np.array([1])), "Int8.data must be an int, got array([1]) (numpy.ndarray)"),
+        (Int8(data=np.array(1.0)), "Int8.data must be an int, got array(1.) (numpy.ndarray)"),
         (Byte(data=b"ab"), "Byte.data must be bytes of length 1, got b'ab' (bytes)"),
         (String(data=5), "String.data must be a str, got 5 (int)"),
         (String(data="\ud800"), r"String.data must be text without lone surrogates, got '\ud800' (str)"),
@@ -130,6 +136,8 @@ def test_numbers_of_other_types_are_accepted() -> None:
     )
     assert cdr.decode(Int8, cdr.encode(Int8(data=Number()))).data == 7
     assert cdr.decode(Int8, cdr.encode(Int8(data=np.int64(-3)))).data == -3
+    assert cdr.decode(Int8, cdr.encode(Int8(data=np.array(3)))).data == 3
+    assert cdr.decode(Byte, cdr.encode(Byte(data=bytearray(b"7")))).data == b"7"
     assert cdr.decode(Bool, cdr.encode(Bool(data=np.bool_(True)))).data is True
 
 

@@ -6,6 +6,7 @@ import array
 import copy
 import importlib
 import json
+import math
 import pickle
 import re
 from collections.abc import Callable
@@ -21,13 +22,25 @@ from tests.rosidl.workspaces import run_python, snake
 from tfloom.interfaces.action_msgs.msg import GoalStatus
 from tfloom.interfaces.geometry_msgs import msg as geometry_msgs
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped, Twist, Vector3
+from tfloom.interfaces.rcl_interfaces.msg import ParameterValue
 from tfloom.interfaces.sensor_msgs import msg as sensor_msgs
-from tfloom.interfaces.sensor_msgs.msg import CameraInfo, Image, JointState, NavSatStatus, PointField
+from tfloom.interfaces.sensor_msgs.msg import (
+    CameraInfo,
+    Image,
+    JointState,
+    LaserScan,
+    NavSatStatus,
+    PointField,
+)
 from tfloom.interfaces.shape_msgs.msg import SolidPrimitive
 from tfloom.interfaces.std_msgs import msg as std_msgs
 from tfloom.interfaces.std_msgs.msg import ColorRGBA, Empty, Header, String
+from tfloom.interfaces.unique_identifier_msgs.msg import UUID
+from tfloom.rosidl import cdr
+from tfloom.rosidl.dynamic import define
 from tfloom.rosidl.message import Message
 from tfloom.rosidl.registry import get_message_class
+from tfloom.rosidl.spec import FLOATS
 
 GOLDEN = Path(__file__).parents[1] / "golden"
 FACES: dict[str, dict[str, Any]] = json.loads((GOLDEN / "python_messages.json").read_text("utf-8"))
@@ -184,6 +197,113 @@ def test_equality_compares_fields_and_class() -> None:
     assert Vector3(x=float("nan")) != Vector3(x=float("nan"))
     assert Vector3() != 5
     assert JointState(position=[1.0]) != JointState(position=[1.0, 2.0])
+
+
+NUMPY_NUMBERS = [np.dtype(code).type for code in np.typecodes["AllInteger"] + np.typecodes["Float"] + "?"]
+"""numpy's number types, each once for each of its codes."""
+
+
+@pytest.mark.parametrize("number", NUMPY_NUMBERS, ids=lambda number: number.__name__)
+def test_a_number_of_numpy_equals_what_is_received_of_it(number: type[np.generic]) -> None:
+    for name in (
+        "Bool",
+        "Char",
+        "Float32",
+        "Float64",
+        *(f"{u}Int{bits}" for u in ("", "U") for bits in (8, 16, 32, 64)),
+    ):
+        cls = getattr(std_msgs, name)
+        (kind,) = cls._FIELDS.values()
+        is_bool = number is np.bool_
+        takes = (
+            is_bool if kind == "bool" else kind in FLOATS or not (is_bool or issubclass(number, np.floating))
+        )
+        message = cls(data=number(1))
+        if takes:
+            received = cdr.decode(cls, cdr.encode(message))
+            assert type(received.data) is not number
+            assert received == message == cls(data=received.data), name
+            assert (message != received) is False, name
+            assert [cls(), received].index(message) == 1
+        else:
+            with pytest.raises(cdr.EncodeError):
+                cdr.encode(message)
+        assert message != cls(data=number(0)), name
+
+
+def test_a_number_of_numpy_counts_in_nested_messages_lists_and_texts() -> None:
+    numbers = np.array([1.0, 2.0, 3.0])
+    pose = geometry_msgs.Pose(position=geometry_msgs.Point(x=numbers[0], y=numbers[1], z=numbers[2]))
+    same = geometry_msgs.Pose(position=geometry_msgs.Point(x=1.0, y=2.0, z=3.0))
+    assert pose == same == pose
+    assert geometry_msgs.PoseArray(poses=[pose, pose]) == geometry_msgs.PoseArray(poses=[same, same])
+    assert geometry_msgs.PoseArray(poses=[pose, pose]) != geometry_msgs.PoseArray(poses=[same, pose, pose])
+    assert [same, same].index(pose) == 0
+    assert (
+        std_msgs.String(data=np.str_("a")) == std_msgs.String(data="a") != std_msgs.String(data=np.str_("b"))
+    )
+    assert (
+        std_msgs.Byte(data=np.bytes_(b"7")) == std_msgs.Byte(data=b"7") == std_msgs.Byte(data=bytearray(b"7"))
+    )
+    assert PointField(offset=np.array(3)) == PointField(offset=3)
+    assert std_msgs.Float64(data=np.float64("nan")) != std_msgs.Float64(data=np.float64("nan"))
+    assert (std_msgs.Float64(data=1.0) == std_msgs.Float64(data=np.array([1.0]))) is False
+
+
+def test_an_array_of_numpy_in_a_list_field_equals_the_list_that_is_received() -> None:
+    joints = JointState(name=np.array(["a", "b"]))
+    assert cdr.decode(JointState, cdr.encode(joints)) == joints == JointState(name=["a", "b"])
+    assert joints != JointState(name=["a"])
+    assert joints != JointState(name=["a", "c"])
+    assert joints == JointState(name=np.array(["a", "b"]))
+    assert joints != JointState(name=np.array([["a"], ["b"]]))
+    assert joints != JointState(name="ab")
+    assert joints != JointState(name=5)  # type: ignore[arg-type]
+    assert ParameterValue(bool_array_value=np.array([True, False])) == ParameterValue(
+        bool_array_value=[True, False]
+    )
+    poses = np.array([geometry_msgs.Pose(), geometry_msgs.Pose()])
+    assert geometry_msgs.PoseArray(poses=poses) == geometry_msgs.PoseArray(poses=list(poses))
+
+
+@pytest.mark.parametrize(
+    "numbers", [[1e50], [0.0, -1e39], [1, 2**200], [float("nan"), 1e50], [np.float64(1e50)]]
+)
+def test_arrays_of_float32_refuse_what_one_float32_refuses(numbers: list[float]) -> None:
+    values = (numbers, tuple(numbers), (number for number in numbers), np.array(numbers, "d"))
+    for value in values:
+        with pytest.raises(
+            OverflowError, match=r"beyond the range of float32: LaserScan\.ranges is float32\[\], got "
+        ):
+            LaserScan(ranges=value)
+    fixed = define("array_msgs/msg/Fixed", f"float32[{len(numbers)}] data")
+    for value in (numbers, np.array(numbers, "d")):
+        with pytest.raises(OverflowError, match=r"beyond the range of float32: Fixed\.data"):
+            fixed(data=value)
+
+
+def test_arrays_of_float32_take_what_is_infinite_and_what_rounds_to_the_greatest() -> None:
+    numbers = [math.inf, -math.inf, 3.4028235e38, 0.1]
+    assert LaserScan(ranges=numbers).ranges == array.array("f", numbers)
+    assert LaserScan(ranges=np.array(numbers)).ranges == array.array("f", numbers)
+    assert LaserScan(ranges=(number for number in numbers)).ranges == array.array("f", numbers)
+    assert LaserScan(ranges=b"\0\0\x80\x7f").ranges == array.array("f", [math.inf])
+    fixed = define("array_msgs/msg/FixedFour", "float32[4] data")
+    np.testing.assert_array_equal(fixed(data=numbers).data, np.array(numbers, "f"))
+
+
+@pytest.mark.parametrize(
+    ("numbers", "error"),
+    [(np.full(16, 300), OverflowError), (np.full(16, -1), OverflowError), ([300] * 16, OverflowError),
+     ([1.5] * 16, ValueError), (np.full(16, np.nan), ValueError), (np.full(16, np.inf), ValueError),
+     ([np.int64(300)] * 16, OverflowError)],
+)  # fmt: skip
+def test_arrays_of_integers_refuse_what_they_would_change(numbers: Any, error: type[Exception]) -> None:
+    with pytest.raises(error, match=r"UUID\.uuid is uint8\[16\], got "):
+        UUID(uuid=numbers)
+    assert (
+        UUID(uuid=np.full(16, 255)).uuid.tolist() == UUID(uuid=np.full(16, 255.0)).uuid.tolist() == [255] * 16
+    )
 
 
 def test_an_unknown_keyword_warns_once_and_names_the_line() -> None:

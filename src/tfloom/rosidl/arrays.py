@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from array import array
 from typing import Any
 
@@ -17,6 +18,9 @@ _KINDS = {
 }
 
 
+BEYOND_FLOAT32 = "a number is beyond the range of float32"
+
+
 def convert(type_text: str, value: Any) -> Any:
     """Convert a value that is assigned to a numeric array field to the array that the message holds.
 
@@ -28,7 +32,8 @@ def convert(type_text: str, value: Any) -> Any:
         A numpy array or an `array.array` of the field's number type. The length is not checked.
 
     Raises:
-        TypeError, ValueError, OverflowError: as numpy and `array.array` raise them.
+        TypeError, ValueError, OverflowError: as numpy and `array.array` raise them; or a number is not one of the
+            field's type, as 1e50 of float32 and 300 of uint8.
     """
     type_ = parse_type(type_text)
     if type_.shape == "array":
@@ -36,14 +41,50 @@ def convert(type_text: str, value: Any) -> Any:
     code = ARRAY_CODES[type_.base]
     if isinstance(value, array) and value.typecode == code:
         return value
-    return _from_memory(code, value) or array(code, value)
+    copied = _from_memory(code, value)
+    if copied is not None:
+        return copied
+    if code == "f" and not hasattr(value, "__len__"):
+        value = list(value)  # to be read twice
+    result = array(code, value)
+    # `array` makes a number beyond float32 infinite, without an error. The sum is finite if all numbers are.
+    if code == "f" and not math.isfinite(sum(result)) and not isinstance(value, (bytes, bytearray)):
+        for stored, number in zip(result, value, strict=True):
+            if math.isinf(stored) and not math.isinf(number):
+                raise OverflowError(BEYOND_FLOAT32)
+    return result
 
 
 def _numpy_array(type_: Type, value: Any) -> Any:
     """Return a numpy array of the field's number type."""
     import numpy as np
 
-    return np.asarray(value, ARRAY_CODES[type_.base])
+    code = ARRAY_CODES[type_.base]
+    given = np.asarray(value)
+    if given.dtype == code:
+        return given
+    # numpy wraps, truncates or makes infinite what the type can't hold, without an error.
+    with np.errstate(over="ignore", invalid="ignore"):
+        result = np.asarray(value, code)
+    if code == "f":
+        if (np.isinf(result) & ~np.isinf(np.asarray(value, "d"))).any():
+            raise OverflowError(BEYOND_FLOAT32)
+    elif code != "d" and given.dtype.kind in "iuf" and (result != given).any():
+        error = ValueError if given.dtype.kind == "f" else OverflowError
+        raise error(f"a number is not one of {type_.base}")
+    return result
+
+
+def are_equal(ours: Any, theirs: Any) -> bool:
+    """Return whether two values of a field, one of which is an array of numpy, have the same elements."""
+    if hasattr(ours, "shape") and hasattr(theirs, "shape"):
+        return bool(ours.shape == theirs.shape and (ours == theirs).all())
+    # The other one is a list, as a received message has it, or a single value.
+    first, second = (
+        value.tolist() if hasattr(value, "tolist") else list(value) if isinstance(value, tuple) else value
+        for value in (ours, theirs)
+    )
+    return bool(first == second)
 
 
 def _from_memory(code: str, value: Any) -> array[Any] | None:

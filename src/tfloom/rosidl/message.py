@@ -150,10 +150,12 @@ def _converting(name: str, member: Any) -> property:
 
 
 def _equal(ours: Any, theirs: Any) -> bool:
-    if getattr(ours, "shape", None) != getattr(theirs, "shape", None):
-        return False
-    same = ours == theirs
-    return same if isinstance(same, bool) else bool(same.all())
+    # A number of numpy has the shape (), and equals the number of Python that it stands for.
+    if getattr(ours, "shape", ()) or getattr(theirs, "shape", ()):
+        from tfloom.rosidl.arrays import are_equal
+
+        return are_equal(ours, theirs)
+    return bool(ours == theirs)
 
 
 def _field_repr(value: object) -> str:
