@@ -355,6 +355,31 @@ def files_are_written_whole(house: Path) -> list[str]:
     return violations
 
 
+REQUESTERS = {
+    "rmw/service_request.py",
+    "node/base/node_base.py",
+    "node/implementation.py",
+    "bag/playing/played_requests.py",  # sends what was recorded, and awaits no response
+}
+"""What may open a client of a wire: the request without a node, a node's client, and what awaits no response."""
+
+
+def services_are_asked_in_one_way(house: Path) -> list[str]:
+    """Only REQUESTERS open a client of a wire, because others would judge by themselves when its server is gone."""
+    opens = re.compile(r"\.create_requester\b")
+    violations = []
+    for path in sorted(house.rglob("*.py")):
+        place = path.relative_to(house).as_posix()
+        if place in REQUESTERS:
+            continue
+        text = path.read_text("utf-8")
+        lines = [text.count("\n", 0, match.start()) + 1 for match in opens.finditer(text)]
+        violations += [
+            f"{place}:{line} opens a client of a wire; use rmw/service_request.py" for line in lines
+        ]
+    return violations
+
+
 CALLS_OUT = {"push", "forget", "run_waiting", "set_result", "add_done_callback", "callback", "function"}
 """Names of what calls users' functions: methods of native sinks, methods of futures, and callbacks."""
 
@@ -507,6 +532,7 @@ HOUSE_RULES: list[Rule] = [
     the_command_line_starts_without_the_rooms,
     one_door_for_reading_yaml,
     files_are_written_whole,
+    services_are_asked_in_one_way,
     no_users_code_under_a_lock,
 ]
 NATIVE_RULES: list[Rule] = [

@@ -211,6 +211,18 @@ VIOLATIONS: list[tuple[Rule, dict[str, str], list[str]]] = [
         ],
     ),
     (
+        architecture.services_are_asked_in_one_way,
+        {
+            "bag/playing/played_requests.py": "wire.create_requester(node)\n",
+            "viewer/x.py": "\nopen_client(wire.create_requester)\n",
+            "cli/x.py": "participant.create_requester(node, service, qos)\n",
+        },
+        [
+            f"{place} opens a client of a wire; use rmw/service_request.py"
+            for place in ("cli/x.py:1", "viewer/x.py:2")
+        ],
+    ),
+    (
         architecture.no_users_code_under_a_lock,
         {
             "rmw/ends.py": "def give(sink):\n    sink.push()\ndef other():\n    give(sink)\n",

@@ -32,7 +32,7 @@ from tfloom.rmw.backends import open_participant
 from tfloom.rmw.base import NodeName, Topic
 from tfloom.rmw.errors import WireError
 from tfloom.rmw.qos import QoS
-from tfloom.rmw.question import Question
+from tfloom.rmw.service_request import ServiceRequest
 from tfloom.rosidl.class_search import find_class
 from tfloom.rosidl.definition_files import interface_names
 from tfloom.viewer.forms import asking, filling, publishing, sending, type_form
@@ -297,22 +297,20 @@ def test_service_is_called_and_its_response_shown(spun: Node, page: Page) -> Non
 def test_service_that_is_not_there_or_does_not_respond_is_an_error_in_time(
     node: Node, viewer: Viewer, page: Page, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setitem(Question.ask.__kwdefaults__, "server_s", 0.3)
+    monkeypatch.setitem(ServiceRequest.ask.__kwdefaults__, "server_s", 0.3)
     send(page, "service", "/gone", {}, SET_BOOL)
     assert sent(page, "error") == "there is no server of /gone: waited 0.3 s for it"
     send(page, "action", "/gone", {}, FIBONACCI)
     assert "there is no server of /gone/_action/send_goal" in sent(page, "error")
-    monkeypatch.setitem(Question.ask.__kwdefaults__, "response_s", 0.5)
+    monkeypatch.setitem(ServiceRequest.ask.__kwdefaults__, "response_s", 0.5)
     service = node.create_service(SetBool, "/silent", lambda _, response: response)  # nobody spins the node
-    monkeypatch.setitem(Question.ask.__kwdefaults__, "server_s", 20.0)
+    monkeypatch.setitem(ServiceRequest.ask.__kwdefaults__, "server_s", 20.0)
     send(page, "service", "/silent", {}, SET_BOOL)
     assert sent(page, "error") == "no response from /silent within 0.5 s"
-    monkeypatch.setitem(Question.ask.__kwdefaults__, "response_s", 60.0)
+    monkeypatch.setitem(ServiceRequest.ask.__kwdefaults__, "response_s", 60.0)
     send(page, "service", "/silent", {}, SET_BOOL, key="2")
     tasks = viewer._live.forms._tasks
-    wait_until(
-        lambda: any(one.key == "2" and one.task._question.is_sent for one in tasks), what="the request"
-    )
+    wait_until(lambda: any(one.key == "2" and one.task._request.is_sent for one in tasks), what="the request")
     node.destroy_service(service)
     assert sent(page, "error") == "the server of /silent has left without a response"
 
@@ -418,7 +416,7 @@ class SmallWire:
     def notify(self, *_: object) -> None:
         pass
 
-    notify_ready = notify
+    watch_servers = notify
 
     def close(self) -> None:
         self.open_count -= 1

@@ -14,9 +14,7 @@ from tfloom.cli.errors import CommandError
 from tfloom.cli.names import did_you_mean
 from tfloom.rmw.action_names import SEND_GOAL
 from tfloom.rmw.base import NodeName, Participant
-from tfloom.rmw.qos import QoS
-from tfloom.rmw.typed_names import service_of
-from tfloom.rmw.waiting import wait_until_ready
+from tfloom.rmw.service_request import ServiceRequest, ServiceRequestError
 from tfloom.rosidl import cdr
 
 T = TypeVar("T")
@@ -27,8 +25,6 @@ PROGRESS_S = 1.0
 """Wait for a response before the user gets a message about it [s]."""
 CHECK_S = 0.005
 """Period at which the match with a server is checked [s]; short, because discovery takes most of a command's time."""
-LOOK_AGAIN_S = 0.05
-"""Period at which a waiting client checks that its server is still matched [s]."""
 
 
 class Client:
@@ -36,11 +32,9 @@ class Client:
 
     def __init__(self, participant: Participant, node: NodeName, name: str, service_class: type[Any]) -> None:
         self.name = name
-        self._class = service_class
         self._graph = participant.graph
-        self._requester = participant.create_requester(node, service_of(service_class, name), QoS())
-        self._queue = ReadyQueue()
-        self._requester.notify(self._queue)
+        self._arrived = ReadyQueue()
+        self._request = ServiceRequest(participant, node, name, service_class, self._arrived)
 
     def wait_for_server(
         self, timeout_s: float = math.inf, while_waiting: Callable[[], None] | None = None
@@ -52,27 +46,26 @@ class Client:
         Raises:
             CommandError: no server is ready within `timeout_s`, or it is incompatible; the text has the reason.
         """
-        hint_s = time.monotonic() + HINT_S
-
-        def is_ready() -> bool:
-            nonlocal hint_s, while_waiting
-            if self._requester.is_ready():
-                return True
-            # An incompatible server stays so: end the wait with the reason, instead of at the timeout without one.
-            if incompatibility := self._requester.incompatibility():
-                raise CommandError(incompatibility)
+        start_s = time.monotonic()
+        hint_s = start_s + HINT_S
+        while not self._is_ready():
             if while_waiting is not None:
                 while_waiting()
                 while_waiting = None
+            now_s = time.monotonic()
+            if now_s >= start_s + timeout_s:
+                raise CommandError(f"no server of {self.name}: waited {timeout_s:g} s for it")
             # The hint comes after discovery: earlier, the graph would lack the names that are near.
-            if time.monotonic() > hint_s:
+            if now_s > hint_s:
                 hint_s = math.inf
                 print(f"no server of {self._name_with_nearest()}", file=sys.stderr)
-            return False
+            self._arrived.wait(int(CHECK_S * 1e9))
 
-        end_s = time.monotonic() + timeout_s
-        if not wait_until_ready(self._requester, is_ready, end_s, look_again_s=CHECK_S):
-            raise CommandError(f"no server of {self.name}: waited {timeout_s:g} s for it")
+    def _is_ready(self) -> bool:
+        try:
+            return self._request.is_ready()
+        except ServiceRequestError as error:  # an incompatible server stays so
+            raise CommandError(str(error)) from None
 
     def _name_with_nearest(self) -> str:
         """Return the name of the service or its action, and a line with the nearest existing names."""
@@ -82,32 +75,20 @@ class Client:
         name = self.name.removesuffix(SEND_GOAL)
         return f"{name} yet{did_you_mean(name, sorted(names))}"
 
-    def send(self, request: Any) -> int:
-        """Send a request and return its number, for `receive`."""
-        return self._requester.send(cdr.encode(request))
+    def send(self, request: Any, timeout_s: float = math.inf) -> None:
+        """Send a request, for whose response `receive` waits, up to `timeout_s`."""
+        self._request.ask(cdr.encode(request), response_s=timeout_s)
 
-    def receive(
-        self, number: int, timeout_s: float = math.inf, meanwhile: Callable[[], None] = lambda: None
-    ) -> Any:
+    def receive(self, meanwhile: Callable[[], None] = lambda: None) -> Any:
         """Wait for the response to a request; `meanwhile` is called repeatedly until it arrives.
 
         Raises:
-            CommandError: no response arrived within `timeout_s`, the server has left, or its response is damaged.
+            CommandError: no response arrived in time, the server has left, or its response is damaged.
         """
-        end_s = time.monotonic() + timeout_s
-        while True:
-            # Take all responses: one of another number answers a request whose wait has ended at its timeout.
-            while response := self._requester.take():
-                if response.id.sequence_number == number:
-                    return self._decode_response(response.data)
-            meanwhile()
-            if time.monotonic() > end_s:
-                raise CommandError(f"no response from {self.name} within {timeout_s:g} s")
-            # Look for the server only after the reader: a response that arrived before the server left still counts.
-            if not self._requester.is_ready():
-                raise CommandError(f"the server of {self.name} has left without a response")
-            # A response posts a token and ends the sleep at once; a server that leaves posts none, so sleep briefly.
-            self._queue.wait(int(LOOK_AGAIN_S * 1e9))
+        try:
+            return self._request.wait(meanwhile)
+        except ServiceRequestError as error:
+            raise CommandError(str(error)) from None
 
     def call(self, request: Any, timeout_s: float = math.inf) -> Any:
         """Send a request and wait for its response; see `receive`.
@@ -122,17 +103,12 @@ class Client:
                 report_s = math.inf
                 print(f"waiting for a response from {self.name}", file=sys.stderr)
 
-        return self.receive(self.send(request), timeout_s, report_once)
-
-    def _decode_response(self, data: bytes) -> Any:
-        try:
-            return cdr.decode(self._class.Response, data)
-        except cdr.DecodeError as error:
-            raise CommandError(f"the response of {self.name} can't be decoded: {error}") from None
+        self.send(request, timeout_s)
+        return self.receive(report_once)
 
     def close(self) -> None:
-        """Close the requester, so that servers no longer see this client."""
-        self._requester.close()
+        """Close the client, so that servers no longer see it."""
+        self._request.close()
 
 
 @contextmanager

@@ -8,6 +8,6 @@
 - services, events, endpoint_events, qos, compatibility: what the wires share
 - callback_files: where Ctrl-C waits
 - forks: what a forked process has inherited
-- question: a request of a service, in steps; peer_types: types that other nodes describe
+- service_request: a request of a service, in steps; peer_types: types that other nodes describe
 - waiting, typed_names, action_names, endpoint_text, qos_mismatch: what nodes and commands share
 """

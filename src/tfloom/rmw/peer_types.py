@@ -9,7 +9,7 @@ from tfloom._native import ReadyQueue
 from tfloom.interfaces.type_description_interfaces.srv import GetTypeDescription, GetTypeDescription_Response
 from tfloom.rmw.base import Graph, NodeName, Participant
 from tfloom.rmw.errors import WireError
-from tfloom.rmw.question import Question, QuestionError
+from tfloom.rmw.service_request import ServiceRequest, ServiceRequestError
 from tfloom.rmw.topic_names import type_from_dds
 from tfloom.rosidl import cdr
 from tfloom.rosidl.described import ANNOUNCED, ANNOUNCED_WITH_SERVICES, DescriptionError, define_described
@@ -60,7 +60,7 @@ class TypeSearch:
         self._users: list[tuple[NodeName, dict[str, str]]] | None = None
         """The nodes that are still to be asked; None until they are known."""
         self._end_s = time.monotonic() + patience_s
-        self._asked: tuple[Question, NodeName, Mapping[str, str]] | None = None
+        self._asked: tuple[ServiceRequest, NodeName, Mapping[str, str]] | None = None
 
     def step(self) -> bool:
         """Do what can be done now; return whether the search is over."""
@@ -102,25 +102,25 @@ class TypeSearch:
             WireError: the wire refuses a client.
         """
         name = f"{node.full}/get_type_description"
-        question = Question(self._participant, self._own_node, name, GetTypeDescription, self._arrived)
-        self._asked = question, node, hashes
+        asked = ServiceRequest(self._participant, self._own_node, name, GetTypeDescription, self._arrived)
+        self._asked = asked, node, hashes
         request = GetTypeDescription.Request(
             type_name=self._name, type_hash=hashes.get(self._name, ""), include_type_sources=False
         )
-        question.ask(cdr.encode(request), response_s=CALL_S, server_s=CALL_S)
+        asked.ask(cdr.encode(request), response_s=CALL_S, server_s=CALL_S)
 
     def _answer(self) -> str | None:
         """Make the classes from the answer; return why not, empty after success, None while there is no answer."""
         assert self._asked is not None  # noqa: S101  # `step` has asked
-        question, node, hashes = self._asked
+        asked, node, hashes = self._asked
         try:
-            response: GetTypeDescription_Response | None = question.take()
+            response: GetTypeDescription_Response | None = asked.take()
             if response is None:
                 return None
             if not response.successful:
                 return f"{node.full} has no description of it: {response.failure_reason}"
             define_described(self._name, response.type_description, hashes)
-        except (QuestionError, WireError) as error:
+        except (ServiceRequestError, WireError) as error:
             return str(error)
         except DescriptionError as error:
             return f"the description from {node.full} can't be used: {error}"

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import queue
 import threading
-import time
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -12,9 +11,7 @@ from tfloom._native import ReadyQueue
 from tfloom.interfaces.rcl_interfaces import srv
 from tfloom.interfaces.rcl_interfaces.msg import Parameter
 from tfloom.node.parameters.parameter import get_parameter_value, parameter_value_to_python
-from tfloom.rmw.qos import QoS
-from tfloom.rmw.typed_names import service_of
-from tfloom.rmw.waiting import wait_until_ready
+from tfloom.rmw.service_request import ServiceRequest, ServiceRequestError
 from tfloom.rosidl import cdr
 from tfloom.viewer.displays.display import shown_text
 from tfloom.viewer.page_command import PageError, text
@@ -130,26 +127,16 @@ class Parameters:
         return {"done": shown_text(f"{name} of {node} is {value}")}
 
     def _call(self, node: str, service: str, service_class: type[Any], request: Any) -> Any:
-        name = f"{node}/{service}"
-        end_s = time.monotonic() + TIMEOUT_S
-        requester = self._participant.create_requester(self._node, service_of(service_class, name), QoS())
+        asked = ServiceRequest(
+            self._participant, self._node, f"{node}/{service}", service_class, ReadyQueue()
+        )
         try:
-            if not wait_until_ready(requester, requester.is_ready, end_s):
-                raise PageError(f"there is no server of {name}")
-            arrived = ReadyQueue()
-            requester.notify(arrived)
-            number = requester.send(cdr.encode(request))
-            end_s = time.monotonic() + TIMEOUT_S
-            while (left_s := end_s - time.monotonic()) > 0.0:
-                while (response := requester.take()) is not None:
-                    if response.id.sequence_number == number:
-                        return cdr.decode(service_class.Response, response.data)
-                arrived.wait(int(left_s * 1e9) + 1)
-        except cdr.DecodeError as error:
-            raise PageError(f"the response of {name} can't be decoded: {error}") from None
+            asked.ask(cdr.encode(request), response_s=TIMEOUT_S, server_s=TIMEOUT_S)
+            return asked.wait()
+        except ServiceRequestError as error:
+            raise PageError(str(error)) from None
         finally:
-            requester.close()
-        raise PageError(f"no response from {name} within {TIMEOUT_S:g} s")
+            asked.close()
 
 
 def _value_text(value: Any) -> str:

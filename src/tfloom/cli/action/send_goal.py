@@ -129,14 +129,18 @@ class _ActionClient:
     def send(self, goal: Any) -> bool:
         """Send the goal and return whether it was accepted."""
         request = self._class.Impl.SendGoalService.Request(goal_id=self.goal_id, goal=goal)
-        number = self._send_goal.send(request)
+        self._send_goal.send(request)
         # Feedback may arrive before the response, and is printed after the goal's id.
-        return bool(self._send_goal.receive(number, meanwhile=self._take_feedback).accepted)
+        return bool(self._send_goal.receive(self._take_feedback).accepted)
 
     def result(self) -> Any:
         """Wait for the goal's end and return status and result."""
         request = self._class.Impl.GetResultService.Request(goal_id=self.goal_id)
-        return self._receive(self._get_result, self._get_result.send(request))
+        self._get_result.send(request)
+        response = self._get_result.receive(self._print_feedback)
+        # The last feedback may still be in the reader when the result arrives: print it before the result.
+        self._print_feedback()
+        return response
 
     def cancel(self) -> str:
         """Request the goal's cancellation, and return the server's response as a sentence."""
@@ -147,12 +151,6 @@ class _ActionClient:
         if any(key_of(goal.goal_id) == self._key for goal in response.goals_canceling):
             return "Goal canceled."
         return f"The server did not cancel the goal: {CANCEL_REFUSALS.get(response.return_code, 'no reason given')}"
-
-    def _receive(self, client: Client, number: int) -> Any:
-        # The last feedback may still be in the reader when the result arrives: print it before the result.
-        response = client.receive(number, meanwhile=self._print_feedback)
-        self._print_feedback()
-        return response
 
     def _print_feedback(self) -> None:
         self._take_feedback()

@@ -19,7 +19,7 @@ from tfloom.rmw.action_names import (
     new_goal_id,
 )
 from tfloom.rmw.qos import QoS
-from tfloom.rmw.question import Question, QuestionError
+from tfloom.rmw.service_request import ServiceRequest, ServiceRequestError
 from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl import cdr
 from tfloom.rosidl.yaml_text import message_to_yaml
@@ -53,9 +53,9 @@ class Wire(NamedTuple):
     arrived: ReadyQueue
     """Gets a token when something may have arrived."""
 
-    def question(self, name: str, service_class: type[Any]) -> Question:
+    def request(self, name: str, service_class: type[Any]) -> ServiceRequest:
         """Return a request of a service, by its full name."""
-        return Question(self.participant, self.node, name, service_class, self.arrived)
+        return ServiceRequest(self.participant, self.node, name, service_class, self.arrived)
 
 
 class Call(Task):
@@ -70,17 +70,17 @@ class Call(Task):
     """
 
     def __init__(self, wire: Wire, name: str, service_class: type[Any], request: bytes, tell: Tell) -> None:
-        self._question = wire.question(name, service_class)
-        self._question.ask(request)
+        self._request = wire.request(name, service_class)
+        self._request.ask(request)
         self._tell = tell
 
     def step(self) -> bool:
         """Do what can be done now; return whether the call is over.
 
         Raises:
-            PageError, QuestionError: it has failed.
+            PageError, ServiceRequestError: it has failed.
         """
-        response = self._question.take()
+        response = self._request.take()
         if response is None:
             return False
         self._tell("done", _text_of(response) or "the response has no fields")
@@ -88,7 +88,7 @@ class Call(Task):
 
     def close(self) -> None:
         """Leave the service; a server can't be told that nobody waits."""
-        self._question.close()
+        self._request.close()
 
 
 class Goal(Task):
@@ -113,11 +113,11 @@ class Goal(Task):
             wire.node, topic_of(self._feedback_class, name + FEEDBACK), QoS()
         )
         self._feedback.notify(wire.arrived, 1)
-        self._questions: list[Question] = []
+        self._requests: list[ServiceRequest] = []
         try:
-            self._accepting = self._question(wire, name + SEND_GOAL, parts.SendGoalService)
-            self._resulting = self._question(wire, name + GET_RESULT, parts.GetResultService)
-            self._cancelling = self._question(wire, name + CANCEL_GOAL, parts.CancelGoalService)
+            self._accepting = self._open(wire, name + SEND_GOAL, parts.SendGoalService)
+            self._resulting = self._open(wire, name + GET_RESULT, parts.GetResultService)
+            self._cancelling = self._open(wire, name + CANCEL_GOAL, parts.CancelGoalService)
         except BaseException:
             self.close()
             raise
@@ -133,16 +133,16 @@ class Goal(Task):
         """The newest feedback that the page has not been told."""
         self._next_feedback_s = 0.0
 
-    def _question(self, wire: Wire, name: str, service_class: type[Any]) -> Question:
-        question = wire.question(name, service_class)
-        self._questions.append(question)
-        return question
+    def _open(self, wire: Wire, name: str, service_class: type[Any]) -> ServiceRequest:
+        request = wire.request(name, service_class)
+        self._requests.append(request)
+        return request
 
     def step(self) -> bool:
         """Do what can be done now; return whether the goal has ended.
 
         Raises:
-            PageError, QuestionError: it has failed.
+            PageError, ServiceRequestError: it has failed.
         """
         self._take_feedback()
         if not self._is_accepted:
@@ -190,7 +190,7 @@ class Goal(Task):
     def _take_cancellation(self) -> None:
         try:
             response = self._cancelling.take()
-        except QuestionError as error:
+        except ServiceRequestError as error:
             self._is_cancelling = False
             self._tell("accepted", str(error))
             return
@@ -214,8 +214,8 @@ class Goal(Task):
     def close(self) -> None:
         """Leave the action."""
         self._feedback.close()
-        for question in self._questions:
-            question.close()
+        for request in self._requests:
+            request.close()
 
 
 def _text_of(message: Any) -> str:

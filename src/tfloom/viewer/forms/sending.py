@@ -14,7 +14,7 @@ from tfloom.node.values.names import NameValidationException, validate_full_topi
 from tfloom.rmw.action_names import SEND_GOAL, SEND_GOAL_TYPE
 from tfloom.rmw.peer_types import TypeSearch
 from tfloom.rmw.qos import DurabilityPolicy, QoS
-from tfloom.rmw.question import QuestionError
+from tfloom.rmw.service_request import ServiceRequestError
 from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl.class_search import UnknownTypeError, find_class_of_kind, full_name
 from tfloom.rosidl.definition_files import interface_names
@@ -219,7 +219,7 @@ class Sending:
         try:
             if not task.step():
                 return False
-        except (PageError, QuestionError) as error:
+        except (PageError, ServiceRequestError) as error:
             tell("error", str(error))
         except Exception as error:  # noqa: BLE001  # of one task: the others go on
             tell("error", f"{type(error).__name__}: {error}")

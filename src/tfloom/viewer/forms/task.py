@@ -26,7 +26,7 @@ class Task(ABC):
         """Do what can be done now; return whether it is over.
 
         Raises:
-            PageError, QuestionError: it has failed.
+            PageError, ServiceRequestError: it has failed.
         """
 
     def cancel(self) -> bool:
