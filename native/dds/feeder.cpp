@@ -1,9 +1,16 @@
 #include "dds/feeder.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 namespace tfloom::dds {
+
+namespace {
+
+constexpr std::chrono::seconds max_wait_for_work(1);  // at the end, as long as the other wires wait
+
+}  // namespace
 
 Feeder::Feeder() : state_(std::make_shared<State>()), thread_([state = state_] { state->run(); }) {}
 
@@ -16,11 +23,20 @@ void Feeder::stop() {
   }
   state_->scheduled.notify_one();
   if (!thread_.joinable()) return;
-  if (thread_.get_id() == std::this_thread::get_id()) {
+  if (thread_.get_id() == std::this_thread::get_id() || !wait_for_end()) {
     thread_.detach();
   } else {
     thread_.join();
   }
+}
+
+bool Feeder::wait_for_end() {
+  std::unique_lock lock(state_->mutex);
+  if (state_->advanced.wait_for(lock, max_wait_for_work, [&] { return state_->has_ended; })) return true;
+  // A drain runs no function of the program's, and uses what is deleted next: wait for its end, however late. No other one
+  // begins.
+  state_->advanced.wait(lock, [&] { return state_->draining == nullptr; });
+  return state_->has_ended;
 }
 
 void Feeder::schedule(Task& task) {
@@ -41,7 +57,7 @@ void Feeder::defer(Work work) {
 
 void Feeder::cancel(Task& task) {
   std::unique_lock lock(state_->mutex);
-  state_->drained.wait(lock, [&] { return state_->draining != &task; });
+  state_->advanced.wait(lock, [&] { return state_->draining != &task; });
   std::erase(state_->waiting, &task);
 }
 
@@ -64,7 +80,7 @@ void Feeder::State::run() {
       lock.lock();
       continue;
     }
-    if (stopping) return;
+    if (stopping) break;
     // `draining` lets `cancel` wait for this task; a task with more to drain goes behind those that wait already.
     Task* task = draining = waiting.front();
     waiting.pop_front();
@@ -73,8 +89,10 @@ void Feeder::State::run() {
     lock.lock();
     draining = nullptr;
     if (more) enqueue(*task);
-    drained.notify_all();
+    advanced.notify_all();
   }
+  has_ended = true;
+  advanced.notify_all();
 }
 
 }  // namespace tfloom::dds

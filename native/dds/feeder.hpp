@@ -42,20 +42,24 @@ class Feeder : public DeferredQueue {
   void defer(Work work) override;
 
   // Run the deferred work and end the thread; tasks that are still queued are not drained. Return when the thread has
-  // ended; on the feeder's own thread, where deferred work may release what owns the feeder, return at once: the thread
-  // then ends after the rest of the work.
+  // ended, or after a second if deferred work takes longer: it may be a function of the program's that never returns. On
+  // the feeder's own thread, where deferred work may release what owns the feeder, return at once. In both cases, the
+  // thread ends after the rest of the work, and drains nothing.
   void stop();
 
  private:
+  bool wait_for_end();  // of the thread, as `stop` does; false: it goes on
+
   // Shared with the thread, which may outlive the feeder.
   struct State {
     std::mutex mutex;
     std::condition_variable scheduled;  // waits with mutex, like the next
-    std::condition_variable drained;
+    std::condition_variable advanced;   // a drain or the thread has ended
     std::deque<Task*> waiting;  // tasks to drain; guarded by mutex, like the next three
     std::deque<Work> deferred;
     Task* draining = nullptr;  // the task that is being drained
     bool stopping = false;
+    bool has_ended = false;
 
     void run();
     void enqueue(Task& task);  // requires mutex to be held

@@ -82,10 +82,28 @@ void check_sink() {
   wire.join();
 }
 
+// A feeder ends though its work does not return; the thread then does the rest of it.
+void check_stuck_work() {
+  const auto is_open = std::make_shared<std::atomic<bool>>(false), is_done = std::make_shared<std::atomic<bool>>(false);
+  {
+    Feeder feeder;
+    feeder.defer([is_open] { is_open->wait(false); });
+    feeder.defer([is_done] {
+      *is_done = true;
+      is_done->notify_all();
+    });
+  }
+  check(!*is_done, "work was done before the one that was deferred earlier");
+  *is_open = true;
+  is_open->notify_all();
+  is_done->wait(false);
+}
+
 }  // namespace
 
 int main() {
   check_sink();
+  check_stuck_work();
   Feeder feeder;
   ReadyQueue queue;
   SampleQueue sink(10);

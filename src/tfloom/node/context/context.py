@@ -397,8 +397,9 @@ class Context:
 
     def _close_if_unused(self) -> None:
         with self._lock:
-            if not self._valid and self._nodes == 0:
-                self._close_participant()
+            is_unused = not self._valid and self._nodes == 0
+        if is_unused:  # no node joins any more
+            self._close_participant()
 
     def _close_participant(self) -> None:
         with self._lock:
