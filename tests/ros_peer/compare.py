@@ -7,6 +7,7 @@ A kind is a file of `kinds/`, which both Pythons load, and which uses only ROS's
   too: its class is compared. Of a value of a class that JSON doesn't have, the class's name is compared as well;
 - `KNOWN`, if there are differences on purpose: by the id of a row of `docs/deviations.md`, a function that is given the
   case, their answer and ours, and returns whether this row explains the difference;
+- `DEFINITIONS`, if the cases use messages of which tfloom is to read the peer's definitions;
 - `WIRE`, if the cases need one: the RMW_IMPLEMENTATION of tfloom; otherwise the nodes stay in the process;
 - `SECONDS`, the longest time for a case [s]; otherwise MAX_CASE_S.
 
@@ -158,6 +159,8 @@ def compare(
     seconds = getattr(kind, "SECONDS", MAX_CASE_S)
     wire = getattr(kind, "WIRE", "tfloom_local")
     ours_environment = {**os.environ, "ROS_DOMAIN_ID": str(domain), "RMW_IMPLEMENTATION": wire}
+    if getattr(kind, "DEFINITIONS", False):
+        ours_environment["AMENT_PREFIX_PATH"] = str(peer.python.parents[1])
     theirs = Side(peer.python, peer.environment(domain), seconds)
     ours = Side(python, ours_environment, seconds)
     path = Path(str(kind.__file__))

@@ -9,6 +9,7 @@ import json
 import math
 import pickle
 import re
+from collections import deque
 from collections.abc import Callable
 from pathlib import Path
 from types import SimpleNamespace
@@ -248,6 +249,23 @@ def test_a_number_of_numpy_counts_in_nested_messages_lists_and_texts() -> None:
     assert PointField(offset=np.array(3)) == PointField(offset=3)
     assert std_msgs.Float64(data=np.float64("nan")) != std_msgs.Float64(data=np.float64("nan"))
     assert (std_msgs.Float64(data=1.0) == std_msgs.Float64(data=np.array([1.0]))) is False
+    for number in (np.uint32(5), np.float64(5)):
+        wrong = JointState(name=number)  # type: ignore[arg-type]
+        for names in ([], ["5"], ["5", "6"]):
+            assert (wrong == JointState(name=names)) is (JointState(name=names) == wrong) is False
+
+
+def test_the_repr_of_integers_of_eight_bytes_has_no_type_that_numpy_has_by_itself() -> None:
+    fixed = define("array_msgs/msg/Eight", "int64[2] data\nuint64[1] natural")
+    shown = "array_msgs.msg.Eight(data=array([1, 2]), natural=array([0], dtype=uint64))"
+    for numbers in ([1, 2], array.array("q", [1, 2]), np.array([1, 2]), np.array([1, 2], np.longlong)):
+        message = fixed(data=numbers)
+        assert (repr(message), repr(cdr.decode(fixed, cdr.encode(message)))) == (shown, shown)
+
+
+def test_only_numeric_sequences_are_printed_as_lists() -> None:
+    assert repr(String(data=array.array("b", [1]))) == "std_msgs.msg.String(data=array('b', [1]))"  # type: ignore[arg-type]
+    assert "position=[1.0]" in repr(JointState(position=[1.0]))
 
 
 def test_an_array_of_numpy_in_a_list_field_equals_the_list_that_is_received() -> None:
@@ -350,6 +368,29 @@ def test_an_unknown_keyword_warns_once_and_names_the_line() -> None:
             lambda: setattr(JointState(check_fields=True), "position", array.array("f")),
             "The 'position' array.array() must have the type code of 'd'",
         ),
+        (
+            lambda: setattr(JointState(check_fields=True), "position", np.zeros(0)),
+            (
+                "The 'position' field must be a set or sequence and each value of type 'float' and each double in "
+                "[-1.7976931348623157e+308, 1.7976931348623157e+308]"
+            ),
+        ),
+        (
+            lambda: JointState(name=np.array(["a"]), check_fields=True),
+            "The 'name' field must be a set or sequence and each value of type 'str'",
+        ),
+        (
+            lambda: JointState(name=np.int64(5), check_fields=True),
+            "The 'name' field must be a set or sequence and each value of type 'str'",
+        ),
+        (
+            lambda: JointState(name={"a": 1}, check_fields=True),
+            "The 'name' field must be a set or sequence and each value of type 'str'",
+        ),
+        (
+            lambda: std_msgs.ByteMultiArray(data=[bytearray(b"a")], check_fields=True),
+            "The 'data' field must be a set or sequence and each value of type 'bytes'",
+        ),
         (lambda: setattr(String(check_fields=True), "data", 5), "The 'data' field must be of type 'str'"),
         (
             lambda: setattr(SolidPrimitive(check_fields=True), "dimensions", (0.0,) * 4),
@@ -372,6 +413,8 @@ def test_check_fields_accepts_valid_values() -> None:
     message.d = [1.0]
     message.width = 640
     message.distortion_model = "plumb_bob"
+    message.k = np.ones(9)
+    JointState(name=deque(["a"]), position=array.array("d", [1.0]), check_fields=True)
     assert message.width == 640
 
 

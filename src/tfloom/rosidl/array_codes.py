@@ -1,4 +1,4 @@
-"""The type code of each number type in `array.array` and numpy."""
+"""The names of each number type in `array.array` and in numpy."""
 
 from __future__ import annotations
 
@@ -15,3 +15,5 @@ ARRAY_CODES = {
     "float32": "f",
     "float64": "d",
 }
+NUMPY_NAMES = {base: "uint8" if base == "char" else base for base in ARRAY_CODES}
+"""Not the codes: numpy prints `q`, of 8 bytes as `l`, as another type than `int64`."""

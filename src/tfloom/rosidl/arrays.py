@@ -6,7 +6,7 @@ import math
 from array import array
 from typing import Any
 
-from tfloom.rosidl.array_codes import ARRAY_CODES
+from tfloom.rosidl.array_codes import ARRAY_CODES, NUMPY_NAMES
 from tfloom.rosidl.parse import parse_type
 from tfloom.rosidl.spec import Type
 
@@ -59,17 +59,17 @@ def _numpy_array(type_: Type, value: Any) -> Any:
     """Return a numpy array of the field's number type."""
     import numpy as np
 
-    code = ARRAY_CODES[type_.base]
+    name = NUMPY_NAMES[type_.base]
     given = np.asarray(value)
-    if given.dtype == code:
-        return given
+    if given.dtype == name:
+        return np.asarray(given, name)  # numpy has a second type of these bytes, with a repr of its own
     # numpy wraps, truncates or makes infinite what the type can't hold, without an error.
     with np.errstate(over="ignore", invalid="ignore"):
-        result = np.asarray(value, code)
-    if code == "f":
-        if (np.isinf(result) & ~np.isinf(np.asarray(value, "d"))).any():
+        result = np.asarray(value, name)
+    if name == "float32":
+        if (np.isinf(result) & ~np.isinf(np.asarray(value, "float64"))).any():
             raise OverflowError(BEYOND_FLOAT32)
-    elif code != "d" and given.dtype.kind in "iuf" and (result != given).any():
+    elif name != "float64" and given.dtype.kind in "iuf" and (result != given).any():
         error = ValueError if given.dtype.kind == "f" else OverflowError
         raise error(f"a number is not one of {type_.base}")
     return result

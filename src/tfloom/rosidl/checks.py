@@ -5,11 +5,13 @@ from __future__ import annotations
 import math
 import warnings
 from array import array
-from collections.abc import Collection
+from collections import UserString
+from collections.abc import Sequence
+from collections.abc import Set as AbstractSet
 from typing import Any
 
 from tfloom.rosidl import spec
-from tfloom.rosidl.array_codes import ARRAY_CODES
+from tfloom.rosidl.array_codes import ARRAY_CODES, NUMPY_NAMES
 from tfloom.rosidl.class_search import find_field_class
 from tfloom.rosidl.parse import parse_type
 
@@ -63,7 +65,10 @@ def check_field(cls: type[MessageClass], name: str, value: Any) -> None:
     if text is None:
         return
     type_ = parse_type(text)
-    if type_.shape and type_.base in ARRAY_CODES and type(value).__name__ in {"ndarray", "array"}:
+    is_numeric = bool(type_.shape) and type_.base in ARRAY_CODES
+    if is_numeric and type_.shape == "array" and hasattr(value, "dtype"):
+        reason = _numpy_mismatch(type_, value)
+    elif is_numeric and type_.shape != "array" and isinstance(value, array):
         reason = _array_mismatch(type_, value)
     elif type_.shape:
         reason = "" if _is_sequence_of(type_, value) else _describe_sequence(type_)
@@ -73,20 +78,20 @@ def check_field(cls: type[MessageClass], name: str, value: Any) -> None:
         raise AssertionError(f"The '{name}' {reason}")
 
 
-def _array_mismatch(type_: spec.Type, value: Any) -> str:
-    if isinstance(value, array):
-        if type_.shape == "array":
-            return "" if _is_sequence_of(type_, value) else _describe_sequence(type_)
-        code = ARRAY_CODES[type_.base]
-        if value.typecode != code:
-            return f"array.array() must have the type code of '{code}'"
-        if type_.shape == "bounded" and len(value) > type_.length:
-            return f"array.array() must have a size <= {type_.length}"
-        return ""
-    dtype = "uint8" if type_.base == "char" else type_.base
+def _numpy_mismatch(type_: spec.Type, value: Any) -> str:
+    dtype = NUMPY_NAMES[type_.base]
     if value.dtype != dtype:
         return f"numpy.ndarray() must have the dtype of 'numpy.{dtype}'"
     return f"numpy.ndarray() must have a size of {type_.length}" if value.size != type_.length else ""
+
+
+def _array_mismatch(type_: spec.Type, value: array[Any]) -> str:
+    code = ARRAY_CODES[type_.base]
+    if value.typecode != code:
+        return f"array.array() must have the type code of '{code}'"
+    if type_.shape == "bounded" and len(value) > type_.length:
+        return f"array.array() must have a size <= {type_.length}"
+    return ""
 
 
 def _mismatch(type_: spec.Type, value: Any) -> str:
@@ -126,11 +131,13 @@ def _describe_range(base: str) -> str:
 
 
 def _is_sequence_of(type_: spec.Type, value: Any) -> bool:
-    if isinstance(value, str) or not (isinstance(value, Collection) or hasattr(value, "__array__")):
+    if not isinstance(value, (Sequence, AbstractSet)) or isinstance(value, (str, UserString)):
         return False
     if type_.shape == "array" and len(value) != type_.length:
         return False
     if type_.shape == "bounded" and len(value) > type_.length:
+        return False
+    if type_.base == "byte" and any(isinstance(element, bytearray) for element in value):
         return False
     return not any(_mismatch(type_.element, element) for element in value)
 

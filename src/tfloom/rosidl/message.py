@@ -126,7 +126,9 @@ class Message(MessageBase, metaclass=_MessageType):
 
     def __repr__(self) -> str:
         package, kind, name = self._TYPE_NAME.split("/")
-        fields = ", ".join(f"{field}={_field_repr(getattr(self, field))}" for field in self._FIELDS)
+        fields = ", ".join(
+            f"{field}={_field_repr(kind, getattr(self, field))}" for field, kind in self._FIELDS.items()
+        )
         return f"{package}.{kind}.{name}({fields})"
 
     def _repr_html_(self) -> str:
@@ -155,14 +157,16 @@ def _equal(ours: Any, theirs: Any) -> bool:
         from tfloom.rosidl.arrays import are_equal
 
         return are_equal(ours, theirs)
-    return bool(ours == theirs)
+    same = ours == theirs
+    # numpy compares a number with each element of a list.
+    return same if isinstance(same, bool) else not getattr(same, "shape", ()) and bool(same)
 
 
-def _field_repr(value: object) -> str:
-    """Return the repr of a value; of a numeric sequence, that of a list."""
-    if type(value).__name__ != "array":
-        return repr(value)
-    return repr(value.tolist())  # type: ignore[attr-defined]
+def _field_repr(type_text: str, value: object) -> str:
+    """Return the repr of a field's value; of a numeric sequence, that of a list."""
+    if type(value).__name__ == "array" and _is_numeric_array(type_text):
+        return repr(value.tolist())  # type: ignore[attr-defined]
+    return repr(value)
 
 
 def _convert(cls: type[Message], name: str, value: object) -> object:

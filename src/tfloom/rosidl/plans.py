@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 
 from tfloom._native import MessageBase, Plan, complete_plan
-from tfloom.rosidl.array_codes import ARRAY_CODES
+from tfloom.rosidl.array_codes import ARRAY_CODES, NUMPY_NAMES
 from tfloom.rosidl.class_search import find_field_class
 from tfloom.rosidl.type_text import split_type
 
@@ -101,7 +101,7 @@ def _empty(base: str, length: int) -> Any:
     if length:
         import numpy as np
 
-        return np.zeros(length, ARRAY_CODES[base])
+        return np.zeros(length, NUMPY_NAMES[base])
     from array import array
 
     return array(ARRAY_CODES[base])
