@@ -29,6 +29,7 @@ collect_ignore = (
     if HAS_VISER
     else [
         "test_busy_pages.py",
+        "test_driving.py",
         "test_field_plots.py",
         "test_forms.py",
         "test_pages.py",

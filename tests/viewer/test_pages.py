@@ -313,14 +313,6 @@ def test_reader_and_writer_that_the_wire_refuses_end_nothing(
         {"op": "plot", "topic": "/pose", "field": "pose.position.x", "on": True},
     ):
         assert page.ask("error", **command) == "there is no room for a reader"
-    node.create_subscription(Twist, "/cmd_vel", lambda _: None, 1)
-    page.wait_for(lambda: page.state["drive_topics"] == ["/cmd_vel"])
-    tools: Any = viewer._live.tools
-    full = argparse.Namespace(graph=tools._participant.graph, create_writer=refuse)
-    monkeypatch.setattr(tools, "_participant", full)
-    monkeypatch.setattr("tfloom.viewer.tools.SILENCE_S", 0.05)
-    assert page.ask("error", op="drive", topic="/cmd_vel", ahead=1, left=0) == "there is no room for a reader"
-    wait_until(lambda: not tools._driven, what="the end of the drive")
     page.send(op="names", on=False)
     page.wait_for(lambda: page.state["with_names"] is False)
 
@@ -493,24 +485,6 @@ def test_parameters_are_read_and_set(spun: Node, page: Page) -> None:
     assert "did not set speed" in page.ask(
         "error", op="set_parameter", node="/feeder", name="speed", value="fast"
     )
-
-
-def test_robot_is_driven_and_stopped_when_its_page_says_nothing(spun: Node, page: Page) -> None:
-    velocities: list[tuple[float, float]] = []
-    spun.create_subscription(
-        Twist, "/cmd_vel", lambda twist: velocities.append((twist.linear.x, twist.angular.z)), 10
-    )
-    page.wait_for(lambda: "/cmd_vel" in page.state.get("drive_topics", []))
-
-    def is_driven() -> bool:
-        page.send(op="drive", topic="/cmd_vel", ahead=1.0, left=-0.5)
-        return (2.0, -1.0) in velocities
-
-    wait_until(is_driven, what="a velocity")
-    wait_until(lambda: velocities[-1] == (0.0, 0.0), what="the stop")
-    wait_until(is_driven)
-    page.socket.close()  # a page that is closed says nothing more, either
-    wait_until(lambda: velocities[-1] == (0.0, 0.0), what="the stop")
 
 
 def test_tools_publish_what_was_dragged(spun: Node, viewer: Viewer) -> None:

@@ -8,6 +8,7 @@
 - drawing, scene, scene_server, mesh_files: viser's scene and server
 - page_server, access, page_command: the server of our page
 - forms/: what pages publish, call and send as goals, by forms made from any type
+- driving/: velocities, by a process of its own, which stops robots whose page or viewer is gone
 - plots/: numeric fields of topics over time
 - layout/: what is shown from the start, of our files or RViz's
 - tools, log_lines, parameters, node_graph, pictures: what is beside the scene

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from tfloom.rmw.base import NodeName
 from tfloom.tf2.buffer import Buffer
 from tfloom.tf2_tools.watch.live import LiveWatch
+from tfloom.viewer.driving.link import Driving
 from tfloom.viewer.forms.sending import Sending
 from tfloom.viewer.live_parts import LiveParts
 from tfloom.viewer.log_lines import LogLines
@@ -60,12 +61,13 @@ def live_viewer(
                 )
             ) as watch,
             closing(Tools(participant, node, watch.now_ns)) as tools,
+            closing(Driving(participant, node, watch.now_ns)) as driving,
             closing(LogLines(participant, node)) as log,
             closing(Parameters(participant, node)) as parameters,
             closing(Sending(participant, node, watch.now_ns)) as forms,
         ):
             live_topics = LiveTopics(participant, node, history_ns, watch.now_ns)
-            parts = LiveParts(participant, tools, log, parameters, forms)
+            parts = LiveParts(participant, tools, driving, log, parameters, forms)
             try:
                 with Viewer(
                     watch, live_topics, parts, history_ns=history_ns, fixed_frame=fixed_frame

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
     from tfloom.rmw.base import Participant
+    from tfloom.viewer.driving.link import Driving
     from tfloom.viewer.forms.sending import Sending
     from tfloom.viewer.log_lines import LogLines
     from tfloom.viewer.parameters import Parameters
@@ -19,6 +20,7 @@ class LiveParts(NamedTuple):
 
     participant: Participant
     tools: Tools
+    driving: Driving
     log: LogLines
     parameters: Parameters
     forms: Sending

@@ -5,9 +5,11 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import json
+import math
 import secrets
 import socket
 import threading
+import time
 from collections.abc import Callable, Iterable
 from concurrent.futures import Future
 from http import HTTPStatus
@@ -42,6 +44,10 @@ MAX_WAITING_BYTES = 256 * 1024
 that first, however old it is."""
 MAX_COMMAND_BYTES = 64 * 1024
 """Size of what a page may send at once [bytes]."""
+BEAT_S = 0.05
+"""Period at which the server's thread notes that it runs [s]."""
+LATE_S = 0.25
+"""How long it may not run until what pages say then is late; and how long after that it may still be late [s]."""
 MAX_EARLIER_LINES = 500
 """Number of lines of the log that a new page gets."""
 SCENE_MESSAGES = frozenset(
@@ -101,6 +107,8 @@ class PageServer:
         self._pages: dict[str, _Page] = {}
         self.view_point: Callable[[str], ViewPoint | None] = lambda _: None
         """Returns from where a new page looks, on the thread of the server; None: from where the page itself says."""
+        self._beat_s = math.inf
+        self._late_until_s = 0.0
         self._state = ""
         self._state_number = 0
         self._lines: list[str] = []
@@ -188,7 +196,28 @@ class PageServer:
             server_header=None,
         )
         started.set_result(None)
+        self._beat_s = math.inf
+        pulse = asyncio.create_task(self._beat())
         await self._server.wait_closed()
+        pulse.cancel()
+
+    async def _beat(self) -> None:
+        """Note when this thread was held up, as by a library that computes for seconds and lets no other thread run."""
+        while True:
+            now_s = time.monotonic()
+            if now_s > self._beat_s + BEAT_S + LATE_S:
+                self._late_until_s = now_s + LATE_S
+            self._beat_s = now_s
+            await asyncio.sleep(BEAT_S)
+
+    def is_late(self) -> bool:
+        """Return whether what pages say now may have waited for longer than `LATE_S`; on the server's thread.
+
+        A message has no time of its own. Of one that is taken when this thread goes on after it was held up, nobody
+        knows how old it is; nor of those behind it.
+        """
+        now_s = time.monotonic()
+        return now_s > self._beat_s + BEAT_S + LATE_S or now_s < self._late_until_s
 
     def stop(self) -> None:
         """Close all pages' connections, and the port."""

@@ -94,11 +94,14 @@ class Viewer:
         self._asked_fields: dict[str, str] = {}
         """By page, the topic whose fields it asked for last, while the type of this topic is searched for."""
         self._is_open = False
+        self._is_over: Callable[[], bool] = lambda: False
         self._layout = Layout()
         """What is shown from the start."""
         self._unplaced: set[str] = set()
         """Pages whose camera is to stand at a frame that is not known yet."""
         self.pages.view_point = self._view_point
+        if live is not None:
+            live.driving.on_refusal = self._note_refusal
         self.layout_path: Path | None = None
         """Where pages save the layout; None: each browser saves it as it saves files."""
 
@@ -113,11 +116,16 @@ class Viewer:
         """Let the loop take a command; on any thread."""
         # The end of a page is taken in any case, because what the page has begun would go on for ever. It is compared
         # as an object: a page that sends the same words gets no place by that.
-        if command is CLOSED or self._commands.qsize() < MAX_COMMANDS:
+        if command is CLOSED and self._live is not None:
+            self._live.driving.forget(page)
+        if command.get("op") == "drive":
+            self._do(page, command)  # now: a robot doesn't wait for a picture
+        elif command is CLOSED or self._commands.qsize() < MAX_COMMANDS:
             self._commands.put((page, command))
 
     def run(self, is_over: Callable[[], bool]) -> None:
-        """Draw for the open pages until it is over."""
+        """Draw for the open pages until it is over; from then on, no page drives."""
+        self._is_over = is_over
         next_draw_s = next_state_s = 0.0
         while not is_over():
             now_s = time.monotonic()
@@ -135,8 +143,6 @@ class Viewer:
             with self._server.atomic():
                 self.view.draw()
             self._note_images()
-            if self._live is not None:
-                self._live.tools.stop_silent()
             if now_s >= next_state_s:
                 next_state_s = now_s + STATE_S
                 self._place_cameras()
@@ -145,6 +151,8 @@ class Viewer:
                     self._do(page, {"op": "plot_fields", "topic": topic})
                 self._publish()
         self._close()
+        if self._live is not None:
+            self._live.driving.close()
 
     def _open(self) -> None:
         self._is_open = True
@@ -152,12 +160,13 @@ class Viewer:
         if self._live is not None:
             self._try_open("the log of the graph is not read", self._live.log.open)
             self._try_open("the topics of the tools are not open", self._live.tools.open)
+            self._try_open("no robot can be driven", self._live.driving.open)
 
     def _try_open(self, failure: str, open_part: Callable[[], None]) -> None:
         """Open a part; where the wire refuses it, tell the pages, which show the rest."""
         try:
             open_part()
-        except WireError as error:
+        except (PageError, WireError) as error:
             self._note(f"{failure}: {error}")
 
     def _note(self, said: str) -> None:
@@ -181,7 +190,7 @@ class Viewer:
     def _publish(self) -> None:
         state = self.view.snapshot()
         if self._live is not None:
-            state["drive_topics"] = [shown_text(topic) for topic in self._live.tools.drive_topics()]
+            state["drive_topics"] = [shown_text(topic) for topic in self._live.driving.topics()]
             self.pages.add_lines(self._live.log.take(), MAX_LINES)
         self.pages.publish(state)
 
@@ -277,13 +286,31 @@ class Viewer:
         if operation == "floor":
             self._use_tool(live, page, command)
         elif operation == "drive":
-            live.tools.drive(text(command, "topic"), number(command, "ahead"), number(command, "left"))
+            self._drive(live, page, command)
         elif operation == "graph":
             self.pages.answer(page, {"graph": node_graph(live.participant.graph.endpoints())})
         elif operation in FORM_COMMANDS:
             live.forms.ask(page, command, lambda answer: self.pages.answer(page, answer))
         else:
             live.parameters.ask(command, lambda answer: self.pages.answer(page, answer))
+
+    def _drive(self, live: LiveParts, page: str, command: Mapping[str, Any]) -> None:
+        """Drive a robot; on the thread of the server."""
+        topic, ahead, left = text(command, "topic"), number(command, "ahead"), number(command, "left")
+        if self._is_over():
+            raise PageError("the viewer ends")
+        # What waits while this program is held up would move the robot long after it was said.
+        if not (ahead or left) or not self.pages.is_late():
+            live.driving.drive(page, topic, ahead, left)
+        if "number" in command:
+            self.pages.answer(page, {"driven": number(command, "number")})
+
+    def _note_refusal(self, page: str, reason: str) -> None:
+        """Tell a page why it can't drive; or all, where it is no page's own affair."""
+        if page:
+            self.pages.answer(page, {"error": shown_text(reason, 500)})
+        else:
+            self._note(reason)
 
     def _use_tool(self, live: LiveParts, page: str, command: Mapping[str, Any]) -> None:
         camera = self._server.camera(page)

@@ -39,10 +39,11 @@ function say(text) {
 function connect() {
   const scheme = location.protocol === "https:" ? "wss" : "ws";
   socket = new WebSocket(`${scheme}://${location.host}/api`);
-  socket.onopen = () => say("");
+  socket.onopen = () => { underWay.length = 0; say(""); };
   socket.onmessage = (event) => take(JSON.parse(event.data));
   socket.onclose = () => {
     say("the connection is lost; trying again …");
+    stop();
     document.body.dataset.ready = "";
     setTimeout(connect, 1000);
   };
@@ -432,17 +433,27 @@ function drawPad(from, to) {
 }
 
 // Driving, by keys, stick and gamepad. It is said again and again while it lasts: the server stops a robot of whose page
-// it hears nothing.
+// it hears nothing. Nothing here may stay deflected when its user has let go of it, or can't be known to hold it.
 
+const DRIVE_MS = 100;
+const MAX_GAP_MS = 500;       // the server's, too
 const held = new Set();
 let stick = [0, 0];
-let wasDriving = false;
+let stickPointer = null;      // the finger or the mouse that holds the stick
+let driven = "";              // the topic that is driven
+let lastTick = Date.now();
+const underWay = [];          // what was said and not yet answered, by number and time, the oldest first
+let saidCount = 0;
 const KEYS = { ArrowUp: "up", KeyW: "up", ArrowDown: "down", KeyS: "down", ArrowLeft: "left", KeyA: "left", ArrowRight: "right", KeyD: "right" };
+
+takers.driven = (number) => { while (underWay.length && underWay[0].number <= number) underWay.shift(); };
 
 function wish() {
   let ahead = (held.has("up") ? 1 : 0) - (held.has("down") ? 1 : 0) - stick[1];
   let left = (held.has("left") ? 1 : 0) - (held.has("right") ? 1 : 0) - stick[0];
-  for (const gamepad of navigator.getGamepads ? navigator.getGamepads() : []) {
+  // Browsers stop reading gamepads of pages that are not looked at: the stick would stay where it was.
+  const isLookedAt = !document.hidden && document.hasFocus();
+  for (const gamepad of isLookedAt && navigator.getGamepads ? navigator.getGamepads() : []) {
     if (!gamepad) continue;
     if (Math.abs(gamepad.axes[1]) > 0.1) ahead -= gamepad.axes[1];
     if (Math.abs(gamepad.axes[0]) > 0.1) left -= gamepad.axes[0];
@@ -451,18 +462,37 @@ function wish() {
   return [clamp(ahead), clamp(left)];
 }
 
+function sayVelocity(topic, ahead, left) {
+  const now = Date.now();
+  // Where answers stay away, what is said waits somewhere on its way, and would move the robot late. A stop is always said.
+  if ((ahead || left) && underWay.length && now - underWay[0].time > MAX_GAP_MS) return;
+  saidCount += 1;
+  underWay.push({ number: saidCount, time: now });
+  send({ op: "drive", topic, ahead, left, number: saidCount });
+}
+
 function drive() {
   if (tool !== "drive") return;
-  const [ahead, left] = wish();
-  if (ahead || left) send({ op: "drive", topic: $("drive-topic").value, ahead, left });
-  else if (wasDriving) send({ op: "drive", topic: $("drive-topic").value, ahead: 0, left: 0 });
-  wasDriving = Boolean(ahead || left);
+  const [ahead, left] = document.hidden ? [0, 0] : wish();
+  const topic = $("drive-topic").value;
+  if (driven && (driven !== topic || !(ahead || left))) sayVelocity(driven, 0, 0);
+  driven = ahead || left ? topic : "";
+  if (driven) sayVelocity(driven, ahead, left);
+}
+
+function tick() {
+  // A page that did not run, as in a machine that slept, has not heard that a key was released.
+  const now = Date.now();
+  if (Math.abs(now - lastTick) > MAX_GAP_MS) stop();
+  lastTick = now;
+  drive();
 }
 
 function stop() {
   held.clear();
+  stickPointer = null;
   moveKnob(0, 0);
-  if (wasDriving) { send({ op: "drive", topic: $("drive-topic").value, ahead: 0, left: 0 }); wasDriving = false; }
+  if (driven) { sayVelocity(driven, 0, 0); driven = ""; }
 }
 
 function moveKnob(x, y) {
@@ -478,11 +508,14 @@ function showDriveTopics() {
 
 function takeKey(event, isDown) {
   const key = KEYS[event.code];
-  if (tool !== "drive" || !key || event.target instanceof HTMLInputElement) return;
+  if (tool !== "drive" || !key) return;
+  if (!isDown) held.delete(key);   // wherever the focus is now
+  if (event.target instanceof HTMLInputElement) return;
+  if (isDown && (event.ctrlKey || event.altKey || event.metaKey)) return;   // a shortcut of the browser
   event.preventDefault();
   event.stopPropagation();
-  if (isDown) held.add(key); else held.delete(key);
-  drive();
+  if (isDown) held.add(key);
+  if (!event.repeat) drive();
 }
 
 // Panels.
@@ -503,7 +536,7 @@ $("axes").addEventListener("change", () => send({ op: "axes", length: Number($("
 $("save-layout").addEventListener("click", () => send({ op: "layout" }));
 $("unselect").addEventListener("click", () => send({ op: "unselect" }));
 $("slider").addEventListener("pointerdown", () => { isDragging = true; });
-addEventListener("pointerup", () => { isDragging = false; });
+for (const name of ["pointerup", "pointercancel", "blur"]) addEventListener(name, () => { isDragging = false; });
 $("slider").addEventListener("input", holdAtSlider);
 $("live").addEventListener("click", () => send(state && !state.is_live ? { op: "play", on: !state.is_playing } : { op: "hold", stamp_ns: null }));
 $("log-level").addEventListener("change", filterLines);
@@ -513,15 +546,28 @@ $("parameter-refresh").addEventListener("click", () => send({ op: "parameters", 
 $("parameter-node").addEventListener("change", () => { send({ op: "parameters", node: $("parameter-node").value }); $("parameter-node").blur(); });
 $("pad").addEventListener("pointerdown", (event) => { pressed = padPoint(event); $("pad").setPointerCapture(event.pointerId); drawPad(pressed, null); });
 $("pad").addEventListener("pointermove", (event) => { if (pressed) drawPad(pressed, padPoint(event)); });
+for (const name of ["pointercancel", "lostpointercapture"]) $("pad").addEventListener(name, () => { pressed = null; drawPad(null, null); });
 $("pad").addEventListener("pointerup", (event) => {
   if (!pressed) return;
   send({ op: "floor", tool, from: pressed, to: padPoint(event) });
   pressed = null;
   drawPad(null, null);
 });
-$("stick").addEventListener("pointerdown", (event) => { $("stick").setPointerCapture(event.pointerId); followStick(event); });
-$("stick").addEventListener("pointermove", (event) => { if (event.buttons) followStick(event); });
-$("stick").addEventListener("pointerup", () => { moveKnob(0, 0); drive(); });
+$("stick").addEventListener("pointerdown", (event) => {
+  if (stickPointer !== null) return;   // a second finger
+  stickPointer = event.pointerId;
+  $("stick").setPointerCapture(event.pointerId);
+  followStick(event);
+});
+$("stick").addEventListener("pointermove", (event) => { if (event.pointerId === stickPointer) followStick(event); });
+for (const name of ["pointerup", "pointercancel", "lostpointercapture"]) {
+  $("stick").addEventListener(name, (event) => {
+    if (event.pointerId !== stickPointer) return;
+    stickPointer = null;
+    moveKnob(0, 0);
+    drive();
+  });
+}
 function followStick(event) {
   const box = $("stick").getBoundingClientRect();
   moveKnob((event.clientX - box.left - 70) / 45, (event.clientY - box.top - 70) / 45);
@@ -529,14 +575,16 @@ function followStick(event) {
 }
 addEventListener("keydown", (event) => takeKey(event, true), true);
 addEventListener("keyup", (event) => takeKey(event, false), true);
-addEventListener("blur", stop);
+for (const name of ["blur", "pagehide", "freeze", "offline", "contextmenu"]) addEventListener(name, stop);
+for (const name of ["visibilitychange", "freeze", "resume"]) document.addEventListener(name, stop);
 addEventListener("resize", () => { if (!$("pad").hidden) layPad(); });
 // Keys that are pressed while the scene has the focus arrive there: it is of this server too, so they can be heard.
 $("scene").addEventListener("load", () => {
   try {
     $("scene").contentWindow.addEventListener("keydown", (event) => takeKey(event, true), true);
     $("scene").contentWindow.addEventListener("keyup", (event) => takeKey(event, false), true);
+    for (const name of ["blur", "pagehide", "contextmenu"]) $("scene").contentWindow.addEventListener(name, stop);
   } catch { /* the scene is not loaded */ }
 });
-setInterval(drive, 100);
+setInterval(tick, DRIVE_MS);
 addEventListener("DOMContentLoaded", connect);   // when the other scripts have run, too
