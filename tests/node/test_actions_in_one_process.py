@@ -253,6 +253,7 @@ def run_with_threads(
     return end, spinning
 
 
+@pytest.mark.filterwarnings("ignore:MultiThreadedExecutor is used with a single thread")
 @pytest.mark.parametrize("case", ["own group", "all threads", "feedback itself"])
 def test_a_result_is_not_held_back_by_what_waits_for_it(
     context: Context, node: Node, case: str, monkeypatch: pytest.MonkeyPatch

@@ -700,12 +700,12 @@ def test_hint_is_timed_from_the_present_wait(node: Node, executor: SingleThreade
         for _ in range(2):
             assert group.beginning_execution(running)
             group.park(waiting, lambda: None)
-            hint_ns = executor._end_of_nested_wait(None)
+            hint_ns = executor._end_of_nested_wait(None, has_end=False)
             assert hint_ns is not None
             hints_ns.append(hint_ns)
             group.ending_execution(running)
             group.release_parked()
-            assert executor._end_of_nested_wait(None) is None
+            assert executor._end_of_nested_wait(None, has_end=False) is None
     assert hints_ns[0] < hints_ns[1]
 
 

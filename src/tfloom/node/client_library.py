@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from contextlib import suppress
 from functools import cache
 from typing import TYPE_CHECKING
 
@@ -14,7 +13,6 @@ from tfloom.node.context.utilities import (
     try_shutdown,
 )
 from tfloom.node.context.utilities import shutdown as _shutdown
-from tfloom.node.executing.executor_exceptions import ShutdownException
 from tfloom.node.executing.signals import (
     SignalHandlerOptions,
     install_signal_handlers,
@@ -22,6 +20,7 @@ from tfloom.node.executing.signals import (
     uninstall_signal_handlers,
 )
 from tfloom.node.executing.task import Future, future_error
+from tfloom.node.executing.temporarily_added import TemporarilyAdded
 from tfloom.node.parameters.parameter import Parameter
 from tfloom.node.values.node_errors import executor_error, node_error
 from tfloom.node.values.numbers import timeout_error
@@ -176,34 +175,6 @@ def _getter_of_global_executor() -> Callable[[], Executor]:
     return get
 
 
-class _TemporarilyAdded:
-    """Adds `node` to `executor` for a block, and returns it to its former executor.
-
-    A node that is in `executor` already stays there, because another thread may be spinning it.
-    """
-
-    __slots__ = ("_executor", "_former_executor", "_is_new", "_node")
-
-    def __init__(self, node: Node, executor: Executor) -> None:
-        self._node = node
-        self._executor = executor
-
-    def __enter__(self) -> None:
-        # `Node.executor` is also one that the node was removed from.
-        former = self._node.executor
-        self._former_executor = former if former is not None and self._node in former.get_nodes() else None
-        self._is_new = self._executor.add_node(self._node)
-
-    def __exit__(self, *_: object) -> None:
-        # A node that was in this executor before stays in it, as one that a callback has moved or destroyed stays away.
-        if not self._is_new or self._node not in self._executor.get_nodes():
-            return
-        self._executor.remove_node(self._node)
-        if self._former_executor is not None:
-            with suppress(ShutdownException):
-                self._former_executor.add_node(self._node)
-
-
 def spin(node: Node, executor: Executor | None = None) -> None:
     """Run a node's callbacks until its context is shut down.
 
@@ -216,7 +187,7 @@ def spin(node: Node, executor: Executor | None = None) -> None:
     if (error := node_error("spin", node) or executor_error("spin", executor)) is not None:
         raise error
     executor = executor or get_global_executor()
-    with _TemporarilyAdded(node, executor):
+    with TemporarilyAdded(node, executor):
         executor.spin()
 
 
@@ -226,7 +197,7 @@ def spin_once(node: Node, *, executor: Executor | None = None, timeout_sec: floa
     if (error := error or timeout_error("spin_once", timeout_sec)) is not None:
         raise error
     executor = executor or get_global_executor()
-    with _TemporarilyAdded(node, executor):
+    with TemporarilyAdded(node, executor):
         executor.spin_once(timeout_sec=timeout_sec)
 
 
@@ -240,5 +211,5 @@ def spin_until_future_complete(
     if error is not None:
         raise error
     executor = executor or get_global_executor()
-    with _TemporarilyAdded(node, executor):
+    with TemporarilyAdded(node, executor):
         executor.spin_until_future_complete(future, timeout_sec)

@@ -22,11 +22,14 @@ from tfloom.node.endpoints.type_variables import (
     ResultResponseT,
     ResultT,
 )
+from tfloom.node.executing.entity import make_parts
 from tfloom.node.executing.executor import executor_of
 from tfloom.node.executing.task import Future
 from tfloom.node.executing.waitable import NumberOfEntities
 from tfloom.node.qos.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
 from tfloom.node.values.callbacks import not_callable
+from tfloom.node.values.constants import S_TO_NS
+from tfloom.node.values.duration import Duration
 from tfloom.node.values.names import name_error
 from tfloom.node.values.node_errors import node_error
 from tfloom.node.values.numbers import timeout_error
@@ -195,6 +198,13 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
             status_sub_qos_profile,
             callback_group=callback_group,
         )
+        subscriptions = (self._feedback, self._status)
+        handlers = [handler for subscription in subscriptions for handler in subscription.event_handlers]
+        make_parts(
+            self,
+            callback_group or node.default_callback_group,
+            (self._send, self._result, self._cancel, *subscriptions, *handlers),
+        )
 
     def __repr__(self) -> str:
         return ros_repr(self)
@@ -207,8 +217,10 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
             and self._status.get_publisher_count() > 0
         )
 
-    def wait_for_server(self, timeout_sec: float | None = None) -> bool:
+    def wait_for_server(self, timeout_sec: float | Duration | None = None) -> bool:
         """Wait until a server is ready; return False after `timeout_sec` [s] (None: no limit), or at shutdown."""
+        if isinstance(timeout_sec, Duration):
+            timeout_sec = timeout_sec.nanoseconds / S_TO_NS
         if (error := timeout_error("wait_for_server", timeout_sec)) is not None:
             raise error
         end = None if timeout_sec is None else time.monotonic() + timeout_sec

@@ -18,6 +18,7 @@ from tfloom.node.action.goal_states import GoalEvent
 from tfloom.node.action.server_goal_handle import ServerGoalHandle
 from tfloom.node.endpoints.service import ResponseFirst
 from tfloom.node.endpoints.type_variables import FeedbackT, GoalT, ResultT
+from tfloom.node.executing.entity import make_parts
 from tfloom.node.executing.executors import await_or_execute
 from tfloom.node.executing.waitable import NumberOfEntities
 from tfloom.node.qos.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
@@ -192,6 +193,14 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
             )
             for srv_type, suffix, callback, qos in services
         ]
+        handlers = [
+            handler for publisher in (self._feedback, self._status) for handler in publisher.event_handlers
+        ]
+        make_parts(
+            self,
+            callback_group or node.default_callback_group,
+            (*self._services, self._expiry, *handlers),
+        )
 
     def __repr__(self) -> str:
         return ros_repr(self)

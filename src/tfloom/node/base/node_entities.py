@@ -130,7 +130,7 @@ class NodeEntities:
         """
         self.participant()
         if entity.callback_group is not None:
-            entity.callback_group.add_entity(entity)
+            entity.callback_group.add_entity(entity.member)
         entity.owner = self._owner
         self._entities.append(entity)
         executor = self.executor

@@ -19,6 +19,8 @@ from tfloom.node.endpoints.type_variables import SrvType, SrvTypeRequest, SrvTyp
 from tfloom.node.executing.entity import Entity
 from tfloom.node.executing.task import Future
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
+from tfloom.node.values.constants import S_TO_NS
+from tfloom.node.values.duration import Duration
 from tfloom.node.values.exceptions import RCLError
 from tfloom.node.values.numbers import timeout_error
 from tfloom.node.values.type_support import wrong_fields
@@ -400,7 +402,7 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
             self._logger.warning(incompatibility)
         return False
 
-    def wait_for_service(self, timeout_sec: float | None = None) -> bool:
+    def wait_for_service(self, timeout_sec: float | Duration | None = None) -> bool:
         """Wait until a server is ready.
 
         Args:
@@ -412,6 +414,8 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         Raises:
             TypeError: `timeout_sec` is no number.
         """
+        if isinstance(timeout_sec, Duration):
+            timeout_sec = timeout_sec.nanoseconds / S_TO_NS
         if (error := timeout_error("wait_for_service", timeout_sec)) is not None:
             raise error
         end_s = math.inf if timeout_sec is None else time.monotonic() + timeout_sec
@@ -488,6 +492,7 @@ class ServerWatch(Entity):
 
     def __init__(self, client: Client[Any, Any]) -> None:
         self._client = client
+        self.stands_for = client
 
     def attach(self, queue: ReadyQueue, token: int) -> None:
         """Post `token` when a server may have left."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from collections import deque
 from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
 
 from tfloom.node.executing.entity import Entity
@@ -169,10 +171,40 @@ class Receiver(ReceivingEndpoint[TakingEndpoint], Entity):
         super().__init__(endpoint, name)
         self._incoming_type = incoming_type
         self._warning = ThrottledWarning(logger)
+        self._kept: deque[Any] = deque()
+        """What `has_next` has found on the wire, and nothing has taken."""
+        self._history = math.inf
+        """Most items that wait at once, where newer ones replace them."""
+
+    def attach(self, queue: ReadyQueue, token: int) -> None:
+        """Post `token` when data has arrived."""
+        super().attach(queue, token)
+        if self._kept:  # nothing else says that there is some
+            queue.post(token)
+
+    def has_next(self) -> bool:
+        """Return whether there is an item, which stays here for whoever takes the next."""
+        if not self._kept and not self._destroyed and (incoming := self._endpoint.take()) is not None:
+            self._kept.append(incoming)
+        return bool(self._kept)
+
+    def take_incoming(self) -> Any:
+        """Remove and return the oldest item as the wire has it, or None."""
+        kept, take = self._kept, self._endpoint.take
+        if not kept:
+            return take()
+        # What waits here is part of the history, in which newer items have replaced it meanwhile.
+        while len(kept) <= self._history and (incoming := take()) is not None:
+            kept.append(incoming)
+        if len(kept) > self._history:
+            kept.popleft()
+        return kept.popleft()
 
     def take(self) -> Any:
         """Remove the oldest item and return it as `run` takes it, `UNREADABLE`, or None."""
-        incoming = None if self._destroyed else self._endpoint.take()
+        if self._destroyed:
+            return None
+        incoming = self.take_incoming() if self._kept else self._endpoint.take()
         if incoming is None:
             return None
         try:

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any, Generic
 
 from tfloom.node.endpoints.endpoint import UNREADABLE, Receiver
 from tfloom.node.endpoints.type_variables import MsgType
-from tfloom.node.qos.qos import QoSProfile
+from tfloom.node.executing.entity import Entity
+from tfloom.node.qos.qos import HistoryPolicy, QoSProfile
 from tfloom.node.values.callbacks import not_callable
 from tfloom.node.values.handle import Handle
 from tfloom.rosidl import cdr
@@ -65,6 +66,8 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
         self.callback = callback
         self.callback_group = callback_group
         self.qos_profile = qos_profile
+        if qos_profile.history == HistoryPolicy.KEEP_LAST:
+            self._history = max(qos_profile.depth, 1)
         self.raw = raw
         self._sink: Sink | None = None
         self._queue: tuple[ReadyQueue, int] | None = None
@@ -113,6 +116,10 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
         if self._sink is not None:
             self._sink.notify(None, 0)
 
+    def has_next(self) -> bool:
+        """Return whether there is a message, or one was pushed into the sink."""
+        return super().has_next() if self._sink is None else Entity.has_next(self)
+
     def take(self) -> Any:
         """Return what `run` needs of the oldest message, `UNREADABLE` or `_FED`, or None."""
         if self._sink is None:
@@ -159,7 +166,8 @@ class SubscriptionHandle(Handle):
             InvalidHandle: the subscription was destroyed.
             DecodeError: the message can't be decoded.
         """
-        incoming = self.wire_endpoint.take()
+        with self:
+            incoming = self.take_incoming()
         if incoming is None:
             return None
         return incoming.data if raw else cdr.decode(pymsg_type, incoming.data), _message_info(incoming)

@@ -15,6 +15,10 @@ if TYPE_CHECKING:
 __all__ = ["CallbackGroup", "MutuallyExclusiveCallbackGroup", "ReentrantCallbackGroup", "group_error"]
 
 
+MIN_PURGED = 64
+"""With fewer members, a group keeps the references to those that are gone."""
+
+
 class CallbackGroup:
     """A set of entities with one rule for which of their callbacks may run at the same time.
 
@@ -23,7 +27,10 @@ class CallbackGroup:
     """
 
     def __init__(self) -> None:
-        self.entities: weakref.WeakSet[Any] = weakref.WeakSet()
+        self.entities: set[weakref.ref[Any]] = set()
+        """Weak references to the members; those of members that are gone are removed from time to time."""
+        self._max_entities = MIN_PURGED
+        """With more references, those of members that are gone are removed."""
         self._parked: list[tuple[Any, Callable[[], None]]] = []
         self._parked_lock = threading.Lock()
         """Guards `_parked`."""
@@ -33,11 +40,19 @@ class CallbackGroup:
 
     def add_entity(self, entity: Any) -> None:
         """Add an entity to the group."""
-        self.entities.add(entity)
+        self.entities.add(weakref.ref(entity))
+        if len(self.entities) > self._max_entities:
+            # Not by a callback of the reference: the set would change while a program iterates over it.
+            self.entities.difference_update([member for member in list(self.entities) if member() is None])
+            self._max_entities = max(MIN_PURGED, 2 * len(self.entities))
+
+    def remove_entity(self, entity: Any) -> None:
+        """Undo `add_entity`."""
+        self.entities.discard(weakref.ref(entity))
 
     def has_entity(self, entity: Any) -> bool:
         """Return whether an entity is in the group."""
-        return entity in self.entities
+        return weakref.ref(entity) in self.entities
 
     def can_execute(self, entity: Any) -> bool:
         """Return whether a callback of `entity` may begin."""

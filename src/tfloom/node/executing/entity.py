@@ -9,14 +9,14 @@ from tfloom.node.values.handle import Handle
 from tfloom.ros_guard import ros_repr
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterable
 
     from typing_extensions import Self
 
     from tfloom._native import ReadyQueue
     from tfloom.node.executing.callback_groups import CallbackGroup
 
-__all__ = ["CallbackEntity", "Entity"]
+__all__ = ["CallbackEntity", "Entity", "make_parts"]
 
 
 class Entity:
@@ -45,13 +45,21 @@ class Entity:
     callback_group: CallbackGroup | None
 
     refused_item: Any = None
-    """What `take` returned before the group refused to begin. It stays here, where the next executor finds it."""
+    """What `take` returned and no callback was called with. It stays here, where the next executor finds it."""
+
+    stands_for: Any = None
+    """The program's object that this is a part of, as an ActionClient or a Waitable; None: it is one by itself."""
 
     owner: Any = None
     """The node. It is referenced, because a reference to the entity keeps it alive."""
 
     def __repr__(self) -> str:
         return ros_repr(self)
+
+    @property
+    def member(self) -> Any:
+        """The program's object: the member of the callback group, and what `wait_for_ready_callbacks` returns."""
+        return self if self.stands_for is None else self.stands_for
 
     def attach(self, queue: ReadyQueue, token: int) -> None:
         """Post `token` to `queue` when there may be something to take, at once if there already is."""
@@ -65,6 +73,20 @@ class Entity:
         """Remove and return one thing to run, or None. Never blocks."""
         raise NotImplementedError
 
+    def has_next(self) -> bool:
+        """Return whether `take_next` has something; where only `take` can tell, keep what it returned for that."""
+        if self.refused_item is None:
+            self.refused_item = self.take()
+        return self.refused_item is not None
+
+    def take_next(self) -> Any:
+        """As `take`, after what was kept here."""
+        kept = self.refused_item
+        if kept is None:
+            return self.take()
+        self.refused_item = None
+        return kept
+
     def run(self, taken: Any) -> Any:
         """Run the callback with the result of `take`; if that returns a coroutine, the executor runs it."""
         raise NotImplementedError
@@ -76,6 +98,15 @@ class Entity:
     def destroy(self) -> None:
         """Stop permanently; the node calls this when the entity is destroyed."""
         raise NotImplementedError
+
+
+def make_parts(whole: Any, group: CallbackGroup, parts: Iterable[Entity]) -> None:
+    """Make entities parts of a program's object, which is the member of `group` in their place."""
+    for part in parts:
+        part.stands_for = whole
+        if part.callback_group is not None:
+            part.callback_group.remove_entity(part)
+    group.add_entity(whole)
 
 
 class CallbackEntity(Entity):

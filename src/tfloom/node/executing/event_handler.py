@@ -199,6 +199,9 @@ class _TypeHandler(EventHandler):
             return Count(self._count, change) if change and not self._destroyed else None
 
 
+_TypeHandler.__name__ = EventHandler.__name__  # which programs compare and print
+
+
 def report_other_type(handlers: Iterable[EventHandler]) -> None:
     """Count an endpoint of another type in those of an endpoint's handlers that wait for one."""
     for handler in handlers:

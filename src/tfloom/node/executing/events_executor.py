@@ -34,7 +34,7 @@ class EventsExecutor(Executor):
                 raise shutdown_exception() from error
             raise
         finally:
-            self._spinning.release()
+            self._end_spin()
         if self._context.is_interrupted():  # by a signal that arrived while a callback ran
             raise shutdown_exception()
 
@@ -53,7 +53,7 @@ class EventsExecutor(Executor):
             self._pass_left -= 1
             token = self._ready.popleft()
             entity = self._entities.get(token)
-            if entity is not None and not entity.goes_by_group:
+            if entity is not None and self._goes_at_once(entity):
                 self._take_responses(token)
             elif entity is not None:
                 taken = self._take(entity, token)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import threading
 import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Container, Iterator
+from contextlib import ExitStack, contextmanager
 from types import CoroutineType, TracebackType
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -18,11 +18,14 @@ from tfloom.node.executing.executor_exceptions import (
     TimeoutException,
     TimeoutObject,
 )
+from tfloom.node.executing.offered_work import OfferedWork
 from tfloom.node.executing.running_work import RunningWork
 from tfloom.node.executing.signals import shutdown_exception
 from tfloom.node.executing.task import Future, Task, future_error
-from tfloom.node.executing.work_queue import MAX_BATCH_SIZE, Work, WorkQueue
+from tfloom.node.executing.temporarily_added import TemporarilyAdded
+from tfloom.node.executing.work_queue import MAX_BATCH_SIZE, Work
 from tfloom.node.values.callback_errors import report_exception
+from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.exceptions import ExternalShutdownException
 from tfloom.node.values.node_errors import node_error
 from tfloom.node.values.numbers import timeout_error
@@ -33,7 +36,6 @@ if TYPE_CHECKING:
 
     from tfloom.node.clock.clock import Clock
     from tfloom.node.executing.entity import Entity
-    from tfloom.node.executing.waitable import Waitable
     from tfloom.node.log.rcutils_logger import RcutilsLogger
 
 __all__ = ["Executor", "SpunNode", "executor_of"]
@@ -95,7 +97,7 @@ def executor_of(node: SpunNode) -> Executor | None:
     return executor if executor is not None and node in executor.get_nodes() else None
 
 
-class Executor(WorkQueue):
+class Executor(OfferedWork):
     """Runs the callbacks of the nodes added to it, while one of its `spin` methods is called.
 
     Any thread may add and remove nodes and entities at any time. One thread at a time may spin.
@@ -110,6 +112,16 @@ class Executor(WorkQueue):
         self._context.add_queue(self._queue)
         self._spinning = threading.RLock()
         """Lock held by the thread that spins."""
+        self._spin_depth = 0
+        """How many spins that thread is in, one inside the other. Guarded by `_spinning`, as the next two."""
+        self._spinner = 0
+        """The thread that spins, or did last."""
+        self._is_spun_by_callback = False
+        """Whether that thread runs a callback of this executor meanwhile."""
+        self._begun_count = 0
+        """Number of callbacks that have begun, and responses that were taken. Of the thread that spins alone."""
+        self._followers: list[threading.Event] = []
+        """Events of the threads that wait while another one spins. Changed by single operations, without a lock."""
         self._is_in_long_spin = False
         """Whether the spin continues after one callback. Written by the thread that spins, without a lock."""
         self._nodes: list[SpunNode] = []
@@ -171,44 +183,56 @@ class Executor(WorkQueue):
     # Waiting
 
     def would_wait_for_itself(self) -> bool:
-        """Return whether this is called from a callback on the only thread that receives data."""
-        return self._running.is_this_thread()
+        """Return whether this is called from a callback on the only thread that receives data.
+
+        A program's own executor may run callbacks on other threads than the one that spins it.
+        """
+        return self._running.is_this_thread() and self._spinner == threading.get_ident()
 
     def wait_for_ready_callbacks(
-        self, timeout_sec: float | None = None, condition: Callable[[], bool] | None = None
-    ) -> tuple[Task[Any], Entity | Waitable | None, SpunNode | None]:
-        """Wait for a callback that may begin; executors of a program's own then call the returned task.
+        self,
+        timeout_sec: float | TimeoutObject | None = None,
+        nodes: list[SpunNode] | None = None,
+        condition: Callable[[], bool] | None = None,
+    ) -> tuple[Task[Any], Any, SpunNode | None]:
+        """Wait for a callback that may begin; executors of a program's own then call the returned task, on any thread.
 
-        The callback has begun for its group. A task that awaits is returned again when it can continue.
+        The task takes the message and begins the callback in its group; where the group runs another one by then, it
+        does nothing, and another task is returned later. A task that has not begun is returned again. One that awaits
+        is returned when it can continue.
 
         Args:
             timeout_sec: The longest wait [s]; None, negative: no limit.
+            nodes: The nodes whose callbacks are waited for, also if they were not added; None: all that were.
             condition: Called each time the executor wakes; the wait ends when it returns True.
 
         Returns:
             The task, its entity and the entity's node; the last two are None for a program's own task.
 
         Raises:
-            TimeoutException: none was ready in time.
+            TimeoutException: none was ready in time; or, in a callback, another thread that spins has begun one.
             ConditionReachedException: `condition()` is true.
             ShutdownException: the executor was shut down.
             ExternalShutdownException: its context was shut down.
         """
-        entity, taken = self._wait_for_work(_end_ns(timeout_sec), condition)
-        if entity is None:
-            return taken, None, None
+        for node in nodes or ():
+            if (error := node_error("wait_for_ready_callbacks", node)) is not None:
+                raise error
+        with ExitStack() as stack:
+            for node in nodes or ():
+                stack.enter_context(TemporarilyAdded(node, self))
+            entity, task = self._wait_for_work(
+                _end_ns(timeout_sec), condition, for_nodes=nodes, is_begun=False
+            )
+        return task, None if entity is None else entity.member, None if entity is None else entity.owner
 
-        def run() -> Any:
-            with self._running:
-                return entity.run(taken)
+    def _call(self, entity: Entity, taken: Any) -> Any:
+        with self._running:
+            return entity.run(taken)
 
-        task: Task[Any] = Task(run, executor=self)
-        self._register_task(task)
-        # Not at the end of `run`: a callback that is a coroutine occupies its group until it completes.
-        task.when_complete(lambda: self._end(entity))
-        node = next((node for node in self.get_nodes() if node is entity.owner), None)
-        # The program's own Waitable, where the entity only stands for one.
-        return task, getattr(entity, "waitable", entity), node
+    def _register_task(self, task: Task[Any]) -> int:
+        task.during_steps = self._running
+        return super()._register_task(task)
 
     def _next(
         self,
@@ -216,8 +240,12 @@ class Executor(WorkQueue):
         condition: Callable[[], bool] | None = None,
         *,
         until_response: bool = False,
+        for_nodes: Container[SpunNode] | None = None,
+        is_begun: bool = True,
     ) -> Work:
         """Wait for a callback that may begin, until `end_ns` by the steady clock; None: without limit.
+
+        With `is_begun`, it has begun for its group, and its item is taken; otherwise a task does so.
 
         Raises:
             TimeoutException: none was ready in time.
@@ -225,25 +253,24 @@ class Executor(WorkQueue):
             ShutdownException: the executor was shut down.
             ExternalShutdownException: its context was shut down.
         """
-        waited = self._has_response = False
+        waited = False
         self._endless_since_ns = None
+        begin = self._begin_wait(for_nodes, is_begun=is_begun)
         while True:
-            # What ends the wait is checked before each callback: nothing begins after a shutdown, even if it is ready.
-            if self._is_shutdown:
-                raise ShutdownException
-            if not self._context.ok():
-                raise shutdown_exception()
-            if condition is not None and condition():
-                raise ConditionReachedException
+            self._check_wait(condition)
             # While all threads of a pool are busy, the rest of the pass stays in `_ready`; a thread that becomes free
             # wakes this one.
             if self._has_room():
-                work = self._work_of_this_pass()
+                work = self._work_of_this_pass(begin)
+                if work is None and waited and not is_begun:
+                    work = self._offered_again(end_ns)
                 if work is not None:
+                    self._note_begun()
                     return work
             # A response completes its future on this thread, without a callback that could be returned here. The
             # program's `spin_once` must return nevertheless, so that it can look at its future.
             if self._has_response and until_response:
+                self._note_begun()
                 raise ConditionReachedException
             # The time is checked only after one look at the queue, so that a timeout of 0 finds what was posted before.
             if waited and end_ns is not None and time.monotonic_ns() >= end_ns:
@@ -251,9 +278,33 @@ class Executor(WorkQueue):
             waited = True
             # Messages for a sink need no callback, so a long spin ignores them. A spin in a callback may wait for them.
             quiet = not self._is_in_long_spin or self._running.is_this_thread()
-            self._collect(self._end_of_nested_wait(end_ns), quiet=quiet)
+            look_ns = end_ns if is_begun else self._look_again_ns(end_ns)
+            self._collect(self._end_of_nested_wait(look_ns, has_end=end_ns is not None), quiet=quiet)
 
-    def _end_of_nested_wait(self, end_ns: int | None) -> int | None:
+    def _check_wait(self, condition: Callable[[], bool] | None) -> None:
+        """Raise what ends a wait. Nothing begins after a shutdown, even if it is ready."""
+        if self._is_shutdown:
+            raise ShutdownException
+        if not self._context.ok():
+            raise shutdown_exception()
+        if condition is not None and condition():
+            raise ConditionReachedException
+
+    def _note_begun(self) -> None:
+        """Tell the threads that wait in a nested `spin_once` that a callback has begun, or a response was taken."""
+        self._begun_count += 1
+        self._wake_followers()
+
+    def _wake_followers(self) -> None:
+        for event in list(self._followers):
+            event.set()
+
+    def wake(self) -> None:
+        """Wake the threads that spin, so that they check their conditions again."""
+        super().wake()
+        self._wake_followers()
+
+    def _end_of_nested_wait(self, end_ns: int | None, *, has_end: bool) -> int | None:
         """Return when to wake from a wait until `end_ns` to log a hint: a callback that spins may wait for itself.
 
         Either callbacks of its group are ready and can't run before it returns; or it waits without a limit, and
@@ -271,7 +322,7 @@ class Executor(WorkQueue):
         else:
             self._blocked_since_ns = None
             # Where no callback of these entities runs, none of them waits for the callback that spins.
-            entity = next(filter(_is_running, entities), None) if end_ns is None else None
+            entity = None if has_end else next(filter(_is_running, entities), None)
             if entity is None:
                 return end_ns
             since_ns = self._endless_since_ns = self._endless_since_ns or now_ns
@@ -300,7 +351,7 @@ class Executor(WorkQueue):
         token = self._tokens.get(entity)
         # `_take` uses what belongs to the thread that spins alone. If that is another one, the posts of the entity have
         # told it, and it runs these callbacks itself.
-        if token is None or not self._spinning.acquire(blocking=False):
+        if token is None or not self._try_to_spin():
             return
         try:
             # Bounded, so that a publisher that is faster than the callback doesn't hold up the caller for ever.
@@ -310,7 +361,7 @@ class Executor(WorkQueue):
                     return
                 self._run(Work(entity, taken))
         finally:
-            self._spinning.release()
+            self._end_spin()
 
     def _run(self, work: Work) -> None:
         """Run a callback to its end, or a coroutine to its next await, and raise its exception, if any."""
@@ -403,16 +454,18 @@ class Executor(WorkQueue):
         error = future_error(future) or timeout_error("spin_until_future_complete", timeout_sec)
         if error is not None:
             raise error
-        with self._long_spin():
-            self._spin_until(future, timeout_sec)
 
-    def _spin_until(self, future: Future[Any], timeout_sec: float | None) -> None:
         def is_over() -> bool:
             return future.done() or future.cancelled()
 
+        end_ns = _end_ns(timeout_sec)
         # Another thread may complete the future, which posts nothing to the queue that this one waits on.
         future.when_complete(self.wake)
-        end_ns = _end_ns(timeout_sec)
+        with self._long_spin(end_ns, is_over) as may_spin:
+            if may_spin:
+                self._spin_until(future, end_ns, is_over)
+
+    def _spin_until(self, future: Future[Any], end_ns: int | None, is_over: Callable[[], bool]) -> None:  # noqa: ARG002  # for MultiThreadedExecutor
         while self._context.ok() and not self._is_shutdown and not is_over():
             self._spin_once(end_ns, is_over)
             if end_ns is not None and time.monotonic_ns() >= end_ns:
@@ -423,8 +476,6 @@ class Executor(WorkQueue):
     ) -> None:
         """Wait for one callback and run it, or return when a future is done or after `timeout_sec` [s]."""
         future.when_complete(self.wake)
-        if isinstance(timeout_sec, TimeoutObject):
-            timeout_sec = timeout_sec.timeout
         self._spin_once(_end_ns(timeout_sec), lambda: future.done() or future.cancelled())
 
     def _spin_once(self, end_ns: int | None, condition: Callable[[], bool] | None = None) -> None:
@@ -440,43 +491,106 @@ class Executor(WorkQueue):
         condition: Callable[[], bool] | None,
         *,
         until_response: bool = False,
+        for_nodes: Container[SpunNode] | None = None,
+        is_begun: bool = True,
     ) -> Work:
-        self._begin_spin()
+        if not self._begin_spin(end_ns, condition, until_begun=True):
+            if condition is not None and condition():
+                raise ConditionReachedException
+            if self._is_shutdown:
+                raise ShutdownException
+            raise TimeoutException
         try:
-            return self._next(end_ns, condition, until_response=until_response)
+            return self._next(
+                end_ns, condition, until_response=until_response, for_nodes=for_nodes, is_begun=is_begun
+            )
         finally:
-            self._spinning.release()
+            self._end_spin()
 
     @contextmanager
-    def _long_spin(self) -> Iterator[None]:
-        """Hold the right to spin for more than one callback."""
-        self._begin_spin()
+    def _long_spin(
+        self, end_ns: int | None = None, is_over: Callable[[], bool] | None = None
+    ) -> Iterator[bool]:
+        """Hold the right to spin for more than one callback; False: another thread held it until the wait was over."""
+        if not self._begin_spin(end_ns, is_over):
+            yield False
+            return
         outer, self._is_in_long_spin = self._is_in_long_spin, True
         try:
-            yield
+            yield True
         finally:
             self._is_in_long_spin = outer
-            self._spinning.release()
+            self._end_spin()
 
-    def _begin_spin(self) -> None:
-        """Acquire the right to spin; `_spinning.release` releases it.
+    def _begin_spin(
+        self,
+        end_ns: int | None = None,
+        is_over: Callable[[], bool] | None = None,
+        *,
+        until_begun: bool = False,
+    ) -> bool:
+        """Acquire the right to spin; `_end_spin` releases it.
+
+        A callback on another thread than the one that spins waits until it has the right, because that one runs what
+        the callback spins for; so does a thread that finds a callback spinning. The arguments end this wait.
+
+        Args:
+            end_ns: When it ends at most, by the steady clock; None: no limit.
+            is_over: Called at each wake; True ends it.
+            until_begun: Whether the next callback that the other thread begins ends it.
+
+        Returns:
+            False if the wait ended without the right.
 
         Raises:
-            RuntimeError: another thread is spinning; inside a callback, the text has what to do instead.
+            RuntimeError: another thread is spinning, and neither is in a callback of this executor.
+            ExternalShutdownException: the context was shut down meanwhile.
             ForkedProcessError: this process is a fork of the one that created the executor.
         """
         self._context.check_not_from_parent_process("cannot spin")
-        # The lock is reentrant, so a callback on the thread that spins may spin again. Another thread gets an error,
-        # and doesn't wait: in a callback in a pool of threads, it would wait for the spin that may wait for this
-        # callback.
+        # The lock is reentrant, so a callback on the thread that spins may spin again.
+        if self._try_to_spin():
+            return True
+        if not (self._is_spun_by_callback or self._running.is_this_thread()):
+            raise RuntimeError("Executor is already spinning, on another thread")
+        begun_count = self._begun_count
+        woken = threading.Event()
+        self._followers.append(woken)
+        try:
+            while not self._try_to_spin():
+                if self._is_shutdown or (is_over is not None and is_over()):
+                    return False
+                if not self._context.ok():
+                    raise shutdown_exception()
+                if until_begun and self._begun_count != begun_count:
+                    return False
+                now_ns = time.monotonic_ns()
+                if end_ns is not None and now_ns >= end_ns:
+                    return False
+                wake_ns = self._end_of_nested_wait(end_ns, has_end=end_ns is not None)
+                woken.wait(None if wake_ns is None else max(0, wake_ns - now_ns) / S_TO_NS)
+                woken.clear()
+        finally:
+            self._followers.remove(woken)
+        return True
+
+    def _try_to_spin(self) -> bool:
+        """Acquire the right to spin, unless another thread has it."""
         if not self._spinning.acquire(blocking=False):
-            advice = ""
-            if self._running.is_this_thread():
-                advice = (
-                    ", which runs what this callback would spin for. Await the future in an async callback, or wait "
-                    "for it by a threading.Event; what completes it needs another callback group"
-                )
-            raise RuntimeError(f"Executor is already spinning, on another thread{advice}")
+            return False
+        self._spin_depth += 1
+        if self._spin_depth == 1:
+            self._spinner = threading.get_ident()
+            self._is_spun_by_callback = self._running.is_this_thread()
+        return True
+
+    def _end_spin(self) -> None:
+        """Release the right to spin, to a thread that waits for it."""
+        self._spin_depth -= 1
+        is_over = self._spin_depth == 0
+        self._spinning.release()
+        if is_over:
+            self._wake_followers()
 
     # Shutdown
 
@@ -513,8 +627,10 @@ class Executor(WorkQueue):
         self.shutdown()
 
 
-def _end_ns(timeout_sec: float | None) -> int | None:
+def _end_ns(timeout_sec: float | TimeoutObject | None) -> int | None:
     """Return when a timeout [s] that begins now is over, by the steady clock; None: never."""
+    if isinstance(timeout_sec, TimeoutObject):
+        timeout_sec = timeout_sec.timeout
     timeout_ns = timeout_sec_to_nsec(timeout_sec)
     return None if timeout_ns < 0 else time.monotonic_ns() + timeout_ns
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 import threading
 import time
+import warnings
 from collections import deque
 from collections.abc import Callable, Coroutine, Iterable
 from contextlib import suppress
@@ -110,6 +111,11 @@ class MultiThreadedExecutor(Executor):
         defer_keyboard_interrupt_in(thread.ThreadPoolExecutor.submit.__code__.co_filename)
         if num_threads is None:
             num_threads = os.cpu_count() or 1
+        elif num_threads == 1:
+            warnings.warn(
+                "MultiThreadedExecutor is used with a single thread.\nUse the SingleThreadedExecutor instead.",
+                stacklevel=2,
+            )
         self._num_threads = max(num_threads, 2) if num_threads != 1 else 1
         self._pool = thread.ThreadPoolExecutor(self._num_threads, thread_name_prefix="tfloom_executor")
         self._busy_lock = threading.Lock()
@@ -135,8 +141,11 @@ class MultiThreadedExecutor(Executor):
         return self._busy < self._num_threads
 
     def _spin_once(self, end_ns: int | None, condition: Callable[[], bool] | None = None) -> None:
+        # A callback that spins is not ended by the error of another one, which the spin around it raises.
+        is_nested = self._running.is_this_thread()
+
         def stop() -> bool:
-            return bool(self._errors) or (condition is not None and condition())
+            return bool(self._errors and not is_nested) or (condition is not None and condition())
 
         # A callback is in the pool's queue, and no thread to run it. Any call makes the pool try to start one again.
         if self._lacks_thread:
@@ -146,14 +155,14 @@ class MultiThreadedExecutor(Executor):
             self._submit(work)
         # One error for each spin; the next one stops at once for the next error. What a callback saw of the shutdown on
         # its thread is replaced by what this thread must raise, KeyboardInterrupt on the main one after Ctrl-C.
-        if self._errors:
+        if self._errors and not is_nested:
             error = self._errors.popleft()
             raise shutdown_exception() if isinstance(error, ExternalShutdownException) else error
 
-    def _spin_until(self, future: Future[Any], timeout_sec: float | None) -> None:
+    def _spin_until(self, future: Future[Any], end_ns: int | None, is_over: Callable[[], bool]) -> None:
         self._awaited = future
         try:
-            super()._spin_until(future, timeout_sec)
+            super()._spin_until(future, end_ns, is_over)
         finally:
             self._awaited = None
 
@@ -248,7 +257,7 @@ class MultiThreadedExecutor(Executor):
         A callback may wait for what `then` completes, on a thread or in the group that the entity's own need: so it is
         called after `MAX_HOLD_NS` in any case. On another thread than the one that spins, it is called at once.
         """
-        if not self._spinning.acquire(blocking=False):
+        if not self._try_to_spin():
             then()
             return
         try:
@@ -256,7 +265,7 @@ class MultiThreadedExecutor(Executor):
             self._held.append(held)
             self._release_if_over(held)
         finally:
-            self._spinning.release()
+            self._end_spin()
 
     def _collect(self, end_ns: int | None, *, quiet: bool = False) -> None:
         if not self._held:

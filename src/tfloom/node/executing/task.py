@@ -6,6 +6,7 @@ import sys
 import threading
 import weakref
 from collections.abc import Callable, Coroutine, Generator, Iterable, Mapping
+from contextlib import AbstractContextManager, nullcontext
 from typing import Any, Generic, Protocol, TypeVar, cast
 
 from tfloom.given_text import given_text
@@ -206,6 +207,10 @@ class Task(Future[T]):
         self._args = tuple(args or ())
         self._kwargs = dict(kwargs or {})
         self._resume: Callable[[], None] | None = None
+        self.step_count = 0
+        """Number of steps that have begun."""
+        self.during_steps: AbstractContextManager[object] = nullcontext()
+        """Entered while a step runs."""
         self._step_lock = threading.Lock()
         """Held by the thread that runs a step."""
 
@@ -216,7 +221,9 @@ class Task(Future[T]):
         if self._done or self._cancelled or not self._step_lock.acquire(blocking=False):
             return
         try:
-            waits_for = self._step()
+            self.step_count += 1
+            with self.during_steps:
+                waits_for = self._step()
         finally:
             self._step_lock.release()
         # Only after the release: the awaited future may be complete, or complete on another thread right now. The

@@ -146,6 +146,10 @@ class Timer(CallbackEntity):
         """Return whether the period has ended, for a wait set."""
         return self.is_ready()
 
+    def has_next(self) -> bool:
+        """Return whether the callback is due; the next period doesn't begin before `take`."""
+        return self.is_ready()
+
     def take(self) -> Any:
         """Return True, and begin the next period, if the callback is due."""
         is_simulated = self._is_simulated()

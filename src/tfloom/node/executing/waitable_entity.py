@@ -29,6 +29,9 @@ class WaitableEntity(Entity):
         self._queue: ReadyQueue | None = None
         self._token = 0
         self._wait_set = WaitSet()
+        self.stands_for = waitable
+        self._is_ready = False
+        """Whether it was found to be ready, and its data were not taken yet."""
 
     def attach(self, queue: ReadyQueue, token: int) -> None:
         """Build the wait set, and make all its items post `token`."""
@@ -58,18 +61,27 @@ class WaitableEntity(Entity):
             if not any(item is other for other in former_items):
                 item.attach(queue, self._token)
 
+    def has_next(self) -> bool:
+        """Return whether the waitable is ready."""
+        if not self._is_ready and self._queue is not None:
+            self._wait_set.update()
+            try:
+                self._is_ready = bool(self.waitable.is_ready(self._wait_set))
+            finally:
+                # The waitable may wait for other items from now on, so it is asked after each check.
+                if not self._is_ready:
+                    self._rebuild_wait_set()
+        return self._is_ready
+
     def take(self) -> Any:
         """Return the data of the waitable, in a tuple, if it is ready."""
-        if self._queue is None:
+        if self._queue is None or not self.has_next():
             return None
-        self._wait_set.update()
+        self._is_ready = False
         try:
-            if not self.waitable.is_ready(self._wait_set):
-                return None
             taken = (self.waitable.take_data(),)
         finally:
-            # The waitable may wait for other items from now on, so it is asked after each check.
-            self._rebuild_wait_set()
+            self._rebuild_wait_set()  # as in `has_next`
         if self._queue is not None:
             self._queue.post(self._token)  # there may be more
         return taken

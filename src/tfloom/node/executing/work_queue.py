@@ -23,10 +23,10 @@ if TYPE_CHECKING:
     from tfloom.node.executing.callback_groups import CallbackGroup
     from tfloom.node.executing.entity import Entity
 
-__all__ = ["Work", "WorkQueue"]
+__all__ = ["GROUPS_FREED_ON_COMPLETION", "Work", "WorkQueue", "member_of"]
 
 T = TypeVar("T")
-_GROUPS_FREED_ON_COMPLETION = (MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup)
+GROUPS_FREED_ON_COMPLETION = (MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup)
 """Built-in groups, which admit new work only when a callback completes."""
 
 MAX_BATCH_SIZE = 1000
@@ -77,6 +77,8 @@ class WorkQueue:
         """Number of tokens in `_ready` that belong to the present pass."""
         self._has_response = False
         """Set when a response to a client was taken, and cleared by whatever waits for one."""
+        self._answered: Entity | None = None
+        """The client of the last response that was taken."""
         self._timers = TimerSchedule()
         """The deadlines of timed entities."""
 
@@ -154,17 +156,24 @@ class WorkQueue:
 
     def can_execute(self, entity: Entity) -> bool:
         """Return whether the group of an entity admits its callback."""
-        group = entity.callback_group if entity.goes_by_group else None
-        return group is None or group.can_execute(entity)
+        group = None if self._goes_at_once(entity) else entity.callback_group
+        return group is None or group.can_execute(member_of(group, entity))
+
+    @staticmethod
+    def _goes_at_once(entity: Entity) -> bool:
+        """Return whether an entity is run without its group: responses, but not where the program has its own rule."""
+        return not entity.goes_by_group and (
+            entity.callback_group is None or type(entity.callback_group) in GROUPS_FREED_ON_COMPLETION
+        )
 
     def _has_room(self) -> bool:
         """Return whether one more callback may run."""
         return True
 
-    def _work_of_this_pass(self) -> Work | None:
+    def _work_of_this_pass(self, begin: Callable[[int], Work | None]) -> Work | None:
         while self._pass_left:
             self._pass_left -= 1
-            work = self._begin(self._ready.popleft())
+            work = begin(self._ready.popleft())
             if work is not None:
                 return work
         return None
@@ -185,7 +194,7 @@ class WorkQueue:
             if entity is None:  # the token of a task, or of an entity removed since, which `_begin` ignores
                 if token != WAKE:
                     self._ready.append(token)
-            elif not entity.goes_by_group:
+            elif not entity.goes_by_group and self._goes_at_once(entity):
                 responses.append(token)
             elif entity.is_timed and not entity.is_polled and (due_ns := entity.deadline_ns()) is not None:
                 # A timer posts when its deadline has changed, not when it is due. Timers run in the order of their
@@ -234,7 +243,7 @@ class WorkQueue:
             taken = entity.take()
             if taken is None:
                 return
-            self._has_response = True
+            self._has_response, self._answered = True, entity
             try:
                 entity.run(taken)
             except BaseException:  # of a callback for feedback, which is run before the result
@@ -255,7 +264,7 @@ class WorkQueue:
         if entity is None:
             task = self._tasks.get(token)
             return None if task is None else Work(None, task)
-        if not entity.goes_by_group:
+        if not entity.goes_by_group and self._goes_at_once(entity):
             self._take_responses(token)
             return None
         taken = self._take(entity, token)
@@ -264,19 +273,15 @@ class WorkQueue:
     def _take(self, entity: Entity, token: int) -> Any:
         """Begin a callback in its group and return the work; None if it must not run yet, or there is no item."""
         group = entity.callback_group
-        if group is not None and type(group) not in _GROUPS_FREED_ON_COMPLETION:
+        if group is not None and type(group) not in GROUPS_FREED_ON_COMPLETION:
             return self._take_with_consent(group, entity, token)
         # The group is occupied before the item is taken, because an item that was taken can't go back to its reader.
         if group is not None and not group.beginning_execution(entity):
-            group.park(entity, lambda: self._queue.post(token))
-            # The callback that occupied the group may have completed on another thread between the refusal and `park`,
-            # and have released the parked entities too early for this one. Nothing else would post it again.
-            if group.can_execute(entity):
-                group.release_parked()
+            self._park(group, entity, token)
             return None
         taken = None
         try:
-            taken = entity.take()
+            taken = entity.take_next()
         finally:
             # There was no item; or `take` has raised, as a program's Waitable may. No callback runs that would end it.
             if taken is None:
@@ -284,23 +289,31 @@ class WorkQueue:
         self._reschedule(entity, token, taken)
         return taken
 
+    def _park(self, group: CallbackGroup, entity: Entity, token: int) -> None:
+        """Post an entity again when a callback of its group completes."""
+        group.park(entity, lambda: self._queue.post(token))
+        # The callback that occupied the group may have completed on another thread between the refusal and `park`, and
+        # have released the parked entities too early for this one. Nothing else would post it again.
+        if group.can_execute(entity):
+            group.release_parked()
+
     def _take_with_consent(self, group: CallbackGroup, entity: Entity, token: int) -> Any:
         """As `_take`, for a group of the program's own class: begin a callback only if there is an item.
 
         A refused entity is tried again each time the executor wakes, because the group may admit it at any time.
         """
         # Ask before an item is taken: until then it waits in its reader, where the history depth limits the number.
-        if not group.can_execute(entity):
+        if not group.can_execute(entity.member):
             self._unadmitted.append(token)
             return None
         # An item that the group refused earlier is older than those in the reader.
-        taken, entity.refused_item = entity.refused_item, None
-        if taken is None:
-            taken = entity.take()
+        was_refused = entity.refused_item is not None
+        taken = entity.take_next()
+        if not was_refused:
             self._reschedule(entity, token, taken)
         # The answer may differ from that of `can_execute`. The item then stays at the entity, and not here, because the
         # program may add the node to another executor before the group admits it.
-        if taken is not None and not group.beginning_execution(entity):
+        if taken is not None and not group.beginning_execution(entity.member):
             entity.refused_item = taken
             self._unadmitted.append(token)
             return None
@@ -315,5 +328,10 @@ class WorkQueue:
     def _end(self, entity: Entity) -> None:
         group = entity.callback_group
         if group is not None:
-            group.ending_execution(entity)
+            group.ending_execution(member_of(group, entity))
             group.release_parked()
+
+
+def member_of(group: CallbackGroup, entity: Entity) -> Any:
+    """Return what a group is asked about: the program's object, where the class of the group is the program's own."""
+    return entity if type(group) in GROUPS_FREED_ON_COMPLETION else entity.member
