@@ -10,12 +10,13 @@ from __future__ import annotations
 import re
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import Any, TextIO
 
 __all__ = [
     "TerminalOutput",
     "is_terminal",
+    "report",
     "shown",
     "shown_in_colors",
     "shown_name",
@@ -52,6 +53,13 @@ def shown_in_colors(line: str) -> str:
 def shown_name(name: str) -> str:
     """Return a name, which is on one line: as `shown`, but tabs and line feeds are escape sequences, too."""
     return shown(name).replace("\n", "\\x0a").replace("\t", "\\x09")
+
+
+def report(text: str) -> None:
+    """Print a text on stderr. Where that can't be written, as on a full disk, it is lost, and all else goes on."""
+    if sys.stderr is not None:
+        with suppress(OSError, ValueError):
+            print(text, file=sys.stderr)
 
 
 def is_terminal(stream: object) -> bool:

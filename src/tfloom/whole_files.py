@@ -53,10 +53,12 @@ class Replacement:
 
     def __init__(self, path: str | os.PathLike[str]) -> None:
         self._path = Path(path)
-        self._target = self._path.resolve()
         self._mode: int | None = None
         try:
+            self._target = self._path.resolve()
             self._temporary = self._make()
+        except RuntimeError:  # of `resolve`, up to Python 3.12
+            raise OSError(errno.ELOOP, os.strerror(errno.ELOOP), os.fspath(path)) from None
         except OSError as error:
             _name(error, path)
             raise
@@ -100,9 +102,10 @@ class Replacement:
         self._temporary.replace(self._target)
 
     def discard(self) -> None:
-        """Remove the new file, unless it was committed or written directly."""
+        """Remove the new file, unless it was committed or written directly; leave it where that can't be done."""
         if self._temporary is not None:
-            self._temporary.unlink(missing_ok=True)
+            with suppress(OSError):  # the caller has an error to tell that says more
+                self._temporary.unlink()
 
 
 def _name(error: OSError, path: str | os.PathLike[str]) -> None:

@@ -127,13 +127,36 @@ def test_a_full_disk_is_said_once_and_not_by_tracebacks(
     assert capsys.readouterr().err == "[launch]: lines of stdout are lost: No space left on device\n"
 
 
-def test_a_log_folder_that_cannot_be_created_is_named(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+def test_a_log_folder_that_cannot_be_created_is_named_once_and_the_launch_goes_on(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (tmp_path / "file").write_text("")
     monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path / "file" / "log"))
+    launch_logging.log_launch_config(logger=get_logger("launch"))
+    get_logger("launch.user").warning("on the screen")
+    output, _ = get_output_loggers("talker", "both")
+    output.info("on the screen, too")
+    printed = capsys.readouterr()
+    assert printed.out.splitlines()[1:] == ["[WARNING] [launch.user]: on the screen", "on the screen, too"]
+    assert "lines of launch.log are lost" in printed.err
+    assert "set ROS_LOG_DIR" in printed.err
+    assert len(printed.err.splitlines()) == 1
     with pytest.raises(OSError, match="set ROS_LOG_DIR"):
+        print(launch_config.log_dir)
+
+
+def test_a_new_launch_tells_of_its_own_log_folder(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "file").write_text("")
+    for _ in range(2):
+        monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path / "file" / "log"))
         get_logger("launch.user").warning("nowhere")
+        launch_logging.reset()
+    assert capsys.readouterr().err.count("are lost") == 2
+    monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path / "log"))
+    get_logger("launch.user").warning("somewhere")
+    assert "somewhere" in Path(launch_config.get_log_file_path()).read_text("utf-8")
 
 
 @pytest.mark.parametrize("variable", ["OVERRIDE_LAUNCH_SCREEN_FORMAT", "OVERRIDE_LAUNCH_LOG_FORMAT"])

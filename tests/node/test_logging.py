@@ -260,6 +260,67 @@ def test_unusable_log_directory_is_reported_once(
     assert [line.startswith("tfloom: no log file in ") for line in lines(capsys)] == [False, True, False]
 
 
+TELLS_IN_VAIN = """
+import os
+import rclpy
+from rclpy.action import ActionClient, ActionServer
+from rclpy.executors import MultiThreadedExecutor
+from rclpy.node import Node
+from turtlesim.action import RotateAbsolute
+
+def fail(*_):
+    raise ValueError("in vain")
+
+rclpy.init()
+node = Node("full")
+node.context.on_shutdown(fail)
+node.context.on_shutdown(lambda: print("every hook"))
+executor = MultiThreadedExecutor()
+executor.add_node(node)
+node.get_logger().error("in vain")
+future = rclpy.Future()
+future.add_done_callback(fail)
+future.add_done_callback(lambda _: print("every done callback"))
+future.set_result(None)
+server = ActionServer(node, RotateAbsolute, "count", fail)
+client = ActionClient(node, RotateAbsolute, "count")
+goal = client.send_goal_async(RotateAbsolute.Goal())
+executor.spin_until_future_complete(goal, 30)
+result = goal.result().get_result_async()
+executor.spin_until_future_complete(result, 30)
+print("status", result.result().status)
+unfetched = rclpy.Future()
+unfetched.set_exception(ValueError("in vain"))
+del unfetched
+executor.shutdown()
+node.destroy_node()
+rclpy.shutdown()
+print("the end")
+"""
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs a device without room")
+def test_a_program_goes_on_where_stderr_takes_nothing(tmp_path: Path) -> None:
+    """As where it is a file on a full disk, which holds the log files, too."""
+    with Path("/dev/full").open("w") as full:
+        environment = {
+            **os.environ,
+            "ROS_LOG_DIR": str(tmp_path / "file" / "log"),
+            "RMW_IMPLEMENTATION": "tfloom_local",
+        }
+        (tmp_path / "file").touch()
+        done = subprocess.run(
+            [sys.executable, "-c", TELLS_IN_VAIN],
+            env=environment,
+            stdout=subprocess.PIPE,
+            stderr=full,
+            text=True,
+            timeout=60,
+            check=False,
+        )
+    assert done.stdout.splitlines() == ["every done callback", "status 6", "every hook", "the end"]
+
+
 def test_many_threads_write_one_log_file(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path))
     opened: list[object] = []

@@ -14,9 +14,17 @@ from typing import TYPE_CHECKING, Any
 
 from tfloom.launch.background_writing import SCREEN, background_writing
 from tfloom.launch.terminal_colors import colors_of
-from tfloom.terminal_text import is_terminal, shown, shown_in_colors, unescaped
+from tfloom.terminal_text import is_terminal, report, shown, shown_in_colors, unescaped
 
-__all__ = ["BraceFormatter", "FileHandler", "StdoutHandler", "around_field", "is_behind", "log_lines"]
+__all__ = [
+    "BraceFormatter",
+    "FileHandler",
+    "StdoutHandler",
+    "around_field",
+    "close_handler",
+    "is_behind",
+    "log_lines",
+]
 
 
 def around_field(text: str, name: str, values: Mapping[str, Any]) -> tuple[str, str] | None:
@@ -214,7 +222,7 @@ def _descriptor(stream: Any) -> int | None:
 
 
 _failed_handlers: weakref.WeakSet[logging.Handler] = weakref.WeakSet()
-"""Handlers whose files could not be written: the next line says no more."""
+"""Handlers whose files could not be written: the next line says no more. Two of them may have the same file."""
 
 
 def _is_file_error(handler: logging.Handler, name: str) -> bool:
@@ -223,11 +231,21 @@ def _is_file_error(handler: logging.Handler, name: str) -> bool:
     if not isinstance(error, OSError):
         return False
     # After `| head -1` nobody reads stdout any more, and the log files have every line.
-    if not isinstance(error, BrokenPipeError) and handler not in _failed_handlers and sys.stderr is not None:
+    is_told = any(
+        other is handler or getattr(other, "baseFilename", None) == name for other in _failed_handlers
+    )
+    if not isinstance(error, BrokenPipeError) and not is_told:
         _failed_handlers.add(handler)
-        with contextlib.suppress(OSError):
-            sys.stderr.write(f"[launch]: lines of {name} are lost: {error.strerror}\n")
+        report(f"[launch]: lines of {name} are lost: {error.strerror}")
     return True
+
+
+def close_handler(handler: logging.Handler, name: str) -> None:
+    """Close the handler of a file; print one line on stderr, once, if what it has left can't be written."""
+    try:
+        handler.close()
+    except OSError:
+        _is_file_error(handler, getattr(handler, "baseFilename", name))
 
 
 def log_lines(logger: logging.Logger, lines: Sequence[str]) -> None:

@@ -7,11 +7,13 @@ import os
 import sys
 import time
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from datetime import datetime
 from pathlib import Path
 from typing import Any, Union
 
-from tfloom.launch.log_handlers import BraceFormatter, FileHandler, StdoutHandler
+from tfloom.launch.log_handlers import BraceFormatter, FileHandler, StdoutHandler, close_handler
+from tfloom.terminal_text import report
 
 __all__ = [
     "LaunchConfig",
@@ -113,6 +115,7 @@ class LaunchConfig:
     def reset(self) -> None:
         """Return to what the environment variables say, with a new log folder."""
         self._log_dir: str | None = None
+        self._is_loss_told = False
         self._file_handlers: dict[str, logging.Handler] = {}
         self._screen: dict[str, logging.Handler] = {}
         self.level = logging.INFO
@@ -204,10 +207,14 @@ class LaunchConfig:
         return self._screen[name]
 
     def get_log_file_handler(self, file_name: str = "launch.log", *, lines: bool = False) -> logging.Handler:
-        """Return the handler that writes to a file in the log folder."""
+        """Return the handler that writes to a file in the log folder; one that writes nothing where that can't be."""
         key = f"{file_name}{'/lines' if lines else ''}"
         if key not in self._file_handlers:
-            handler = self._make_file_handler(self.get_log_file_path(file_name))
+            try:
+                handler = self._make_file_handler(self.get_log_file_path(file_name))
+            except OSError as error:  # the launch goes on without it
+                self.tell_loss(file_name, error)
+                handler = logging.NullHandler()
             if file_name != "launch.log":
                 handler.setFormatter(BraceFormatter(LINE_FORMAT))
             else:
@@ -216,6 +223,12 @@ class LaunchConfig:
                 )
             self._file_handlers[key] = handler
         return self._file_handlers[key]
+
+    def tell_loss(self, file_name: str, error: OSError) -> None:
+        """Print, once, that a log file can't be created."""
+        if not self._is_loss_told:
+            self._is_loss_told = True
+            report(f"[launch]: lines of {file_name} are lost: {error}")
 
     def _make_file_handler(self, path: str) -> logging.Handler:
         import inspect  # which a command that logs nothing does not need
@@ -240,8 +253,8 @@ class LaunchConfig:
 
     def close(self) -> None:
         """Close the log files, and remove the handlers of all loggers."""
-        for handler in self._file_handlers.values():
-            handler.close()
+        for name, handler in self._file_handlers.items():
+            close_handler(handler, name)
         for logger in self._loggers:
             logger.handlers.clear()
 
@@ -298,7 +311,10 @@ def get_output_loggers(
 def log_launch_config(*, logger: logging.Logger) -> None:
     """Log where the log files are, and the level."""
     if launch_config.level <= logging.INFO:
-        logger.info("All log files can be found below %s", launch_config.log_dir)
+        try:
+            logger.info("All log files can be found below %s", launch_config.log_dir)
+        except OSError as error:
+            launch_config.tell_loss("launch.log", error)
         logger.info("Default logging verbosity is set to %s", logging.getLevelName(launch_config.level))
 
 
@@ -405,6 +421,7 @@ def _renew_latest_log_dir(*, log_dir: str) -> bool:
     try:
         new_link.replace(link)
     except OSError:
-        new_link.unlink(missing_ok=True)
+        with suppress(OSError):
+            new_link.unlink()
         return False
     return True

@@ -8,6 +8,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 from tfloom.rmw.errors import ConfigurationError, NoBackendError
+from tfloom.terminal_text import report
 
 if TYPE_CHECKING:
     from tfloom.rmw.base import Participant
@@ -77,7 +78,7 @@ def implementation_identifier() -> str:
             if (why := _untranslated())
             else ("topics and services pass between the two")
         )
-        print(f"tfloom: {asked} isn't available, so {name} is used: {passing}", file=sys.stderr)
+        report(f"tfloom: {asked} isn't available, so {name} is used: {passing}")
     return name
 
 
@@ -87,10 +88,7 @@ def _default() -> str:
         return DEFAULT
     if DEFAULT not in _reported_replacements:
         _reported_replacements.add(DEFAULT)
-        print(
-            f"tfloom: there is no DDS library, so {WITHOUT_DDS} is used, because Zenoh is installed",
-            file=sys.stderr,
-        )
+        report(f"tfloom: there is no DDS library, so {WITHOUT_DDS} is used, because Zenoh is installed")
     return WITHOUT_DDS
 
 

@@ -15,6 +15,7 @@ from importlib.machinery import PathFinder
 from typing import NamedTuple
 
 from tfloom.rmw.errors import ForkedError, NoBackendError
+from tfloom.terminal_text import report
 
 __all__ = ["VARIABLE", "Library", "candidates", "find_library", "open_copy", "open_library"]
 
@@ -105,7 +106,7 @@ def open_library() -> Library:
             else:
                 if is_new:
                     for text in passed_over:
-                        print(f"tfloom: {text}; {library.path} is used", file=sys.stderr)
+                        report(f"tfloom: {text}; {library.path} is used")
                 return library
         passed_over.append(f"the DDS library of {origin} can't be used: {_failures[path]}")
     raise NoBackendError(f"{'; '.join(passed_over) or 'there is no DDS'}: {_how_to_install()}")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import threading
 import time
-import traceback
 from collections.abc import Callable, Coroutine
 from contextlib import suppress
 from enum import Enum
@@ -22,6 +21,7 @@ from tfloom.node.executing.entity import make_parts
 from tfloom.node.executing.executors import await_or_execute
 from tfloom.node.executing.waitable import NumberOfEntities
 from tfloom.node.qos.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
+from tfloom.node.values.callback_errors import print_error
 from tfloom.node.values.callbacks import not_callable
 from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.exceptions import InvalidHandle, RCLError
@@ -276,7 +276,7 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
             if self._node.context.is_caused_by_signal(error):
                 raise
             self._node.get_logger().error(f"Error raised in execute callback: {error}")
-            traceback.print_exc()
+            print_error(error)
             result = None
         # The callback has raised, or returned without an end of the goal. The client waits for its result in any case.
         if handle.is_active:
@@ -471,7 +471,7 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
 
 async def _raise_all(errors: list[Exception]) -> None:
     for error in errors[1:]:
-        traceback.print_exception(error)
+        print_error(error)
     raise errors[0]
 
 

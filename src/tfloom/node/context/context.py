@@ -20,6 +20,7 @@ from tfloom.node.context.postponed_interrupt import postponed
 from tfloom.node.context.topic_types import TopicTypes
 from tfloom.node.log import log_output
 from tfloom.node.log.log_file import LogFile
+from tfloom.node.values.callback_errors import print_error
 from tfloom.node.values.exceptions import (
     ExternalShutdownException,
     ForkedProcessError,
@@ -443,10 +444,8 @@ def _set_up_logging(arguments: Arguments) -> None:
 def _call_hook(hook: Callable[[], Any]) -> None:
     try:
         hook()
-    except Exception:  # noqa: BLE001  # the other hooks must run too
-        import traceback
-
-        traceback.print_exc()
+    except Exception as error:  # noqa: BLE001  # the other hooks must run too
+        print_error(error)
 
 
 def live_contexts() -> list[Context]:

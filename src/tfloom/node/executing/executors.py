@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 import threading
 import time
 import warnings
@@ -25,6 +24,7 @@ from tfloom.node.executing.executor_exceptions import (
 from tfloom.node.executing.signals import defer_keyboard_interrupt_in, shutdown_exception
 from tfloom.node.executing.task import Future
 from tfloom.node.executing.work_queue import Work
+from tfloom.node.values.callback_errors import print_error
 from tfloom.node.values.exceptions import ExternalShutdownException
 
 if TYPE_CHECKING:
@@ -332,10 +332,7 @@ class MultiThreadedExecutor(Executor):
             if not isinstance(
                 error, (ExternalShutdownException, KeyboardInterrupt)
             ):  # which a spin has raised once
-                print("An exception was raised in a callback, and no spin has raised it:", file=sys.stderr)
-                import traceback  # not above, because from Python 3.14 on it loads dataclasses and inspect
-
-                traceback.print_exception(error)
+                print_error(error, "An exception was raised in a callback, and no spin has raised it:")
         return True
 
 

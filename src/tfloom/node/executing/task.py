@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 import threading
 import weakref
 from collections.abc import Callable, Coroutine, Generator, Iterable, Mapping
@@ -11,8 +10,9 @@ from typing import Any, Generic, Protocol, TypeVar, cast
 
 from tfloom.given_text import given_text
 from tfloom.node.executing.asyncio_wait import is_driven_by_asyncio, step, wait_in_asyncio
-from tfloom.node.values.callback_errors import call_all
+from tfloom.node.values.callback_errors import call_all, print_error
 from tfloom.ros_guard import ros_repr
+from tfloom.terminal_text import report
 
 __all__ = ["Future", "Task", "TaskRunner", "future_error"]
 
@@ -62,7 +62,7 @@ class Future(Generic[T]):
 
     def __del__(self) -> None:
         if self._exception is not None and not self._exception_fetched:
-            print(f"The following exception was never retrieved: {self._exception}", file=sys.stderr)
+            report(f"The following exception was never retrieved: {self._exception}")
 
     def __await__(self) -> Generator[Any, None, T]:
         if not self._done:
@@ -177,11 +177,8 @@ class Future(Generic[T]):
             return
         try:
             callback(self)
-        except Exception:  # noqa: BLE001  # the next callback must run, and the completing thread must continue
-            print("An exception was raised in a done callback of a future:", file=sys.stderr)
-            import traceback
-
-            traceback.print_exc()
+        except Exception as error:  # noqa: BLE001  # the next callback must run, and the completing thread must continue
+            print_error(error, "An exception was raised in a done callback of a future:")
 
 
 class Task(Future[T]):

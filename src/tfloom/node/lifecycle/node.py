@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import traceback
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
@@ -29,6 +28,7 @@ from tfloom.node.lifecycle.state_machine import (
     Step,
 )
 from tfloom.node.node import Node
+from tfloom.node.values.callback_errors import print_error
 from tfloom.node.values.exceptions import RCLError
 
 if TYPE_CHECKING:
@@ -176,7 +176,7 @@ class LifecycleNodeMixin(ManagedEntity):
         except Exception as error:  # noqa: BLE001  # on_error follows
             state = self._state_machine.state.label
             self.__node.get_logger().error(f"Error raised while {state}: {error}")
-            traceback.print_exc()
+            print_error(error)
             return TransitionCallbackReturn.ERROR
 
     def __enter_state(self, step: Step) -> None:

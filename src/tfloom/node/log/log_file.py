@@ -8,6 +8,8 @@ import threading
 import time
 from typing import TYPE_CHECKING, TextIO
 
+from tfloom.terminal_text import report
+
 if TYPE_CHECKING:
     from pathlib import Path
 
@@ -20,7 +22,8 @@ __all__ = ["LogFile", "log_directory"]
 class LogFile:
     """A file of log lines, opened with the first of them.
 
-    If it can't be opened, one line on the console reports that, and nothing is written.
+    If it can't be opened or written, as on a full disk, one line on the console reports that, and nothing more is
+    written.
 
     Args:
         name: Part of the file's name before the process id; None: the program's name.
@@ -30,22 +33,32 @@ class LogFile:
         self._name = name
         self._file: TextIO | None = None
         self._closed = False
+        self._has_failed = False
         self._lock = threading.RLock()
 
     def write(self, line: str) -> None:
         """Write a line, from any thread; do nothing after `close`."""
-        with self._lock:
-            if self._closed:
-                return
-            try:
+        try:
+            with self._lock:
+                if self._closed:
+                    return
                 if self._file is None:
                     self._file = self._open()
                 self._file.write(f"{line}\n")
                 self._file.flush()
-            except (OSError, ValueError) as error:
-                self.close()
-                if sys.stderr is not None:
-                    print(f"tfloom: no log file in {_directory()}: {error}", file=sys.stderr)
+        except (OSError, ValueError) as error:
+            file = self._file
+            self._fail(
+                f"the log file {file.name} ends here" if file else f"no log file in {_directory()}", error
+            )
+            self.close()
+
+    def _fail(self, fault: str, error: Exception) -> None:
+        """Report, once, why the file lacks lines."""
+        with self._lock:
+            was_failed, self._has_failed = self._has_failed, True
+        if not was_failed:
+            report(f"tfloom: {fault}: {error}")
 
     def _open(self) -> TextIO:
         import atexit
@@ -69,7 +82,10 @@ class LogFile:
             import atexit
 
             atexit.unregister(self.close)
-            file.close()
+            try:
+                file.close()
+            except OSError as error:
+                self._fail(f"the log file {file.name} may lack lines", error)
 
 
 def log_directory() -> Path:

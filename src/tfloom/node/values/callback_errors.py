@@ -5,8 +5,11 @@ from __future__ import annotations
 import sys
 import threading
 from collections.abc import Callable, Iterable
+from contextlib import suppress
 
-__all__ = ["call_all", "report_exception"]
+from tfloom.terminal_text import report
+
+__all__ = ["call_all", "print_error", "report_exception"]
 
 
 def call_all(calls: Iterable[Callable[[], object]]) -> None:
@@ -23,11 +26,17 @@ def call_all(calls: Iterable[Callable[[], object]]) -> None:
             if first is None:
                 first = error
             else:
-                import traceback
-
-                traceback.print_exception(error)
+                print_error(error)
     if first is not None:
         raise first
+
+
+def print_error(error: BaseException, title: str = "") -> None:
+    """Print the traceback of an error on stderr, below a title; do nothing where that can't be written."""
+    import traceback  # not above, because from Python 3.14 on it loads dataclasses and inspect
+
+    lines = "".join(traceback.format_exception(error)).removesuffix("\n")
+    report(f"{title}\n{lines}" if title else lines)
 
 
 def report_exception() -> None:
@@ -35,4 +44,5 @@ def report_exception() -> None:
 
     For callbacks that a thread of the library runs: no caller of the program's would get the exception.
     """
-    threading.excepthook(threading.ExceptHookArgs((*sys.exc_info(), threading.current_thread())))
+    with suppress(OSError):  # where stderr can't be written
+        threading.excepthook(threading.ExceptHookArgs((*sys.exc_info(), threading.current_thread())))
