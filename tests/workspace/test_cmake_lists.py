@@ -189,6 +189,46 @@ def test_conditions_are_followed(condition: str, expected: bool, tmp_path: Path)
     assert plan.unknown == []
 
 
+@pytest.mark.parametrize(
+    ("system", "machine", "true", "false"),
+    [
+        ("Linux", "aarch64", ("UNIX", "LINUX", "CMAKE_HOST_LINUX"), ("APPLE", "WIN32", "CMAKE_HOST_APPLE")),
+        ("Darwin", "arm64", ("UNIX", "APPLE", "CMAKE_HOST_APPLE"), ("LINUX", "WIN32")),
+        ("Windows", "AMD64", ("WIN32", "CMAKE_HOST_WIN32"), ("UNIX", "LINUX", "CMAKE_HOST_UNIX")),
+    ],
+)  # fmt: skip
+def test_variables_of_the_system_are_set(
+    system: str,
+    machine: str,
+    true: tuple[str, ...],
+    false: tuple[str, ...],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("platform.system", lambda: system)
+    monkeypatch.setattr("platform.machine", lambda: machine)
+    monkeypatch.setattr("platform.release", lambda: "6.1")
+    names = [
+        *("CMAKE_SYSTEM", "CMAKE_SYSTEM_NAME", "CMAKE_SYSTEM_PROCESSOR", "CMAKE_SYSTEM_VERSION"),
+        *("CMAKE_HOST_SYSTEM", "CMAKE_HOST_SYSTEM_NAME", "CMAKE_HOST_SYSTEM_PROCESSOR"),
+    ]
+    plan = plan_of(
+        tmp_path,
+        f"""
+        foreach(name {" ".join(names)})
+          find_package(${{name}}=${{${{name}}}})
+        endforeach()
+        foreach(name {" ".join(true + false)})
+          if(${{name}})
+            find_package(${{name}})
+          endif()
+        endforeach()
+        """,
+    )
+    values = [f"{system}-6.1", system, machine, "6.1", f"{system}-6.1", system, machine]
+    assert plan.found == [*(f"{name}={value}" for name, value in zip(names, values, strict=True)), *true]
+
+
 def test_branches_are_nested(tmp_path: Path) -> None:
     plan = plan_of(
         tmp_path,

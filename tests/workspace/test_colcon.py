@@ -112,8 +112,17 @@ def write_faulty_packages(source: Path) -> None:
         'project(ball_mixed)\nadd_library(x x.cpp)\nrosidl_generate_interfaces(ball_mixed "msg/One.msg")\n'
     )
     write_cmake_package(source / "ball_mixed", mixed, msg__One_DOT_msg="bool one\n")
-    bad = 'project(ball_bad)\nrosidl_generate_interfaces(ball_bad "msg/Bad.msg")\n'
-    write_cmake_package(source / "ball_bad", bad, "nav_to_mars", msg__Bad_DOT_msg="float64 x\nflot64 y\n")
+    bad = (
+        'project(ball_bad)\nrosidl_generate_interfaces(ball_bad "msg/Bad.msg")\n'
+        "install(DIRECTORY none DESTINATION share/ball_bad)\ninstall(DIRECTORY launch DESTINATION share/ball_bad)\n"
+    )
+    write_cmake_package(
+        source / "ball_bad",
+        bad,
+        "nav_to_mars",
+        msg__Bad_DOT_msg="float64 x\nflot64 y\n",
+        launch__ball_DOT_launch_DOT_xml="<launch/>",
+    )
     write_python_package(source / "ball_curly", SAY, setup=CURLY)
     write_manifest(source / "ball_xml", "ament_cmake")
     text = (source / "ball_xml" / "package.xml").read_text().replace("</description>", "")
@@ -165,6 +174,17 @@ def test_each_fault_is_a_sentence_with_its_place(built: Built) -> None:
     assert "\n    src/one/twin\n    src/two/twin\n" in built.output
     assert f"{source}/ball_description/CMakeLists.txt:6: mystery() isn't understood" in built.output
     assert "install(FILES …) puts stuck into lib/ball_description without the permission" in built.output
+
+
+def test_files_of_a_package_are_installed_though_a_part_of_it_fails(built: Built) -> None:
+    assert (
+        f"{built.folder}/src/ball_bad/CMakeLists.txt:3: install(DIRECTORY …): there is no folder none"
+        in built.output
+    )
+    share = built.folder / "install" / "ball_bad" / "share"
+    assert (share / "ball_bad" / "launch" / "ball.launch.xml").read_text() == "<launch/>"
+    assert (share / "ament_index" / "resource_index" / "packages" / "ball_bad").is_file()
+    assert not (share / "ball_bad" / "msg").exists()
 
 
 def test_compiled_package_is_left_out_and_its_users_are_warned(built: Built) -> None:

@@ -267,11 +267,24 @@ def test_each_mistake_is_named(source: Path, prefix: Path) -> None:
 
 
 @pytest.mark.parametrize(
+    "entry", ["srvs/Halt.srv", "interfaces/services/Halt.srv", "msg/Halt.srv", "Halt.srv"]
+)
+def test_suffix_decides_the_kind_of_a_definition(source: Path, prefix: Path, entry: str) -> None:
+    package(source, {entry: "---\n"})
+    installed = install(source, prefix, [*FILES, entry])
+    assert "my_interfaces/srv/Halt" in installed.names
+    assert (prefix / "share" / "my_interfaces" / "srv" / "Halt.srv").is_file()
+    done = run("from my_interfaces.srv import Halt; print(Halt.Request())", installed, prefix)
+    assert done.stdout == "my_interfaces.srv.Halt_Request()\n"
+
+
+@pytest.mark.parametrize(
     ("entry", "expected"),
     [
         ("msg/Spher.msg", "there is no file msg/Spher.msg; did you mean 'msg/Sphere.msg'?"),
-        ("Sphere.msg", "its folder must be msg, srv or action"),
-        ("msg/Sphere.srv", "a file in msg/ ends in .msg or .idl"),
+        ("msgs/Sphere.idl", "the folder of an .idl file must be msg, srv or action"),
+        ("msg/Sphere.txt", "a definition ends in .msg, .srv, .action or .idl"),
+        ("msgs/Spher.msg", "there is no file msgs/Spher.msg; did you mean 'msg/Sphere.msg'?"),
         ("msg/Pile.msg", "it defines the same interface as msg/Pile.idl"),
         (
             "/msg/Sphere.msg",

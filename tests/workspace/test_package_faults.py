@@ -28,6 +28,8 @@ LEFT, RIGHT = "\N{LEFT DOUBLE QUOTATION MARK}", "\N{RIGHT DOUBLE QUOTATION MARK}
         ("my_pkg", "p" * 200, None),
         ("Of a test.", "<p>Of a <em>test</em>.</p>", None),
         ("Of a test.", "<p/>", ": the tag <description> is missing: add <description>…</description>"),
+        ("<maintainer ", '<maintainer email="a@example.com"/><maintainer ', None),
+        ("<license>", "<license> </license><license>", None),
         ("my_pkg", " ", ": the tag <name> is missing: add <name>…</name>"),
         ("</package>", "", ":12:1: not XML: no element found: every tag that opens must close"),
     ],

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import platform
+import struct
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from fnmatch import fnmatchcase
@@ -109,7 +111,7 @@ class _Reader:
                 "CMAKE_INSTALL_DATAROOTDIR": "share",
                 "CMAKE_INSTALL_INCLUDEDIR": "include",
                 "PYTHON_INSTALL_DIR": PYTHON_FOLDER,
-                "UNIX": "1",
+                **_system_variables(),
                 "ROS_DISTRO": ROS_DISTRO,
                 "BUILD_TESTING": "ON" if testing else "OFF",
             }
@@ -485,6 +487,22 @@ class _Reader:
 
     def _error(self, command: Command, reason: str) -> CMakeSyntaxError:
         return CMakeSyntaxError(self._path, command.line, reason)
+
+
+def _system_variables() -> dict[str, str]:
+    """Return what `project()` sets about this system, which is also the one that the build runs on."""
+    name, processor = platform.system(), platform.machine()
+    kinds = {"Linux": ("UNIX", "LINUX"), "Darwin": ("UNIX", "APPLE"), "Windows": ("WIN32",)}.get(
+        name, ("UNIX",)
+    )
+    variables = {"SYSTEM": f"{name}-{platform.release()}", "SYSTEM_NAME": name, "SYSTEM_PROCESSOR": processor}
+    variables["SYSTEM_VERSION"] = platform.release()
+    return {
+        **dict.fromkeys(kinds, "1"),
+        **{f"CMAKE_{name}": value for name, value in variables.items()},
+        **{f"CMAKE_HOST_{name}": value for name, value in (variables | dict.fromkeys(kinds, "1")).items()},
+        "CMAKE_SIZEOF_VOID_P": str(struct.calcsize("P")),
+    }
 
 
 _PARTS: dict[str, Callable[[PurePosixPath], str]] = {

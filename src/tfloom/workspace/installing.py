@@ -6,6 +6,7 @@ import os
 import shutil
 import stat
 from collections.abc import Iterator
+from contextlib import contextmanager
 from fnmatch import fnmatchcase
 from pathlib import Path
 
@@ -48,6 +49,7 @@ class Installer:
         self._name = name
         self._prefix = prefix
         self._symlink = symlink
+        self._errors: list[str] = []
         self.warnings: list[str] = []
         """Sentences on what is installed, but does not work as it seems meant."""
         self.files: list[Path] = []
@@ -59,15 +61,17 @@ class Installer:
         """Install the files, Python packages and resources of a plan, and the package's own marker.
 
         Raises:
-            InstallError: a source is missing, or a destination is outside the prefix.
+            InstallError: a source is missing, or a destination is outside the prefix; everything else is installed.
             OSError: a file can't be read or written.
         """
         for python in plan.python_packages:
-            self._install_python(python)
+            with self._noted():
+                self._install_python(python)
         for command in plan.installs:
             # No compiler will read headers, and those of a build are not there.
             if not (plan.compiled and is_of_headers(command)):
-                self._install(command, plan)
+                with self._noted():
+                    self._install(command, plan)
         for resource in plan.resources:
             self._write_resource(resource.kind, resource.content)
         for hook in plan.hooks:
@@ -77,6 +81,16 @@ class Installer:
             reason = f"{self._where(remark.line)} has {remark.text}"
             self._write_resource(index.LEFT_OUT, "\n".join([reason, *dict.fromkeys(plan.programs)]) + "\n")
         self._mark()
+        if self._errors:
+            raise InstallError("\n".join(self._errors))
+
+    @contextmanager
+    def _noted(self) -> Iterator[None]:
+        """Note the error of a command instead of raising it, so that the others are carried out."""
+        try:
+            yield
+        except InstallError as error:
+            self._errors.append(str(error))
 
     def _mark(self) -> None:
         """Install package.xml and the package's marker in the ament index."""

@@ -9,6 +9,8 @@ from typing import NamedTuple
 
 from tfloom.rosidl.definition_files import IDL_SUFFIX, KINDS
 
+_SUFFIXES = (*(f".{kind}" for kind in KINDS), IDL_SUFFIX)
+
 
 class ListedFile(NamedTuple):
     """A definition: its file, and its place in an installed package."""
@@ -57,19 +59,25 @@ def _listed(source: Path, entry: str) -> ListedFile:
     if not colon or (len(folder) == 1 and folder.isalpha()):  # the letter of a drive: C:/folder
         folder, relative = "", entry
     place = PurePosixPath(relative.replace("\\", "/"))
-    return ListedFile(source / folder / relative, "/".join(place.parts[-2:]))
+    kind = place.suffix.removeprefix(".")
+    # The suffix decides, as in rosidl_adapter: slam_toolbox keeps its services in srvs/.
+    parts = (kind, place.name) if kind in KINDS else place.parts[-2:]
+    return ListedFile(source / folder / relative, "/".join(parts))
 
 
 def _mistakes(source: Path, entry: str, listed: ListedFile) -> Iterator[str]:
     kind, _, file = listed.place.partition("/")
-    suffix = PurePath(file).suffix
     if PurePath(entry).is_absolute() and ":" not in entry[2:]:
         yield "an absolute path is written 'folder:msg/Name.msg', because its last two parts are installed"
+    elif listed.path.suffix not in _SUFFIXES:
+        yield f"a definition ends in {', '.join(_SUFFIXES[:-1])} or {_SUFFIXES[-1]}"
     elif kind not in KINDS or not file:
-        yield f"its folder must be {', '.join(KINDS[:-1])} or {KINDS[-1]}"
-    elif suffix not in {f".{kind}", IDL_SUFFIX}:
-        yield f"a file in {kind}/ ends in .{kind} or {IDL_SUFFIX}"
+        yield f"the folder of an {IDL_SUFFIX} file must be {', '.join(KINDS[:-1])} or {KINDS[-1]}"
     elif not listed.path.is_file():
-        here = [f"{name}/{path.name}" for name in KINDS for path in sorted((source / name).glob("*.*"))]
-        near = difflib.get_close_matches(listed.place, here, 1, 0.6)
+        here = [
+            path.relative_to(source).as_posix()
+            for path in sorted(source.glob("*/*.*"))
+            if path.suffix in _SUFFIXES
+        ]
+        near = difflib.get_close_matches(entry, here, 1, 0.6)
         yield f"there is no file {listed.path}" + (f"; did you mean '{near[0]}'?" if near else "")

@@ -48,14 +48,18 @@ def find_manifest_fault(path: Path) -> str | None:
 
 def _find_tag_fault(root: ET.Element) -> str | None:
     for tag in ("name", "version", "description", "maintainer", "license"):
-        element = root.find(tag)
-        # The text may be in elements of XHTML: `<description><p>…</p></description>`.
-        if element is None or not "".join(element.itertext()).strip():
+        if not any(_says_something(element) for element in root.findall(tag)):
             return f"the tag <{tag}> is missing: add <{tag}>…</{tag}>"
     length = len((root.findtext("name") or "").strip())
     if length > MAX_NAME:
         return f"the name of the package is too long: it has {length} letters, but may have {MAX_NAME}"
     return None
+
+
+def _says_something(element: ET.Element) -> bool:
+    # A maintainer may have an address alone. The text of others may be in elements of XHTML:
+    # `<description><p>…</p></description>`.
+    return bool("".join(element.itertext()).strip() or element.get("email"))
 
 
 def _not_utf8(data: bytes) -> str | None:

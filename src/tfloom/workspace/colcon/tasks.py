@@ -24,6 +24,8 @@ from tfloom.workspace.installing import Installer, InstallError
 from tfloom.workspace.interface_package import install_interfaces
 from tfloom.workspace.leftovers import remove_former_files
 
+_FAULTS = (ParseError, LookupError, ValueError)
+"""What is raised about definitions that can't be built."""
 LEFT_OUT_KEY = "tfloom_left_out"
 """The key, in the metadata of a package's descriptor, of the reason for which it is left out."""
 
@@ -68,7 +70,7 @@ class BuildTask(Task):
         try:
             with _prefixes_on_path(self.context.dependencies.values()):
                 hooks += self._install()
-        except (CMakeSyntaxError, InstallError, ParseError, LookupError, ValueError) as error:
+        except (CMakeSyntaxError, InstallError, *_FAULTS) as error:
             self._say(str(error))
             return 1
         except OSError as error:
@@ -90,16 +92,26 @@ class BuildTask(Task):
         symlink = bool(args.symlink_install)
         plan = read_plan(source, prefix)
         self._remark(plan, source)
-        files: list[Path] = []
-        if plan.interfaces:
-            installed = install_interfaces(source, package.name, plan.interfaces, prefix, symlink=symlink)
-            for warning in installed.warnings:
-                self._say(warning)
-            files += installed.files
         installer = Installer(source, package.name, prefix, symlink=symlink)
-        installer.install(plan)
+        files: list[Path] = []
+        errors: list[Exception] = []
+        try:
+            if plan.interfaces:
+                installed = install_interfaces(source, package.name, plan.interfaces, prefix, symlink=symlink)
+                for warning in installed.warnings:
+                    self._say(warning)
+                files += installed.files
+        except _FAULTS as error:
+            # Launch files, settings and descriptions don't need the interfaces.
+            errors.append(error)
+        try:
+            installer.install(plan)
+        except InstallError as error:
+            errors.append(error)
         for warning in installer.warnings:
             self._say(warning)
+        if errors:
+            raise InstallError("\n".join(str(error) for error in errors))
         remove_former_files(Path(args.build_base), prefix, files + installer.files)
         return installer.hooks
 
