@@ -71,9 +71,10 @@ class IfCondition(Condition):
 
     def __init__(self, predicate_expression: SomeSubstitutionsType) -> None:
         self._predicate_expression = normalize_to_list_of_substitutions(predicate_expression)
-        super().__init__(predicate=self._is_true)
+        super().__init__(predicate=self._predicate_func)
 
-    def _is_true(self, context: LaunchContext) -> bool:
+    def _predicate_func(self, context: LaunchContext) -> bool:
+        # Launch files of rtabmap and others call it by this name.
         return evaluate_condition_expression(context, self._predicate_expression)
 
     def describe(self) -> str:
@@ -84,13 +85,8 @@ class IfCondition(Condition):
 class UnlessCondition(IfCondition):
     """A condition that holds if a text is `false` or `0`, and not if it is `true` or `1`, in any case."""
 
-    def evaluate(self, context: LaunchContext) -> bool:
-        """Return whether the text is false now.
-
-        Raises:
-            InvalidConditionExpressionError: it is neither true nor false.
-        """
-        return not super().evaluate(context)
+    def _predicate_func(self, context: LaunchContext) -> bool:
+        return not super()._predicate_func(context)
 
 
 class LaunchConfigurationEquals(Condition):
@@ -112,9 +108,9 @@ class LaunchConfigurationEquals(Condition):
         self._expected_value: list[Substitution] | None = None
         if expected_value is not None:
             self._expected_value = normalize_to_list_of_substitutions(expected_value)
-        super().__init__(predicate=self._is_equal)
+        super().__init__(predicate=self._predicate_func)
 
-    def _is_equal(self, context: LaunchContext) -> bool:
+    def _predicate_func(self, context: LaunchContext) -> bool:
         value = context.launch_configurations.get(self._name)
         if self._expected_value is None:
             return value is None
@@ -124,6 +120,5 @@ class LaunchConfigurationEquals(Condition):
 class LaunchConfigurationNotEquals(LaunchConfigurationEquals):
     """A condition that holds if a launch configuration does not have a value. Deprecated: use NotEqualsSubstitution."""
 
-    def evaluate(self, context: LaunchContext) -> bool:
-        """Return whether the configuration has another value now, or none."""
-        return not super().evaluate(context)
+    def _predicate_func(self, context: LaunchContext) -> bool:
+        return not super()._predicate_func(context)

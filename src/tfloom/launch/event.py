@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from tfloom.launch.utilities.private_names import HasPrivateNames
 from tfloom.ros_guard import ros_repr
 
 __all__ = ["Event"]
 
 
-class Event:
+class Event(HasPrivateNames):
     """Something that has happened, or is to be done, which event handlers handle in order."""
 
     name = "launch.Event"

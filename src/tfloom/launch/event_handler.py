@@ -8,12 +8,13 @@ from tfloom.launch.event import Event
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity, SomeEntitiesType
 from tfloom.launch.utilities.normalize_to_list_of_entities import normalize_to_list_of_entities
+from tfloom.launch.utilities.private_names import HasPrivateNames
 from tfloom.ros_guard import ros_repr
 
 __all__ = ["BaseEventHandler", "EventHandler"]
 
 
-class BaseEventHandler:
+class BaseEventHandler(HasPrivateNames):
     """Handles the events that a matcher accepts.
 
     Args:

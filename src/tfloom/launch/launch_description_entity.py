@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, Union
 
 from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.utilities.private_names import HasPrivateNames
 from tfloom.ros_guard import ros_repr
 
 if TYPE_CHECKING:
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
 __all__ = ["LaunchDescriptionEntity", "SomeEntitiesType", "SomeEntitiesType_types_tuple"]
 
 
-class LaunchDescriptionEntity:
+class LaunchDescriptionEntity(HasPrivateNames):
     """A node of the tree that the launch service visits."""
 
     def __repr__(self) -> str:

@@ -6,12 +6,13 @@ from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.logging import get_logger
 from tfloom.launch.substitution import SomeSubstitutionsType, Substitution, described
+from tfloom.launch.utilities.private_names import HasPrivateNames
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 
 __all__ = ["LaunchDescriptionSource"]
 
 
-class LaunchDescriptionSource:
+class LaunchDescriptionSource(HasPrivateNames):
     """Loads a launch description when it is needed.
 
     Args:

@@ -38,6 +38,7 @@ from tfloom.launch.processes.guard import guard_of
 from tfloom.launch.run_state import HandlesEvents
 from tfloom.launch.utilities.error_places import describe_failure
 from tfloom.launch.utilities.normalize_to_list_of_entities import normalize_to_list_of_entities
+from tfloom.launch.utilities.private_names import HasPrivateNames
 from tfloom.launch.utilities.signal_management import AsyncSafeSignalManager
 from tfloom.launch.utilities.visits import visit_all_entities
 from tfloom.ros_guard import ros_repr
@@ -51,7 +52,7 @@ CLOSE_S = 0.05
 """Time for the rest of the output of processes that were left behind [s]."""
 
 
-class LaunchService:
+class LaunchService(HasPrivateNames):
     """Launches descriptions.
 
     Args:

@@ -34,6 +34,9 @@ def test_text_is_true_or_false(text: str, value: bool, context: LaunchContext) -
     assert IfCondition(text).evaluate(context) is value
     assert IfCondition([LaunchConfiguration("x")]).evaluate(context) is value
     assert UnlessCondition(text).evaluate(context) is not value
+    # As launch files of others ask, rtabmap's among them.
+    assert IfCondition(text)._predicate_func(context) is value
+    assert UnlessCondition(text)._predicate_func(context) is not value
     assert evaluate_condition_expression(context, [TextSubstitution(text=text)]) is value
 
 

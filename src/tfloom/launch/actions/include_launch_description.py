@@ -63,12 +63,12 @@ class IncludeLaunchDescription(Action):
             ) is not None:
                 raise error
             launch_description_source = AnyLaunchDescriptionSource(launch_description_source)
-        self.__source = launch_description_source
+        self.__launch_description_source = launch_description_source
         if isinstance(launch_arguments, Mapping):
             raise TypeError(
                 "launch_arguments is a dictionary: give its items, `launch_arguments={...}.items()`"
             )
-        self.__arguments = tuple(launch_arguments or ())
+        self.__launch_arguments = tuple(launch_arguments or ())
 
     @classmethod
     def parse(
@@ -90,25 +90,25 @@ class IncludeLaunchDescription(Action):
     @property
     def launch_description_source(self) -> LaunchDescriptionSource:
         """The source of the description."""
-        return self.__source
+        return self.__launch_description_source
 
     @property
     def launch_arguments(self) -> tuple[Argument, ...]:
         """Name and value of each argument."""
-        return self.__arguments
+        return self.__launch_arguments
 
     def describe(self) -> str:
         """Return the class's name with the location of the description."""
-        return f"IncludeLaunchDescription({self.__source.location})"
+        return f"IncludeLaunchDescription({self.__launch_description_source.location})"
 
     def location_without_context(self) -> str | None:
         """Return the absolute path of the file, or None if it isn't known before the launch, or there is no file."""
-        location = self.__source.location_without_context()
+        location = self.__launch_description_source.location_without_context()
         return _absolute(location) if location is not None and Path(location).exists() else None
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
         """Return the description, if it can be loaded before the launch; else nothing."""
-        description = self.__source.try_get_launch_description_without_context()
+        description = self.__launch_description_source.try_get_launch_description_without_context()
         return [] if description is None else [description]
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity]:
@@ -120,8 +120,8 @@ class IncludeLaunchDescription(Action):
             Exception: the description can't be loaded.
         """
         before = context.get_locals_as_dict()
-        description = self.__source.get_launch_description(context)
-        location = self.__source.location
+        description = self.__launch_description_source.get_launch_description(context)
+        location = self.__launch_description_source.location
         path = _absolute(location)
         is_file = Path(path).exists()  # otherwise it is the name of a script's description
         if is_file:
@@ -136,14 +136,14 @@ class IncludeLaunchDescription(Action):
                     context.extend_locals({name: before[name]})
 
         return [
-            *(SetLaunchConfiguration(name, value) for name, value in self.__arguments),
+            *(SetLaunchConfiguration(name, value) for name, value in self.__launch_arguments),
             description,
             OpaqueFunction(function=return_to_this_file),
         ]
 
     def _check_arguments(self, context: LaunchContext, description: LaunchDescription) -> None:
         """Raise RuntimeError if an argument that is certainly used has no value; others may fail when they are used."""
-        given_names = [perform_some_substitutions(context, name) for name, _ in self.__arguments]
+        given_names = [perform_some_substitutions(context, name) for name, _ in self.__launch_arguments]
         declarations = description.get_launch_arguments_with_include_launch_description_actions()
         for argument, inclusions in declarations:
             is_optional = argument._conditionally_included  # noqa: SLF001  # launch's name
@@ -161,7 +161,7 @@ class IncludeLaunchDescription(Action):
         """Return the names of the arguments that need no context."""
         context = LaunchContext()
         names = []
-        for name, _ in self.__arguments:
+        for name, _ in self.__launch_arguments:
             with suppress(Exception):  # any that a substitution raises without a context
                 names.append(perform_some_substitutions(context, name))
         return names

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.substitution import SomeSubstitutionsType, Substitution
 from tfloom.launch.substitutions.variables import LaunchConfiguration
+from tfloom.launch.utilities.private_names import HasPrivateNames
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 
 if TYPE_CHECKING:
@@ -26,7 +27,7 @@ _process_numbers = itertools.count(1)
 """Numbers of processes, which are unique among all launches of a program: the names of processes have them."""
 
 
-class Executable:
+class Executable(HasPrivateNames):
     """A program to start.
 
     Args:

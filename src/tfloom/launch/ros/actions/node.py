@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 from tfloom.launch.action import Action
 from tfloom.launch.actions.execute_process import ExecuteProcess
@@ -59,6 +59,11 @@ class Node(ExecuteProcess):
         kwargs: As for ExecuteProcess.
     """
 
+    _other_names: ClassVar = {
+        "node_executable": "_executable",
+        "node_name": "_given_name",
+        "node_namespace": "_given_namespace",
+    }
     UNSPECIFIED_NODE_NAME = "<node_name_unspecified>"
     UNSPECIFIED_NODE_NAMESPACE = "<node_namespace_unspecified>"
 
@@ -95,6 +100,7 @@ class Node(ExecuteProcess):
             cmd += ["-r", LocalSubstitution("ros_specific_arguments['name']", description="node name")]
         super().__init__(cmd=cmd, name=exec_name, **kwargs)
         self._package = package
+        self._arguments = arguments
         self._executable = executable
         self._given_name = name
         self._given_namespace = namespace
