@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import codecs
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import IO, TYPE_CHECKING
@@ -10,8 +12,13 @@ from xml.parsers import expat
 if TYPE_CHECKING:
     from xml.etree import ElementTree as ET
 
-__all__ = ["guard_minidom", "make_parser", "read_tree"]
+__all__ = ["declared_encoding", "guard_minidom", "make_parser", "read_tree", "readable"]
 
+_ENCODING = re.compile(
+    rb"""(?:\xef\xbb\xbf)?\s*<\?xml\s[^>]*?encoding\s*=\s*["']([A-Za-z][A-Za-z0-9._-]*)["']"""
+)
+_MAX_DECLARATION = 1000
+"""Length of the first line in which an encoding is looked for."""
 MAX_TREE = 4_000_000
 """Length of the longest text of which a tree is made [characters or bytes]."""
 
@@ -29,6 +36,33 @@ def make_parser(refuse: Callable[[str], None], namespace_separator: str | None =
     parser.SkippedEntityHandler = lambda name, _: refuse(name)
     parser.specified_attributes = True  # a declared default may be long, for each element anew
     return parser
+
+
+def declared_encoding(data: bytes) -> str | None:
+    """Return the encoding that the first line of a file names, or None."""
+    match = _ENCODING.match(data[:_MAX_DECLARATION])
+    return match[1].decode() if match else None
+
+
+def readable(text: str | bytes) -> str | bytes:
+    """Return a text that expat can read: one whose encoding has characters of several bytes is decoded.
+
+    Raises:
+        UnicodeError: the text is not in the encoding that it names.
+    """
+    name = declared_encoding(text) if isinstance(text, bytes) else None
+    try:
+        if name is None or codecs.lookup(name).name in {"utf-8", "utf-16"} or _has_single_bytes(name):
+            return text
+    except LookupError:  # expat names it
+        return text
+    assert isinstance(text, bytes)  # noqa: S101  # a text names no encoding
+    # Of a text, expat ignores the encoding that it names.
+    return text.decode(name)
+
+
+def _has_single_bytes(encoding: str) -> bool:
+    return len(bytes(range(256)).decode(encoding, "replace")) == 256
 
 
 def read_tree(text: str | bytes) -> ET.Element:
@@ -59,7 +93,7 @@ def read_tree(text: str | bytes) -> ET.Element:
     parser.EndElementHandler = lambda tag: builder.end(_name(tag))
     parser.CharacterDataHandler = builder.data
     try:
-        parser.Parse(text, True)  # expat takes no keyword: this is all of the text
+        parser.Parse(readable(text), True)  # expat takes no keyword: this is all of the text
     except expat.ExpatError as error:
         raise error_at(error.lineno, error.offset, expat.ErrorString(error.code)) from None
     except (LookupError, UnicodeError) as error:  # an encoding that is not known; a lone surrogate
@@ -92,7 +126,7 @@ def guard_minidom() -> None:
     def parse_string(text: str | bytes, *_: object) -> minidom.Document:
         builder = Builder()
         builder.reset()
-        document: minidom.Document = builder.parseString(text)
+        document: minidom.Document = builder.parseString(readable(text))
         return document
 
     def parse(file: str | IO[str] | IO[bytes], *_: object) -> minidom.Document:

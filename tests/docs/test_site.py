@@ -36,6 +36,7 @@ PAGES = [*ROOMS, *sorted(CHOSEN)]
 PARTS = {"bag.metadata", "bag.reading.bag_file", "bag.writing.storage"}
 """Modules of which a page has some classes, which values of others have."""
 NO_ENTRY = {
+    "robot.remarks.Remarks": "collects the remarks while a text is read",
     "robot.urdf.UrdfError": "it is in robot.urdf_error",
     "tf2.arrays.Arrays": "its methods are Buffer's",
     "tf2.frames.Frames": "its methods are Buffer's",

@@ -333,7 +333,7 @@ def test_what_it_needs_to_start(
     for words, reason in [
         ([], "robot_description parameter must not be empty"),
         (["nothere.urdf"], "Failed to open URDF file: nothere.urdf: No such file or directory"),
-        ([str(tmp_path / "latin.urdf")], "can't decode byte 0xfc"),
+        ([str(tmp_path / "latin.urdf")], "latin.urdf, line 1: the octet 0xfc is not text in utf-8"),
         (
             ["--ros-args", "-p", "robot_description:=<robot"],
             "Unable to initialize urdf::model from robot description",

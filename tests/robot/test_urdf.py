@@ -162,13 +162,7 @@ REFUSED = [
     (robot(joint("j", "a", "b", "fixed", '<origin rpy="0 0 1_0"/>')), 3, "'1_0' is not a number"),
     (robot(joint("j", "a", "b", "fixed", '<origin rpy="0 nan 0"/>')), 3, "'nan' is not a number"),
     (robot(joint("j", "a", "b", "continuous", '<axis xyz="0 0 0"/>')), 3, "has no direction: it is zero"),
-    (robot(joint("j", "a", "b", "continuous", '<mimic joint="x"/>')), 3, "mimics 'x', which does not exist"),
     (robot(joint("j", "a", "b", "continuous", "<mimic/>")), 3, "<mimic> of the joint 'j' has no joint"),
-    (
-        robot(joint("j", "a", "b", "continuous", '<mimic joint="k"/>'), joint("k", "b", "c"), links="abc"),
-        3,
-        "mimics 'k', which is of type 'fixed'",
-    ),
     (
         robot(
             joint("j", "a", "b", "continuous", '<mimic joint="k"/>'),
@@ -179,7 +173,6 @@ REFUSED = [
         "the joints mimic each other in a loop: 'j' -> 'k' -> 'j'",
     ),
     ('<!DOCTYPE r [\n<!ENTITY e "e">]><robot name="&e;"/>', 2, "the entity 'e' is declared"),
-    ('<?xml version="1.0" encoding="klingon"?><robot/>', 1, "unknown encoding"),
     ('<robot name="r">\n<xacro:arm/></robot>', 2, "this is xacro, not URDF: expand it"),
     (
         robot(joint("j", "a", "b", "fixed", '<origin xyz="${x} 0 0"/>')),
@@ -191,7 +184,7 @@ REFUSED = [
 
 def fault_of(text: str) -> UrdfError | None:
     try:
-        parse_urdf(text if "klingon" not in text else text.encode())
+        parse_urdf(text)
     except UrdfError as error:
         return error
     return None

@@ -13,6 +13,7 @@ from tfloom.robot.urdf_error import UrdfError
 __all__ = ["main"]
 
 FAILED = 255
+_FAILURE = "ERROR: Model Parsing the xml failed"
 
 
 def main(args: list[str] | None = None) -> int:
@@ -30,7 +31,14 @@ def main(args: list[str] | None = None) -> int:
             if isinstance(error, OSError)
             else f"{path}:{error.line}: {error.reason}"
         )
-        print(f"Error:   {reason}\nERROR: Model Parsing the xml failed", file=sys.stderr)
+        print(f"Error:   {reason}\n{_FAILURE}", file=sys.stderr)
+        return FAILED
+    refused = [remark for remark in robot.remarks if remark.is_refused]
+    for remark in robot.remarks:
+        kind = "Error:  " if remark.is_refused else "Warning:"
+        print(f"{kind} {path}:{remark.line}: {remark.text}", file=sys.stderr)
+    if refused:
+        print(_FAILURE, file=sys.stderr)
         return FAILED
     print("\n".join(_lines(robot)))
     return 0

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from tfloom._native import Transform
+from tfloom.robot.remarks import Remark
 
 __all__ = ["MOVING", "Description", "Joint", "JointType", "Limit", "Mimic", "variables_of"]
 
@@ -81,6 +82,8 @@ class Description(NamedTuple):
     """In the order of the text."""
     joints: dict[str, Joint]
     """Its joints by name, in the order of the text."""
+    remarks: tuple[Remark, ...] = ()
+    """What is wrong with the text, though it can be read."""
 
 
 def variables_of(joint: Joint) -> list[str]:

@@ -201,6 +201,8 @@ class JointStatePublisher(Node):
         )
 
     def _use(self, robot: Description) -> None:
+        for remark in robot.remarks:
+            self.get_logger().warning(f"robot_description, {remark}")
         use_mimic = bool(self.get_parameter("use_mimic_tags").value)
         use_soft_limits = bool(self.get_parameter("use_smallest_joint_limits").value)
         dependences = dict(self._given)

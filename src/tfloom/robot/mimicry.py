@@ -9,7 +9,7 @@ from tfloom.robot.description import MOVING, Joint
 from tfloom.robot.joint_tree import ring_text
 from tfloom.robot.urdf_error import UrdfError
 
-__all__ = ["Dependence", "LoopError", "dependence_of", "followers", "resolve"]
+__all__ = ["Dependence", "LoopError", "dependence_of", "followers", "resolve", "unfit"]
 
 
 class Dependence(NamedTuple):
@@ -63,6 +63,14 @@ def resolve(dependences: Mapping[str, Dependence]) -> dict[str, Dependence]:
     return resolved
 
 
+def unfit(name: str, joints: Mapping[str, Joint]) -> str | None:
+    """Return why the joint of a name can't be followed, or None."""
+    source = joints.get(name)
+    if source is None:
+        return f"'{name}', which does not exist"
+    return None if source.type in MOVING else f"'{name}', which is of type '{source.type}'"
+
+
 def followers(joints: Mapping[str, Joint]) -> dict[str, Dependence]:
     """Return which joint each mimic joint follows in the end, by name: those that are followed come first.
 
@@ -73,12 +81,8 @@ def followers(joints: Mapping[str, Joint]) -> dict[str, Dependence]:
         name: dependence for name, joint in joints.items() if (dependence := dependence_of(joint)) is not None
     }
     for name, dependence in mimics.items():
-        source = joints.get(dependence.parent)
-        if source is None or source.type not in MOVING:
-            why = "does not exist" if source is None else f"is of type '{source.type}'"
-            raise UrdfError(
-                joints[name].line, f"the joint '{name}' mimics '{dependence.parent}', which {why}"
-            )
+        if why := unfit(dependence.parent, joints):
+            raise UrdfError(joints[name].line, f"the joint '{name}' mimics {why}")
     try:
         return resolve(mimics)
     except LoopError as error:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, TypeAlias
@@ -71,13 +72,18 @@ class RobotModel:
         Raises:
             UrdfError: it is not a valid description; the message has the line.
             OSError: the file can't be read.
-        """
-        if isinstance(urdf, (str, bytes)) and urdf.lstrip()[:1] in {"<", b"<", "\ufeff", b"\xef"}:
-            return cls(parse_urdf(urdf))
-        from pathlib import Path
 
-        path = Path(urdf.decode() if isinstance(urdf, bytes) else urdf)
-        return cls(parse_urdf(path.read_bytes()))
+        Warns:
+            UserWarning: it can be read, but is not as it should be.
+        """
+        if not isinstance(urdf, (str, bytes)) or urdf.lstrip()[:1] not in {"<", b"<", "\ufeff", b"\xef"}:
+            from pathlib import Path
+
+            urdf = Path(urdf.decode() if isinstance(urdf, bytes) else urdf).read_bytes()
+        description = parse_urdf(urdf)
+        for remark in description.remarks:
+            warnings.warn(str(remark), stacklevel=2)
+        return cls(description)
 
     def forward(self, positions: ArrayLike | Mapping[str, ArrayLike]) -> NDArray[np.float64]:
         """Return the pose of each link in the root link, root_from_link, at many positions.

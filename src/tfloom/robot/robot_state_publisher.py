@@ -30,6 +30,8 @@ from tfloom.node.qos.qos_overriding_options import QoSOverridingOptions
 from tfloom.node.values.exceptions import InvalidHandle, RCLError
 from tfloom.rmw.errors import ClosedError
 from tfloom.robot.description import Description
+from tfloom.robot.mended_xml import decoded
+from tfloom.robot.remarks import Remarks
 from tfloom.robot.robot_transforms import RobotTransforms
 from tfloom.robot.urdf import UrdfError, parse_urdf
 from tfloom.rosidl import cdr
@@ -111,11 +113,13 @@ class RobotStatePublisher(Node):
         if not files:
             self._stop("robot_description parameter must not be empty")
         self.get_logger().warning(BY_FILE)
+        remarks = Remarks()
         try:
-            text = Path(files[0]).read_text("utf-8")
-        except (OSError, ValueError) as error:
-            reason = error.strerror if isinstance(error, OSError) else str(error)
-            self._stop(f"Failed to open URDF file: {files[0]}: {reason}")
+            text = decoded(Path(files[0]).read_bytes(), remarks)
+        except OSError as error:
+            self._stop(f"Failed to open URDF file: {files[0]}: {error.strerror}")
+        for remark in remarks.collected():
+            self.get_logger().warning(f"{files[0]}, {remark}")
         self.set_parameters([Parameter("robot_description", value=text)])
         return text
 
@@ -126,6 +130,8 @@ class RobotStatePublisher(Node):
     def _parse(self, text: str) -> Description:
         if self._parsed is None or self._parsed[0] != text:
             self._parsed = text, parse_urdf(text)
+            for remark in self._parsed[1].remarks:
+                self.get_logger().warning(f"robot_description, {remark}")
         return self._parsed[1]
 
     def _check(self, parameters: list[Parameter]) -> SetParametersResult:

@@ -6,19 +6,24 @@ import math
 
 from tfloom.robot.description import MOVING, VARIABLES, Description, Joint, Limit, Mimic
 from tfloom.robot.joint_tree import find_root
-from tfloom.robot.mimicry import followers
+from tfloom.robot.mimicry import followers, unfit
+from tfloom.robot.remarks import Remarks
 from tfloom.robot.urdf_error import UrdfError
 from tfloom.robot.urdf_values import number, origin_of, required, vector
+from tfloom.robot.urdfdom_rules import note_refusals
 from tfloom.robot.xml_elements import Element, read_xml
 
 __all__ = ["UrdfError", "parse_urdf"]
 
 LIMITED = ("revolute", "prismatic")
 """The types whose limits are required."""
+_EXPAND = "expand it with 'ros2 run xacro xacro FILE'"
 
 
 def parse_urdf(text: str | bytes, *, is_nested: bool = False) -> Description:
     """Return the robot that a URDF describes.
+
+    What ROS's own parser takes is read as far as it makes sense; the description's `remarks` say what is wrong with it.
 
     Args:
         text: A str, or the bytes of a file, whose encoding its first line names.
@@ -27,27 +32,34 @@ def parse_urdf(text: str | bytes, *, is_nested: bool = False) -> Description:
     Raises:
         UrdfError: the text is not a valid description; its message has the line.
     """
-    outermost = read_xml(text)
+    remarks = Remarks()
+    outermost = read_xml(text, remarks)
     robot = outermost.first_within("robot") if is_nested else outermost
     if robot is None:
         raise UrdfError(outermost.line, f"there is no <robot> within <{outermost.tag}>")
     if robot.tag != "robot":
         raise UrdfError(robot.line, f"the outermost element is <{robot.tag}>, not <robot>")
-    _refuse_xacro(robot)
-    name = required(robot, "name", "the robot")
-    links = _links(robot)
-    joints = _joints(robot, links)
-    root = find_root(links, joints)
-    followers(joints)  # raises for what can't be followed
-    return Description(name, root, tuple(links), joints)
+    xacro = [element for element in robot.descendants() if _is_xacro(element)]
+    for element in xacro:
+        remarks.add(element.line, f"<{element.tag}> is xacro that was not expanded: {_EXPAND}", "xacro")
+    try:
+        name = required(robot, "name", "the robot")
+        links = _links(robot)
+        joints = _joints(robot, links, remarks)
+        root = find_root(links, joints)
+        followers(joints)  # raises for what can't be followed
+    except UrdfError:
+        if not xacro:
+            raise
+        raise UrdfError(xacro[0].line, f"this is xacro, not URDF: {_EXPAND}") from None
+    note_refusals(robot, remarks)
+    return Description(name, root, tuple(links), joints, remarks.collected())
 
 
-def _refuse_xacro(robot: Element) -> None:
-    for element in robot.children:
-        values = (*element.attributes.values(), *(v for c in element.children for v in c.attributes.values()))
-        if element.tag.startswith("xacro:") or any("${" in value for value in values):
-            reason = "this is xacro, not URDF: expand it with 'ros2 run xacro xacro FILE'"
-            raise UrdfError(element.line, reason)
+def _is_xacro(element: Element) -> bool:
+    return element.tag.startswith("xacro:") or any(
+        "${" in value or "$(" in value for value in element.attributes.values()
+    )
 
 
 def _links(robot: Element) -> dict[str, int]:
@@ -64,7 +76,7 @@ def _links(robot: Element) -> dict[str, int]:
     return links
 
 
-def _joints(robot: Element, links: dict[str, int]) -> dict[str, Joint]:
+def _joints(robot: Element, links: dict[str, int], remarks: Remarks) -> dict[str, Joint]:
     joints: dict[str, Joint] = {}
     for element in robot.all_of("joint"):
         joint = _joint(element, links)
@@ -72,6 +84,11 @@ def _joints(robot: Element, links: dict[str, int]) -> dict[str, Joint]:
             reason = f"the joint '{joint.name}' exists already: line {joints[joint.name].line} has it"
             raise UrdfError(joint.line, reason)
         joints[joint.name] = joint
+    for name, joint in joints.items():
+        if joint.mimic is not None and (why := unfit(joint.mimic.joint, joints)):
+            # The others move all the same; this one has a position of its own then, as in robot_state_publisher.
+            remarks.add(joint.line, f"the joint '{name}' follows none, because it mimics {why}", "mimic")
+            joints[name] = joint._replace(mimic=None)
     return joints
 
 
@@ -142,5 +159,8 @@ def _mimic(element: Element, kind: str, what: str) -> Mimic | None:
     mimic = element.first("mimic")
     if mimic is None or kind not in MOVING:
         return None
-    joint = required(mimic, "joint", f"<mimic> of {what}")
-    return Mimic(joint, number(mimic, "multiplier", 1.0, what), number(mimic, "offset", 0.0, what))
+    if "joint" not in mimic.attributes:
+        raise UrdfError(mimic.line, f"<mimic> of {what} has no joint")
+    return Mimic(
+        mimic.attributes["joint"], number(mimic, "multiplier", 1.0, what), number(mimic, "offset", 0.0, what)
+    )

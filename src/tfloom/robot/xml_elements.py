@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from xml.parsers import expat
 
+from tfloom.robot.mended_xml import mended
+from tfloom.robot.remarks import Remarks
 from tfloom.robot.urdf_error import UrdfError
-from tfloom.xml_parsers import make_parser
+from tfloom.xml_parsers import make_parser, readable
 
 __all__ = ["Element", "read_xml"]
 
@@ -23,13 +26,21 @@ class Element:
         tag: Name, with the prefix of its namespace, as `xacro:macro`.
         attributes: Its attributes.
         line: Line of its start tag, from 1.
+        source: Its start tag as it stands in the text, if that has tabs or line breaks, else empty.
     """
 
-    def __init__(self, tag: str, attributes: dict[str, str], line: int) -> None:
+    def __init__(self, tag: str, attributes: dict[str, str], line: int, source: bytes = b"") -> None:
+        self._source = source
         self.tag = tag
         self.attributes = attributes
         self.line = line
         self.children: list[Element] = []
+
+    def written(self, attribute: str) -> str:
+        """Return the value of an attribute as it is written: XML turns its tabs and line breaks into spaces."""
+        pattern = rb"""\s%s\s*=\s*(["'])(.*?)\1""" % attribute.encode()
+        match = re.search(pattern, self._source, re.DOTALL) if self._source else None
+        return self.attributes[attribute] if match is None else match[2].decode("utf-8", "replace")
 
     def all_of(self, tag: str) -> Iterator[Element]:
         """Yield the children of a name, in order."""
@@ -38,6 +49,14 @@ class Element:
     def first(self, tag: str) -> Element | None:
         """Return the first child of a name, or None."""
         return next(self.all_of(tag), None)
+
+    def descendants(self) -> Iterator[Element]:
+        """Yield the elements below this one, in the order of the text."""
+        waiting = self.children[::-1]
+        while waiting:
+            element = waiting.pop()
+            yield element
+            waiting += element.children[::-1]
 
     def first_within(self, tag: str) -> Element | None:
         """Return this element if it has a name, else the first of that name below it in the text, or None."""
@@ -52,24 +71,27 @@ class _Builder:
     def __init__(self) -> None:
         self.root: Element | None = None
         self._open: list[Element] = []
+        self._data = b""
         self.parser = make_parser(self._refuse_entity)
         self.parser.StartElementHandler = self._start
         self.parser.EndElementHandler = self._end
 
     def read(self, text: str | bytes) -> Element:
-        try:
-            self.parser.Parse(text, True)  # expat takes no keyword: this is all of the text
-        except expat.ExpatError as error:
-            raise UrdfError(error.lineno, self._reason(error)) from None
+        self._data = text.encode() if isinstance(text, str) else text
+        self.parser.Parse(text, True)  # expat takes no keyword: this is all of the text
         assert self.root is not None  # noqa: S101  # expat refuses a text without an element
         return self.root
 
-    def _reason(self, error: expat.ExpatError) -> str:
+    def reason(self, error: expat.ExpatError) -> str:
+        """Return what is wrong with a text, for its reader."""
         within = f", within <{self._open[-1].tag}> of line {self._open[-1].line}" if self._open else ""
         return f"not well-formed XML: {expat.ErrorString(error.code)} at column {error.offset + 1}{within}"
 
     def _start(self, tag: str, attributes: dict[str, str]) -> None:
-        element = Element(tag, attributes, self.parser.CurrentLineNumber)
+        start = self.parser.CurrentByteIndex
+        source = self._data[start : self._data.find(b">", start)]
+        has_breaks = b"\t" in source or b"\n" in source
+        element = Element(tag, attributes, self.parser.CurrentLineNumber, source if has_breaks else b"")
         if len(self._open) >= MAX_DEPTH:
             raise UrdfError(element.line, f"more than {MAX_DEPTH} elements are nested")
         if self._open:
@@ -86,11 +108,12 @@ class _Builder:
         raise UrdfError(self.parser.CurrentLineNumber, reason)
 
 
-def read_xml(text: str | bytes) -> Element:
+def read_xml(text: str | bytes, remarks: Remarks | None = None) -> Element:
     """Return the root element of a text.
 
     Args:
         text: A str, or the bytes of a file, whose encoding its first line names.
+        remarks: Get what had to be mended before the text could be read.
 
     Raises:
         UrdfError: the text is not well-formed, too long or nested too deep, or declares entities.
@@ -98,6 +121,15 @@ def read_xml(text: str | bytes) -> Element:
     if len(text) > LARGEST:
         raise UrdfError(1, f"a text of {len(text)} characters is longer than {LARGEST}")
     try:
-        return _Builder().read(text)
-    except (LookupError, UnicodeError) as error:  # an encoding that is not known; a lone surrogate
+        return _Builder().read(readable(text))
+    except UrdfError:
+        raise
+    except (expat.ExpatError, LookupError, ValueError):
+        pass  # not well-formed, or in an encoding that can't be read
+    builder = _Builder()
+    try:
+        return builder.read(mended(text, remarks or Remarks()))
+    except expat.ExpatError as error:
+        raise UrdfError(error.lineno, builder.reason(error)) from None
+    except UnicodeError as error:  # a lone surrogate
         raise UrdfError(1, f"the text can't be decoded: {error}") from None

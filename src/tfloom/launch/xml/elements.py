@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from xml.parsers import expat
 
-from tfloom.xml_parsers import make_parser
+from tfloom.xml_parsers import make_parser, readable
 
 __all__ = ["Element", "XmlError", "read_elements"]
 
@@ -90,12 +90,15 @@ def read_elements(text: bytes, file: str) -> Element:
     """
     builder = _Builder(file)
     try:
-        builder.parser.Parse(text, True)
+        builder.parser.Parse(readable(text), True)
     except expat.ExpatError as error:
         where = f"line {error.lineno}, column {error.offset}"
         problem = f"it is not well-formed XML: {expat.ErrorString(error.code)}: {where}"
         raise XmlError(problem, error.lineno) from None
-    except LookupError as error:  # the text declares an encoding that Python doesn't know
+    except (
+        LookupError,
+        UnicodeError,
+    ) as error:  # of an encoding that Python doesn't know, or not in the declared one
         raise XmlError(str(error), 1) from None
     if builder.root is None:
         raise XmlError("it is empty", 1)
