@@ -32,6 +32,8 @@ collect_ignore = (
         "test_driving.py",
         "test_field_plots.py",
         "test_forms.py",
+        "test_mesh_files.py",
+        "test_view.py",
         "test_pages.py",
         "test_recorded.py",
         "test_browser.py",

@@ -88,7 +88,7 @@ class Scene:
                     self.arrays[message["name"], key] = np.frombuffer(buffers[value["__binary_index"]], "<f4")
                     self.updates += 1
 
-    def tell_camera(self) -> None:
+    def tell_camera(self, **changed: Any) -> None:
         """Tell the server of the camera, as a scene does when it is loaded; the server knows of a scene since then."""
         camera = {
             "type": "ViewerCameraMessage",
@@ -102,7 +102,7 @@ class Scene:
             "image_height": 300,
             "image_width": 400,
         }
-        self.socket.send(msgspec.msgpack.encode(camera))
+        self.socket.send(msgspec.msgpack.encode(camera | changed))
 
     def abort(self) -> None:
         """End the connection by a reset, as a browser that is killed does."""

@@ -231,6 +231,12 @@ def test_image_is_a_file_that_browsers_show(node: Node, viewer: Viewer, page: Pa
         return is_refused()
 
     wait_until(take_and_ask, what="the sentence about the image")
+    publisher.publish(
+        Image(header=header(sec=3), width=4, height=3, step=12, encoding="rgb8", data=bytes(36))
+    )
+    wait_until(picture, what="the next picture")
+    page.state = {}
+    page.wait_for(lambda: page.state and page.display("/camera")["status"] == "")
 
 
 def test_fault_of_one_display_ends_that_one_alone(
@@ -251,7 +257,8 @@ def test_fault_of_one_display_ends_that_one_alone(
     page.wait_for(lambda: page.display("/good")["status"] == "")
 
 
-WRONG = [
+HALF = "\ud800"
+WRONG: list[tuple[dict[str, Any], str]] = [
     ({"op": "no_such"}, "no such command"),
     ({}, "op has to be a text"),
     ({"op": ["select"]}, "op has to be a text"),
@@ -269,6 +276,20 @@ WRONG = [
         {"op": "set_parameter", "node": "/x", "name": "y", "value": "1"},
         "there is no server of /x/set_parameters",
     ),
+    ({"op": "axes", "length": 10**400}, "has to be a finite number"),
+    ({"op": "drive", "topic": "/cmd_vel", "ahead": -(10**400), "left": 0}, "has to be a finite number"),
+    ({"op": "fixed_frame", "frame": HALF}, "without halves of surrogate pairs"),
+    ({"op": "select", "frame": HALF}, "without halves"),
+    ({"op": "trail", "frame": HALF, "on": True}, "without halves"),
+    ({"op": "mark", "frames": [HALF]}, "without halves"),
+    ({"op": "display", "topic": HALF, "on": True}, "without halves"),
+    ({"op": "choose", "topic": HALF, "choice": ""}, "without halves"),
+    ({"op": "plot", "topic": HALF, "field": HALF, "on": True}, "without halves"),
+    ({"op": "plot", "topic": HALF, "field": HALF, "on": False}, "without halves"),
+    ({"op": "plot_fields", "topic": HALF}, "without halves"),
+    ({"op": HALF}, "without halves"),
+    ({"op": "parameters", "node": HALF}, "without halves"),
+    ({"op": "form", "what": "topic", "name": HALF, "type": HALF}, "without halves"),
 ]
 
 
@@ -283,6 +304,60 @@ def test_wrong_commands_get_a_sentence_and_the_viewer_goes_on(node: Node, page: 
         assert page.answer("error")
     page.send(op="names", on=False)
     page.wait_for(lambda: page.state["with_names"] is False)
+
+
+def test_command_that_raises_anything_ends_in_a_sentence_for_its_page(
+    viewer: Viewer, page: Page, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(_: object) -> None:
+        raise MemoryError
+
+    monkeypatch.setattr(viewer.view, "command", fail)
+    assert page.ask("error", op="names", on=True).startswith("MemoryError")
+    monkeypatch.undo()
+    page.send(op="names", on=False)
+    page.wait_for(lambda: page.state["with_names"] is False)
+
+
+def test_camera_that_is_none_is_not_taken_and_the_one_before_stays(viewer: Viewer, page: Page) -> None:
+    scene = Scene(urlsplit(viewer.pages.address).port or 0, page)
+    nan = math.nan
+    for changed in (
+        {"wxyz": (0.0, 0.0, 0.0, 0.0)},
+        {"wxyz": (nan, nan, nan, nan)},
+        {"wxyz": "abc"},
+        {"wxyz": (1.0,)},
+        {"position": (nan, nan, nan)},
+        {"position": [[1, 2], [3], [4]]},
+        {"look_at": (1e308, 0.0, 0.0)},
+        {"fov": "x"},
+        {"image_height": 0},
+        {"image_height": "\x1b[31m"},
+    ):
+        scene.tell_camera(**changed)
+    click = {
+        "type": "SceneNodeClickMessage",
+        "name": "/frames/axes",
+        "instance_index": 2**62,
+        "ray_origin": None,
+    }
+    for message in (click, {"type": "SceneNodeDragMessage", "name": 7}, {"type": ["x"]}, {}):
+        scene.socket.send(msgspec.msgpack.encode(message))
+    assert "not told its camera" in page.ask(
+        "error", op="floor", tool="goal", **{"from": [0, 0], "to": [1, 1]}
+    )
+    scene.tell_camera()
+    wait_until(
+        lambda: viewer._server.camera(page.name), what="the camera, by the connection that is still open"
+    )
+    scene.tell_camera(wxyz=(0.0, 0.0, 0.0, 0.0))
+    scene.tell_camera(position=(1.0, 1.0, 7.0))
+    wait_until(
+        lambda: (at := viewer._server.camera(page.name)) is not None and at.position[2] == 7.0,
+        what="the next camera",
+    )
+    assert "position" in page.ask("layout", op="layout")
+    scene.abort()
 
 
 def test_end_of_a_page_is_taken_among_too_many_commands(
@@ -395,6 +470,7 @@ def test_relay_passes_camera_and_clicks_alone() -> None:
     assert not passes({"type": "ShareUrlRequest"})  # a tunnel to the internet
     assert not passes({"type": "RunJavascriptMessage", "source": "alert(1)"})
     assert not passes(["ViewerCameraMessage"])
+    assert not passes({"type": ["ViewerCameraMessage"]})
     assert not _is_allowed(b"\xc1no msgpack")
 
 

@@ -7,6 +7,7 @@
 - view: what all pages share, and what follows of it
 - drawing, scene, scene_server, mesh_files: viser's scene and server
 - page_server, access, page_command: the server of our page
+- fault_text: an error as a sentence for a page
 - forms/: what pages publish, call and send as goals, by forms made from any type
 - driving/: velocities, by a process of its own, which stops robots whose page or viewer is gone
 - plots/: numeric fields of topics over time

@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from tfloom.tf2.transform import Transform
 
-__all__ = ["Camera", "floor_point"]
+__all__ = ["Camera", "floor_point", "is_usable"]
 
 MAX_DISTANCE_M = 1e4
 """A point on the floor that is further away is none: the ray is all but parallel to the floor."""
+MAX_NUMBER = 1e9
+"""Least number that a camera can't have."""
+MIN_LENGTH = 1e-6
+"""Length of a quaternion up to which it has no direction."""
 
 
 class Camera(NamedTuple):
@@ -22,6 +27,28 @@ class Camera(NamedTuple):
     """Vertical field of view."""
     aspect: float
     """Width by height of the picture."""
+
+
+def is_usable(
+    position: Sequence[float],
+    look_at: Sequence[float],
+    rotation_wxyz: Sequence[float],
+    fov_rad: float,
+    aspect: float,
+) -> bool:
+    """Return whether what a page tells of its camera is a camera: near, turned by a rotation, and with a view.
+
+    Raises:
+        TypeError, ValueError: something is not a number.
+    """
+    numbers = (*position, *look_at, *rotation_wxyz, fov_rad, aspect)
+    return (
+        (len(position), len(look_at), len(rotation_wxyz)) == (3, 3, 4)
+        and all(abs(float(number)) < MAX_NUMBER for number in numbers)
+        and math.hypot(*rotation_wxyz) > MIN_LENGTH
+        and 0.0 < fov_rad < math.pi
+        and aspect > 0.0
+    )
 
 
 def floor_point(camera: Camera, across: float, down: float) -> tuple[float, float] | None:

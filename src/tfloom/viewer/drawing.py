@@ -11,6 +11,7 @@ import numpy as np
 from tfloom._native import move_points_float32
 from tfloom.tf2.transform import Transform
 from tfloom.viewer import shapes
+from tfloom.viewer.displays.display import MAX_COORDINATE_M
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -37,7 +38,7 @@ def shown_name(name: str) -> str:
 
 
 class Drawn:
-    """A shape in the scene.
+    """A shape in the scene. What raises leaves it as it was, or half changed: it is removed then.
 
     A page draws the pose of a node and the points of a cloud at different times, up to a whole picture apart: so a scan
     of a robot that turns would be at its new place for a moment with its old points. That is why points are sent as
@@ -48,6 +49,8 @@ class Drawn:
         name: The node's name; a node of this name is replaced.
         shape: The shape.
     """
+
+    fault = ""
 
     def __init__(self, scene: SceneApi, name: str, shape: shapes.Shape) -> None:
         self._scene = scene
@@ -62,6 +65,7 @@ class Drawn:
         self._is_visible = True
 
     def _add(self, shape: shapes.Shape) -> Any:
+        _refuse_undrawable(shape)
         if isinstance(shape, shapes.Picture):
             # Pictures begin at their corner, viser's are around their middle.
             self._offset = np.array((shape.size[0] / 2.0, shape.size[1] / 2.0, 0.0))
@@ -71,6 +75,7 @@ class Drawn:
         """Draw another shape at the same place."""
         if shape is self._shape:
             return
+        _refuse_undrawable(shape)
         before, self._shape = self._shape, shape
         if isinstance(shape, shapes.Points) and isinstance(before, shapes.Points):
             # A cloud is changed, not replaced: the page keeps its buffers on the graphics card. Its points are sent
@@ -166,6 +171,18 @@ class _Sent(NamedTuple):
             out,
         )
         return out
+
+
+def _refuse_undrawable(shape: shapes.Shape) -> None:
+    """Refuse numbers with which pages can't compute.
+
+    Raises:
+        DisplayError: there is one.
+    """
+    for value in vars(shape).values():
+        numbers = np.asarray(value if isinstance(value, (float, tuple, np.ndarray)) else 0.0)
+        if numbers.dtype.kind == "f" and not (np.abs(numbers) < MAX_COORDINATE_M).all():
+            raise shapes.DisplayError(f"a number of it is not finite, or beyond {MAX_COORDINATE_M:g}")
 
 
 def _turned(

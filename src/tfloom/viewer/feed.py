@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from tfloom.rosidl.message import DecodeError
 from tfloom.tf2.buffer import LATEST
 from tfloom.tf2.errors import TransformException
-from tfloom.viewer.displays.display import shown_text
+from tfloom.tf2.transform import Transform
+from tfloom.viewer.displays.display import MAX_COORDINATE_M, shown_text
 from tfloom.viewer.displays.kinds import Kind, make_display
+from tfloom.viewer.fault_text import fault_text
 from tfloom.viewer.shapes import DisplayError, Placed, Shape
 
 if TYPE_CHECKING:
@@ -46,6 +47,8 @@ class Feed:
         self.decode = decode
         """Returns the message of an entry's bytes."""
         self._last: Entry | None = None
+        self._failed_at: Entry | None = None
+        """The last message when the display failed."""
         self._fault = ""
         self._frame = ""
         """The frame of the last message that has its own stamp; empty before one."""
@@ -57,10 +60,13 @@ class Feed:
         """Show other messages of the topic from now on; what is shown stays until the first one has come."""
         self.messages, self.decode = messages, decode
 
-    def fail(self, reason: str) -> None:
-        """Show nothing any more, because of a fault; the display is switched off and on to try again."""
+    def fail(self, error: Exception) -> None:
+        """Show nothing until the next message, because of a fault."""
         self.has_failed = True
-        self.status = shown_text(reason)
+        self._failed_at = self._last
+        self.status = shown_text(f"it can't be shown: {fault_text(error)}")
+        if self.display is not None:
+            self.display.clear()
 
     def choose(self, choice: str) -> None:
         """Choose one of the display's choices, and show the last message anew."""
@@ -82,7 +88,10 @@ class Feed:
         display = self.display
         if display is None:
             return []  # the page asks for images itself
+        if self.has_failed and self.messages.newest(held_ns) == self._failed_at:
+            return []
         self._take(buffer, fixed_frame, held_ns)
+        self.has_failed = False
         if self._last is None:
             self.status = self._fault or "no message at this time"
             return []
@@ -145,8 +154,8 @@ class Feed:
         for one in entries:
             try:
                 display.take(self.decode(one.data), one.stamp_ns)
-            except (DisplayError, DecodeError) as error:  # noqa: PERF203  # the others are shown
-                self._fault = str(error)
+            except Exception as error:  # noqa: BLE001, PERF203  # of one message: the others are shown
+                self._fault = fault_text(error)
 
     def _place(
         self, buffer: Buffer, fixed_frame: str, held_ns: int | None, placed: list[Placed]
@@ -163,8 +172,8 @@ class Feed:
                     pose, is_exact = pose_in(buffer, fixed_frame, part, held_ns)
                     if is_exact:
                         self._poses[number] = pose
-                except TransformException as error:
-                    obstacle = obstacle or str(error).rstrip()
+                except (TransformException, DisplayError) as error:
+                    obstacle = obstacle or fault_text(error)
             drawn.append((part.shape, pose))
         return drawn, obstacle
 
@@ -177,6 +186,7 @@ def pose_in(buffer: Buffer, fixed_frame: str, placed: Placed, held_ns: int | Non
 
     Raises:
         TransformException: the frames are not connected.
+        DisplayError: they are, but it is further away than a page can compute with.
     """
     frame = placed.frame_id.removeprefix("/") or fixed_frame
     view_ns = LATEST if held_ns is None else held_ns
@@ -196,11 +206,7 @@ def pose_in(buffer: Buffer, fixed_frame: str, placed: Placed, held_ns: int | Non
                 raise
             # Nothing is published of the frame, and so everything in it is where it says.
             return (placed.position, placed.rotation_xyzw), False
-    fixed_from_shape = fixed_from_frame.transform @ _transform(placed)
+    fixed_from_shape = fixed_from_frame.transform @ Transform(placed.position, placed.rotation_xyzw)
+    if not all(abs(part) < MAX_COORDINATE_M for part in fixed_from_shape.translation):
+        raise DisplayError(f"{frame} is further than {MAX_COORDINATE_M:g} m from {fixed_frame}")
     return (fixed_from_shape.translation, fixed_from_shape.rotation_xyzw), is_exact
-
-
-def _transform(placed: Placed) -> Any:
-    from tfloom.tf2.transform import Transform
-
-    return Transform(placed.position, placed.rotation_xyzw)

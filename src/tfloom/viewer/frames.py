@@ -9,6 +9,7 @@ import numpy as np
 
 from tfloom.tf2.buffer import LATEST
 from tfloom.tf2.errors import TransformException
+from tfloom.viewer.displays.display import MAX_COORDINATE_M, are_drawable
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -35,6 +36,8 @@ class FramePoses(NamedTuple):
     """(N, 4) unit quaternions."""
     parents: NDArray[np.int64]
     """(N,) index of each frame's parent; -1 without one that is known."""
+    far: frozenset[str] = frozenset()
+    """The names of frames that are left out because a page can't compute with their positions."""
 
     def index_of(self, name: str) -> int:
         """Return the index of a frame; -1 if it is not known at this time."""
@@ -102,9 +105,11 @@ def frames_at(buffer: Buffer, fixed_frame: str, stamp_ns: int = LATEST) -> Frame
         stamp_ns: The time [ns since epoch]; LATEST: for each frame the newest time at which its chain is known.
 
     Returns:
-        The frames that are connected with the fixed frame at this time, at most `MAX_FRAMES`.
+        The frames that are connected with the fixed frame at this time, at most `MAX_FRAMES`, and nearer than
+        `MAX_COORDINATE_M`.
     """
     names: list[str] = []
+    far: list[str] = []
     rows: list[tuple[float, ...]] = []
     # The edges before the names: a listener's thread may add frames between the two calls.
     parent_names = {edge.child_frame_id: edge.frame_id for edge in buffer.edges()}
@@ -115,12 +120,15 @@ def frames_at(buffer: Buffer, fixed_frame: str, stamp_ns: int = LATEST) -> Frame
             pose = buffer.lookup(fixed_frame, name, stamp_ns)
         except TransformException:
             continue
+        if not all(abs(part) < MAX_COORDINATE_M for part in pose.translation):
+            far.append(name)
+            continue
         names.append(name)
         rows.append((*pose.translation, *pose.rotation_xyzw))
     table = np.array(rows, np.float64).reshape(-1, 7)
     index = {name: number for number, name in enumerate(names)}
     parents = [index.get(parent_names.get(name, ""), -1) for name in names]
-    return FramePoses(names, table[:, :3], table[:, 3:], np.array(parents, np.int64))
+    return FramePoses(names, table[:, :3], table[:, 3:], np.array(parents, np.int64), frozenset(far))
 
 
 def frames_behind(
@@ -170,5 +178,6 @@ def trail_of(buffer: Buffer, fixed_frame: str, frame: str, end_ns: int | None = 
         positions = buffer.trajectory(fixed_frame, frame, end_ns=end_ns, strict=False).positions
     except TransformException:
         return np.empty((0, 3))
+    positions = positions[are_drawable(positions)]
     step = -(-len(positions) // MAX_TRAIL_POINTS) or 1
     return positions[::-1][::step][::-1]  # the newest point is always there

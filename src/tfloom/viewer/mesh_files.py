@@ -4,25 +4,40 @@ from __future__ import annotations
 
 import io
 import math
-from functools import lru_cache
+import os
+import stat
+from collections.abc import Callable
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 from urllib.parse import unquote, urlparse
+from xml.parsers.expat import ExpatError
+
+import numpy as np
 
 from tfloom.viewer.shapes import Color, DisplayError, Model
 from tfloom.workspace.ament import PackageNotFoundError, get_package_share_path
+from tfloom.xml_parsers import make_parser
 
 __all__ = ["read_model"]
 
 ENDINGS = (".stl", ".obj", ".ply", ".glb", ".dae")
 """Of the files that are read. A description comes from the wire, and no other file is its business."""
 MAX_FILE_BYTES = 64 * 1024 * 1024
+MAX_KEPT_BYTES = 256 * 1024 * 1024
+"""Size of all meshes that are kept, of which the last one stays in any case."""
+MAX_KEPT = 256
+"""Number of meshes that are kept."""
 MAX_SCALE = 1e6
+GLB_MAGIC = b"glTF\2\0\0\0"
+
+_Key = tuple[str, int, int, Color | None]
+_kept: dict[_Key, bytes | DisplayError] = {}
+"""The meshes that were used last, and why others can't be read, by path, time of change, size and colour."""
 
 
 def read_model(uri: str, scale: tuple[float, float, float], color: Color | None = None) -> Model:
-    """Return the mesh of a file.
+    """Return the mesh of a file. One thread may call it.
 
     Args:
         uri: `package://PACKAGE/PATH`, or `file://PATH`.
@@ -30,24 +45,79 @@ def read_model(uri: str, scale: tuple[float, float, float], color: Color | None 
         color: The colour of all of it; None: those of the file.
 
     Raises:
-        DisplayError: there is no such file, or it is no mesh that can be read.
+        DisplayError: there is no such file, or it is not a mesh that can be read.
     """
     if not all(math.isfinite(part) and abs(part) < MAX_SCALE for part in scale):
         raise DisplayError(f"the scale of {uri} is not finite")
     path = _path(uri)
     try:
-        status = path.stat()
+        # Whoever writes the description may name a pipe or a device: neither opening nor reading one may wait.
+        file = open(path, "rb", buffering=0, opener=_open_without_waiting)  # noqa: SIM115  # it is closed below
     except (OSError, ValueError) as error:
         raise DisplayError(f"{uri} can't be read: {getattr(error, 'strerror', None) or error}") from None
-    if status.st_size > MAX_FILE_BYTES:
-        raise DisplayError(f"{uri} has {status.st_size} bytes, more than {MAX_FILE_BYTES}")
-    return Model(_glb(path, status.st_mtime_ns, color), scale)
+    with file:
+        status = os.fstat(file.fileno())
+        if not stat.S_ISREG(status.st_mode):
+            raise DisplayError(f"{uri} is not a regular file, but a folder, a pipe or a device")
+        if status.st_size > MAX_FILE_BYTES:
+            raise DisplayError(f"{uri} has {status.st_size} bytes, more than {MAX_FILE_BYTES}")
+        key = str(path), status.st_mtime_ns, status.st_size, color
+        return Model(_remembered(key, lambda: _glb(path, _content(file, uri), color)), scale)
+
+
+def _open_without_waiting(path: str, flags: int) -> int:
+    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOCTTY", 0))
+
+
+def _content(file: io.FileIO, uri: str) -> bytes:
+    """Return the bytes of a file, of which some have no size, as those of /proc.
+
+    Raises:
+        DisplayError: it can't be read, or is too long.
+    """
+    parts: list[bytes] = []
+    left = MAX_FILE_BYTES + 1
+    try:
+        while left and (part := file.read(left)):
+            parts.append(part)
+            left -= len(part)
+    except OSError as error:
+        raise DisplayError(f"{uri} can't be read: {error.strerror or error}") from None
+    if not left:
+        raise DisplayError(f"{uri} has more than {MAX_FILE_BYTES} bytes")
+    return b"".join(parts)
+
+
+def _remembered(key: _Key, make: Callable[[], bytes]) -> bytes:
+    """Return what was made of a file before, or make it; what can't be read isn't tried again until it changes.
+
+    Raises:
+        DisplayError: it can't be read.
+    """
+    made = _kept.pop(key, None)
+    if made is None:
+        try:
+            made = make()
+        except DisplayError as error:
+            made = DisplayError(str(error))  # without the objects that its traceback would keep
+    _kept[key] = made
+    while len(_kept) > 1 and (
+        len(_kept) > MAX_KEPT
+        or sum(len(kept) for kept in _kept.values() if isinstance(kept, bytes)) > MAX_KEPT_BYTES
+    ):
+        del _kept[next(iter(_kept))]
+    if isinstance(made, DisplayError):
+        raise DisplayError(str(made))
+    return made
 
 
 def _path(uri: str) -> Path:
-    parsed = urlparse(uri)
+    try:
+        parsed = urlparse(uri)
+    except ValueError as error:
+        raise DisplayError(f"{uri} is not a URI: {error}") from None
     if not parsed.path.lower().endswith(ENDINGS):
-        raise DisplayError(f"{uri} is no file of a mesh: its name ends in none of {', '.join(ENDINGS)}")
+        raise DisplayError(f"{uri} is not a file of a mesh: its name ends in none of {', '.join(ENDINGS)}")
     if parsed.scheme == "file":
         return Path(unquote(parsed.path))
     if parsed.scheme not in {"package", "model"}:
@@ -61,23 +131,67 @@ def _path(uri: str) -> Path:
     return share / unquote(parsed.path).lstrip("/")
 
 
-@lru_cache(maxsize=256)
-def _glb(path: Path, changed_ns: int, color: Color | None) -> bytes:  # noqa: ARG001  # a changed file is read anew
-    """Return a file's mesh as binary glTF; one that is glTF already is returned as it is."""
+def _glb(path: Path, data: bytes, color: Color | None) -> bytes:
+    """Return a file's mesh as binary glTF; one that is glTF already is returned as it is.
+
+    Raises:
+        DisplayError: it can't be read.
+    """
     import trimesh
 
     ending = path.suffix.lower().removeprefix(".")
-    data = path.read_bytes()
     if ending == "glb" and color is None:
+        if not data.startswith(GLB_MAGIC) or int.from_bytes(data[8:12], "little") != len(data):
+            raise DisplayError(f"{path.name} is not a whole file of binary glTF, version 2")
         return data
     if ending == "dae" and find_spec("collada") is None:
         raise DisplayError(f"{path.name} is COLLADA, which needs pycollada: pip install pycollada")
     try:
+        unit_m = _collada_unit_m(data) if ending == "dae" else 1.0
         # From bytes, not from the path: a file that names others, as its textures, doesn't get them.
         mesh: Any = trimesh.load(io.BytesIO(data), file_type=ending, force="mesh")
+        _check(mesh)
+        mesh.apply_scale(unit_m)
         if color is not None:
             mesh.visual = trimesh.visual.ColorVisuals(mesh, face_colors=[*color, 255])
         content = mesh.export(file_type="glb")
     except Exception as error:  # noqa: BLE001  # each format's reader has its own errors
-        raise DisplayError(f"{path.name} is no mesh that can be read: {error}") from None
+        raise DisplayError(f"{path.name} is not a mesh that can be read: {error}") from None
     return bytes(content)
+
+
+def _check(mesh: Any) -> None:
+    if not len(mesh.faces):
+        raise DisplayError("it has no triangles")
+    if not np.isfinite(mesh.vertices).all():
+        raise DisplayError("a number of a vertex is not finite")
+
+
+def _collada_unit_m(data: bytes) -> float:
+    """Return the length of the unit of a COLLADA file [m], 1 where it says none. Its up axis changes nothing.
+
+    Raises:
+        ExpatError: it is not XML, or has entities.
+    """
+    unit_m = 1.0
+    path: list[str] = []
+
+    def start(tag: str, attributes: dict[str, str]) -> None:
+        nonlocal unit_m
+        path.append(tag.rpartition("}")[2])
+        if path == ["COLLADA", "asset", "unit"]:
+            try:
+                given = float(attributes.get("meter", "1"))
+            except ValueError:
+                given = 1.0
+            if 0.0 < given < MAX_SCALE:
+                unit_m = given
+
+    def refuse(name: str) -> None:
+        raise ExpatError(f"it has the entity '{name}', and entities are not supported")
+
+    parser = make_parser(refuse, "}")
+    parser.StartElementHandler = start
+    parser.EndElementHandler = lambda _: path.pop()
+    parser.Parse(data, True)  # expat takes no keyword: this is all of the text
+    return unit_m

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 from collections.abc import Mapping
 from typing import Any
@@ -22,11 +23,15 @@ def text(command: Mapping[str, Any], name: str) -> str:
     """Return a text of a command.
 
     Raises:
-        PageError: it is absent, no text, or too long.
+        PageError: it is absent, not a text, too long, or has halves of surrogate pairs, which no name can have.
     """
     value = command.get(name)
     if not isinstance(value, str) or len(value) > MAX_TEXT:
         raise PageError(f"{name} has to be a text of at most {MAX_TEXT} characters")
+    try:
+        value.encode()
+    except UnicodeEncodeError:
+        raise PageError(f"{name} has to be a text of Unicode, without halves of surrogate pairs") from None
     return value
 
 
@@ -46,12 +51,15 @@ def number(command: Mapping[str, Any], name: str) -> float:
     """Return a finite number of a command.
 
     Raises:
-        PageError: it is absent, no number, or not finite.
+        PageError: it is absent, not a number, or not finite.
     """
     value = command.get(name)
-    if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
-        raise PageError(f"{name} has to be a finite number")
-    return float(value)
+    if isinstance(value, (int, float)) and not isinstance(value, bool):
+        # An integer of JSON may have hundreds of digits, more than a float holds.
+        with contextlib.suppress(OverflowError):
+            if math.isfinite(value):
+                return float(value)
+    raise PageError(f"{name} has to be a finite number")
 
 
 def flag(command: Mapping[str, Any], name: str) -> bool:

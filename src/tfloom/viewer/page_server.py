@@ -10,7 +10,7 @@ import secrets
 import socket
 import threading
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import Future
 from http import HTTPStatus
 from pathlib import Path
@@ -26,7 +26,7 @@ from websockets.http11 import Request, Response
 
 from tfloom.viewer.access import Access
 from tfloom.viewer.page_command import PageError
-from tfloom.viewer.scene_server import KEY_HEADER, PAGE_HEADER
+from tfloom.viewer.scene_server import KEY_HEADER, PAGE_HEADER, is_readable
 
 if TYPE_CHECKING:
     from tfloom.viewer.layout.layout import ViewPoint
@@ -50,8 +50,11 @@ LATE_S = 0.25
 """How long it may not run until what pages say then is late; and how long after that it may still be late [s]."""
 MAX_EARLIER_LINES = 500
 """Number of lines of the log that a new page gets."""
-SCENE_MESSAGES = frozenset(
-    ("ViewerCameraMessage", "SceneNodeClickMessage", "SceneNodeDragMessage", "ScenePointerMessage")
+SCENE_MESSAGES = (
+    "ViewerCameraMessage",
+    "SceneNodeClickMessage",
+    "SceneNodeDragMessage",
+    "ScenePointerMessage",
 )
 """What viser's client may send to its server; the rest, as requests for a tunnel, is dropped."""
 FILES = {
@@ -231,7 +234,7 @@ class PageServer:
 
     def publish(self, state: dict[str, Any]) -> None:
         """Give all pages a new state; on any thread."""
-        text = json.dumps({"state": state}, allow_nan=False)
+        text = _json({"state": state})
         with contextlib.suppress(RuntimeError):  # the loop is closed
             self._loop.call_soon_threadsafe(self._set_state, text)
 
@@ -241,7 +244,7 @@ class PageServer:
 
     def add_lines(self, lines: Iterable[dict[str, Any]], most: int) -> None:
         """Add lines to the log of all pages, which has `most` lines at most; on any thread."""
-        texts = [json.dumps(line, allow_nan=False) for line in lines]
+        texts = [_json(line) for line in lines]
         if texts:
             with contextlib.suppress(RuntimeError):
                 self._loop.call_soon_threadsafe(self._set_lines, texts, most)
@@ -255,7 +258,7 @@ class PageServer:
 
     def answer(self, page: str, answer: dict[str, Any]) -> None:
         """Send an answer to one page; on any thread. A page that takes none gets the last few."""
-        text = json.dumps(answer, allow_nan=False)
+        text = _json(answer)
 
         def add() -> None:
             if (opened := self._pages.get(page)) is not None:
@@ -347,7 +350,7 @@ class PageServer:
     async def _send(self, connection: ServerConnection, name: str, page: _Page) -> None:
         view_point = self.view_point(name)
         camera = None if view_point is None else view_point._asdict()
-        await connection.send(json.dumps({"page": name, "camera": camera}))
+        await connection.send(_json({"page": name, "camera": camera}))
         while True:
             page.news.clear()
             answers, page.answers = page.answers, []
@@ -405,7 +408,7 @@ class PageServer:
 
             async def up() -> None:
                 async for message in connection:
-                    if isinstance(message, bytes) and _is_allowed(message):
+                    if isinstance(message, bytes) and _is_allowed(message) and is_readable(message):
                         await upstream.send(message)
 
             async def down() -> None:
@@ -447,6 +450,24 @@ def _is_allowed(message: bytes) -> bool:
     except (msgspec.DecodeError, ValueError, RecursionError):
         return False
     return isinstance(decoded, dict) and decoded.get("type") in SCENE_MESSAGES
+
+
+def _json(value: Any) -> str:
+    """Return a value as JSON. A number that is not finite, which JSON doesn't have, is null."""
+    try:
+        return json.dumps(value, allow_nan=False)
+    except ValueError:
+        return json.dumps(_with_null(value), allow_nan=False)
+
+
+def _with_null(value: Any) -> Any:
+    if isinstance(value, float):
+        return value if math.isfinite(value) else None
+    if isinstance(value, Mapping):
+        return {key: _with_null(part) for key, part in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_with_null(part) for part in value]
+    return value
 
 
 def _response(status: HTTPStatus, content: bytes, kind: str, policy: str = "default-src 'none'") -> Response:

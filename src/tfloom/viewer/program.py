@@ -8,10 +8,9 @@ import time
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from tfloom.rmw.errors import WireError
-from tfloom.rosidl.message import DecodeError
 from tfloom.viewer.camera import floor_point
 from tfloom.viewer.displays.display import shown_text
+from tfloom.viewer.fault_text import fault_text
 from tfloom.viewer.forms.sending import FORM_COMMANDS
 from tfloom.viewer.layout.layout import Layout
 from tfloom.viewer.layout.layout_file import layout_text
@@ -22,7 +21,6 @@ from tfloom.viewer.page_server import CLOSED, PageServer
 from tfloom.viewer.pictures import picture_of
 from tfloom.viewer.scene import Scene
 from tfloom.viewer.scene_server import SceneServer
-from tfloom.viewer.shapes import DisplayError
 from tfloom.viewer.topics import TypeNotYetKnownError
 from tfloom.viewer.view import MAX_TRAILS, View
 from tfloom.whole_files import write_file
@@ -44,6 +42,8 @@ STATE_S = 0.25
 """Period at which pages get what is beside the scene [s]; at once after a command."""
 MAX_COMMANDS = 1000
 """Number of commands that wait; of more, the newest are dropped."""
+MAX_NOTES = 100
+"""Number of different faults that pages are told while some are open."""
 MAX_NOTE = 2000
 """Length of a line that the viewer itself adds to the log [characters]."""
 WARN = 30
@@ -77,13 +77,21 @@ class Viewer:
     ) -> None:
         self._live = live
         self._topics = topics
+        self._noted: set[str] = set()
+        """What pages were told since one was opened, so that it isn't told with each picture."""
         self._commands: queue.SimpleQueue[tuple[str, dict[str, Any]]] = queue.SimpleQueue()
         self._server = SceneServer()
         scene = Scene(
             self._server.scene, lambda frame: self._queue_command("", {"op": "select", "frame": frame})
         )
         self.view = View(
-            source, topics, scene, is_live=live is not None, history_ns=history_ns, fixed_frame=fixed_frame
+            source,
+            topics,
+            scene,
+            is_live=live is not None,
+            history_ns=history_ns,
+            fixed_frame=fixed_frame,
+            report=self._note_once,
         )
         self.pages = PageServer(self._server, self._queue_command, self._image_of)
         self._image_lock = threading.Lock()
@@ -91,6 +99,8 @@ class Viewer:
         """The last picture of each topic, with what it was made of."""
         self._entries: dict[str, Any] = {}
         """What each topic of images shows now, exchanged by the loop."""
+        self._image_faults: dict[str, str] = {}
+        """Why the last picture of a topic could not be made."""
         self._asked_fields: dict[str, str] = {}
         """By page, the topic whose fields it asked for last, while the type of this topic is searched for."""
         self._is_open = False
@@ -142,32 +152,39 @@ class Viewer:
             next_draw_s = max(next_draw_s + 1.0 / DRAW_HZ, now_s + 0.5 / DRAW_HZ)
             with self._server.atomic():
                 self.view.draw()
-            self._note_images()
+            self._try("images can't be shown", self._note_images)
             if now_s >= next_state_s:
                 next_state_s = now_s + STATE_S
-                self._place_cameras()
+                self._try("cameras can't be placed", self._place_cameras)
                 asked, self._asked_fields = self._asked_fields, {}
                 for page, topic in asked.items():
                     self._do(page, {"op": "plot_fields", "topic": topic})
-                self._publish()
+                self._try("the state can't be sent", self._publish)
         self._close()
         if self._live is not None:
             self._live.driving.close()
 
     def _open(self) -> None:
         self._is_open = True
-        self.view.resume()
+        self._noted.clear()
+        self._try("the topics of the displays are not read", self.view.resume)
         if self._live is not None:
-            self._try_open("the log of the graph is not read", self._live.log.open)
-            self._try_open("the topics of the tools are not open", self._live.tools.open)
-            self._try_open("no robot can be driven", self._live.driving.open)
+            self._try("the log of the graph is not read", self._live.log.open)
+            self._try("the topics of the tools are not open", self._live.tools.open)
+            self._try("no robot can be driven", self._live.driving.open)
 
-    def _try_open(self, failure: str, open_part: Callable[[], None]) -> None:
-        """Open a part; where the wire refuses it, tell the pages, which show the rest."""
+    def _try(self, failure: str, do: Callable[[], object]) -> None:
+        """Do a part; where that fails, tell the pages, which get the others."""
         try:
-            open_part()
-        except (PageError, WireError) as error:
-            self._note(f"{failure}: {error}")
+            do()
+        except Exception as error:  # noqa: BLE001  # whatever a message, a page or the wire makes it raise
+            self._note_once(f"{failure}: {fault_text(error)}")
+
+    def _note_once(self, said: str) -> None:
+        """Tell the pages something that may be so with each picture."""
+        if said not in self._noted and len(self._noted) < MAX_NOTES:
+            self._noted.add(said)
+            self._note(said)
 
     def _note(self, said: str) -> None:
         """Tell the pages something by a line of their log, also those that open later."""
@@ -181,11 +198,11 @@ class Viewer:
 
     def _close(self) -> None:
         self._is_open = False
-        self.view.suspend()
+        self._try("the topics of the displays are not closed", self.view.suspend)
         if self._live is not None:
-            self._live.log.close()
-            self._live.tools.close()
-            self._live.forms.leave_topics()
+            self._try("the log of the graph is not closed", self._live.log.close)
+            self._try("the topics of the tools are not closed", self._live.tools.close)
+            self._try("the topics of the forms are not closed", self._live.forms.leave_topics)
 
     def _publish(self) -> None:
         state = self.view.snapshot()
@@ -210,9 +227,9 @@ class Viewer:
     def _do(self, page: str, command: Mapping[str, Any]) -> None:
         try:
             self._run_command(page, command)
-        except (PageError, WireError) as error:  # as of a writer that the wire refuses
+        except Exception as error:  # noqa: BLE001  # whatever a page asks for ends nothing but this command
             if page:
-                self.pages.answer(page, {"error": shown_text(str(error), 500)})
+                self.pages.answer(page, {"error": shown_text(fault_text(error), 500)})
 
     def _run_command(self, page: str, command: Mapping[str, Any]) -> None:
         operation = text(command, "op")
@@ -333,6 +350,9 @@ class Viewer:
 
     def _note_images(self) -> None:
         self._entries = self.view.image_entries()
+        for topic in self._entries:
+            if (feed := self.view.feed(topic)) is not None:
+                feed.status = self._image_faults.get(topic, "")
 
     def _image_of(self, topic: str) -> tuple[str, bytes] | None:
         """Return the picture of a topic at the time that is shown; on a thread of the server."""
@@ -345,9 +365,10 @@ class Viewer:
             if made is None or made[0] is not entry:
                 try:
                     made = entry, picture_of(decode(entry.data))
-                except (DisplayError, DecodeError) as error:
+                    self._image_faults.pop(topic, None)
+                except Exception as error:  # noqa: BLE001  # of one image: the next one may be good
                     made = entry, None
-                    self._queue_command("", {"op": "image_fault", "topic": topic, "fault": str(error)})
+                    self._image_faults[topic] = shown_text(fault_text(error))
                 self._images = {name: kept for name, kept in self._images.items() if name in self._entries}
                 self._images[topic] = made
         return made[1]

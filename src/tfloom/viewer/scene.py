@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from itertools import count
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from tfloom.viewer.drawing import Drawn, Pose, shown_name
+from tfloom.viewer.fault_text import fault_text
 from tfloom.viewer.layout.layout import DEFAULT_AXES_M
 from tfloom.viewer.shapes import Shape
 
@@ -58,9 +60,11 @@ class Scene:
         self._free_names: list[str] = []
         self._name_count = 0
         self._trails: dict[str, Any] = {}
+        self._trail_numbers: dict[str, int] = {}
+        """The number in the name of each trail's node, by the frame's name."""
         self._selection: Any = None
         self._marks: Any = None
-        self._displays: dict[str, list[Drawn]] = {}
+        self._displays: dict[str, list[Drawn | _Undrawable]] = {}
         self._display_numbers: dict[str, int] = {}
         scene.set_up_direction("+z")
         scene.add_grid(
@@ -87,10 +91,10 @@ class Scene:
         """
         if axes_m != self._axes_m:  # other sizes are other nodes
             self._axes_m = axes_m
-            for handle in (self._axes, self._arrows):
-                if handle is not None:
-                    handle.remove()
+            handles = [handle for handle in (self._axes, self._arrows) if handle is not None]
             self._axes = self._arrows = None
+            for handle in handles:
+                handle.remove()
         is_behind = np.array([name in behind for name in poses.names], bool)
         self._draw_axes(poses, ~is_behind, axes_m)
         self._draw_grey_axes(poses, is_behind, axes_m)
@@ -107,10 +111,11 @@ class Scene:
             self._axes.batched_positions = positions
             self._axes.batched_wxyzs = wxyzs
             return
-        if self._axes is not None:
-            self._axes.remove()
-            self._axes = None
+        # A node takes the place of another one of its name.
         if not names:
+            axes, self._axes = self._axes, None
+            if axes is not None:
+                axes.remove()
             return
         self._axes = self._scene.add_batched_axes(
             "/frames/axes", wxyzs, positions, axes_length=axes_m, axes_radius=axes_m / 25.0
@@ -179,9 +184,14 @@ class Scene:
 
     def draw_trails(self, trails: Mapping[str, NDArray[np.float64]]) -> None:
         """Draw the ways of frames: points (N, 3) [m] by the frame's name."""
-        for name in [name for name in self._trails if name not in trails]:
-            self._trails.pop(name).remove()
-        for number, (name, points) in enumerate(trails.items()):
+        for name in [name for name in self._trail_numbers if name not in trails]:
+            del self._trail_numbers[name]
+            if name in self._trails:
+                self._trails.pop(name).remove()
+        for name, points in trails.items():
+            # A trail keeps its node and its colour, whichever other ones come and go.
+            free = next(number for number in count() if number not in self._trail_numbers.values())
+            number = self._trail_numbers.setdefault(name, free)
             ends = np.stack([points[:-1], points[1:]], axis=1).astype(np.float32)
             color = np.array(TRAIL_COLORS[number % len(TRAIL_COLORS)], np.uint8)
             handle = self._set_lines(f"/trails/{number}", self._trails.get(name), ends, color, 3.0)
@@ -200,25 +210,59 @@ class Scene:
         ends = (points[:, np.newaxis, np.newaxis] + 1.1 * self._axes_m * BOX_EDGES).reshape(-1, 2, 3)
         self._marks = self._set_lines("/marks", self._marks, ends.astype(np.float32), ORANGE, 3.0)
 
-    def draw_display(self, topic: str, placed: Sequence[tuple[Shape, Pose | None]]) -> None:
-        """Draw what a display shows, in place of what it showed before; shapes without a pose are hidden."""
+    def draw_display(self, topic: str, placed: Sequence[tuple[Shape, Pose | None]]) -> str:
+        """Draw what a display shows, in place of what it showed before; shapes without a pose are hidden.
+
+        Returns:
+            Why one of the shapes can't be drawn, which doesn't hide the others; empty if all are.
+        """
         drawn = self._displays.setdefault(topic, [])
         number = self._display_numbers.setdefault(topic, len(self._display_numbers))
         while len(drawn) > len(placed):
             drawn.pop().remove()
+        fault = ""
         for index, (shape, pose) in enumerate(placed):
-            if index == len(drawn):
-                drawn.append(Drawn(self._scene, f"/displays/{number}/{index}", shape))
-            else:
-                drawn[index].change(shape)
-            drawn[index].place(pose)
+            now = drawn[index] if index < len(drawn) else None
+            try:
+                now = self._drawn(f"/displays/{number}/{index}", now, shape)
+                now.place(pose)
+            except Exception as error:  # noqa: BLE001  # of one shape: the others are drawn
+                if now is not None:
+                    now.remove()
+                now = _Undrawable(shape, fault_text(error))
+            drawn[index : index + 1] = [now]
+            fault = fault or now.fault
+        return fault
+
+    def _drawn(self, name: str, before: Drawn | _Undrawable | None, shape: Shape) -> Drawn | _Undrawable:
+        if isinstance(before, Drawn):
+            before.change(shape)
+            return before
+        if before is not None and before.shape is shape:
+            return before
+        return Drawn(self._scene, name, shape)
+
+
+class _Undrawable(NamedTuple):
+    """A shape that can't be drawn, in the place of the one that would be."""
+
+    shape: Shape
+    fault: str
+
+    def place(self, pose: Pose | None) -> None:
+        pass
+
+    def remove(self) -> None:
+        pass
 
 
 def _set_ends(handle: Any, ends: NDArray[np.float32], add: Callable[[], Any]) -> Any:
-    """Exchange the ends of a node's lines or arrows; another number of them is another node, and none is no node."""
-    if handle is not None and len(ends) and handle.points.shape == ends.shape:
+    """Exchange the ends of a node's lines or arrows; a changed count needs a new node; zero removes it."""
+    if len(ends):
+        if handle is None or handle.points.shape != ends.shape:
+            return add()  # a node takes the place of another one of its name
         handle.points = ends
         return handle
     if handle is not None:
         handle.remove()
-    return add() if len(ends) else None
+    return None

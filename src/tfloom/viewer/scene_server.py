@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import io
 import secrets
+import warnings
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -14,13 +15,13 @@ import rich
 import viser
 from viser import _messages
 
-from tfloom.viewer.camera import Camera
+from tfloom.viewer.camera import Camera, is_usable
 from tfloom.viewer.layout.layout import ViewPoint
 
 if TYPE_CHECKING:
     from viser import SceneApi
 
-__all__ = ["KEY_HEADER", "PAGE_HEADER", "SceneServer"]
+__all__ = ["KEY_HEADER", "PAGE_HEADER", "SceneServer", "is_readable"]
 
 KEY_HEADER = "X-Tfloom-Key"
 """Header by which the relay is known; its value is a secret of this process."""
@@ -39,6 +40,8 @@ class SceneServer:
         self.key = secrets.token_urlsafe(24)
         self._clients: dict[str, int] = {}
         """Viser's number of the client of each page."""
+        # What viser warns of there is in the words of a page; as an error, it makes the message one that can't be read.
+        warnings.filterwarnings("error", module=r"viser\.infra\._messages")
         with _without_words():  # it would print its address, which is nobody's business
             self._server = viser.ViserServer(host="127.0.0.1", port=0, verbose=False)
         connections = self._server._websock_server  # noqa: SLF001  # there is no public way to a connection's headers
@@ -112,6 +115,18 @@ class SceneServer:
         """Close all connections, and the port."""
         with _without_words():
             self._server.stop()
+
+
+def is_readable(data: bytes) -> bool:
+    """Return whether viser can read a message of a page's scene, and its camera, if it has one, can be used."""
+    try:
+        message = _messages.Message.deserialize(data)
+        if isinstance(message, _messages.ViewerCameraMessage):
+            aspect = message.image_width / message.image_height
+            return is_usable(message.position, message.look_at, message.wxyz, message.fov, aspect)
+    except Exception:  # noqa: BLE001  # viser has no error of its own for what can't be read
+        return False
+    return True
 
 
 @contextlib.contextmanager

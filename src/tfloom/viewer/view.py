@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 import sys
 import time
-import traceback
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -20,8 +20,9 @@ from tfloom.tf2_tools.text.transform import matrix_from_quaternion, rpy_from_mat
 from tfloom.tf2_tools.top.rows import Health, Rates, Row, rows_of
 from tfloom.tf2_tools.watch.model import stored_name
 from tfloom.viewer.displays.camera_info import CameraDisplay, images_of
-from tfloom.viewer.displays.display import shown_text
+from tfloom.viewer.displays.display import MAX_COORDINATE_M, shown_text
 from tfloom.viewer.displays.kinds import kind_of
+from tfloom.viewer.fault_text import fault_text
 from tfloom.viewer.feed import Feed
 from tfloom.viewer.frames import (
     FramePoses,
@@ -39,6 +40,8 @@ from tfloom.viewer.plots.plots import Plots
 from tfloom.viewer.shapes import DisplayError
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from tfloom.tf2.buffer import Buffer
     from tfloom.tf2_tools.doctor.finding import Finding
     from tfloom.tf2_tools.watch.sources import Source
@@ -60,6 +63,7 @@ MAX_DISPLAYS = 100
 MAX_ROWS = 1000
 """Number of rows of the tree that a page gets."""
 MAX_FINDINGS = 100
+FAR_NOTE = f"further than {MAX_COORDINATE_M:g} m: not drawn"
 PLOT_POINTS = 300
 """Number of points of the plot of the selected frames."""
 
@@ -75,6 +79,7 @@ class View:
             played.
         history_ns: How long the numbers of plots are kept [ns], if they are of a graph.
         fixed_frame: The fixed frame; empty: a usual one, or the root of the largest tree.
+        report: Called with a sentence about a part of the view that can't be shown, which doesn't end the others.
     """
 
     def __init__(
@@ -86,6 +91,7 @@ class View:
         is_live: bool,
         history_ns: int = 60_000_000_000,
         fixed_frame: str = "",
+        report: Callable[[str], None] = lambda _: None,
     ) -> None:
         assert source.buffer is not None  # noqa: S101  # the caller gives one
         self.buffer: Buffer = source.buffer
@@ -93,7 +99,8 @@ class View:
         self._source = source
         self._scene = scene
         self._is_live = is_live
-        self._chosen_frame = fixed_frame
+        self._report = report
+        self._chosen_frame = _sendable(fixed_frame)
         self._held_ns: int | None = None
         self._playback = None if is_live else Playback()
         self._selected: list[str] = []
@@ -134,7 +141,6 @@ class View:
             "trail": self._set_trail,
             "display": lambda command: self.set_display(text(command, "topic"), on=flag(command, "on")),
             "choose": self._choose,
-            "image_fault": self._note_image_fault,
             "names": self._show_names,
             "axes": self._set_axes,
             "plot": self._set_plot,
@@ -158,10 +164,6 @@ class View:
         if (feed := self._feeds.get(topic)) is None:
             raise PageError(f"{topic} is not shown")
         feed.choose(text(command, "choice"))
-
-    def _note_image_fault(self, command: Mapping[str, Any]) -> None:
-        if (feed := self._feeds.get(text(command, "topic"))) is not None:
-            feed.status = shown_text(text(command, "fault"))
 
     def _show_names(self, command: Mapping[str, Any]) -> None:
         self._with_names = flag(command, "on")
@@ -267,17 +269,17 @@ class View:
 
     def apply(self, layout: Layout) -> None:
         """Show what a layout says, each topic as soon as it is there."""
-        self._chosen_frame = layout.fixed_frame
+        self._chosen_frame = _sendable(layout.fixed_frame)
         self._with_names = layout.with_names
         self._axes_m = layout.axes_m
-        self._trails = list(layout.trails[:MAX_TRAILS])
+        self._trails = list(dict.fromkeys(map(_sendable, layout.trails[:MAX_TRAILS])))
         for display in layout.displays:
             self.want(display.topic, display.choice)
         for plot in layout.plots:
             try:
                 self.plots.add(plot.topic, plot.field, is_there=False)
             except PageError as error:  # noqa: PERF203  # the others are plotted
-                _report(f"{plot.field} of {plot.topic}", error)
+                _print_missing(f"{plot.field} of {plot.topic}", error)
 
     def placed(self, layout: Layout) -> ViewPoint | None:
         """Return from where a layout looks, in the fixed frame; None where it doesn't say, or its frame is not known.
@@ -287,7 +289,7 @@ class View:
         if layout.camera is None or not layout.camera_frame:
             return layout.camera
         try:
-            pose = self.buffer.lookup(self.fixed_frame, layout.camera_frame)
+            pose = self.buffer.lookup(self.fixed_frame, _sendable(layout.camera_frame))
         except TransformException:
             return None
         yaw_rad = pose.transform.rpy_rad[2] if layout.camera_turns else 0.0
@@ -333,7 +335,7 @@ class View:
             try:
                 self.set_display(topic, on=True)
             except PageError as error:
-                _report(topic, error)
+                _print_missing(topic, error)
             self._wanted.pop(topic, None)
 
     # What follows of it.
@@ -354,38 +356,55 @@ class View:
     def draw(self) -> None:
         """Draw everything anew, and observe what is due."""
         now_s = time.monotonic()
-        self.topics.poll()
-        self.plots.poll()
+        self._try("messages can't be taken", self.topics.poll)
+        self._try("plots can't be drawn", self.plots.poll)
         if now_s >= self._next_look_s:
             self._next_look_s = now_s + LOOK_S
-            self._look(now_s)
-            self._show_wanted()
-            self.plots.look()
-        span, fixed = span_of(self.buffer), self.fixed_frame
-        held_ns = self.shown_ns(span)
+            self._try("transforms can't be checked", lambda: self._look(now_s))
+            self._try("displays can't be opened", self._show_wanted)
+            self._try("plots can't be opened", self.plots.look)
+        fixed, held_ns = self.fixed_frame, self.shown_ns(span_of(self.buffer))
+        self._try("frames can't be drawn", lambda: self._draw_frames(fixed, held_ns))
+        if now_s >= self._next_trail_s:
+            self._next_trail_s = now_s + TRAIL_S
+            self._try("trails can't be drawn", lambda: self._draw_trails(fixed, held_ns))
+        self._try("the selected frames can't be drawn", self._draw_selection)
+        self._try("the frames of a finding can't be drawn", self._draw_marks)
+        self._try("images of cameras can't be drawn", lambda: self._give_images(held_ns))
+        now_ns = self._source.now_ns() if held_ns is None else held_ns
+        for topic, feed in self._feeds.items():
+            try:
+                fault = self._scene.draw_display(topic, feed.draw(self.buffer, fixed, held_ns, now_ns))
+                feed.status = feed.status or shown_text(fault)
+            except Exception as error:  # noqa: BLE001, PERF203  # of one display: the others are drawn
+                feed.fail(error)
+                self._try(f"{topic} can't be taken away", partial(self._scene.draw_display, topic, []))
+
+    def _try(self, failure: str, do: Callable[[], object]) -> None:
+        """Do a part. What it raises is reported, and ends no other part."""
+        try:
+            do()
+        except Exception as error:  # noqa: BLE001  # whatever a message, a page or a file makes it raise
+            self._report(f"{failure}: {fault_text(error)}")
+
+    def _draw_frames(self, fixed: str, held_ns: int | None) -> None:
         self._poses = frames_at(self.buffer, fixed, LATEST if held_ns is None else held_ns)
         stale = {row.child for row in self._rows if row.health is Health.STALE} if held_ns is None else set()
         behind = frames_behind(self._parents, stale, fixed, self._poses.names)
         self._scene.draw_frames(self._poses, behind, with_names=self._with_names, axes_m=self._axes_m)
-        if now_s >= self._next_trail_s:
-            self._next_trail_s = now_s + TRAIL_S
-            self._scene.draw_trails(
-                {frame: trail_of(self.buffer, fixed, frame, held_ns) for frame in self._trails}
-            )
+
+    def _draw_trails(self, fixed: str, held_ns: int | None) -> None:
+        self._scene.draw_trails(
+            {frame: trail_of(self.buffer, fixed, frame, held_ns) for frame in self._trails}
+        )
+
+    def _draw_selection(self) -> None:
         places = [self._poses.index_of(frame) for frame in self._selected]
         self._scene.draw_selection([self._poses.positions[place] for place in places if place >= 0])
+
+    def _draw_marks(self) -> None:
         marked = [place for frame in self._marked if (place := self._poses.index_of(frame)) >= 0]
         self._scene.draw_marks(self._poses.positions[marked])
-        self._give_images(held_ns)
-        now_ns = self._source.now_ns() if held_ns is None else held_ns
-        for topic, feed in self._feeds.items():
-            if feed.has_failed:
-                continue
-            try:
-                self._scene.draw_display(topic, feed.draw(self.buffer, fixed, held_ns, now_ns))
-            except Exception as error:  # noqa: BLE001  # a message that nobody thought of must not end the other displays
-                traceback.print_exc()
-                feed.fail(f"it can't be shown: {type(error).__name__}: {error}")
 
     def _give_images(self, held_ns: int | None) -> None:
         """Let the pyramids of cameras have the images that are shown."""
@@ -422,16 +441,22 @@ class View:
             "held_ns": None if held_ns is None else str(held_ns),
             "fixed_frame": shown_text(self.fixed_frame),
             "frames": sorted(map(_sendable, self._parents))[:MAX_ROWS],
-            "rows": [self._row(row) for row in self._rows[:MAX_ROWS]],
+            "rows": self._listed("frames", lambda: map(self._row, self._rows[:MAX_ROWS])),
             "with_names": self._with_names,
             "axes_m": self._axes_m,
             "trails": list(map(_sendable, self._trails)),
             "selection": self._selection(held_ns),
             "marked": list(map(_sendable, self._marked)),
-            "findings": [self._finding(finding) for finding in self._findings[:MAX_FINDINGS]],
-            "displays": self._displays(),
-            "plots": self.plots.snapshot(span, held_ns),
+            "findings": self._listed("findings", lambda: map(self._finding, self._findings[:MAX_FINDINGS])),
+            "displays": self._listed("displays", self._displays),
+            "plots": self._listed("plots", lambda: self.plots.snapshot(span, held_ns)),
         }
+
+    def _listed(self, what: str, values: Callable[[], Iterable[dict[str, Any]]]) -> list[dict[str, Any]]:
+        """Return what a panel lists; nothing where that raises, which is reported: pages get the other panels."""
+        listed: list[dict[str, Any]] = []
+        self._try(f"the list of {what} can't be shown", lambda: listed.extend(values()))
+        return listed
 
     def _row(self, row: Row) -> dict[str, Any]:
         return {
@@ -443,7 +468,7 @@ class View:
             "age_s": _finite(row.age_s),
             "publisher": shown_text(row.publisher),
             "health": row.health.name.lower(),
-            "note": shown_text(row.note),
+            "note": shown_text(row.note or (FAR_NOTE if stored_name(row.child) in self._poses.far else "")),
         }
 
     def _finding(self, finding: Finding) -> dict[str, Any]:
@@ -486,10 +511,10 @@ class View:
         first, second = self._selected
         try:
             transform = self.buffer.lookup(first, second, LATEST if held_ns is None else held_ns)
-        except TransformException as error:
-            return {"frames": frames, "text": shown_text(str(error).rstrip(), 1000), "plot": None}
-        echo = transform_text(transform.stamp_ns, transform.translation, transform.rotation_xyzw)
-        return {"frames": frames, "text": echo, "plot": self._plot(first, second)}
+            echo = transform_text(transform.stamp_ns, transform.translation, transform.rotation_xyzw)
+            return {"frames": frames, "text": echo, "plot": self._plot(first, second)}
+        except Exception as error:  # noqa: BLE001  # of these frames: pages get the other panels
+            return {"frames": frames, "text": shown_text(fault_text(error), 1000), "plot": None}
 
     def _plot(self, first: str, second: str) -> dict[str, Any] | None:
         """Return the transform between two frames over the whole history; None where nothing moves."""
@@ -508,12 +533,12 @@ class View:
         return {
             "seconds": ((way.stamps_ns[chosen] - way.stamps_ns[-1]) / 1e9).round(4).tolist(),
             "end_ns": str(int(way.stamps_ns[-1])),
-            **{axis: way.positions[chosen, column].round(5).tolist() for column, axis in enumerate("xyz")},
+            **{axis: _rounded(way.positions[chosen, column]) for column, axis in enumerate("xyz")},
             "yaw_deg": np.degrees(np.unwrap(yaws)).round(3).tolist(),
         }
 
 
-def _report(what: str, error: PageError) -> None:
+def _print_missing(what: str, error: PageError) -> None:
     """Print why something that was asked for at the start is not shown: there may be no page to get it."""
     print(f"tfloom: {shown_text(what)} is not shown: {shown_text(str(error), 500)}", file=sys.stderr)
 
@@ -526,6 +551,14 @@ def _frames_of(finding: Finding) -> list[str]:
 def _sendable(name: str) -> str:
     """Return a name as JSON and a page can take it: the same one, but for halves of surrogate pairs."""
     return name.encode("utf-8", "replace").decode()
+
+
+def _rounded(values: NDArray[np.float64]) -> list[float]:
+    """Return numbers with few digits; one that is too large to be rounded stays as it is."""
+    with np.errstate(over="ignore"):
+        rounded = values.round(5)
+    kept: list[float] = np.where(np.isfinite(rounded), rounded, values).tolist()
+    return kept
 
 
 def _finite(value: float | None) -> float | None:

@@ -13,7 +13,19 @@ from tfloom.viewer.shapes import Color, DisplayError, Placed
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Display", "Latest", "color_of", "finite_points", "pose_of", "rainbow", "shown_text", "stamp_of"]
+__all__ = [
+    "MAX_COORDINATE_M",
+    "Display",
+    "Latest",
+    "are_drawable",
+    "color_of",
+    "finite_points",
+    "point_table",
+    "pose_of",
+    "rainbow",
+    "shown_text",
+    "stamp_of",
+]
 
 Position = tuple[float, float, float]
 Rotation = tuple[float, float, float, float]
@@ -103,10 +115,22 @@ def pose_of(pose: Any) -> tuple[Position, Rotation]:
     return position, (x / length, y / length, z / length, w / length)
 
 
+def are_drawable(points: NDArray[Any]) -> NDArray[np.bool_]:
+    """Return which of many points (N, K) have finite numbers below `MAX_COORDINATE_M` (N,)."""
+    drawable: NDArray[np.bool_] = (np.abs(points) < MAX_COORDINATE_M).all(axis=1)
+    return drawable
+
+
+def point_table(points: Sequence[Any]) -> NDArray[np.float32]:
+    """Return the numbers of many points or vectors (N, 3), as pages have them."""
+    with np.errstate(over="ignore"):
+        return np.array([(point.x, point.y, point.z) for point in points], np.float32).reshape(-1, 3)
+
+
 def finite_points(points: Sequence[Any]) -> NDArray[np.float32]:
-    """Return those of many points or vectors whose numbers are finite (N, 3)."""
-    table = np.array([(point.x, point.y, point.z) for point in points], np.float32).reshape(-1, 3)
-    return table[np.isfinite(table).all(axis=1)]
+    """Return those of many points or vectors that can be drawn (N, 3)."""
+    table = point_table(points)
+    return table[are_drawable(table)]
 
 
 def color_of(color: Any) -> tuple[Color, float]:

@@ -27,8 +27,8 @@ def shapes_of_scan(message: Any) -> list[Placed]:
         # Beyond its limits a scan has no measurements, and beyond float32 a page has no numbers.
         is_hit = (ranges >= message.range_min) & (ranges <= message.range_max)
         is_hit &= (np.abs(positions) < 1e9).all(axis=1)
-    intensities = np.asarray(message.intensities, np.float64)
-    has_intensities = len(intensities) >= len(ranges) > 0 and np.ptp(intensities[: len(ranges)]) > 0.0
+        intensities = np.asarray(message.intensities, np.float64)
+        has_intensities = len(intensities) >= len(ranges) > 0 and np.ptp(intensities[: len(ranges)]) > 0.0
     colors = rainbow(intensities[: len(ranges)][is_hit]) if has_intensities else RED
     if not is_hit.any():
         return []

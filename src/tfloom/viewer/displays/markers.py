@@ -9,8 +9,17 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from tfloom.interfaces.visualization_msgs.msg import Marker
-from tfloom.viewer.displays.display import color_of, finite_points, pose_of, shown_text, stamp_of
+from tfloom.viewer.displays.display import (
+    are_drawable,
+    color_of,
+    finite_points,
+    point_table,
+    pose_of,
+    shown_text,
+    stamp_of,
+)
 from tfloom.viewer.displays.paths import line_strip
+from tfloom.viewer.fault_text import fault_text
 from tfloom.viewer.mesh_files import read_model
 from tfloom.viewer.shapes import (
     AT_VIEW,
@@ -74,8 +83,8 @@ class MarkerDisplay:
                 self._markers.pop(key, None)
                 try:
                     self._markers[key] = _end_ns(marker, stamp_ns), shapes_of_marker(marker)
-                except DisplayError as error:
-                    faults.append(f"marker {key[1]} of {shown_text(key[0], 40)!r}: {error}")
+                except Exception as error:  # noqa: BLE001  # of one marker: the others are shown
+                    faults.append(f"marker {key[1]} of {shown_text(key[0], 40)!r}: {fault_text(error)}")
             else:
                 faults.append(f"there are more than {MAX_MARKERS} markers")
         if faults:
@@ -150,10 +159,13 @@ def _arrow(marker: Any, scale: tuple[float, float, float]) -> Iterator[Shape]:
 def _list_shapes(marker: Any, scale: tuple[float, float, float]) -> Iterator[Shape]:
     """Yield the shape of a marker that has many points, which may have a colour each."""
     points = marker.points[:MAX_POINTS]
-    table = np.array([(point.x, point.y, point.z) for point in points], np.float32).reshape(-1, 3)
+    # Two points make a line, three a triangle: of one that can't be drawn as a whole, nothing is.
+    group = {Marker.LINE_LIST: 2, Marker.TRIANGLE_LIST: 3}.get(marker.type, 1)
+    points = points[: len(points) // group * group]
+    table = point_table(points)
     colors = _colors(marker, len(table))
-    is_finite = np.isfinite(table).all(axis=1)
-    table, colors = table[is_finite], colors[is_finite]
+    is_drawable = np.repeat(are_drawable(table.reshape(-1, 3 * group)), group)
+    table, colors = table[is_drawable], colors[is_drawable]
     color, opacity = color_of(marker.color)
     if not len(table):
         return
@@ -164,16 +176,15 @@ def _list_shapes(marker: Any, scale: tuple[float, float, float]) -> Iterator[Sha
         yield Copies(kind, table, scale, colors, opacity)
     elif marker.type == Marker.LINE_STRIP and len(table) > 1:
         yield Lines(line_strip(table), line_strip(colors), _width_px(scale[0]))
-    elif marker.type == Marker.LINE_LIST and len(table) > 1:
-        even = len(table) // 2 * 2
-        yield Lines(table[:even].reshape(-1, 2, 3), colors[:even].reshape(-1, 2, 3), _width_px(scale[0]))
-    elif marker.type == Marker.TRIANGLE_LIST and len(table) > 2:
-        whole = len(table) // 3 * 3
-        vertices = table[:whole] * np.array([part or 1.0 for part in scale], np.float32)
+    elif marker.type == Marker.LINE_LIST:
+        yield Lines(table.reshape(-1, 2, 3), colors.reshape(-1, 2, 3), _width_px(scale[0]))
+    elif marker.type == Marker.TRIANGLE_LIST:
+        vertices = table * np.array([part or 1.0 for part in scale], np.float32)
         if len(marker.colors):
             mean = colors.mean(axis=0)
             color = int(mean[0]), int(mean[1]), int(mean[2])
-        yield Mesh(vertices, np.arange(whole, dtype=np.uint32).reshape(-1, 3), color, opacity or 1.0)
+        faces = np.arange(len(vertices), dtype=np.uint32).reshape(-1, 3)
+        yield Mesh(vertices, faces, color, opacity or 1.0)
 
 
 def _width_px(width_m: float) -> float:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from tfloom.tf2_ros.point_clouds.point_cloud2 import points_view
-from tfloom.viewer.displays.display import Latest, rainbow, stamp_of
+from tfloom.viewer.displays.display import Latest, are_drawable, finite_points, rainbow, stamp_of
 from tfloom.viewer.shapes import DisplayError, Placed, Points
 
 if TYPE_CHECKING:
@@ -45,10 +45,11 @@ class PointCloudDisplay(Latest):
         self.choices = names
         step = -(-len(points) // MAX_POINTS) or 1
         points = points[::step]
-        positions = np.stack([points[axis].astype(np.float32) for axis in "xyz"], axis=1)
-        is_finite = np.isfinite(positions).all(axis=1)
-        if not is_finite.all():
-            positions, points = positions[is_finite], points[is_finite]
+        with np.errstate(over="ignore"):
+            positions = np.stack([points[axis].astype(np.float32) for axis in "xyz"], axis=1)
+        is_drawable = are_drawable(positions)
+        if not is_drawable.all():
+            positions, points = positions[is_drawable], points[is_drawable]
         if not len(points):
             return []
         chosen = self.choice if self.choice in names else next(name for name in USUAL_FIELDS if name in names)
@@ -67,9 +68,7 @@ def _colors(values: NDArray[Any], field: str) -> NDArray[np.uint8]:
 def shapes_of_old_cloud(message: Any) -> list[Placed]:
     """Return the points of a `sensor_msgs/msg/PointCloud`, by their height."""
     step = -(-len(message.points) // MAX_POINTS) or 1
-    table = np.array([(point.x, point.y, point.z) for point in message.points[::step]], np.float32)
-    positions = table.reshape(-1, 3)
-    positions = positions[np.isfinite(positions).all(axis=1)]
+    positions = finite_points(message.points[::step])
     if not len(positions):
         return []
     shape = Points(positions, rainbow(positions[:, 2]))

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from tfloom.tf2.transform import Transform
-from tfloom.viewer.displays.display import finite_points, pose_of, stamp_of
+from tfloom.viewer.displays.display import finite_points, pose_of, shown_text, stamp_of
 from tfloom.viewer.shapes import Arrows, Axes, Ball, Color, DisplayError, Placed, Text
 
 __all__ = [
@@ -26,6 +26,8 @@ RED: Color = (255, 60, 60)
 YELLOW: Color = (255, 210, 60)
 VIOLET: Color = (200, 90, 255)
 COVARIANCE_OPACITY = 0.3
+MAX_SPEED = 30
+"""Number of characters of a speed that are drawn."""
 MAX_RADIUS_M = 1000.0
 """Radius of the largest ellipsoid of a covariance that is drawn [m]."""
 
@@ -76,7 +78,14 @@ def shapes_of_odometry(message: Any) -> list[Placed]:
     if math.isfinite(speed):
         (x, y, z), _ = pose_of(pose)
         place = (x, y, z + 0.3)
-        shapes.append(Placed(Text(f"{speed:.2f} m/s", 0.15), header.frame_id, stamp_of(header), place))
+        shapes.append(
+            Placed(
+                Text(shown_text(f"{speed:.2f} m/s", MAX_SPEED), 0.15),
+                header.frame_id,
+                stamp_of(header),
+                place,
+            )
+        )
     return shapes
 
 

@@ -7,6 +7,7 @@ from typing import Any
 
 from tfloom.robot.urdf_error import UrdfError
 from tfloom.robot.visuals import BallForm, BoxForm, CylinderForm, MeshForm, Visual, read_visuals
+from tfloom.viewer.fault_text import fault_text
 from tfloom.viewer.mesh_files import read_model
 from tfloom.viewer.shapes import Ball, Box, Cylinder, DisplayError, Placed, Shape
 
@@ -44,8 +45,8 @@ class RobotDisplay:
         for visual in visuals[:MAX_VISUALS]:
             try:
                 self._shapes.extend(_placed(visual))
-            except DisplayError as error:  # noqa: PERF203  # one wrong form doesn't hide the others
-                faults.append(str(error))
+            except Exception as error:  # noqa: BLE001, PERF203  # of one form: the others are shown
+                faults.append(fault_text(error))
         if faults:
             raise DisplayError(faults[0] if len(faults) == 1 else f"{faults[0]} (and {len(faults) - 1} more)")
 

@@ -1,0 +1,387 @@
+"""The view that pages share, without a graph: what can't be shown ends in a sentence, and nothing else ends."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import closing
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+from tests.tf2_tools.recordings import transform
+from tests.viewer.messages import header, marker, pose
+
+from tfloom.interfaces.geometry_msgs.msg import Point, PoseStamped
+from tfloom.interfaces.std_msgs.msg import String
+from tfloom.interfaces.tf2_msgs.msg import TFMessage
+from tfloom.interfaces.visualization_msgs.msg import Marker, MarkerArray
+from tfloom.rosidl import cdr
+from tfloom.tf2.buffer import Buffer
+from tfloom.tf2_tools.watch.recorded import observe_recorded
+from tfloom.tf2_tools.watch.sources import Still
+from tfloom.viewer.history import Entry, History
+from tfloom.viewer.layout.layout import Layout
+from tfloom.viewer.page_server import _json
+from tfloom.viewer.scene import Scene
+from tfloom.viewer.scene_server import SceneServer
+from tfloom.viewer.shapes import Ball, Box, Lines, Points, Shape
+from tfloom.viewer.view import View
+
+S = 1_000_000_000
+HERE = ((0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0))
+
+
+class KeptTopics:
+    """Topics whose messages the test adds."""
+
+    def __init__(self) -> None:
+        self.histories: dict[str, History] = {}
+        self.classes: dict[str, type[Any]] = {}
+
+    def add(self, topic: str, message: Any, stamp_ns: int = S) -> None:
+        self.classes[topic] = type(message)
+        self.history(topic).add(Entry(stamp_ns, cdr.encode(message)))
+
+    def history(self, topic: str) -> History:
+        return self.histories.setdefault(topic, History(60 * S))
+
+    def types(self) -> Mapping[str, str]:
+        return {topic: made._TYPE_NAME for topic, made in self.classes.items()}
+
+    def open(self, topic: str) -> tuple[History, Callable[[bytes], Any]]:
+        return self.history(topic), lambda data: cdr.decode(self.classes[topic], data)
+
+    def close(self, topic: str) -> None:
+        self.histories.pop(topic, None)
+
+    def poll(self) -> None:
+        pass
+
+
+class Stage:
+    """A view of transforms and topics that the test gives, and its scene."""
+
+    def __init__(self, server: SceneServer) -> None:
+        self.server = server
+        self.topics: Any = KeptTopics()
+        self.scene = Scene(server.scene, lambda _: None)
+        self.reports: list[str] = []
+        self.moves: list[Any] = []
+        self.view = self.view_of(Buffer())
+
+    def view_of(self, buffer: Buffer, **options: Any) -> View:
+        buffer.set_log_callback(None)
+        seen = observe_recorded(
+            [("/tf", stamp_ns, cdr.encode(TFMessage(transforms=[made]))) for stamp_ns, made in self.moves],
+            "a test",
+            buffer=buffer,
+        )
+        report = self.reports.append
+        return View(Still(seen, buffer), self.topics, self.scene, is_live=True, report=report, **options)
+
+    def move(self, parent: str, child: str, *xs: float) -> None:
+        """Let a frame be at each x in turn, a second apart."""
+        for second, x in enumerate(xs, 1):
+            self.moves.append((second * S, transform(parent, child, second * S, (x, 0.0, 0.0))))
+        self.view = self.view_of(Buffer())
+
+    def draw(self) -> dict[str, Any]:
+        """Draw twice, so that what is looked at seldom is seen, and return what pages get."""
+        for _ in range(2):
+            self.view._next_look_s = self.view._next_trail_s = self.view._next_diagnosis_s = 0.0
+            self.view.draw()
+        state: dict[str, Any] = json.loads(_json(self.view.snapshot()), parse_constant=pytest.fail)
+        return state
+
+    def node(self, name: str) -> Any:
+        return self.server.scene.get_handle_by_name(name)
+
+    def status(self, topic: str) -> str:
+        feed = self.view.feed(topic)
+        assert feed is not None
+        return feed.status
+
+    def drawn(self, topic: str) -> list[Any]:
+        """Return the nodes of a display that are in the scene."""
+        number = self.scene._display_numbers[topic]
+        nodes = (self.node(f"/displays/{number}/{index}") for index in range(20))
+        return [node for node in nodes if node is not None]
+
+
+@pytest.fixture(scope="module")
+def server() -> Iterator[SceneServer]:
+    made = SceneServer()
+    with closing(SimpleNamespace(close=made.stop)):
+        yield made
+
+
+@pytest.fixture
+def stage(server: SceneServer) -> Iterator[Stage]:
+    made = Stage(server)
+    yield made
+    server.scene.reset()
+
+
+# Transforms.
+
+
+@pytest.mark.parametrize("x", [1e11, 4e12, 1e38, 1e300, 1e304, 1e308, -1.7e308])
+def test_transform_of_any_length_is_told_and_drawn_if_a_page_can(stage: Stage, x: float) -> None:
+    stage.move("map", "a", x, x / 2.0)
+    stage.move("a", "b", x, -x)
+    stage.move("map", "near", 1.0, 2.0)
+    stage.view.command({"op": "trail", "frame": "b", "on": True})
+    for frame in ("map", "b"):
+        stage.view.command({"op": "select", "frame": frame})
+    state = stage.draw()
+    assert stage.reports == []
+    assert "At time 2.0" in state["selection"]["text"]
+    assert len(state["selection"]["plot"]["x"]) == 2
+    for name, array in (
+        ("/frames/axes", "batched_positions"),
+        ("/frames/arrows", "points"),
+        ("/trails/0", "points"),
+    ):
+        node = stage.node(name)
+        assert node is None or np.isfinite(getattr(node, array)).all()
+    assert len(stage.node("/frames/axes").batched_positions) == (4 if abs(x) < 1e12 else 2)
+    notes = {row["frame"]: row["note"] for row in state["rows"]}
+    assert ("not drawn" in notes["a"]) == (abs(x) > 1e12)
+    assert "not drawn" not in notes["near"]
+
+
+@pytest.mark.parametrize("name", ["\ud800", "a\0b", "x" * 100_000, "/map", ""])
+def test_frame_of_any_name_can_be_asked_for_at_the_start(stage: Stage, name: str) -> None:
+    stage.move("map", "a", 1.0, 2.0)
+    stage.view = stage.view_of(Buffer(), fixed_frame=name)
+    stage.draw()
+    stage.view.apply(Layout(fixed_frame=name, trails=(name, name, "a"), camera_frame=name))
+    state = stage.draw()
+    assert stage.reports == []
+    assert "a" in state["trails"]
+
+
+# Trails.
+
+
+def line(y: float) -> np.ndarray:
+    return np.array([[0.0, y, 0.0], [1.0, y, 0.0], [2.0, y, 0.0]])
+
+
+def test_trail_keeps_its_node_whichever_others_come_and_go(stage: Stage) -> None:
+    scene = stage.scene
+    scene.draw_trails({"a": line(0.0), "b": line(1.0)})
+    scene.draw_trails({"b": line(1.0)})
+    kept = stage.node("/trails/1")
+    scene.draw_trails({"b": line(1.5), "c": line(2.0)})
+    assert stage.node("/trails/1") is kept
+    assert [float(stage.node(f"/trails/{number}").points[0, 0, 1]) for number in (0, 1)] == [2.0, 1.5]
+    scene.draw_trails({"c": line(3.0), "b": np.empty((0, 3))})
+    assert stage.node("/trails/1") is None
+    scene.draw_trails({"c": line(3.0), "b": line(4.0), "a": line(5.0)})
+    assert [float(stage.node(f"/trails/{number}").points[0, 0, 1]) for number in range(3)] == [3.0, 4.0, 5.0]
+    scene.draw_trails({})
+    assert [stage.node(f"/trails/{number}") for number in range(3)] == [None] * 3
+
+
+def test_trails_are_switched_on_and_off_in_any_order(stage: Stage) -> None:
+    for frame, x in (("a", 1.0), ("b", 2.0), ("c", 3.0)):
+        stage.move("map", frame, x, x + 0.5)
+    for number, (frame, on) in enumerate(
+        (("a", True), ("b", True), ("a", False), ("c", True), ("a", True), ("b", False), ("c", False))
+    ):
+        stage.view.command({"op": "trail", "frame": frame, "on": on})
+        state = stage.draw()
+        nodes = [node for place in range(4) if (node := stage.node(f"/trails/{place}")) is not None]
+        firsts = sorted(float(node.points[0, 0, 0]) for node in nodes)
+        assert firsts == sorted({"a": 1.0, "b": 2.0, "c": 3.0}[trail] for trail in state["trails"]), number
+    assert stage.reports == []
+
+
+# Parts that fail.
+
+
+def test_part_that_fails_is_reported_and_ends_no_other(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
+    stage.move("map", "a", 1.0, 2.0)
+
+    def fail(*_: object, **__: object) -> None:
+        raise ZeroDivisionError("a fault")
+
+    for owner, name in (
+        (stage.topics, "poll"),
+        (stage.view.plots, "poll"),
+        (stage.view.plots, "snapshot"),
+        (stage.view.plots, "look"),
+        (stage.scene, "draw_trails"),
+        (stage.scene, "draw_selection"),
+        (stage.scene, "draw_marks"),
+        (stage.view, "_row"),
+        (stage.view, "_plot"),
+    ):
+        monkeypatch.setattr(owner, name, fail)
+    for frame in ("map", "a"):
+        stage.view.command({"op": "select", "frame": frame})
+    state = stage.draw()
+    assert len(stage.node("/frames/axes").batched_positions) == 2
+    assert state["frames"] == ["a", "map"]
+    assert (state["rows"], state["plots"]) == ([], [])
+    assert "ZeroDivisionError: a fault (test_view.py, line " in state["selection"]["text"]
+    reported = {report.partition(":")[0] for report in stage.reports}
+    assert len(reported) == 8
+    assert all("ZeroDivisionError: a fault" in report for report in stage.reports)
+
+
+def test_nodes_of_a_part_that_failed_are_drawn_again(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
+    stage.move("map", "a", 1.0, 2.0)
+    stage.view.command({"op": "trail", "frame": "a", "on": True})
+    stage.draw()
+    add = server_scene = stage.server.scene
+    for name in ("add_line_segments", "add_batched_axes", "add_arrows"):
+        add = getattr(server_scene, name)
+        with monkeypatch.context() as patch:
+            patch.setattr(type(server_scene), name, lambda *_, **__: 1 / 0)
+            stage.move("map", name, 1.0, 2.0)
+            stage.view.command({"op": "trail", "frame": "a", "on": True})
+            stage.view.command({"op": "trail", "frame": name, "on": True})
+            stage.draw()
+        assert any("ZeroDivisionError" in report for report in stage.reports), add
+        stage.reports.clear()
+        stage.draw()
+        assert stage.reports == []
+        assert len(stage.node("/frames/axes").batched_positions) == len(stage.view.buffer.frame_names())
+        assert stage.node("/trails/1") is not None
+
+
+# Displays that fail.
+
+
+def test_failing_display_keeps_no_old_shapes_and_tries_again_with_the_next_message(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    stage.move("map", "a", 1.0, 2.0)
+    stage.topics.add("/pose", PoseStamped(header=header("map"), pose=pose()), S)
+    stage.view.set_display("/pose", on=True)
+    stage.draw()
+    assert len(stage.drawn("/pose")) == 1
+    feed = stage.view.feed("/pose")
+    assert feed is not None
+    calls: list[int] = []
+
+    def fail(now_ns: int) -> None:
+        calls.append(now_ns)
+        raise ZeroDivisionError("a fault")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(feed.display, "shapes", fail)
+        stage.draw()
+        stage.draw()
+        assert len(calls) == 1
+        assert "it can't be shown: ZeroDivisionError: a fault" in stage.status("/pose")
+        assert stage.drawn("/pose") == []
+        stage.topics.add("/pose", PoseStamped(header=header("map"), pose=pose()), 2 * S)
+        stage.draw()
+        assert len(calls) == 2
+    stage.draw()
+    assert stage.drawn("/pose") == []
+    stage.topics.add("/pose", PoseStamped(header=header("map"), pose=pose()), 3 * S)
+    stage.draw()
+    assert (len(stage.drawn("/pose")), stage.status("/pose")) == (1, "")
+
+
+def test_message_that_nobody_thought_of_is_a_sentence_and_the_next_one_is_shown(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    stage.move("map", "a", 1.0, 2.0)
+    stage.topics.add("/pose", PoseStamped(header=header("map"), pose=pose()), S)
+    stage.view.set_display("/pose", on=True)
+    stage.draw()
+    feed = stage.view.feed("/pose")
+    assert feed is not None
+    with monkeypatch.context() as patch:
+        patch.setattr(feed, "decode", lambda _: 1 / 0)
+        stage.topics.add("/pose", PoseStamped(header=header("map"), pose=pose()), 2 * S)
+        stage.draw()
+        assert "ZeroDivisionError" in stage.status("/pose")
+        assert stage.drawn("/pose") == []
+    stage.topics.add("/pose", PoseStamped(header=header("map"), pose=pose()), 3 * S)
+    stage.draw()
+    assert (len(stage.drawn("/pose")), stage.status("/pose")) == (1, "")
+
+
+BAD: list[Shape] = [
+    Box((1.0, float("nan"), 1.0), (0, 0, 0)),
+    Ball((float("inf"), 1.0, 1.0), (0, 0, 0)),
+    Ball((1e13, 1.0, 1.0), (0, 0, 0)),
+    Points(np.array([[0.0, 1e30, 0.0]], np.float32), np.zeros(3, np.uint8)),
+    Points(np.zeros((2, 3), np.float32), np.zeros((5, 3), np.uint8)),
+    Lines(np.zeros((3, 3), np.float32), np.zeros(3, np.uint8)),
+]
+
+
+@pytest.mark.parametrize("bad", BAD)
+def test_shape_that_cant_be_drawn_hides_no_other_and_its_place_is_used_again(
+    stage: Stage, bad: Shape
+) -> None:
+    good: list[Shape] = [Box((1.0, 1.0, 1.0), (0, 0, 0)), Ball((1.0, 1.0, 1.0), (0, 0, 0))]
+    draw = stage.scene.draw_display
+    for _ in range(2):
+        assert draw("/a", [(good[0], HERE), (bad, HERE), (good[1], HERE)])
+        assert len(stage.drawn("/a")) == 2
+    assert draw("/a", [(shape, HERE) for shape in (good[0], good[1], good[1])]) == ""
+    assert len(stage.drawn("/a")) == 3
+    assert draw("/a", [(bad, HERE), (bad, HERE)])
+    assert stage.drawn("/a") == []
+    assert draw("/a", [(good[0], HERE)]) == ""
+    assert len(stage.drawn("/a")) == 1
+    assert draw("/a", []) == ""
+    assert stage.drawn("/a") == []
+
+
+def test_bad_marker_or_visual_hides_none_of_the_others(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
+    stage.move("map", "a", 1.0, 2.0)
+    bad = marker(Marker.MESH_RESOURCE, 2, mesh_resource="file://[x.stl")
+    array = MarkerArray(markers=[marker(Marker.CUBE, 1), bad, marker(Marker.CUBE, 3)])
+    stage.topics.add("/markers", array)
+    visuals = "".join(
+        f"<visual><geometry>{form}</geometry></visual>"
+        for form in ('<box size="1 1 1"/>', '<mesh filename="file://[x.stl"/>', '<sphere radius="1e300"/>')
+    )
+    description = f'<robot name="r"><link name="a">{visuals}</link></robot>'
+    stage.topics.add("/robot_description", String(data=description))
+    for topic in ("/markers", "/robot_description"):
+        stage.view.set_display(topic, on=True)
+    state = stage.draw()
+    assert len(stage.drawn("/markers")) == 2
+    assert len(stage.drawn("/robot_description")) == 1
+    rows = {row["topic"]: row["status"] for row in state["displays"]}
+    assert "marker 2 of 'test': file://[x.stl is not a URI" in rows["/markers"]
+    assert "file://[x.stl is not a URI" in rows["/robot_description"]
+
+
+def test_lines_and_triangles_that_cant_be_drawn_leave_the_others_as_they_are(stage: Stage) -> None:
+    stage.move("map", "a", 1.0, 2.0)
+    points = [Point(x=float(x)) for x in (1, 2, 3, np.nan, 5, 6, 7, 1e300, 9, 10)]
+    stage.topics.add("/lines", marker(Marker.LINE_LIST, points=points))
+    stage.topics.add("/triangles", marker(Marker.TRIANGLE_LIST, points=points))
+    for topic in ("/lines", "/triangles"):
+        stage.view.set_display(topic, on=True)
+    stage.draw()
+    (lines,) = stage.drawn("/lines")
+    assert lines.points[:, :, 0].tolist() == [[1.0, 2.0], [5.0, 6.0], [9.0, 10.0]]
+    (triangles,) = stage.drawn("/triangles")
+    assert triangles.vertices[:, 0].tolist() == [1.0, 2.0, 3.0]
+
+
+def test_frames_too_far_away_hide_what_is_in_them_alone(stage: Stage) -> None:
+    stage.move("map", "far", 1e304, 1e305)
+    stage.topics.add("/here", PoseStamped(header=header("map"), pose=pose()))
+    stage.topics.add("/there", PoseStamped(header=header("far"), pose=pose()))
+    for topic in ("/here", "/there"):
+        stage.view.set_display(topic, on=True)
+    stage.draw()
+    assert stage.status("/here") == ""
+    assert "far is further than 1e+12 m from map" in stage.status("/there")
+    (there,) = stage.drawn("/there")
+    assert not there.visible
