@@ -106,6 +106,64 @@ def test_a_file_precedes_what_it_states(tmp_path: Path, monkeypatch: pytest.Monk
     assert endpoints(zenoh_config.router_configuration())[0] == []  # another variable's
 
 
+def settings_of_file(text: str, path: Path, monkeypatch: pytest.MonkeyPatch) -> Any:
+    path.write_text(text)
+    monkeypatch.setenv("ZENOH_SESSION_CONFIG_URI", str(path))
+    return zenoh_config.session_configuration()
+
+
+OPENS_NOTHING = [
+    '{connect: {endpoints: ["tcp/robot:7447"]}, listen: {exit_on_failure: true}}',
+    '{listen: {timeout_ms: 5}, "connect": {"endpoints": ["tcp/robot:7447"]}}',
+    '{metadata: {listen: {endpoints: ["tcp/[::]:0"]}}, connect: {endpoints: ["tcp/robot:7447"]}}',
+    '{metadata: {name: "I listen at endpoints"}, connect: {endpoints: ["tcp/robot:7447"]}}',
+    '{listen: {endpoints: {router: ["tcp/[::]:7447"]}}, connect: {endpoints: {peer: ["tcp/robot:7447"]}}}',
+    '{listen: {endpoints: {}}, connect: {endpoints: ["tcp/robot:7447"], retry: {period_init_ms: 1}}}',
+    '{transport: {shared_memory: {mode: "lazy"}}, connect: {endpoints: ["tcp/robot:7447"]}}',
+    '{scouting: {multicast: {ttl: 3, enabled: null}}, connect: {endpoints: ["tcp/robot:7447"]}}',
+]
+
+
+@pytest.mark.parametrize("text", OPENS_NOTHING)
+def test_a_file_opens_nothing_that_it_does_not_name(
+    text: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    config = settings_of_file(text, tmp_path / "session.json5", monkeypatch)
+    assert endpoints(config) == (["tcp/robot:7447"], ["tcp/127.0.0.1:0"])
+    assert value(config, "transport/shared_memory/enabled") is False
+    assert value(config, "scouting/multicast/enabled") is False
+
+
+def test_a_file_that_names_few_parts_leaves_the_others(
+    port: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    text = """{listen: {endpoints: ["tcp/[::]:7999"]}, connect: {retry: {period_init_ms: 7}},
+    timestamping: {enabled: {peer: false}}, transport: {link: {tx: {lease: 5}}},
+    scouting: {gossip: {target: ["peer"]}}}"""
+    config = settings_of_file(text, tmp_path / "session.json", monkeypatch)
+    assert endpoints(config) == ([f"tcp/127.0.0.1:{port}"], ["tcp/[::]:7999"])
+    assert value(config, "connect/retry") == {
+        "period_init_ms": 7,
+        "period_max_ms": 1000,
+        "period_increase_factor": 2,
+    }
+    assert value(config, "timestamping/enabled") == {"router": True, "peer": False, "client": True}
+    assert value(config, "transport/link/tx/lease") == 5
+    assert value(config, "transport/unicast/max_sessions") == 10_000
+    assert value(config, "scouting/gossip/target") == ["peer"]
+
+
+@pytest.mark.parametrize("suffix", ["yaml", "yml"])
+def test_a_file_in_yaml_opens_nothing_that_it_does_not_name(
+    suffix: str, port: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / f"session.{suffix}"
+    config = settings_of_file("listen:\n  exit_on_failure: true  # endpoints\n", path, monkeypatch)
+    assert endpoints(config) == ([f"tcp/127.0.0.1:{port}"], ["tcp/127.0.0.1:0"])
+    config = settings_of_file("listen: {endpoints: ['tcp/127.0.0.1:7999']}\n", path, monkeypatch)
+    assert endpoints(config) == ([f"tcp/127.0.0.1:{port}"], ["tcp/127.0.0.1:7999"])
+
+
 def test_a_file_may_listen_nowhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     file = tmp_path / "session.json5"
     file.write_text('{listen: {endpoints: []}, "connect": {"endpoints": []}}')
@@ -148,10 +206,11 @@ def test_overrides_come_last_and_wrong_ones_are_reported(
         ),
         (b"{mod: 1}", "unknown field `mod`"),
         (b"", "Empty config file"),
+        (b"{metadata: " + 3000 * b"[" + 3000 * b"]" + b"}", "maximum recursion depth exceeded"),
         (b"\xff", "isn't UTF-8 text"),
         (b" " * (zenoh_config.MAX_FILE_SIZE + 1), "is longer than 1048576 bytes"),
     ],
-    ids=["cut", "value", "key", "empty", "bytes", "long"],
+    ids=["cut", "value", "key", "empty", "deep", "bytes", "long"],
 )
 def test_a_wrong_file_is_named_with_the_reason(
     content: bytes, text: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -59,7 +59,7 @@ MAX_WAIT_BEFORE_DROP_US = 5_000_000
 """How long one of many parts waits in all [us]; each part adds the wait above. With Zenoh's 50 ms, no image of 10 MB
 passes a link of 100 MB/s."""
 
-_COMMENT_OR_TEXT = re.compile(r"""("(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*')|/\*.*?\*/|//[^\n]*""", re.DOTALL)
+_MODES = {"router", "peer", "client"}
 _PLACE_IN_SOURCES = re.compile(r" at /\S+\.rs:\d+\.?")
 
 
@@ -246,22 +246,13 @@ def configured(variable: str, settings: Mapping[str, object]) -> Any:
         ConfigurationError: the file can't be read, or isn't a configuration.
         NoBackendError: eclipse-zenoh isn't installed.
     """
-    zenoh = open_library()
     path = os.environ.get(variable, "").strip()
-    text = ""
-    if path:
-        text = _file_text(variable, path)
-        try:
-            config = zenoh.Config.from_file(path)
-        except zenoh.ZError as error:
-            raise ConfigurationError(
-                f"{variable} names {path}, which is no configuration of Zenoh: {reason_of(error)}"
-            ) from None
-    else:
-        config = zenoh.Config()
+    config, stated = _read_file(variable, path) if path else (open_library().Config(), {})
     for key, setting in settings.items():
-        if not (path and _is_stated(config, text, key)):
-            _insert(config, key, setting, "tfloom's settings")
+        value = _stated(stated, key)
+        whole = setting if value is None else _with_defaults(value, setting)
+        if whole != value:
+            _insert(config, key, whole, "tfloom's settings")
     for key, value_text in _overrides():
         _override(config, key, value_text)
     return config
@@ -316,6 +307,32 @@ def _override(config: Any, key: str, value_text: str) -> None:
         )
 
 
+def _read_file(variable: str, path: str) -> tuple[Any, Any]:
+    """Return the `zenoh.Config` of a file, and what the file states, as plain values."""
+    zenoh = open_library()
+    text = _file_text(variable, path)
+    try:
+        config = zenoh.Config.from_file(path)
+        return config, _json5_values(text) if path.endswith((".json", ".json5")) else _yaml_values(text)
+    except (zenoh.ZError, ValueError, RecursionError) as error:
+        raise ConfigurationError(
+            f"{variable} names {path}, which is no configuration of Zenoh: {reason_of(error)}"
+        ) from None
+
+
+def _json5_values(text: str) -> Any:
+    """Return the values of a text in JSON5, as Zenoh's own parser reads it: as a value that may be anything."""
+    scratch = open_library().Config()
+    scratch.insert_json5("metadata", text)
+    return json.loads(scratch.get_json("metadata"))
+
+
+def _yaml_values(text: str) -> Any:
+    from tfloom.rosidl.user_yaml import load  # here, because few configurations are in YAML
+
+    return load(text)
+
+
 def _file_text(variable: str, path: str) -> str:
     try:
         with open(path, "rb") as file:  # noqa: PTH123  # importing pathlib takes long
@@ -329,32 +346,32 @@ def _file_text(variable: str, path: str) -> str:
         raise ConfigurationError(f"{variable} names {path}, which isn't UTF-8 text") from None
     if len(data) > MAX_FILE_SIZE:
         raise ConfigurationError(f"{variable} names {path}, which is longer than {MAX_FILE_SIZE} bytes")
-    return _COMMENT_OR_TEXT.sub(lambda match: match.group(1) or " ", text)
+    return text
 
 
-def _is_stated(config: Any, text: str, key: str) -> bool:
-    """Return whether a file states a key.
+def _stated(values: Any, key: str) -> Any:
+    """Return what a file's values state at a key, as `connect/endpoints`; None if nothing."""
+    for part in key.split("/"):
+        values = values.get(part) if isinstance(values, dict) else None
+    return values
 
-    Most keys of a `zenoh.Config` are null until a file states them; the others have a default there, so that only the
-    text tells. Of these, the last two parts of the key are searched in the text, because JSON5 quotes a key or not.
+
+def _with_defaults(value: Any, setting: object) -> Any:
+    """Return a value that a file states, with a setting's parts where it states nothing of them.
+
+    The parts are the members of a group, or the modes: what a file states for a router alone says nothing of a peer.
     """
-    if key not in _WITH_DEFAULTS:
-        return json.loads(config.get_json(key)) is not None
-    return all(re.search(rf"\b{re.escape(part)}\b", text) for part in key.split("/")[-2:])
+    if not isinstance(value, dict):
+        return value
+    is_by_mode = _is_by_mode(value)
+    defaults = dict.fromkeys(_MODES, setting) if is_by_mode and not _is_by_mode(setting) else setting
+    if not isinstance(defaults, dict) or is_by_mode != _is_by_mode(defaults):
+        return value
+    return {**defaults, **{part: stated for part, stated in value.items() if stated is not None}}
 
 
-_WITH_DEFAULTS = {
-    "connect/endpoints",
-    "listen/endpoints",
-    "transport/unicast/open_timeout",
-    "transport/unicast/accept_timeout",
-    "transport/unicast/accept_pending",
-    "transport/unicast/max_sessions",
-    "transport/link/tx/lease",
-    "transport/link/tx/queue/congestion_control/drop/wait_before_drop",
-    "transport/link/tx/queue/congestion_control/drop/max_wait_before_drop_fragments",
-    "transport/shared_memory/enabled",
-}
+def _is_by_mode(value: object) -> bool:
+    return isinstance(value, dict) and value.keys() <= _MODES
 
 
 def _overrides() -> list[tuple[str, str]]:
