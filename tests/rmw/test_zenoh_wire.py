@@ -21,7 +21,7 @@ from tests.rmw.conftest import Peer, outputs_by_end
 from tests.zenoh_ports import use_port_of
 
 from tfloom._native import ReadyQueue, SampleQueue
-from tfloom.rmw import zenoh_attachment, zenoh_graph, zenoh_services
+from tfloom.rmw import zenoh_attachment, zenoh_graph, zenoh_library, zenoh_services
 from tfloom.rmw.base import NodeName, Participant, Reader, Requester, Sample, Service, Topic
 from tfloom.rmw.errors import ClosedError, ForeignPeerError, NoBackendError, WireError
 from tfloom.rmw.events import Event, LivelinessChanged, Matched
@@ -29,6 +29,8 @@ from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, Qo
 from tfloom.rmw.zenoh_endpoints import ZenohReader
 from tfloom.rmw.zenoh_events import Timers
 from tfloom.rmw.zenoh_graph import ZenohGraph
+from tfloom.rmw.zenoh_library import signals_deferred
+from tfloom.rmw.zenoh_services import ZenohRequester, ZenohResponder
 from tfloom.rmw.zenoh_tokens import End, Kind, Token, data_key, gid_of, token_key
 
 zenoh = pytest.importorskip("zenoh", reason="eclipse-zenoh is not installed: pip install 'tfloom[zenoh]'")
@@ -499,6 +501,116 @@ def test_ctrl_c_while_the_main_thread_writes_to_an_own_reader_loses_nothing(
     wait_until(lambda: taken.extend(iter(reader.take, None)) or len(taken) == 2)
     assert interrupted == [True]
     assert "callback error" not in capfd.readouterr().err
+
+
+@pytest.mark.parametrize("called", ["_on_query", "_on_reply"])
+def test_ctrl_c_while_the_main_thread_serves_an_own_client_is_raised(
+    called: str, participant: Participant, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    end = ZenohResponder if called == "_on_query" else ZenohRequester
+    run = getattr(end, called)
+    interrupted: list[bool] = []
+
+    def run_interrupted(self: Any, *arguments: Any) -> None:
+        if not interrupted:
+            interrupted.append(threading.current_thread() is threading.main_thread())
+            signal.raise_signal(signal.SIGINT)
+        run(self, *arguments)
+
+    monkeypatch.setattr(end, called, run_interrupted)
+    server = participant.create_responder(NODE, KILL, QoS())
+    client = participant.create_requester(NODE, KILL, QoS())
+    wait_until(client.is_ready)
+    with pytest.raises(KeyboardInterrupt):  # noqa: PT012 - one of both calls back
+        client.send(HEADER + b"ask")
+        wait_until(lambda: server._requests)
+        server.send(server.take().id, HEADER + b"told")
+    if called == "_on_query":
+        server.send(server.take().id, HEADER + b"told")
+    wait_until(lambda: client.take() is not None)
+    assert interrupted == [True]
+    assert "callback error" not in capfd.readouterr().err
+
+
+class Signals:
+    """The handlers of two signals, which note what they get; that of SIGINT raises."""
+
+    def __init__(self) -> None:
+        self.handled: list[int] = []
+
+    def handle(self, number: int, _frame: object) -> None:
+        self.handled.append(number)
+        if number == signal.SIGINT:
+            raise KeyboardInterrupt
+
+
+@pytest.fixture
+def signals() -> Iterator[Signals]:
+    noting = Signals()
+    numbers = signal.SIGINT, signal.SIGTERM
+    before = [signal.signal(number, noting.handle) for number in numbers]
+    yield noting
+    after = [signal.signal(number, handler) for number, handler in zip(numbers, before, strict=True)]
+    assert after == [noting.handle, noting.handle]
+
+
+@pytest.mark.parametrize(
+    "came", [[signal.SIGINT, signal.SIGTERM], [signal.SIGTERM, signal.SIGINT], 2 * [signal.SIGINT]]
+)
+def test_each_signal_of_one_deferred_call_is_handled_although_one_before_raises(
+    came: list[int], signals: Signals
+) -> None:
+    with pytest.raises(KeyboardInterrupt), signals_deferred():  # noqa: PT012
+        for number in came:
+            signal.raise_signal(number)
+        assert not signals.handled
+    assert signals.handled == came
+
+
+def test_signals_of_a_nested_deferred_call_come_after_the_outer_one(signals: Signals) -> None:
+    with pytest.raises(KeyboardInterrupt) as told, signals_deferred():  # noqa: PT012
+        with signals_deferred():
+            signal.raise_signal(signal.SIGTERM)
+            signal.raise_signal(signal.SIGINT)
+        assert not signals.handled
+        raise ValueError("of the block")
+    assert signals.handled == [signal.SIGTERM, signal.SIGINT]
+    assert isinstance(told.value.__context__, ValueError)
+
+
+def test_signal_that_comes_while_handlers_are_set_again_is_not_the_last_that_is_heard(
+    signals: Signals, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    set_handler = zenoh_library._signal.signal
+
+    def set_and_send(number: int, handler: Any) -> None:
+        set_handler(number, handler)
+        if number == signal.SIGINT:
+            monkeypatch.undo()
+            signal.raise_signal(signal.SIGINT)
+
+    with pytest.raises(KeyboardInterrupt), signals_deferred():  # noqa: PT012
+        signal.raise_signal(signal.SIGTERM)
+        monkeypatch.setattr(zenoh_library._signal, "signal", set_and_send)
+    assert sorted(signals.handled) == [signal.SIGINT, signal.SIGTERM]
+    signal.raise_signal(signal.SIGTERM)  # its handler wasn't set again, but is called
+    assert signals.handled[2:] == [signal.SIGTERM]
+    set_handler(signal.SIGTERM, signals.handle)
+
+
+@pytest.mark.skipif(not hasattr(signal, "SIGALRM"), reason="Windows has no alarm")
+def test_alarm_of_a_program_is_deferred_too() -> None:
+    def handle(*_: object) -> None:
+        raise TimeoutError
+
+    before = signal.signal(signal.SIGALRM, handle)
+    try:
+        with pytest.raises(TimeoutError), signals_deferred():  # noqa: PT012
+            signal.raise_signal(signal.SIGALRM)
+            reached = True
+        assert reached
+    finally:
+        signal.signal(signal.SIGALRM, before)
 
 
 def test_request_waits_for_the_route(participant: Participant, domain_id: int, plain: Any) -> None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import _signal  # type: ignore[import-not-found]
 import sys
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from importlib.machinery import PathFinder
 from types import FrameType, ModuleType
@@ -23,6 +23,11 @@ _HOW_TO_DO_WITHOUT = (
     "eclipse-zenoh has wheels for Linux with glibc, macOS and Windows; within one process, "
     "RMW_IMPLEMENTATION=tfloom_local needs nothing"
 )
+_DEFERRED = [
+    getattr(_signal, name)
+    for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT", "SIGALRM", "SIGUSR1", "SIGUSR2")
+    if hasattr(_signal, name)  # Windows has the first two
+]
 
 
 def find_library() -> str:
@@ -58,7 +63,7 @@ def open_library() -> ModuleType:
 
 @contextmanager
 def signals_deferred() -> Iterator[None]:
-    """Call the handlers of SIGINT and SIGTERM at the end of the block, for those that come within it.
+    """Call the handlers of signals at the end of the block, for those that come within it.
 
     Zenoh calls back on the thread that declares something, ends it, or writes to a reader of the same session. If that
     is the main one, a handler may run in the callback. What it raises, as KeyboardInterrupt, would be printed by Zenoh,
@@ -67,22 +72,37 @@ def signals_deferred() -> Iterator[None]:
     if threading.current_thread() is not threading.main_thread():
         yield
         return
-    handlers = {
-        number: handler
-        for number in (_signal.SIGINT, _signal.SIGTERM)
-        if callable(handler := _signal.getsignal(number))
-    }
+    handlers = {number: handler for number in _DEFERRED if callable(handler := _signal.getsignal(number))}
     came: list[tuple[int, FrameType | None]] = []
+    is_over = False
 
     def note(number: int, frame: FrameType | None) -> None:
-        came.append((number, frame))
+        if is_over:  # what another signal's handler raised has kept this one's from being set again
+            handlers[number](number, frame)
+        else:
+            came.append((number, frame))
 
     try:
         for number in handlers:
             _signal.signal(number, note)
         yield
     finally:
-        for number, handler in handlers.items():
-            _signal.signal(number, handler)
+        is_over = True
+        try:
+            for number, handler in handlers.items():
+                _signal.signal(number, handler)
+        finally:
+            _call_each(handlers, iter(came))
+
+
+def _call_each(
+    handlers: Mapping[int, Callable[[int, FrameType | None], object]],
+    came: Iterator[tuple[int, FrameType | None]],
+) -> None:
+    """Call the handler of each signal, also of those after one whose handler raises."""
+    try:
         for number, frame in came:
             handlers[number](number, frame)
+    except BaseException:
+        _call_each(handlers, came)
+        raise

@@ -22,7 +22,7 @@ from tfloom.rmw.zenoh_end import ZenohEnd
 from tfloom.rmw.zenoh_endpoints import HEADER_SIZE
 from tfloom.rmw.zenoh_events import Timers
 from tfloom.rmw.zenoh_graph import Peer, ZenohGraph
-from tfloom.rmw.zenoh_library import open_library
+from tfloom.rmw.zenoh_library import open_library, signals_deferred
 from tfloom.rmw.zenoh_tokens import Kind
 
 __all__ = ["ServiceEndpoint", "ZenohRequester", "ZenohResponder"]
@@ -227,11 +227,12 @@ class ZenohRequester(_ServiceEnd):
             self._open[number] = self._servers
         zenoh = open_library()
         try:
-            self._querier.get(
-                zenoh.handlers.Callback(self._on_reply, partial(self._on_end, number), indirect=False),
-                payload=bytes(data),
-                attachment=pack(number, self.gid),
-            )
+            with signals_deferred():  # a server of this session is called within it
+                self._querier.get(
+                    zenoh.handlers.Callback(self._on_reply, partial(self._on_end, number), indirect=False),
+                    payload=bytes(data),
+                    attachment=pack(number, self.gid),
+                )
         except zenoh.ZError as error:
             self._check_open("send a request")
             raise WireError(f"cannot send a request to {self._service.name}: {reason_of(error)}") from None
@@ -446,15 +447,15 @@ class ZenohResponder(_ServiceEnd):
             return
         attachment = pack(request_id.sequence_number, request_id.client_gid)
         zenoh = open_library()
-        try:
-            query.reply(self._key, bytes(data), attachment=attachment)
-        except zenoh.ZError as error:
-            self._check_open("reply to a request")
-            raise WireError(
-                f"cannot reply to a request of {self._service.name}: {reason_of(error)}"
-            ) from None
-        finally:
-            query.drop()  # or the client would wait for more
+        with signals_deferred():  # a client of this session is called within it
+            try:
+                query.reply(self._key, bytes(data), attachment=attachment)
+            except zenoh.ZError as error:
+                self._check_open("reply to a request")
+                text = f"cannot reply to a request of {self._service.name}: {reason_of(error)}"
+                raise WireError(text) from None
+            finally:
+                query.drop()  # or the client would wait for more
 
     def incompatibility(self) -> str:
         """Return why some of the present clients can't be served, or an empty text."""
@@ -473,8 +474,9 @@ class ZenohResponder(_ServiceEnd):
         with self._lock:
             queries, self._queries = list(self._queries.values()), OrderedDict()
             self._requests.clear()
-        for query in queries:
-            query.drop()
+        with signals_deferred():
+            for query in queries:
+                query.drop()
 
 
 callback_files.add(ZenohRequester.take.__code__.co_filename)

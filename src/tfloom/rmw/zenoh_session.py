@@ -19,7 +19,7 @@ from tfloom.rmw.zenoh_config import (
     router_checks,
     session_configuration,
 )
-from tfloom.rmw.zenoh_library import open_library
+from tfloom.rmw.zenoh_library import open_library, signals_deferred
 from tfloom.rmw.zenoh_links import why_no_links
 from tfloom.rmw.zenoh_meeting_point import MeetingPoint
 
@@ -129,7 +129,10 @@ class ZenohSession:
         try:
             if self._session.info.routers_zid():
                 time.sleep(FLUSH_S)
-                self._session.close()
+                with (
+                    signals_deferred()
+                ):  # requests of this session end within it, and their clients are called
+                    self._session.close()
             else:
                 self._close_unlinked()
         except open_library().ZError as error:
