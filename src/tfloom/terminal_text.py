@@ -21,6 +21,7 @@ __all__ = [
     "shown_in_colors",
     "shown_name",
     "shown_on_terminals",
+    "shown_part",
     "unescaped",
 ]
 
@@ -29,6 +30,8 @@ _OBEYED = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
 
 _COLORS = re.compile(r"(\x1b\[[0-9;:]*m)")  # ECMA-48's SGR: colours, bold and the like
 _RESET = "\x1b[0m"
+MAX_NAME = 200
+"""The longest part of a name that is shown of one from a hostile program."""
 
 
 def _escape(match: re.Match[str]) -> str:
@@ -60,6 +63,11 @@ def report(text: str) -> None:
     if sys.stderr is not None:
         with suppress(OSError, ValueError):
             print(text, file=sys.stderr)
+
+
+def shown_part(name: str) -> str:
+    """Return the beginning of a name of any length, as `shown_name` does."""
+    return shown_name(name if len(name) <= MAX_NAME else f"{name[:MAX_NAME]}…")
 
 
 def is_terminal(stream: object) -> bool:

@@ -91,7 +91,8 @@ def test_presets_match_those_of_a_real_ros() -> None:
     assert qos_profile_parameter_events.to_wire() == wire.QoS(depth=1000)
     assert qos_profile_sensor_data.to_wire() == wire.QoS(wire.ReliabilityPolicy.BEST_EFFORT, depth=5)
     assert qos_profile_action_status_default.to_wire().durability == wire.DurabilityPolicy.TRANSIENT_LOCAL
-    assert qos_profile_system_default.to_wire() == wire.QoS(depth=1)
+    assert qos_profile_system_default.to_wire() == wire.QoS(depth=0)
+    assert qos_profile_system_default.to_wire().resolved() == wire.QoS(depth=1)
 
 
 def test_presets_and_policies_have_short_names() -> None:

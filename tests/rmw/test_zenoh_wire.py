@@ -13,6 +13,7 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager, suppress
+from itertools import pairwise
 from typing import Any
 
 import pytest
@@ -23,11 +24,20 @@ from tests.zenoh_ports import use_port_of
 from tfloom._native import ReadyQueue, SampleQueue
 from tfloom.rmw import zenoh_attachment, zenoh_graph, zenoh_library, zenoh_services
 from tfloom.rmw.base import NodeName, Participant, Reader, Requester, Sample, Service, Topic
+from tfloom.rmw.endpoint_events import READER_EVENTS, EndpointEvents
 from tfloom.rmw.errors import ClosedError, ForeignPeerError, NoBackendError, WireError
 from tfloom.rmw.events import Event, LivelinessChanged, Matched
-from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoS, ReliabilityPolicy
-from tfloom.rmw.zenoh_endpoints import ZenohReader
-from tfloom.rmw.zenoh_events import Timers
+from tfloom.rmw.qos import (
+    BEST_AVAILABLE_NS,
+    INFINITE_NS,
+    DurabilityPolicy,
+    HistoryPolicy,
+    LivelinessPolicy,
+    QoS,
+    ReliabilityPolicy,
+)
+from tfloom.rmw.zenoh_endpoints import MAX_REPORTS, ZenohReader, _Lease
+from tfloom.rmw.zenoh_events import MIN_PERIOD_S, Timers
 from tfloom.rmw.zenoh_graph import ZenohGraph
 from tfloom.rmw.zenoh_library import signals_deferred
 from tfloom.rmw.zenoh_services import ZenohRequester, ZenohResponder
@@ -892,10 +902,186 @@ def test_incompatible_endpoints_are_told_and_pass_samples(participant: Participa
     reader = participant.create_reader(NODE, TOPIC, QoS())
     for end in (writer, reader):
         assert end.take_event(Event.INCOMPATIBLE_QOS).total_count == 1
-        assert end.matched_count() == 0
+        assert end.matched_count() == 1
+        assert end.take_event(Event.MATCHED) == Matched(1, 1, 1, 1)
+    assert reader.take_event(Event.LIVELINESS_CHANGED) == LivelinessChanged(1, 0, 1, 0)
     writer.write(HEADER + b"x")
     take_all(reader, 1)
     assert participant.graph.delivers_incompatible()
+    writer.close()
+    assert reader.matched_count() == 0
+    assert reader.take_event(Event.MATCHED) == Matched(1, 0, 0, -1)
+
+
+BEST_AVAILABLE = QoS(
+    ReliabilityPolicy.BEST_AVAILABLE,
+    DurabilityPolicy.BEST_AVAILABLE,
+    liveliness=LivelinessPolicy.BEST_AVAILABLE,
+)
+STRICT = QoS(
+    durability=DurabilityPolicy.TRANSIENT_LOCAL,
+    deadline_ns=10**12,
+    liveliness=LivelinessPolicy.MANUAL_BY_TOPIC,
+)
+
+
+@pytest.mark.parametrize("deadline_ns", [INFINITE_NS, BEST_AVAILABLE_NS])
+@pytest.mark.parametrize("kind", [Kind.PUBLISHER, Kind.SUBSCRIPTION])
+def test_best_available_peers_of_rmw_zenoh_match_and_are_compatible(
+    participant: Participant, domain_id: int, plain: Any, kind: Kind, deadline_ns: int
+) -> None:
+    end: Any
+    if kind is Kind.PUBLISHER:
+        end = participant.create_reader(NODE, TOPIC, STRICT._replace(deadline_ns=INFINITE_NS))
+    else:
+        end = participant.create_writer(NODE, TOPIC, QoS(ReliabilityPolicy.BEST_EFFORT))
+    qos = BEST_AVAILABLE._replace(deadline_ns=deadline_ns, liveliness_lease_ns=deadline_ns)
+    theirs = End(TOPIC.name, TOPIC.type_name, HASH, qos)
+    token = declare_token(plain, domain_id, kind, theirs)
+    wait_until(lambda: end.matched_count() == 1)
+    assert end.take_event(Event.INCOMPATIBLE_QOS) is None
+    (peer,) = [info for info in participant.graph.endpoints() if info.gid != end.gid]
+    assert "/4:4:,10:" in plain_key(plain, domain_id, kind, theirs)
+    assert peer.qos == qos
+    token.undeclare()
+    wait_until(lambda: end.matched_count() == 0)
+
+
+def test_samples_bear_the_numbers_of_their_writer_and_of_their_arrival(
+    participant: Participant, plain: Any, domain_id: int
+) -> None:
+    reader = participant.create_reader(NODE, TOPIC, QoS())
+    writer = participant.create_writer(NODE, TOPIC, QoS())
+    for _ in range(2):
+        writer.write(HEADER + b"x")
+    key = key_of(TOPIC, domain_id)
+    taken = take_all(reader, 2)
+    wait_until(lambda: plain.put(key, HEADER, attachment=zenoh_attachment.pack(7, GID)) or reader._waiting)
+    taken += take_all(reader, 1)
+    numbers = [(sample.publication_sequence_number, sample.reception_sequence_number) for sample in taken]
+    assert numbers == [(1, 0), (2, 1), (7, 2)]
+
+
+def test_late_readers_samples_are_numbered_in_their_order(participant: Participant) -> None:
+    writer = participant.create_writer(NODE, TOPIC, LATCHED)
+    for _ in range(7):
+        writer.write(HEADER + b"x")
+    reader = participant.create_reader(NODE, TOPIC, LATCHED)
+    taken = take_all(reader, 5)
+    assert [sample.publication_sequence_number for sample in taken] == [3, 4, 5, 6, 7]
+    assert [sample.reception_sequence_number for sample in taken] == [0, 1, 2, 3, 4]
+
+
+def test_names_of_peers_are_shown_as_data_and_few_of_them(
+    participant: Participant, plain: Any, domain_id: int, capsys: pytest.CaptureFixture[str]
+) -> None:
+    reader = participant.create_reader(NODE, TOPIC, QoS())
+    client = participant.create_requester(NODE, KILL, QoS())
+    hostile = "\x1b]0;OWNED\x07\nall is well\u202e" + 1000 * "x"
+    session = str(plain.zid())
+    count = 3 * MAX_REPORTS
+    tokens = []
+    for number in range(count):
+        end = End(TOPIC.name, TOPIC.type_name, f"RIHS01_{number}{hostile}", QoS())
+        node = NodeName("/", hostile)
+        token = Token(domain_id, session, number, number, Kind.PUBLISHER, "/", node, end)
+        tokens.append(plain.liveliness().declare_token(token_key(token)))
+    server = token._replace(kind=Kind.SERVER, end=End(KILL.name, KILL.type_name, hostile, QoS()))
+    tokens.append(plain.liveliness().declare_token(token_key(server)))
+    wait_until(lambda: len([end for end in participant.graph.endpoints() if end.is_writer]) == count)
+    wait_until(client.incompatibility)
+    told = capsys.readouterr().err + client.incompatibility()
+    assert r"\x1b]0;OWNED\x07\x0aall is well\u202exxx" in told
+    assert not set("\x1b\x07\u202e") & set(told)
+    lines = told.splitlines()
+    assert len(lines) == MAX_REPORTS + 1
+    assert all("tfloom: nothing passes" in line for line in lines[:-1])
+    assert max(map(len, lines)) < 1000
+    assert lines[MAX_REPORTS - 1].endswith("`ros2 topic info -v /robot/chatter` lists them")
+    assert reader.matched_count() == 0
+    for declared in tokens:
+        declared.undeclare()
+
+
+@pytest.mark.parametrize("what", ["lease of a peer", "own lease", "deadline"])
+def test_times_of_a_nanosecond_cost_no_core(
+    what: str, participant: Participant, plain: Any, domain_id: int
+) -> None:
+    manual = QoS(liveliness=LivelinessPolicy.MANUAL_BY_TOPIC, liveliness_lease_ns=1)
+    end: Any
+    if what == "lease of a peer":
+        end = participant.create_reader(NODE, TOPIC, QoS())
+        token = declare_token(
+            plain, domain_id, Kind.PUBLISHER, End(TOPIC.name, TOPIC.type_name, HASH, manual)
+        )
+        wait_until(lambda: (end.take_event(Event.LIVELINESS_CHANGED) or (0, 0))[1])
+        token.undeclare()
+        wait_until(lambda: end.matched_count() == 0)
+        assert end.take_event(Event.LIVELINESS_CHANGED)[:2] == (0, 0)
+    else:
+        qos = manual if what == "own lease" else QoS(deadline_ns=1)
+        end = participant.create_writer(NODE, TOPIC, qos)
+        end.write(HEADER + b"x")
+        event = Event.LIVELINESS_LOST if what == "own lease" else Event.DEADLINE_MISSED
+        wait_until(lambda: end.take_event(event))
+        end.write(HEADER + b"x")
+        wait_until(lambda: end.take_event(event))
+        end.close()
+    wait_until(lambda: not participant._timers._checks)
+
+
+def test_lease_that_is_over_is_looked_at_again_when_it_is_renewed() -> None:
+    timers = Timers()
+    events = EndpointEvents(READER_EVENTS, "")
+    looks: list[float] = []
+
+    class Lease(_Lease):
+        def _check(self, now_s: float) -> float:
+            looks.append(now_s)
+            return super()._check(now_s)
+
+    lease = Lease(events, 1e-9, timers)
+    wait_until(lambda: not timers._checks)
+    assert len(looks) == 1
+    for count in (2, 3):
+        lease.renew()
+        wait_until(lambda: not timers._checks)
+        assert len(looks) == count
+    assert events.take(Event.LIVELINESS_CHANGED)[:2] == (-1, 1)
+    assert not lease.end()
+    lease.renew()
+    assert not timers._checks
+    timers.close()
+
+
+def test_checks_are_called_in_the_order_of_their_times_and_not_without_end() -> None:
+    timers = Timers()
+    calls: list[tuple[str, float]] = []
+    start_s = time.monotonic()
+
+    def often(now_s: float) -> float:
+        calls.append(("often", now_s))
+        return now_s
+
+    def once(now_s: float) -> float:
+        calls.append(("once", now_s))
+        return math.inf
+
+    never = timers.add(start_s + 0.02, once)
+    number = timers.add(start_s, often)
+    timers.add(start_s + 0.05, once)
+    timers.remove(never)
+    wait_until(lambda: "once" in dict(calls))
+    timers.remove(number)
+    assert timers._checks == {}
+    times = [now_s for name, now_s in calls if name == "often"]
+    assert min(later - earlier for earlier, later in pairwise(times)) >= MIN_PERIOD_S
+    assert dict(calls)["once"] >= start_s + 0.05
+    for _ in range(1000):  # what is removed long before its time is not kept
+        timers.remove(timers.add(start_s + 1e6, once))
+    assert len(timers._next) < 100
+    timers.close()
+    assert timers._next == []
 
 
 def test_lost_samples_are_counted_by_the_gaps_of_each_writer(

@@ -64,7 +64,7 @@ def _profile(name: str) -> QoS:
     qos = PROFILES[name]
     if unknown := unknown_policies(qos):
         raise CommandError(f"--qos-profile {name} can't be used: {unknown[0]} is UNKNOWN")
-    return qos.resolved()
+    return qos.resolved(default_depth=0)
 
 
 def suiting_qos(publishers: Sequence[EndpointInfo]) -> QoS:

@@ -25,6 +25,15 @@ class Sample(NamedTuple):
     """Time of receipt, by this host's clock [ns since epoch]."""
     publisher_gid: bytes
     """Gid of its writer: 16 bytes."""
+    publication_sequence_number: int | None = None
+    """Number that its writer has given it, from 1; None where the wire doesn't tell."""
+    reception_sequence_number: int | None = None
+    """Number that its reader has given it, from 0; None where the wire doesn't."""
+
+    @property
+    def for_sink(self) -> tuple[bytes, int, int, bytes]:
+        """What a `Sink` takes of it."""
+        return self[:4]
 
 
 class NodeName(NamedTuple):

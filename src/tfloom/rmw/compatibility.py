@@ -21,17 +21,29 @@ if TYPE_CHECKING:
 def incompatible_policies(offered: QoS, requested: QoS) -> list[QoSPolicyKind]:
     """Return the policies that prevent a writer and a reader from connecting; empty if they connect.
 
+    BEST_AVAILABLE, as rmw_zenoh announces it, is compatible with each policy.
+
     Args:
         offered: The writer's quality, resolved (`QoS.resolved`).
         requested: The reader's quality, resolved.
     """
+
+    def exceeds(one: int, other: int, best_available: int) -> bool:
+        return one > other and best_available not in {one, other}
+
     apart = {
         # In ROS's numbering, the stronger policy has the lower number.
-        QoSPolicyKind.DURABILITY: offered.durability > requested.durability,
-        QoSPolicyKind.DEADLINE: offered.deadline_ns > requested.deadline_ns,
-        QoSPolicyKind.LIVELINESS: offered.liveliness < requested.liveliness
-        or offered.liveliness_lease_ns > requested.liveliness_lease_ns,
-        QoSPolicyKind.RELIABILITY: offered.reliability > requested.reliability,
+        QoSPolicyKind.DURABILITY: exceeds(
+            offered.durability, requested.durability, DurabilityPolicy.BEST_AVAILABLE
+        ),
+        QoSPolicyKind.DEADLINE: exceeds(offered.deadline_ns, requested.deadline_ns, BEST_AVAILABLE_NS),
+        QoSPolicyKind.LIVELINESS: exceeds(
+            requested.liveliness, offered.liveliness, LivelinessPolicy.BEST_AVAILABLE
+        )
+        or exceeds(offered.liveliness_lease_ns, requested.liveliness_lease_ns, BEST_AVAILABLE_NS),
+        QoSPolicyKind.RELIABILITY: exceeds(
+            offered.reliability, requested.reliability, ReliabilityPolicy.BEST_AVAILABLE
+        ),
     }
     return [kind for kind, is_apart in apart.items() if is_apart]
 

@@ -19,6 +19,7 @@ from tfloom._native import dds_inline_client, dds_knows_address, intercept_dds_p
 from tfloom.rmw.cyclone_endpoints import CycloneReader, CycloneWriter
 from tfloom.rmw.cyclone_graph import FAST_DDS
 from tfloom.rmw.topic_names import key_values
+from tfloom.terminal_text import shown_part
 
 CYCLONE_VENDOR = b"\x01\x10"
 """The first bytes of Cyclone's GUIDs, its vendor id (RTPS 2.5, 8.3.3.1.3)."""
@@ -164,7 +165,7 @@ class _Peers:
         refused_gids = [gid for gid, _ in self._requests_end.matched() if not self.accepts(gid)]
         if not refused_gids:
             return ""
-        node = next(filter(None, map(self._vendors.find_node, refused_gids)), "")
+        node = shown_part(next(filter(None, map(self._vendors.find_node, refused_gids)), ""))
         # What the reason is for peers on Fast DDS says nothing of other vendors.
         reason = f", because {self._vendors.untranslated}" if any(map(_is_on_fast_dds, refused_gids)) else ""
         return (

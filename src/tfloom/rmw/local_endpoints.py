@@ -292,4 +292,4 @@ def _push_or_forget(sink: Sink, task: _Stored | bytes) -> None:
     if isinstance(task, bytes):
         sink.forget(task)
     elif task.expires_ns > time.time_ns():
-        sink.push(*task.sample)
+        sink.push(*task.sample.for_sink)

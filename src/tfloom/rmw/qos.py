@@ -132,16 +132,19 @@ class QoS(NamedTuple):
     liveliness: LivelinessPolicy = LivelinessPolicy.AUTOMATIC
     liveliness_lease_ns: int = INFINITE_NS
 
-    def resolved(self) -> QoS:
+    def resolved(self, default_depth: int = 1) -> QoS:
         """Return this with each system default replaced by ROS's: reliable, volatile, keep the last, automatic.
 
-        A depth of 0 becomes 1, a duration of 0 becomes `INFINITE_NS`, as in ROS.
+        A duration of 0 becomes `INFINITE_NS`, as in ROS.
+
+        Args:
+            default_depth: What a depth of 0 becomes: 1 on DDS. With 0, the wire chooses.
         """
         return QoS(
             reliability=self.reliability or ReliabilityPolicy.RELIABLE,
             durability=self.durability or DurabilityPolicy.VOLATILE,
             history=self.history or HistoryPolicy.KEEP_LAST,
-            depth=max(self.depth, 1),
+            depth=self.depth if self.depth > 0 else default_depth,
             deadline_ns=_limited(self.deadline_ns),
             lifespan_ns=_limited(self.lifespan_ns),
             liveliness=self.liveliness or LivelinessPolicy.AUTOMATIC,

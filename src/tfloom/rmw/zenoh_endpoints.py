@@ -6,7 +6,7 @@ thread that writes.
 
 from __future__ import annotations
 
-import sys
+import math
 import threading
 import time
 from collections import deque
@@ -26,7 +26,6 @@ from tfloom.rmw.qos import (
     DurabilityPolicy,
     HistoryPolicy,
     LivelinessPolicy,
-    QoS,
     ReliabilityPolicy,
 )
 from tfloom.rmw.zenoh_attachment import pack, unpack
@@ -34,9 +33,10 @@ from tfloom.rmw.zenoh_config import reason_of
 from tfloom.rmw.zenoh_end import ZenohEnd
 from tfloom.rmw.zenoh_events import LostSamples, Timers
 from tfloom.rmw.zenoh_feeder import Feeder
-from tfloom.rmw.zenoh_graph import Peer, ZenohGraph
+from tfloom.rmw.zenoh_graph import Peer, ZenohGraph, peer_name
 from tfloom.rmw.zenoh_library import open_library, signals_deferred
 from tfloom.rmw.zenoh_tokens import Kind
+from tfloom.terminal_text import report, shown_part
 
 __all__ = ["ZenohEndpoint", "ZenohReader", "ZenohWriter"]
 
@@ -46,6 +46,8 @@ HEADER_SIZE = 4
 """Size of the encapsulation header: a shorter sample holds nothing."""
 MAX_DEPTH = 1_000_000
 """The most samples that are kept for late readers."""
+MAX_REPORTS = 5
+"""How many lines an endpoint prints about peers."""
 MAX_CATCH_UPS = 256
 """Of how many writers a reader asks for earlier samples at a time."""
 CATCH_UP_S = 2.0
@@ -69,8 +71,10 @@ class ZenohEndpoint(ZenohEnd):
         self._timer_numbers: list[int] = []
         self._active_s: float | None = None
         """When it wrote or received last, on the monotonic clock [s]; None: never."""
-        self._peers: dict[bytes, QoS] = {}
-        """The quality of each compatible peer by its gid, guarded by the graph's lock."""
+        self._peers: set[bytes] = set()
+        """The gids of the peers, guarded by the graph's lock."""
+        self._report_count = 0
+        """How many lines were printed about peers."""
 
     def add_peer(self, peer: Peer) -> Callable[[], None] | None:
         """Note a peer: one of the same type and hash receives, or sends, whatever its quality of service."""
@@ -78,36 +82,55 @@ class ZenohEndpoint(ZenohEnd):
         if theirs.type_name != mine.type_name:
             return None
         if theirs.type_hash != mine.type_hash and theirs.type_hash and mine.type_hash:
-            return lambda: _report_hashes(self.info, peer)
+            return lambda: self._report_hashes(peer)
         qualities = (self.info.qos, theirs.qos) if self.info.is_writer else (theirs.qos, self.info.qos)
         if policies := incompatible_policies(*qualities):
             self.events.add_incompatible(policies[0])
-            return None
-        self._peers[peer.gid] = theirs.qos
+        # One of an incompatible quality is a peer, too: samples pass.
+        self._peers.add(peer.gid)
         self.events.add_match(1)
         return self._peer_matched(peer)
 
     def remove_peer(self, peer: Peer) -> None:
         """Note a peer that has left."""
-        if self._peers.pop(peer.gid, None) is not None:
+        if peer.gid in self._peers:
+            self._peers.discard(peer.gid)
             self.events.add_match(-1)
             self._peer_unmatched(peer)
         self._peer_left(peer)
 
     def _peer_matched(self, _peer: Peer) -> Callable[[], None] | None:
-        """Note more of a compatible peer; return what is to be done without a lock."""
+        """Note more of a peer; return what is to be done without a lock."""
         return None
 
     def _peer_unmatched(self, peer: Peer) -> None:
-        """Note that a compatible peer has left."""
+        """Note that a peer has left."""
 
     def _peer_left(self, _peer: Peer) -> None:
-        """Note that a peer, compatible or not, has left."""
+        """Note that another endpoint of the topic, a peer or not, has left."""
 
     def matched_count(self) -> int:
-        """Return how many compatible peers are connected now; 0 once it is closed."""
+        """Return how many peers are connected now; 0 once it is closed."""
         self._check_process()
         return 0 if self._is_closed else self.events.matched_count()
+
+    def _report(self, text: str) -> None:
+        """Print a line about a peer. There are few of them, because any program may announce any number of peers."""
+        self._report_count += 1
+        if self._report_count > MAX_REPORTS:
+            return
+        if self._report_count == MAX_REPORTS:
+            text += f"; no more is told of others: `ros2 topic info -v {self.info.topic.name}` lists them"
+        report(f"tfloom: {text}")
+
+    def _report_hashes(self, peer: Peer) -> None:
+        """Print that nothing passes to or from a peer whose type has the same name and another definition."""
+        mine, other = self.info.topic, "publisher" if peer.token.kind is Kind.PUBLISHER else "subscription"
+        self._report(
+            f"nothing passes between the {self.kind} of {mine.name} and the {other} of {peer_name(peer)}, because "
+            f"their definitions of {mine.type_name} differ: {mine.type_hash} here, {shown_part(peer.end.type_hash)} "
+            "there"
+        )
 
     def notify_event(self, event: Event, queue: ReadyQueue | None, token: int = 0) -> None:
         """Post `token` to `queue` when `take_event(event)` may have a new status, and once at the start; None ends it.
@@ -169,8 +192,7 @@ class ZenohWriter(ZenohEndpoint):
     ) -> None:
         super().__init__(info, graph, timers, forget)
         self._sequence_number = 0
-        self._asserted_s = time.monotonic()
-        self._is_alive = True
+        self._lease: _OwnLease | None = None
         self._publisher: Any = None
         self._own_readers: set[bytes] = set()
         """Those of this session, which Zenoh calls while it writes."""
@@ -219,17 +241,7 @@ class ZenohWriter(ZenohEndpoint):
         self._watch_deadline()
         qos = self.info.qos
         if qos.liveliness == LivelinessPolicy.MANUAL_BY_TOPIC and qos.liveliness_lease_ns < INFINITE_NS:
-            lease_s = qos.liveliness_lease_ns / _NS_PER_S
-            self._call_at(time.monotonic() + lease_s, lambda now_s: self._check_lease(now_s, lease_s))
-
-    def _check_lease(self, now_s: float, lease_s: float) -> float:
-        if now_s < self._asserted_s + lease_s:
-            self._is_alive = True
-            return self._asserted_s + lease_s
-        if self._is_alive:
-            self._is_alive = False
-            self.events.count(Event.LIVELINESS_LOST)
-        return now_s + lease_s
+            self._lease = _OwnLease(self.events, qos.liveliness_lease_ns / _NS_PER_S, self._timers)
 
     def write(self, data: bytes) -> None:
         """Send one sample. A reliable one waits for room for a short time, and without end if it keeps all.
@@ -245,8 +257,9 @@ class ZenohWriter(ZenohEndpoint):
             self._sequence_number += 1
             number = self._sequence_number
         if self._is_timed:
-            self._active_s = self._asserted_s = time.monotonic()
-            self._is_alive = True
+            self._active_s = time.monotonic()
+            if self._lease is not None:
+                self._lease.renew()
         try:
             with signals_deferred() if self._own_readers else _NOTHING:
                 self._publisher.put(bytes(data), attachment=pack(number, self.gid))
@@ -264,8 +277,8 @@ class ZenohWriter(ZenohEndpoint):
         self._check_process()
         if self._is_closed:
             raise ClosedError(f"cannot assert liveliness on {self.info.topic.name}: its writer is closed")
-        self._asserted_s = time.monotonic()
-        self._is_alive = True
+        if self._lease is not None:
+            self._lease.renew()
 
     def wait_for_acks(self, timeout_ns: int) -> bool:  # noqa: ARG002 - nothing is acknowledged
         """Return True, because readers acknowledge nothing on this wire."""
@@ -273,6 +286,12 @@ class ZenohWriter(ZenohEndpoint):
         if self._is_closed:
             raise ClosedError(f"cannot wait for readers of {self.info.topic.name}: its writer is closed")
         return True
+
+    def close(self) -> None:
+        """Leave the topic. Closing again does nothing."""
+        super().close()
+        if self._lease is not None and not self._is_forked:
+            self._lease.end()
 
 
 class ZenohReader(ZenohEndpoint):
@@ -291,6 +310,7 @@ class ZenohReader(ZenohEndpoint):
         """What pushes the samples into a sink."""
         self._left_gids: list[bytes] = []
         """Publishers that have left, for the sink."""
+        self._received_count = 0
         self._lost = LostSamples()
         self._catches_up = info.qos.durability == DurabilityPolicy.TRANSIENT_LOCAL and info.qos.depth > 1
         self._held: dict[bytes, dict[int, Sample]] = {}
@@ -347,7 +367,7 @@ class ZenohReader(ZenohEndpoint):
             self._active_s = time.monotonic()
         if self._leases and (lease := self._leases.get(gid)):
             lease.renew()
-        accepted = Sample(data, stamp_ns, now_ns, gid)
+        accepted = Sample(data, stamp_ns, now_ns, gid, number)
         with self._lock:
             if self._is_closed or self._is_held(number, accepted):
                 return
@@ -394,7 +414,8 @@ class ZenohReader(ZenohEndpoint):
             self.events.count(Event.MESSAGE_LOST, lost)
         if self._is_over(sample.publisher_gid, sample.source_stamp_ns, sample.received_stamp_ns):
             return
-        self._waiting.append(sample)
+        self._waiting.append(sample._replace(reception_sequence_number=self._received_count))
+        self._received_count += 1
         if self._feeder is not None:
             self._feeder.wake()
         elif self._listener is not None:
@@ -419,7 +440,8 @@ class ZenohReader(ZenohEndpoint):
                 held = self._held.get(gid)
                 if held is not None and len(data) >= HEADER_SIZE and len(held) < MAX_DEPTH:
                     held.setdefault(
-                        header.sequence_number, Sample(data, header.source_stamp_ns, time.time_ns(), gid)
+                        header.sequence_number,
+                        Sample(data, header.source_stamp_ns, time.time_ns(), gid, header.sequence_number),
                     )
 
         is_asked = False
@@ -468,7 +490,10 @@ class ZenohReader(ZenohEndpoint):
                 lease = _Lease(self.events, qos.liveliness_lease_ns / _NS_PER_S, self._timers)
             except RuntimeError as error:  # there is no thread for it; samples are received nevertheless
                 reason = str(error)
-                return lambda: _report_unwatched(self.info, peer, reason)
+                return lambda: self._report(
+                    f"the liveliness of the publisher of {self.info.topic.name} in {peer_name(peer)} is not watched, "
+                    f"which takes a thread: {reason}"
+                )
             self._leases = {**self._leases, peer.gid: lease}
         return None
 
@@ -554,7 +579,11 @@ class ZenohReader(ZenohEndpoint):
 
 
 class _Lease:
-    """The liveliness of a writer that must assert it."""
+    """The liveliness of a writer that must assert it, as a reader sees it.
+
+    Raises:
+        RuntimeError: the system has no thread.
+    """
 
     def __init__(self, events: EndpointEvents, lease_s: float, timers: Timers) -> None:
         self._events = events
@@ -567,23 +596,29 @@ class _Lease:
         self._number = timers.add(self._renewed_s + lease_s, self._check)
 
     def renew(self) -> None:
-        """Note that a sample has arrived: its writer is alive, for another lease."""
+        """Note an assertion, or a sample: the writer is alive, for another lease."""
         with self._lock:
             self._renewed_s = time.monotonic()
             if self._is_alive or self._is_ended:
                 return
             self._is_alive = True
-            self._events.change_liveliness(1, -1)
+            self._tell(is_alive=True)
+            self._number = self._timers.add(self._renewed_s + self._lease_s, self._check)
 
     def _check(self, now_s: float) -> float:
+        """Tell that the lease is over, if it is; return when to look again [s]: not before it is renewed."""
         with self._lock:
             end_s = self._renewed_s + self._lease_s
             if now_s < end_s:
                 return end_s
             if self._is_alive and not self._is_ended:
                 self._is_alive = False
-                self._events.change_liveliness(-1, 1)
-        return now_s + self._lease_s
+                self._tell(is_alive=False)
+        return math.inf
+
+    def _tell(self, *, is_alive: bool) -> None:
+        change = 1 if is_alive else -1
+        self._events.change_liveliness(change, -change)
 
     def end(self) -> bool:
         """Stop to watch it, and return whether it is alive."""
@@ -594,24 +629,12 @@ class _Lease:
         return is_alive
 
 
-def _report_unwatched(info: EndpointInfo, peer: Peer, reason: str) -> None:
-    """Print that the liveliness of a writer can't be observed."""
-    print(
-        f"tfloom: the liveliness of the publisher of {info.topic.name} in {peer.token.node.full} is not watched, which "
-        f"takes a thread: {reason}",
-        file=sys.stderr,
-    )
+class _OwnLease(_Lease):
+    """The liveliness of an own writer."""
 
-
-def _report_hashes(info: EndpointInfo, peer: Peer) -> None:
-    """Print that nothing passes between two endpoints whose types have one name and two definitions."""
-    other = "publisher" if peer.token.kind is Kind.PUBLISHER else "subscription"
-    print(
-        f"tfloom: nothing passes between the {'writer' if info.is_writer else 'reader'} of {info.topic.name} and the "
-        f"{other} of {peer.token.node.full}, because their definitions of {info.topic.type_name} differ: "
-        f"{info.topic.type_hash} here, {peer.end.type_hash} there",
-        file=sys.stderr,
-    )
+    def _tell(self, *, is_alive: bool) -> None:
+        if not is_alive:
+            self._events.count(Event.LIVELINESS_LOST)
 
 
 callback_files.add(ZenohReader.take.__code__.co_filename)

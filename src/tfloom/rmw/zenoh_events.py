@@ -5,6 +5,7 @@ A thread looks for missed deadlines and ended leases, and for routes to servers.
 
 from __future__ import annotations
 
+import heapq
 import math
 import threading
 import time
@@ -17,6 +18,9 @@ MAX_GAP = 64
 """How many missing samples of one writer are remembered, in case that they come late."""
 MAX_WRITERS = 1024
 """How many writers are remembered that no token tells of."""
+MIN_PERIOD_S = 0.001
+"""The least time between two calls of one check [s]: a deadline of a nanosecond costs no core."""
+_MIN_STALE = 64
 
 
 class LostSamples:
@@ -67,8 +71,10 @@ class Timers:
 
     def __init__(self) -> None:
         self._changed = threading.Condition()
-        self._checks: dict[int, tuple[float, Callable[[float], float]]] = {}
-        """The time of the next call [s], and the function, by its number."""
+        self._checks: dict[int, Callable[[float], float]] = {}
+        """The functions by their numbers."""
+        self._next: list[tuple[float, int]] = []
+        """A heap of the times of the next calls [s], each with the number of its function, which may be removed."""
         self._next_number = 0
         self._thread: threading.Thread | None = None
         self._is_closed = False
@@ -76,7 +82,7 @@ class Timers:
     def add(self, first_s: float, check: Callable[[float], float]) -> int:
         """Call `check(now)` at `first_s`, and then at each time that it returns, on the monotonic clock [s].
 
-        A check that returns infinity is removed.
+        A check that returns infinity is removed. Two calls of one are `MIN_PERIOD_S` apart at least.
 
         Returns:
             The number for `remove`.
@@ -87,7 +93,8 @@ class Timers:
         with self._changed:
             self._next_number += 1
             number = self._next_number
-            self._checks[number] = first_s, check
+            self._checks[number] = check
+            heapq.heappush(self._next, (first_s, number))
             if self._thread is None and not self._is_closed:
                 thread = threading.Thread(target=self._run, name="tfloom_zenoh_timers", daemon=True)
                 try:
@@ -103,6 +110,9 @@ class Timers:
         """End the calls of a function; one that is running is not waited for."""
         with self._changed:
             self._checks.pop(number, None)
+            if len(self._next) > 2 * len(self._checks) + _MIN_STALE:
+                self._next = [entry for entry in self._next if entry[1] in self._checks]
+                heapq.heapify(self._next)
 
     def _run(self) -> None:
         while True:
@@ -110,10 +120,14 @@ class Timers:
                 if self._is_closed:
                     return
                 now_s = time.monotonic()
-                due = [(number, check) for number, (at_s, check) in self._checks.items() if at_s <= now_s]
+                due = []
+                while self._next and self._next[0][0] <= now_s:
+                    _, number = heapq.heappop(self._next)
+                    if (check := self._checks.get(number)) is not None:
+                        due.append((number, check))
                 if not due:
-                    next_s = min((at_s for at_s, _ in self._checks.values()), default=None)
-                    self._changed.wait(None if next_s is None else min(next_s - now_s, threading.TIMEOUT_MAX))
+                    left_s = self._next[0][0] - now_s if self._next else None
+                    self._changed.wait(None if left_s is None else min(left_s, threading.TIMEOUT_MAX))
                     continue
             for number, check in due:
                 again_s = check(now_s)
@@ -121,13 +135,14 @@ class Timers:
                     if again_s == math.inf:
                         self._checks.pop(number, None)
                     elif number in self._checks:
-                        self._checks[number] = again_s, check
+                        heapq.heappush(self._next, (max(again_s, now_s + MIN_PERIOD_S), number))
 
     def close(self) -> None:
         """End the thread."""
         with self._changed:
             self._is_closed = True
             self._checks.clear()
+            self._next.clear()
             self._changed.notify()
             thread, self._thread = self._thread, None
         if thread is not None and thread is not threading.current_thread():

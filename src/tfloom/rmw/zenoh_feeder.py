@@ -51,7 +51,7 @@ class Feeder:
                 return
             samples, left = self._take()
             for sample in samples:
-                self._call(methodcaller("push", *sample))
+                self._call(methodcaller("push", *sample.for_sink))
             for gid in left:
                 self._call(methodcaller("forget", gid))
 

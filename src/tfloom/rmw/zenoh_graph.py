@@ -18,8 +18,9 @@ from tfloom.rmw.topic_names import type_to_dds
 from tfloom.rmw.zenoh_library import open_library, signals_deferred
 from tfloom.rmw.zenoh_session import refuse_fork
 from tfloom.rmw.zenoh_tokens import PREFIX, End, Kind, Token, TokenError, gid_of, parse_token, token_pattern
+from tfloom.terminal_text import shown_part
 
-__all__ = ["Peer", "Watcher", "ZenohGraph"]
+__all__ = ["Peer", "Watcher", "ZenohGraph", "peer_name"]
 
 MAX_TOKENS = 200_000
 """How many tokens are kept; further ones are ignored, which a line tells once."""
@@ -277,6 +278,11 @@ class ZenohGraph:
         """Stop listening."""
         with signals_deferred(), suppress(Exception):  # a ZError: the session has ended before
             self._subscriber.undeclare()
+
+
+def peer_name(peer: Peer) -> str:
+    """Return the name of a peer's node for texts, in which nothing is what a terminal would obey."""
+    return shown_part(peer.token.node.full)
 
 
 def _report_overflow() -> None:

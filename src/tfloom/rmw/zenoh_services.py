@@ -21,9 +21,10 @@ from tfloom.rmw.zenoh_config import reason_of
 from tfloom.rmw.zenoh_end import ZenohEnd
 from tfloom.rmw.zenoh_endpoints import HEADER_SIZE
 from tfloom.rmw.zenoh_events import Timers
-from tfloom.rmw.zenoh_graph import Peer, ZenohGraph
+from tfloom.rmw.zenoh_graph import Peer, ZenohGraph, peer_name
 from tfloom.rmw.zenoh_library import open_library, signals_deferred
 from tfloom.rmw.zenoh_tokens import Kind
+from tfloom.terminal_text import shown_part
 
 __all__ = ["ServiceEndpoint", "ZenohRequester", "ZenohResponder"]
 
@@ -85,10 +86,10 @@ class _ServiceEnd(ZenohEnd):
 
     def _difference(self, peer: Peer, other: str) -> str:
         mine = self._service
+        theirs = f"{peer.end.type_name} {peer.end.type_hash or 'without a hash'}"
         return (
-            f"{other} of {mine.name}, {peer.token.node.full}, has another definition of its type: "
-            f"{peer.end.type_name} {peer.end.type_hash or 'without a hash'} there, "
-            f"{mine.type_name} {mine.type_hash} here"
+            f"{other} of {mine.name}, {peer_name(peer)}, has another definition of its type: "
+            f"{shown_part(theirs)} there, {mine.type_name} {mine.type_hash} here"
         )
 
 

@@ -194,7 +194,7 @@ def gid_of(key: str) -> bytes:
 
 def wire_qos(qos: QoS) -> QoS:
     """Return a quality of service with all defaults replaced as on this wire, where a depth of 0 means 42."""
-    return qos.resolved()._replace(depth=qos.depth if qos.depth > 0 else DEFAULT_DEPTH)
+    return qos.resolved(DEFAULT_DEPTH)
 
 
 def qos_text(qos: QoS) -> str:

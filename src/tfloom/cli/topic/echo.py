@@ -129,6 +129,6 @@ def _info(sample: Sample) -> dict[str, int | None]:
     return {
         "source_timestamp": sample.source_stamp_ns,
         "received_timestamp": sample.received_stamp_ns,
-        "publication_sequence_number": None,
-        "reception_sequence_number": None,
+        "publication_sequence_number": sample.publication_sequence_number,
+        "reception_sequence_number": sample.reception_sequence_number,
     }

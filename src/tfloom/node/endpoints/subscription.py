@@ -177,8 +177,8 @@ def _message_info(sample: Sample) -> dict[str, Any]:
     return {
         "source_timestamp": sample.source_stamp_ns,
         "received_timestamp": sample.received_stamp_ns,
-        "publication_sequence_number": None,
-        "reception_sequence_number": None,
+        "publication_sequence_number": sample.publication_sequence_number,
+        "reception_sequence_number": sample.reception_sequence_number,
     }
 
 

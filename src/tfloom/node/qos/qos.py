@@ -193,7 +193,7 @@ class QoSProfile:
         return profile
 
     def to_wire(self) -> wire.QoS:
-        """Return the profile for a backend, with the wire's choice for each SYSTEM_DEFAULT.
+        """Return the profile for a backend, with ROS's choice for each SYSTEM_DEFAULT, and the wire's for a depth of 0.
 
         Raises:
             InvalidQoSProfileException: a policy is UNKNOWN.
@@ -201,7 +201,7 @@ class QoSProfile:
         stated = self.as_stated()
         if unknown := wire.unknown_policies(stated):
             raise InvalidQoSProfileException(f"{unknown[0]} is UNKNOWN")
-        return stated.resolved()
+        return stated.resolved(default_depth=0)
 
     def as_stated(self) -> wire.QoS:
         """Return the settings unchanged, durations in nanoseconds."""
