@@ -30,6 +30,7 @@ collect_ignore = (
     else [
         "test_busy_pages.py",
         "test_driving.py",
+        "test_drive_in_browser.py",
         "test_field_plots.py",
         "test_forms.py",
         "test_mesh_files.py",

@@ -146,20 +146,45 @@ def test_what_waited_while_the_server_was_held_up_moves_nothing(
     wait_until(lambda: robot.is_stopped, what="the stop, though the server does nothing")
     before = len(robot.velocities)
     page.answers.clear()
-    page.send(**MOVING, number=7)
+    page.send(op="no such command")
     goes_on.set()
-    assert page.answer("driven") == 7
-    assert robot.velocities[before:] == []
+    page.answer("error")
+    page.send(**STANDING)
+    wait_until(lambda: len(robot.velocities) > before, what="what is published next")
+    assert robot.velocities[before:] == [(0.0, 0.0)]
     wait_until(lambda: not viewer.pages.is_late(), what="a server that is in time")
     drive(page, robot)  # what is said from now on counts again
 
 
-def test_page_hears_which_of_its_wishes_were_taken(robot: Robot, viewer: Viewer, page: Page) -> None:
+def test_what_has_waited_on_its_way_moves_nothing_by_the_clock_of_its_page(
+    robot: Robot, viewer: Viewer, page: Page
+) -> None:
     page.wait_for(lambda: can_drive(page))
-    for number in (1, 2):
-        page.send(**MOVING, number=number)
-    page.wait_for(lambda: [answer.get("driven") for answer in page.answers] == [1, 2])
-    assert "number has to be" in page.ask("error", **MOVING, number="x")
+    start_s = time.monotonic()
+
+    def say(late_s: float = 0.0, clock: int = 0, **command: Any) -> None:
+        at_s = time.monotonic() - start_s - late_s  # of a page whose clock starts with it
+        page.send(**{**MOVING, "at": at_s, "clock": clock, **command})
+
+    def is_moved() -> bool:
+        say()
+        time.sleep(0.02)
+        return robot.is_moved
+
+    for _ in range(2):
+        wait_until(is_moved, what="a velocity")
+        wait_until(lambda: robot.is_stopped, what="the stop")
+        robot.velocities.clear()
+        for late_s in (10.0, 9.0, 2.0, 0.6):
+            say(late_s)
+        say(10.0, ahead=0, left=0)  # a stop is never too late
+        wait_until(lambda: robot.velocities, what="the stop")
+        assert robot.velocities == [(0.0, 0.0)]
+    # Its machine has slept, and its clock with it.
+    say(3600.0, clock=1)
+    wait_until(lambda: robot.is_moved, what="a velocity")
+    assert "at has to be" in page.ask("error", **MOVING, at="x", clock=1)
+    assert "clock has to be" in page.ask("error", **MOVING, at=1.0)
 
 
 def test_nobody_drives_while_and_after_the_viewer_ends(

@@ -316,11 +316,10 @@ class Viewer:
         topic, ahead, left = text(command, "topic"), number(command, "ahead"), number(command, "left")
         if self._is_over():
             raise PageError("the viewer ends")
-        # What waits while this program is held up would move the robot long after it was said.
-        if not (ahead or left) or not self.pages.is_late():
+        if "at" in command:
+            live.driving.drive(page, topic, ahead, left, (number(command, "clock"), number(command, "at")))
+        elif not (ahead or left) or not self.pages.is_late():
             live.driving.drive(page, topic, ahead, left)
-        if "number" in command:
-            self.pages.answer(page, {"driven": number(command, "number")})
 
     def _note_refusal(self, page: str, reason: str) -> None:
         """Tell a page why it can't drive; or all, where it is no page's own affair."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import os
 import queue
 import subprocess
@@ -38,6 +39,8 @@ MAX_END_S = 3.0
 """How long the process has to stop everything and end [s]."""
 RESTART_S = 1.0
 """Least time between two starts of the process [s]."""
+MAX_DRIFT = 1e-3
+"""How far two clocks drift apart in a second at most [s]."""
 MAX_LEFT_S = 5.0
 """Age above which a wish is not stopped again by a new process [s]: the one before has done that."""
 
@@ -46,7 +49,8 @@ class Driving:
     """Drives robots for pages, by a process of its own.
 
     It is a thread where no other process can be: on the wire within one process, and in a frozen program, which has no
-    Python. Any thread may use it; they share queues, and a table that is exchanged as a whole.
+    Python. One thread calls `drive` and `forget`, any thread the others; they share queues, and a table that is
+    exchanged as a whole.
 
     Args:
         participant: The participant of the viewer.
@@ -63,6 +67,8 @@ class Driving:
         """The type of each topic of `topics`."""
         self.on_refusal: Callable[[str, str], None] = lambda *_: None
         """Called with a page (or an empty text) and the reason why it can't drive, on another thread."""
+        self._clocks: dict[str, _PageClock] = {}
+        """By page; of the thread that calls `drive` and `forget`."""
         self._lock = threading.Lock()
         self._thread: threading.Thread | None = None
         """The driver, or what passes commands to it; started under `_lock`."""
@@ -103,14 +109,17 @@ class Driving:
         self._types = types
         return sorted(types)
 
-    def drive(self, page: str, topic: str, ahead: float, left: float) -> None:
-        """Publish a velocity, for at most `SILENCE_S`.
+    def drive(
+        self, page: str, topic: str, ahead: float, left: float, said: tuple[float, float] | None = None
+    ) -> None:
+        """Publish a velocity, for at most `SILENCE_S` since the page has said so; on the thread of `forget`.
 
         Args:
             page: The page that wants it.
             topic: One of `topics`.
             ahead: From -1 to 1, of `LINEAR_M_S`.
             left: From -1 to 1, of `ANGULAR_RAD_S`.
+            said: When the page has said so: the number of its clock, and the time on it [s]; None: now.
 
         Raises:
             PageError: nobody subscribes to the topic, or the system has no thread left.
@@ -123,12 +132,13 @@ class Driving:
         if self._commands.qsize() < MAX_WAITING:
             linear = LINEAR_M_S * min(max(ahead, -1.0), 1.0)
             angular = ANGULAR_RAD_S * min(max(left, -1.0), 1.0)
-            self._commands.put(
-                Wish(page, topic, type_name, linear, angular, time.monotonic(), self._now_ns())
-            )
+            delay_s = 0.0 if said is None else self._clocks.setdefault(page, _PageClock()).delay_s(*said)
+            told_s = time.monotonic() - delay_s
+            self._commands.put(Wish(page, topic, type_name, linear, angular, told_s, self._now_ns()))
 
     def forget(self, page: str) -> None:
         """Stop what a page drives, because it was closed."""
+        self._clocks.pop(page, None)
         self._commands.put(page)
 
     def close(self) -> None:
@@ -166,6 +176,33 @@ class Driving:
 
     def _tell_refusal(self, page: str, reason: str) -> None:
         self.on_refusal(page, reason)
+
+
+class _PageClock:
+    """How late words of a page arrive, by what its clock said then: nothing is known of that clock but how it runs."""
+
+    def __init__(self) -> None:
+        self._number = math.nan
+        self._least_s = math.inf
+        """The least difference of our clock from the page's so far: that of a word that didn't wait [s]."""
+        self._last_s = 0.0
+
+    def delay_s(self, number: float, at_s: float) -> float:
+        """Return how much later a word has come than the quickest one [s].
+
+        Args:
+            number: Another one than before is another clock.
+            at_s: When the page has said it [s].
+        """
+        now_s = time.monotonic()
+        difference_s = now_s - at_s
+        if number == self._number:
+            self._least_s += MAX_DRIFT * (now_s - self._last_s)
+        else:
+            self._least_s = math.inf
+        self._number, self._last_s = number, now_s
+        self._least_s = min(difference_s, self._least_s)
+        return difference_s - self._least_s
 
 
 class _Process:

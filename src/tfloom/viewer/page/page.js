@@ -39,7 +39,7 @@ function say(text) {
 function connect() {
   const scheme = location.protocol === "https:" ? "wss" : "ws";
   socket = new WebSocket(`${scheme}://${location.host}/api`);
-  socket.onopen = () => { underWay.length = 0; say(""); };
+  socket.onopen = () => say("");
   socket.onmessage = (event) => take(JSON.parse(event.data));
   socket.onclose = () => {
     say("the connection is lost; trying again …");
@@ -442,11 +442,8 @@ let stick = [0, 0];
 let stickPointer = null;      // the finger or the mouse that holds the stick
 let driven = "";              // the topic that is driven
 let lastTick = Date.now();
-const underWay = [];          // what was said and not yet answered, by number and time, the oldest first
-let saidCount = 0;
+let clock = 0;                // counts up when performance.now() may have stood still, as it does in machines that sleep
 const KEYS = { ArrowUp: "up", KeyW: "up", ArrowDown: "down", KeyS: "down", ArrowLeft: "left", KeyA: "left", ArrowRight: "right", KeyD: "right" };
-
-takers.driven = (number) => { while (underWay.length && underWay[0].number <= number) underWay.shift(); };
 
 function wish() {
   let ahead = (held.has("up") ? 1 : 0) - (held.has("down") ? 1 : 0) - stick[1];
@@ -462,13 +459,9 @@ function wish() {
   return [clamp(ahead), clamp(left)];
 }
 
+// With the time at which it is said: what has waited on its way is no longer meant.
 function sayVelocity(topic, ahead, left) {
-  const now = Date.now();
-  // Where answers stay away, what is said waits somewhere on its way, and would move the robot late. A stop is always said.
-  if ((ahead || left) && underWay.length && now - underWay[0].time > MAX_GAP_MS) return;
-  saidCount += 1;
-  underWay.push({ number: saidCount, time: now });
-  send({ op: "drive", topic, ahead, left, number: saidCount });
+  send({ op: "drive", topic, ahead, left, at: performance.now() / 1000, clock });
 }
 
 function drive() {
@@ -483,7 +476,7 @@ function drive() {
 function tick() {
   // A page that did not run, as in a machine that slept, has not heard that a key was released.
   const now = Date.now();
-  if (Math.abs(now - lastTick) > MAX_GAP_MS) stop();
+  if (Math.abs(now - lastTick) > MAX_GAP_MS) { clock += 1; stop(); }
   lastTick = now;
   drive();
 }
