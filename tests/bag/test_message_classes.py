@@ -12,6 +12,9 @@ from rosbags.typesys import Stores, get_types_from_idl, get_types_from_msg, get_
 from tests.bag.recordings import START, error_of
 
 from tfloom.bag import BagError, open_bag
+from tfloom.bag.values import Definition, Topic
+from tfloom.bag.writing.bag_writer import BagWriter, WriterSettings
+from tfloom.rosidl.described import hash_of
 from tfloom.rosidl.registry import get_message_class
 
 LINE = "=" * 80 + "\n"
@@ -58,6 +61,23 @@ def test_messages_of_a_type_that_only_the_recording_knows(plugin: StoragePlugin,
         assert bag.stamps("/probe").tolist() == [12_000_000_034]
         assert bag.stamps("/probe", "log").tolist() == [START]
     assert isinstance(message, get_message_class(f"{package}/msg/Probe"))
+
+
+@pytest.mark.parametrize("text", ["", "\n", "# no fields\n"])
+@pytest.mark.parametrize("storage_id", ["mcap", "sqlite3"])
+@pytest.mark.parametrize("has_hash", [True, False])
+def test_messages_of_a_type_without_fields(
+    storage_id: str, text: str, has_hash: bool, tmp_path: Path
+) -> None:
+    name = f"bare_in_{storage_id}_{len(text)}_{has_hash:d}/msg/Nothing"
+    type_hash = hash_of(name, {name: {}}) if has_hash else ""
+    writer = BagWriter(tmp_path / "bag", WriterSettings(storage_id))
+    topic = Topic("/a", name, "cdr", type_hash, "", Definition("ros2msg", text))
+    writer.push(writer.add_topic(topic), b"\0\1\0\0\0", START, START)
+    writer.close()
+    with open_bag(tmp_path / "bag") as bag:
+        ((_, message),) = bag.read("/a")
+        assert repr(message) == f"{name.replace('/', '.')}()"
 
 
 def write(path: Path, name: str, encoding: str, text: str, data: bytes) -> Path:
@@ -109,10 +129,32 @@ def test_type_that_is_the_same_here_has_the_class_of_tfloom(tmp_path: Path) -> N
     assert type(message) is get_message_class("std_msgs/msg/String")
 
 
+def test_empty_text_is_not_the_definition_of_a_type_with_fields(tmp_path: Path) -> None:
+    string = get_message_class("std_msgs/msg/String")
+    data = b"\0\1\0\0\2\0\0\0a\0"
+    with open_bag(write(tmp_path / "a.mcap", "std_msgs/msg/String", "ros2msg", "", data)) as bag:
+        ((_, message),) = bag.read("/a")
+        assert message == string(data="a")
+    topic = Topic("/a", "bare/msg/Fields", "cdr", string._TYPE_HASH, "", Definition("ros2msg", ""))
+    writer = BagWriter(tmp_path / "bag")
+    writer.push(writer.add_topic(topic), data, START, START)
+    writer.close()
+    with (
+        open_bag(tmp_path / "bag") as bag,
+        pytest.raises(BagError, match="bare/msg/Fields has no definition"),
+    ):
+        list(bag.read("/a"))
+
+
 def test_definitions_that_cannot_be_used_are_named(tmp_path: Path) -> None:
     cases = {
         "none": ("", "", "nowhere/msg/A has no definition, here or in the file: source the workspace"),
         "garbage": ("ros2msg", "what is this?", "the definition of nowhere/msg/A is invalid"),
+        "empty": (
+            "ros2idl",
+            "",
+            "nowhere/msg/A has no definition, here or in the file: source the workspace",
+        ),
         "part": ("ros2msg", "nowhere_else/B b", "there is no definition of 'nowhere_else/msg/B'"),
         "itself": ("ros2msg", "A a", "nested in nowhere/msg/A more than 50 deep, or in themselves"),
         "huge": ("ros2msg", "uint8[4000000000] a", "a new nowhere/msg/A would hold more than 1000000 values"),

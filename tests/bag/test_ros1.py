@@ -143,6 +143,26 @@ def test_errors_name_the_file_and_the_reason(tmp_path: Path) -> None:
             rows_of(path)
 
 
+@pytest.mark.parametrize("topics", [[], ["/a"]])
+def test_whole_bag_without_messages_is_read_without_a_warning(topics: list[str], tmp_path: Path) -> None:
+    path = tmp_path / "still.bag"
+    with Writer(path) as writer:
+        for topic in topics:
+            writer.add_connection(topic, "std_msgs/msg/String", typestore=STORE)
+    with warnings.catch_warnings(), open_bag(path) as bag:
+        warnings.simplefilter("error")
+        assert (sorted(bag.topics), list(bag.messages())) == (topics, [])
+
+
+def test_bag_that_ends_where_its_index_should_begin_is_not_taken_for_a_whole_one(tmp_path: Path) -> None:
+    whole = write(tmp_path / "whole.bag").read_bytes()
+    at = whole.index(b"index_pos=") + len(b"index_pos=")
+    (place,) = struct.unpack_from("<Q", whole, at)
+    (tmp_path / "cut.bag").write_bytes(whole[:place])
+    with pytest.warns(BagWarning, match="its recorder was killed"), open_bag(tmp_path / "cut.bag") as bag:
+        assert bag.message_count == 101
+
+
 def records(whole: bytes) -> list[tuple[int, int, int]]:
     """Return kind, offset, and offset of the data of each record in a bag."""
     found = []

@@ -189,6 +189,15 @@ def test_common_displays_of_an_rviz_file_are_read_and_the_others_named(write: Wr
     assert unknown[2] == "PublishPoint on /my_point, which publishes on /clicked_point here"
 
 
+def test_file_of_rviz_that_repeats_a_key_is_read_by_its_last_value(write: Write) -> None:
+    repeated = RVIZ.replace("Fixed Frame: odom", "Fixed Frame: map\n    Fixed Frame: odom").replace(
+        "      Pitch: 0.5", "      Pitch: 0.5\n      Value: true\n      Value: true"
+    )
+    assert repeated.count("Fixed Frame: ") == RVIZ.count("Fixed Frame: ") + 1
+    for name in ("robot.rviz", "view.yaml"):
+        assert read_layout(write(repeated, name))[0] == read_layout(write(RVIZ))[0]
+
+
 def test_camera_of_each_class_looks_as_in_rviz(write: Write) -> None:
     above = RVIZ.replace("Orbit", "TopDownOrtho").replace(
         "Distance: 10", "Scale: 100\n      X: 4\n      Y: 5"

@@ -40,6 +40,10 @@ def bounded(start_ns: int | None, end_ns: int | None) -> tuple[int, int]:
     return (start, end) if start <= end else (1, 0)
 
 
+MAY_BE_EMPTY = "ros2msg"
+"""The encoding whose empty text is the definition of a type without fields."""
+
+
 class Definition(NamedTuple):
     """The definition of a type, as a recording has it."""
 

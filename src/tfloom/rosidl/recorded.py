@@ -35,7 +35,7 @@ def recorded_class(name: str, encoding: str, text: str, type_hash: str = "") -> 
 
     Args:
         name: `package/msg/Name`, or `package/Name`; also a part of a service or an action.
-        encoding: `ros2msg` or `ros2idl`; anything else, or an empty text: the file has no definition.
+        encoding: `ros2msg` or `ros2idl`; anything else: the file has no definition.
         text: The definition, and those of the types in it, each after a line of `=` and one with its name.
         type_hash: The hash that the file states; empty if it states none.
 
@@ -46,7 +46,9 @@ def recorded_class(name: str, encoding: str, text: str, type_hash: str = "") -> 
     ours = _find_local_class(name)
     if ours is not None and type_hash == ours._TYPE_HASH:
         return ours
-    if encoding not in SUFFIXES or not text.strip():
+    if encoding not in SUFFIXES:
+        return _without_definition(name, ours, type_hash)
+    if not text.strip() and not _may_be_empty(name, encoding, ours, type_hash):
         return _without_definition(name, ours, type_hash)
     try:
         texts = _split_definitions(name, encoding, text)
@@ -58,6 +60,13 @@ def recorded_class(name: str, encoding: str, text: str, type_hash: str = "") -> 
         return ours
     with LOCK:
         return _make_class(name, texts, types)
+
+
+def _may_be_empty(name: str, encoding: str, ours: Any, type_hash: str) -> bool:
+    """Return whether an empty text is the definition of a type without fields, not one that the recorder lacked."""
+    if encoding != "ros2msg":
+        return False
+    return type_hash == hash_of(name, {name: {}}) if type_hash else ours is None
 
 
 def _find_local_class(name: str) -> Any:
@@ -89,7 +98,7 @@ def _split_definitions(name: str, encoding: str, text: str) -> dict[str, Source]
     if len(text) > MAX_TEXT_SIZE:
         raise DescriptionError(f"it is longer than {MAX_TEXT_SIZE} characters")
     pieces = LINE.split(text.replace("\r\n", "\n"))
-    definitions = {} if not pieces[0].strip() else {definition_name(name): pieces[0]}
+    definitions = {definition_name(name): pieces[0]} if pieces[0].strip() or len(pieces) == 1 else {}
     for kind, type_name, piece in zip(pieces[1::3], pieces[2::3], pieces[3::3], strict=True):
         definitions.setdefault(full_name(type_name, KINDS[kind]), piece)
     suffix = SUFFIXES[encoding]

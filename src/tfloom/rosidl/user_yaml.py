@@ -143,8 +143,12 @@ def load(text: str) -> Any:
     return _read(text, lambda loader: loader.get_single_data())
 
 
-def load_placed(text: str) -> tuple[Any, dict[int, int]]:
+def load_placed(text: str, repeating: str | None = None) -> tuple[Any, dict[int, int]]:
     """Return the value of a YAML text, and the line of each mapping and list, from 1, by the id of its value.
+
+    Args:
+        text: The text.
+        repeating: A key of the outermost mapping by which files are known that may repeat keys; the last value counts.
 
     Raises:
         YamlError: as `load`, or a mapping has the same key twice.
@@ -156,7 +160,8 @@ def load_placed(text: str) -> tuple[Any, dict[int, int]]:
         node = loader.get_single_node()
         if node is None:
             return None
-        _refuse_repeated_keys(node)
+        if repeating is None or not _has_key(node, repeating):
+            _refuse_repeated_keys(node)
         value = loader.construct_document(node)
         lines.update(loader.lines)
         return value
@@ -173,6 +178,10 @@ def compose(text: str) -> Any:
         YamlError, YamlLimitError: as `load`, except that tags are not checked.
     """
     return _read(text, lambda loader: loader.get_single_node())
+
+
+def _has_key(node: Any, key: str) -> bool:
+    return isinstance(node, yaml.MappingNode) and any(name.value == key for name, _ in node.value)
 
 
 def _refuse_repeated_keys(root: Any) -> None:

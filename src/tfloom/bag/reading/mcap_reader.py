@@ -19,7 +19,7 @@ from tfloom.bag.reading.mcap_summary import read_layout
 from tfloom.bag.reading.mcap_times import with_true_times
 from tfloom.bag.reading.message_order import Found, in_order
 from tfloom.bag.reading.stored_messages import StoredMessages
-from tfloom.bag.values import EARLIEST, LATEST, Definition, Progress, RawMessage, TfTopic, Topic
+from tfloom.bag.values import EARLIEST, LATEST, MAY_BE_EMPTY, Definition, Progress, RawMessage, TfTopic, Topic
 
 __all__ = ["McapFile"]
 
@@ -68,7 +68,7 @@ class McapFile(StoredMessages):
     def _topic(self, channel: records.Channel) -> Topic:
         schema = self.layout.schemas.get(channel.schema_id)
         definition = None
-        if schema and schema.data:
+        if schema and (schema.data or schema.encoding == MAY_BE_EMPTY):
             definition = Definition(schema.encoding, schema.data.decode(errors="replace"))
         return Topic(
             channel.topic,

@@ -58,7 +58,10 @@ def has_index(file: io.FileIO, layout: Ros1Layout) -> bool:
         raise BagError(layout.path, f"the bag's header is damaged: {error}", len(MAGIC)) from None
     if encryptor := header.fields.get("encryptor", b"").decode("utf-8", "replace"):
         raise BagError(layout.path, f"the bag is encrypted by '{encryptor[:40]}': decrypt it by rosbag")
-    return 0 < place < file.seek(0, io.SEEK_END)
+    # The index of a bag without connections has no bytes: it ends where it begins.
+    size = file.seek(0, io.SEEK_END)
+    is_empty = header.fields.get("conn_count") == header.fields.get("chunk_count") == bytes(4)
+    return 0 < place < size + is_empty
 
 
 def read_index(file: io.FileIO, layout: Ros1Layout) -> None:
@@ -83,7 +86,7 @@ def read_index(file: io.FileIO, layout: Ros1Layout) -> None:
     # A chunk and its index records end before the next chunk, the last one's before the index. These limits keep a
     # damaged size from reaching into another chunk.
     infos.sort(key=lambda info: info.offset)
-    limits = [info.offset for info in infos[1:]] + [place]
+    limits = [*(info.offset for info in infos[1:]), place][: len(infos)]
     for info, other in pairwise(infos):
         if info.offset == other.offset:  # else a few bytes would stand for any number of chunks
             raise DamagedRecordError(f"it names the chunk at byte {info.offset} twice")

@@ -16,7 +16,7 @@ from tfloom.bag.errors import BagError, BagWarning
 from tfloom.bag.metadata import is_message_compression
 from tfloom.bag.reading.file_bytes import check_is_file
 from tfloom.bag.reading.stored_messages import StoredMessages
-from tfloom.bag.values import EARLIEST, LATEST, Definition, RawMessage, Topic
+from tfloom.bag.values import EARLIEST, LATEST, MAY_BE_EMPTY, Definition, RawMessage, Topic
 
 __all__ = ["SqliteFile"]
 
@@ -261,7 +261,11 @@ def _definitions(database: sqlite3.Connection) -> dict[str, Definition]:
     rows = database.execute(
         "SELECT topic_type, encoding, encoded_message_definition FROM message_definitions"
     )
-    return {str(name): Definition(str(encoding), str(text)) for name, encoding, text in rows if text}
+    return {
+        str(name): Definition(str(encoding), str(text))
+        for name, encoding, text in rows
+        if text or encoding == MAY_BE_EMPTY
+    }
 
 
 def _says_compressed(database: sqlite3.Connection) -> bool:

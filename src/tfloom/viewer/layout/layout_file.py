@@ -26,7 +26,7 @@ def read_layout(path: Path) -> tuple[Layout, list[str]]:
     Raises:
         LayoutError: it can't be read, or is neither.
     """
-    file = PlacedYaml(path)
+    file = PlacedYaml(path, RVIZ_SECTION)  # RViz itself writes the key Value twice
     if path.suffix == ".rviz" or RVIZ_SECTION in file.root:
         return rviz_layout(file)
     return _own_layout(file)

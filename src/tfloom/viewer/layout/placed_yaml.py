@@ -20,19 +20,20 @@ class PlacedYaml:
 
     Args:
         path: The file.
+        repeating: A key of the outermost mapping by which files are known that may repeat keys; the last value counts.
 
     Raises:
         LayoutError: it can't be read, is too large, is no YAML, or no mapping.
     """
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, repeating: str | None = None) -> None:
         self._path = path
         try:
             with path.open("rb") as file:
                 data = file.read(MAX_BYTES + 1)
             if len(data) > MAX_BYTES:
                 raise LayoutError(f"{path}: it has more than {MAX_BYTES} bytes")
-            root, self._lines = user_yaml.load_placed(data.decode())
+            root, self._lines = user_yaml.load_placed(data.decode(), repeating)
         except OSError as error:
             raise LayoutError(f"{path}: {error.strerror or error}") from None
         except UnicodeDecodeError as error:
