@@ -58,6 +58,19 @@ SKIPPED = [
 ]
 
 
+WITH_CONFIGURATION = """\
+from launch import LaunchDescription
+from launch.actions import IncludeLaunchDescription, LogInfo
+from launch.substitutions import LaunchConfiguration
+from launch_ros.substitutions import FindPackageShare
+def generate_launch_description():
+    return LaunchDescription([
+        IncludeLaunchDescription([FindPackageShare("mars_rover"), "/launch/common.launch.py"]),
+        LogInfo(msg=LaunchConfiguration("mode")),
+    ])
+"""
+
+
 @pytest.fixture
 def launch_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """Write launch files of which little can run."""
@@ -87,6 +100,17 @@ def test_what_is_missing_is_named_and_the_rest_runs(launch_file: Path) -> None:
     assert "the panel Graph of `tfloom view` stands in for it here" in ran.text
     for line, expected in zip(lines, SKIPPED, strict=True):
         assert line.startswith(expected.format(**names))
+
+
+def test_a_configuration_that_a_skipped_file_would_set_names_it(launch_file: Path) -> None:
+    launch_file.write_text(WITH_CONFIGURATION)
+    ran = launch(launch_file, "--skip-missing")
+    assert ran.exit_code == 1
+    include = f"{launch_file}:7: package 'mars_rover' not found: it has launch/common.launch.py"
+    assert (
+        f"{launch_file}:8: launch configuration 'mode' does not exist; an included file that may set it was skipped: "
+        f"{include}\n"
+    ) in ran.text
 
 
 def test_without_the_flag_what_is_missing_ends_the_launch(launch_file: Path) -> None:

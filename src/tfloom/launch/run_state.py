@@ -39,6 +39,8 @@ class RunState:
         """Whether a Shutdown event has been handled."""
         self.unskippable: object = None
         """The one entity that isn't skipped if it needs what isn't here, as the launch file itself; None: none is."""
+        self.skipped_includes: list[str] = []
+        """A sentence on each included file that was skipped, which may have set launch configurations."""
         self.wake: Callable[[], None] = _do_nothing
         """Wakes the service, while one waits for events."""
         self.report: Callable[[Exception], None] | None = None
@@ -56,6 +58,7 @@ class RunState:
             report: Called with an error that is to end the launch.
         """
         self.loop, self.wake, self.report, self.is_shutdown = loop, wake, report, False
+        self.skipped_includes.clear()
 
     def stop(self) -> None:
         """End the run; events are kept for the next one."""

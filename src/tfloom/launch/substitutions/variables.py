@@ -129,7 +129,9 @@ class LaunchConfiguration(ParsedSubstitution):
             return context.launch_configurations[name]
         if self._default is None:
             near = did_you_mean(name, context.launch_configurations)
-            raise SubstitutionFailure(f"launch configuration '{name}' does not exist{near}")
+            skipped = context.run_state.skipped_includes
+            cause = f"; an included file that may set it was {' and was '.join(skipped)}" if skipped else ""
+            raise SubstitutionFailure(f"launch configuration '{name}' does not exist{near}{cause}")
         return perform_substitutions(context, self._default)
 
 

@@ -25,7 +25,10 @@ def visit_all_entities(
     except Exception as error:
         if context.run_state.unskippable in (None, entity) or not is_about_missing(error):
             raise
-        get_logger("launch").warning("%s", skip_text(error))
+        text = skip_text(error)
+        get_logger("launch").warning("%s", text)
+        if hasattr(entity, "launch_description_source"):
+            context.run_state.skipped_includes.append(text)
         return
     future = entity.get_asyncio_future()
     if future is not None:
