@@ -137,8 +137,8 @@ def test_handles_of_what_was_destroyed_raise(make_node: Callable[..., Node]) -> 
         with pytest.raises(InvalidHandle, match="was destroyed"), handle:
             pass
     for destroyed in (publisher, timer, guard, node):
-        with pytest.raises(InvalidHandle, match="was destroyed"):
-            destroyed.handle  # noqa: B018
+        with pytest.raises(InvalidHandle, match="was destroyed"), destroyed.handle:
+            pass
     with pytest.raises(InvalidHandle, match="was destroyed"):
         guard.trigger()
 

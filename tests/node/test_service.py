@@ -537,8 +537,8 @@ def test_destroyed_client_and_service_leave_the_graph(node: Node, client: Client
     assert not node.destroy_client(action_client)  # type: ignore[arg-type]  # as programs do
     action_client.destroy()
     for gone in (client, service):
-        with pytest.raises(InvalidHandle) as caught:
-            _ = gone.handle
+        with pytest.raises(InvalidHandle) as caught, gone.handle:
+            pass
         assert isinstance(caught.value, RuntimeError)
 
 

@@ -131,7 +131,6 @@ ROWS = {
     "node.create_client(SetBool, 'a').call_async(SetBool.Request)": "TypeError: SetBool.Request(…), not its class",
     "node.create_client(SetBool, 'a').call_async(SetBool.Response())": "TypeError: send a request, SetBool.Request(",
     "node.create_client(SetBool, 'a').wait_for_service('1')": "TypeError: a timeout in seconds, as 0.5, got '1'",
-    "node.create_client(SetBool, 'a').wait_for_service(Duration(seconds=1))": "TypeError: of class Duration: write 1",
     # Actions
     "ActionClient('n', RotateAbsolute, 'a')": "TypeError: ActionClient() needs a node, got 'n' of class str",
     "ActionClient(RotateAbsolute, node, 'a')": "AttributeError: expected an action class",

@@ -483,7 +483,8 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
         self._node.destroy_subscription(self._status)
 
     def __enter__(self) -> Self:
-        return self
+        with self._send.handle:  # raises InvalidHandle after `destroy`
+            return self
 
     def __exit__(self, *_: object) -> None:
         self.destroy()

@@ -440,11 +440,12 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
                 del self._ended_ns[key]
             oldest_ns = min(self._ended_ns.values(), default=None)
         # One timer for all goals, set to the oldest of those that are left.
-        if oldest_ns is None:
-            self._expiry.cancel()
-            return
-        self._expiry.timer_period_ns = max(1, oldest_ns + self._result_timeout_ns - now_ns)
-        self._expiry.reset()
+        with suppress(InvalidHandle):  # the node was destroyed while a goal was executed
+            if oldest_ns is None:
+                self._expiry.cancel()
+                return
+            self._expiry.timer_period_ns = max(1, oldest_ns + self._result_timeout_ns - now_ns)
+            self._expiry.reset()
 
     def get_num_entities(self) -> NumberOfEntities:
         """Return how many items of each kind the server consists of."""
@@ -463,7 +464,8 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         self._node.destroy_timer(self._expiry)
 
     def __enter__(self) -> Self:
-        return self
+        with self._services[0].handle:  # raises InvalidHandle after `destroy`
+            return self
 
     def __exit__(self, *_: object) -> None:
         self.destroy()

@@ -40,7 +40,6 @@ from tfloom.node.qos.qos_overriding_options import QoSOverridingOptions, apply_o
 from tfloom.node.values.callbacks import not_callable
 from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.constants import S_TO_NS
-from tfloom.node.values.exceptions import InvalidHandle
 from tfloom.node.values.handle import Handle
 from tfloom.node.values.names import name_error
 from tfloom.node.values.numbers import not_a_number
@@ -118,8 +117,8 @@ class NodeBase:
 
     Node adds these services. They are made for an object of this class, so it is in a file that they can import.
 
-    The work is done by three members: the node's graph, its parameters, and the entities that it has created. All
-    `create_…` methods raise InvalidHandle after the node was destroyed.
+    The work is done by three members: the node's graph, its parameters, and the entities that it has created. After the
+    node was destroyed, all methods that need the graph, or publish, raise InvalidHandle; the others answer as before.
 
     Args:
         node_name: Its name; `__node:=` among the arguments replaces it.
@@ -209,6 +208,7 @@ class NodeBase:
             raise
 
     def __publish_parameter_event(self, event: rcl_msg.ParameterEvent) -> None:
+        self.__graph.check_exists()
         now = self.get_clock().now()
         check_fits_stamp(now.nanoseconds)
         event.stamp = now.to_msg()
@@ -225,17 +225,8 @@ class NodeBase:
 
     @property
     def handle(self) -> Handle:
-        """Proxy of the node, for code that expects rclpy's C handle.
-
-        Raises:
-            InvalidHandle: the node was destroyed.
-        """
-        self.__check_exists()
-        return Handle(self, self.__check_exists)
-
-    def __check_exists(self) -> None:
-        if self.__entities.has_left:
-            raise InvalidHandle(f"cannot use the node {self.get_fully_qualified_name()}: it was destroyed")
+        """Proxy of the node, for code that expects rclpy's C handle; to enter it raises InvalidHandle after the end."""
+        return Handle(self, self.__graph.check_exists)
 
     @property
     def executor(self) -> Executor | None:
@@ -1126,6 +1117,7 @@ class NodeBase:
         if entities.has_left:
             return
         entities.has_left = True
+        self.__graph.leave()
         self.__parameter_event_publisher = None
         self.executor = None
         self.destroy_entities()

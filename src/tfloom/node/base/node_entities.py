@@ -6,6 +6,7 @@ import weakref
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
+from tfloom.node.endpoints.endpoint import Endpoint
 from tfloom.node.endpoints.publisher import Publisher
 from tfloom.node.executing.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup
 from tfloom.node.executing.event_handler import report_other_type
@@ -111,8 +112,11 @@ class NodeEntities:
         """
         if self._destroyed:
             raise InvalidHandle(f"cannot create anything for {self.node_name.full}: the node was destroyed")
-        self.context.check_not_from_parent_process(f"cannot create anything for {self.node_name.full}")
+        self._check_not_forked()
         return self._participant
+
+    def _check_not_forked(self) -> None:
+        self.context.check_not_from_parent_process(f"cannot create anything for {self.node_name.full}")
 
     def entities(self) -> list[Entity]:
         """Return all entities that an executor runs."""
@@ -126,9 +130,12 @@ class NodeEntities:
         """Add an entity, also to the node's executor.
 
         Raises:
-            InvalidHandle: the node was destroyed.
+            InvalidHandle: the node was destroyed, and the entity has an endpoint.
+            ForkedProcessError: this process is a fork of the one that created the node.
         """
-        self.participant()
+        if isinstance(entity, Endpoint):
+            self.participant()
+        self._check_not_forked()
         if entity.callback_group is not None:
             entity.callback_group.add_entity(entity.member)
         entity.owner = self._owner

@@ -1,4 +1,4 @@
-"""The names of a node, and its queries of the graph."""
+"""The names of a node, and its queries of the graph, until it is destroyed."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from tfloom.node.qos.topic_endpoint_info import TopicEndpointInfo
-from tfloom.node.values.exceptions import NodeNameNonExistentError
+from tfloom.node.values.exceptions import InvalidHandle, NodeNameNonExistentError
 from tfloom.node.values.names import expansion_error
 from tfloom.rmw.base import NodeName
 
@@ -31,14 +31,40 @@ class NodeGraph:
 
     def __init__(self, names: NodeNames, graph: Graph) -> None:
         self._names = names
-        self.node = names.node
-        """Name and namespace of the node."""
-        self.wire_graph = graph
+        self._graph = graph
+        self._has_left = False
+
+    @property
+    def node(self) -> NodeName:
+        """Name and namespace of the node.
+
+        Raises:
+            InvalidHandle: the node was destroyed, as in all methods below.
+        """
+        return self._existing_names().node
+
+    @property
+    def wire_graph(self) -> Graph:
         """Graph of its participant."""
+        self._existing_names()
+        return self._graph
+
+    def _existing_names(self) -> NodeNames:
+        if self._has_left:
+            raise InvalidHandle(f"cannot use the node {self._names.node.full}: it was destroyed")
+        return self._names
+
+    def check_exists(self) -> None:
+        """Raise InvalidHandle if the node was destroyed."""
+        self._existing_names()
+
+    def leave(self) -> None:
+        """Answer no longer, because the node is destroyed."""
+        self._has_left = True
 
     def resolved(self, name: str, *, only_expand: bool, is_service: bool) -> str | Exception:
         """Return a topic's or a service's full name, remapped unless `only_expand`, or the error of the name."""
-        return self._names.resolved(name, only_expand=only_expand, is_service=is_service)
+        return self._existing_names().resolved(name, only_expand=only_expand, is_service=is_service)
 
     def queried_name(self, name: object, *, is_service: bool = False) -> str:
         """Return the full name of a topic or service in a query, expanded and remapped.
@@ -49,7 +75,7 @@ class NodeGraph:
         """
         if (error := expansion_error(name)) is not None:
             raise error
-        full_name = self._names.resolved(str(name), only_expand=False, is_service=is_service)
+        full_name = self._existing_names().resolved(str(name), only_expand=False, is_service=is_service)
         if isinstance(full_name, Exception):
             raise full_name
         return full_name

@@ -6,6 +6,7 @@ import math
 import threading
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tfloom._native import ReadyQueue
@@ -21,7 +22,7 @@ from tfloom.node.executing.task import Future
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
 from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.duration import Duration
-from tfloom.node.values.exceptions import RCLError
+from tfloom.node.values.exceptions import InvalidHandle, RCLError
 from tfloom.node.values.numbers import timeout_error
 from tfloom.node.values.type_support import wrong_fields
 from tfloom.rmw.base import RequestId
@@ -162,7 +163,7 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         executor = self._executor()
         if executor is not None and executor.would_wait_for_itself():
             raise RuntimeError(
-                f"Client.call of {self.service_name} from a callback would never end if a server or a callback of the "
+                f"Client.call of {self._name} from a callback would never end if a server or a callback of the "
                 "same executor has to run first. Await call_async, or spin with a MultiThreadedExecutor"
             )
         future = self.call_async(request)
@@ -252,7 +253,7 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         if not isinstance(request, self.srv_type.Request):
             written = f"{self.srv_type.__name__}.Request"
             raise TypeError(wrong_fields(self.srv_type.Request, request, "send a request", written))
-        self._context.check_not_from_parent_process(f"cannot call {self.service_name}")
+        self._context.check_not_from_parent_process(f"cannot call {self._name}")
         data = cdr.encode(request)
         future: ResponseFuture[SrvTypeResponse] = ResponseFuture()
         self._alive()
@@ -281,7 +282,8 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
             if self.unsent_timer is None:
                 self.unsent_timer = self._start_timer(LOOK_FOR_SERVER_S, self.send_unsent)
                 return
-        self.unsent_timer.reset()
+        with suppress(InvalidHandle):  # the client has just been destroyed
+            self.unsent_timer.reset()
 
     def _note_sent(self, future: Future[Any], request: Any, number: int) -> None:
         future.when_complete(lambda: self._remove(number))
@@ -311,7 +313,8 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
                 expired = [unsent for unsent in self._unsent if unsent.end_s <= now_s]
                 self._unsent = [unsent for unsent in self._unsent if unsent.end_s > now_s]
             if not self._unsent and self.unsent_timer is not None:
-                self.unsent_timer.cancel()
+                with suppress(InvalidHandle):
+                    self.unsent_timer.cancel()
         # Futures call functions of the program, so none is completed under the lock.
         for unsent, number in sent:
             self._note_sent(unsent.future, unsent.request, number)
@@ -346,7 +349,7 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
 
     def _fail(self, future: Future[Any], why: str) -> None:
         future.set_executor(self._executor())
-        future.set_exception(NoResponseError(f"no response from {self.service_name}: {why}"))
+        future.set_exception(NoResponseError(f"no response from {self._name}: {why}"))
 
     def take_orphans(self, own: Future[Any] | None = None) -> list[Future[Any]]:
         """Remove the requests whose servers have all left without a response, and return their futures.
@@ -390,10 +393,13 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
             future.cancel()
 
     def service_is_ready(self) -> bool:
-        """Return whether a server is matched in both directions, so that it receives a request sent now."""
-        if self._destroyed:
-            return False
-        self._context.check_not_from_parent_process(f"cannot find a server of {self.service_name}")
+        """Return whether a server is matched in both directions, so that it receives a request sent now.
+
+        Raises:
+            InvalidHandle: the client was destroyed.
+        """
+        self._alive()
+        self._context.check_not_from_parent_process(f"cannot find a server of {self._name}")
         if self._endpoint.is_ready():
             return True
         incompatibility = self._endpoint.incompatibility()
@@ -413,6 +419,7 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
 
         Raises:
             TypeError: `timeout_sec` is no number.
+            InvalidHandle: the client was destroyed.
         """
         if isinstance(timeout_sec, Duration):
             timeout_sec = timeout_sec.nanoseconds / S_TO_NS

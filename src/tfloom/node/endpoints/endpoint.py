@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import threading
 from collections import deque
 from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
 
@@ -78,14 +79,18 @@ class Endpoint(Generic[WireEndpoint]):
     def handle(self) -> Handle:
         """Proxy of the endpoint, for code that expects rclpy's C handle.
 
-        Raises:
-            InvalidHandle: it was destroyed.
+        After the end, it raises InvalidHandle when it is entered.
         """
-        return Handle(self._alive(), self._alive)
+        return Handle(self, self._alive)
 
     @property
     def logger_name(self) -> str:
-        """Name of the logger of the node that has it."""
+        """Name of the logger of the node that has it.
+
+        Raises:
+            InvalidHandle: it was destroyed.
+        """
+        self._alive()
         name: str = self.owner.get_logger().name
         return name
 
@@ -172,7 +177,8 @@ class Receiver(ReceivingEndpoint[TakingEndpoint], Entity):
         self._incoming_type = incoming_type
         self._warning = ThrottledWarning(logger)
         self._kept: deque[Any] = deque()
-        """What `has_next` has found on the wire, and nothing has taken."""
+        """What `has_next` has found on the wire, and nothing has taken. Changed under `_kept_lock`."""
+        self._kept_lock = threading.Lock()
         self._history = math.inf
         """Most items that wait at once, where newer ones replace them."""
 
@@ -184,21 +190,23 @@ class Receiver(ReceivingEndpoint[TakingEndpoint], Entity):
 
     def has_next(self) -> bool:
         """Return whether there is an item, which stays here for whoever takes the next."""
-        if not self._kept and not self._destroyed and (incoming := self._endpoint.take()) is not None:
-            self._kept.append(incoming)
-        return bool(self._kept)
+        with self._kept_lock:
+            if not self._kept and not self._destroyed and (incoming := self._endpoint.take()) is not None:
+                self._kept.append(incoming)
+            return bool(self._kept)
 
     def take_incoming(self) -> Any:
         """Remove and return the oldest item as the wire has it, or None."""
         kept, take = self._kept, self._endpoint.take
-        if not kept:
-            return take()
-        # What waits here is part of the history, in which newer items have replaced it meanwhile.
-        while len(kept) <= self._history and (incoming := take()) is not None:
-            kept.append(incoming)
-        if len(kept) > self._history:
-            kept.popleft()
-        return kept.popleft()
+        with self._kept_lock:
+            if not kept:
+                return take()
+            # What waits here is part of the history, in which newer items have replaced it meanwhile.
+            while len(kept) <= self._history and (incoming := take()) is not None:
+                kept.append(incoming)
+            if len(kept) > self._history:
+                kept.popleft()
+            return kept.popleft()
 
     def take(self) -> Any:
         """Remove the oldest item and return it as `run` takes it, `UNREADABLE`, or None."""

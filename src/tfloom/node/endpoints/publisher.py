@@ -76,12 +76,21 @@ class Publisher(Endpoint["Writer"], Generic[MsgType]):
             raise
 
     def get_subscription_count(self) -> int:
-        """Return the number of connected subscriptions."""
-        return 0 if self._destroyed else self._endpoint.matched_count()
+        """Return the number of connected subscriptions.
+
+        Raises:
+            InvalidHandle: it was destroyed.
+        """
+        return self.wire_endpoint.matched_count()
 
     @property
     def topic_name(self) -> str:
-        """The topic's full name, after remapping."""
+        """The topic's full name, after remapping.
+
+        Raises:
+            InvalidHandle: it was destroyed.
+        """
+        self._alive()
         return self._name
 
     @property

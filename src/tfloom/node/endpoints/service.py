@@ -62,7 +62,12 @@ class ServiceEndpoint(Receiver[TakingEndpoint], Generic[TakingEndpoint, SrvTypeR
 
     @property
     def service_name(self) -> str:
-        """The service's full name, after remapping."""
+        """The service's full name, after remapping.
+
+        Raises:
+            InvalidHandle: it was destroyed.
+        """
+        self._alive()
         return self._name
 
     def configure_introspection(
@@ -77,7 +82,11 @@ class ServiceEndpoint(Receiver[TakingEndpoint], Generic[TakingEndpoint, SrvTypeR
             clock: Stamps the events.
             service_event_qos_profile: QoS of the events' publisher.
             introspection_state: OFF, METADATA, or CONTENTS, with requests and responses.
+
+        Raises:
+            InvalidHandle: it was destroyed.
         """
+        self._alive()
         self._introspection.configure(clock, service_event_qos_profile, introspection_state)
 
     def destroy(self) -> None:
@@ -131,7 +140,7 @@ class Service(ServiceEndpoint["Responder", SrvTypeRequest, SrvTypeResponse]):
         """
         if not isinstance(response, self.srv_type.Response):
             raise TypeError(
-                f"the callback of {self.service_name} must return a {self.srv_type.Response.__name__}, "
+                f"the callback of {self._name} must return a {self.srv_type.Response.__name__}, "
                 f"not {type(response).__name__}"
             )
         self._endpoint.send(header, cdr.encode(response))

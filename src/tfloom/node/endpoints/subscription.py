@@ -127,21 +127,26 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
         return _FED if self._sink.take_pushed() else None
 
     def get_publisher_count(self) -> int:
-        """Return the number of connected publishers."""
-        return 0 if self._destroyed else self._endpoint.matched_count()
-
-    @property
-    def handle(self) -> Handle:
-        """Proxy of the subscription, for code that expects rclpy's C handle.
+        """Return the number of connected publishers.
 
         Raises:
             InvalidHandle: it was destroyed.
         """
-        return SubscriptionHandle(self._alive(), self._alive)
+        return self.wire_endpoint.matched_count()
+
+    @property
+    def handle(self) -> Handle:
+        """As of every endpoint."""
+        return SubscriptionHandle(self, self._alive)
 
     @property
     def topic_name(self) -> str:
-        """The topic's full name, after remapping."""
+        """The topic's full name, after remapping.
+
+        Raises:
+            InvalidHandle: it was destroyed.
+        """
+        self._alive()
         return self._name
 
     def _read(self, incoming: Sample) -> Any:

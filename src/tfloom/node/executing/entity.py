@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from typing import TYPE_CHECKING, Any
 
 from tfloom.node.values.exceptions import InvalidHandle
@@ -17,6 +18,10 @@ if TYPE_CHECKING:
     from tfloom.node.executing.callback_groups import CallbackGroup
 
 __all__ = ["CallbackEntity", "Entity", "make_parts"]
+
+
+_KEPT_LOCK = threading.Lock()
+"""Held while a thread removes what an entity has kept."""
 
 
 class Entity:
@@ -81,11 +86,11 @@ class Entity:
 
     def take_next(self) -> Any:
         """As `take`, after what was kept here."""
-        kept = self.refused_item
-        if kept is None:
+        if self.refused_item is None:
             return self.take()
-        self.refused_item = None
-        return kept
+        with _KEPT_LOCK:  # a task of a program's own executor may begin on any thread
+            kept, self.refused_item = self.refused_item, None
+        return self.take() if kept is None else kept
 
     def run(self, taken: Any) -> Any:
         """Run the callback with the result of `take`; if that returns a coroutine, the executor runs it."""
@@ -126,10 +131,9 @@ class CallbackEntity(Entity):
     def handle(self) -> Handle:
         """Proxy of the entity, for code that expects rclpy's C handle.
 
-        Raises:
-            InvalidHandle: it was destroyed.
+        After the end, it raises InvalidHandle when it is entered.
         """
-        return Handle(self._alive(), self._alive)
+        return Handle(self, self._alive)
 
     def _alive(self) -> Self:
         """Return this entity.

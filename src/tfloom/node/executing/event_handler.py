@@ -7,12 +7,18 @@ from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any, Protocol
 
 from tfloom.node.executing.entity import Entity
+from tfloom.node.executing.waitable import NumberOfEntities
+from tfloom.node.values.exceptions import InvalidHandle
 from tfloom.node.values.handle import Handle, unwrap_handle
 from tfloom.rmw.errors import UnsupportedEventError
 from tfloom.rmw.events import Count, Event, IncompatibleQoS, LivelinessChanged, Matched, Status
 from tfloom.rmw.qos_mismatch import mismatch_text
 
 if TYPE_CHECKING:
+    from types import TracebackType
+
+    from typing_extensions import Self
+
     from tfloom._native import ReadyQueue
     from tfloom.node.executing.callback_groups import CallbackGroup
     from tfloom.node.executing.event_types import QoSPublisherEventType, QoSSubscriptionEventType
@@ -137,6 +143,20 @@ class EventHandler(WatchedEvent, Entity):
     def run(self, taken: Any) -> Any:
         """Call the callback with the status."""
         return self.callback(taken)
+
+    def __enter__(self) -> Self:
+        if self._destroyed:
+            raise InvalidHandle("cannot use an event handler that was destroyed")
+        return self
+
+    def __exit__(
+        self, t: type[BaseException] | None, v: BaseException | None, tb: TracebackType | None
+    ) -> None:
+        """Do nothing; `destroy` ends it."""
+
+    def get_num_entities(self) -> NumberOfEntities:
+        """Return that it waits for one event."""
+        return NumberOfEntities(num_events=1)
 
     def destroy(self) -> None:
         """Take no more changes of the status."""

@@ -118,8 +118,6 @@ class Executor(OfferedWork):
         """The thread that spins, or did last."""
         self._is_spun_by_callback = False
         """Whether that thread runs a callback of this executor meanwhile."""
-        self._begun_count = 0
-        """Number of callbacks that have begun, and responses that were taken. Of the thread that spins alone."""
         self._followers: list[threading.Event] = []
         """Events of the threads that wait while another one spins. Changed by single operations, without a lock."""
         self._is_in_long_spin = False
@@ -155,7 +153,7 @@ class Executor(OfferedWork):
         """Add a node; return False if it was added before. A node in another executor is removed from that one."""
         if (error := node_error("add_node", node)) is not None:
             raise error
-        node.get_name()  # raises, before anything is changed, where the node's `__init__` has not run
+        _ = node.executor  # raises, before anything is changed, where the node's `__init__` has not run
         with self._lock:
             if self._is_shutdown:
                 raise ShutdownException("cannot add a node to an executor that is shut down")
@@ -292,7 +290,7 @@ class Executor(OfferedWork):
 
     def _note_begun(self) -> None:
         """Tell the threads that wait in a nested `spin_once` that a callback has begun, or a response was taken."""
-        self._begun_count += 1
+        self._running.begun_count += 1
         self._wake_followers()
 
     def _wake_followers(self) -> None:
@@ -553,7 +551,6 @@ class Executor(OfferedWork):
             return True
         if not (self._is_spun_by_callback or self._running.is_this_thread()):
             raise RuntimeError("Executor is already spinning, on another thread")
-        begun_count = self._begun_count
         woken = threading.Event()
         self._followers.append(woken)
         try:
@@ -562,7 +559,9 @@ class Executor(OfferedWork):
                     return False
                 if not self._context.ok():
                     raise shutdown_exception()
-                if until_begun and self._begun_count != begun_count:
+                # Compared with the last look of this callback, and not with this call: what the callback waits for may
+                # have come between its own look and this call.
+                if until_begun and self._running.has_begun_another():
                     return False
                 now_ns = time.monotonic_ns()
                 if end_ns is not None and now_ns >= end_ns:

@@ -19,16 +19,22 @@ class RunningWork:
         self._waiters = 0
         # Changed without the lock, by single operations of a list, because a lock would cost time in each callback.
         self._threads: list[int] = []
+        self.begun_count = 0
+        """Number of callbacks that have begun, and responses that were taken. Changed by the thread that spins."""
+        self._seen_counts: dict[int, int] = {}
+        """`begun_count` when each thread last began a callback, or looked. Changed by single operations."""
 
     def __enter__(self) -> None:
         thread = threading.get_ident()
         self._threads.append(thread)
+        self._seen_counts[thread] = self.begun_count
         _threads_of_all.append(thread)
 
     def __exit__(self, *_: object) -> None:
         thread = threading.get_ident()
         _threads_of_all.remove(thread)
         self._threads.remove(thread)
+        self._seen_counts.pop(thread, None)
         if self._waiters:  # a waiter that isn't counted yet checks the list before it waits
             with self._changed:
                 self._changed.notify_all()
@@ -41,6 +47,14 @@ class RunningWork:
     def is_any_on_this_thread() -> bool:
         """Return whether a callback of any executor runs on the calling thread."""
         return threading.get_ident() in _threads_of_all
+
+    def has_begun_another(self) -> bool:
+        """Return whether a callback has begun since this thread began its own, or called this and got True."""
+        thread, begun_count = threading.get_ident(), self.begun_count
+        if self._seen_counts.setdefault(thread, begun_count) == begun_count:
+            return False
+        self._seen_counts[thread] = begun_count
+        return True
 
     def wait(self, timeout_s: float | None) -> bool:
         """Wait until no callback runs on another thread; False after `timeout_s` [s] (None: no limit)."""

@@ -87,29 +87,39 @@ class Timer(CallbackEntity):
 
     @property
     def timer_period_ns(self) -> int:
-        """The period [ns]. A new period applies after the next call, whose time is unchanged."""
+        """The period [ns]. A new period applies after the next call, whose time is unchanged.
+
+        Raises:
+            InvalidHandle: the timer was destroyed, as by all methods below that programs call.
+        """
+        self._alive()
         return self._period_ns
 
     @timer_period_ns.setter
     def timer_period_ns(self, value: int) -> None:
         if value < 0:
             raise ValueError(f"timer period must be non-negative, not {value} ns")
+        self._alive()
         self._period_ns = int(value)
 
     def is_ready(self) -> bool:
         """Return whether the callback is due."""
-        return not self._canceled and self._now_ns() >= self._next_ns
+        self._alive()
+        return self.has_next()
 
     def is_canceled(self) -> bool:
         """Return whether it was cancelled, or not started yet."""
+        self._alive()
         return self._canceled
 
     def cancel(self) -> None:
         """Stop calling the callback, until `reset`."""
+        self._alive()
         self._canceled = True
 
     def reset(self) -> None:
         """Begin a period now, also after `cancel`."""
+        self._alive()
         with self._lock:
             self._last_ns = self._now_ns()
             self._next_ns = self._last_ns + self._period_ns
@@ -118,17 +128,18 @@ class Timer(CallbackEntity):
 
     def time_since_last_call(self) -> int:
         """Return the time since the last call, or since start or reset [ns]."""
+        self._alive()
         return self._now_ns() - self._last_ns
 
     def time_until_next_call(self) -> int | None:
         """Return the time until the next call [ns], negative if it is late; None if cancelled."""
+        self._alive()
         return None if self._canceled else self._next_ns - self._now_ns()
 
     def destroy(self) -> None:
         """Stop calling the callback, permanently."""
-        self.cancel()
+        self._canceled = self._destroyed = True
         self.detach()
-        self._destroyed = True
         if self._jump_handle is not None:
             self._jump_handle.unregister()
             self._jump_handle = None
@@ -144,11 +155,11 @@ class Timer(CallbackEntity):
 
     def becomes_ready(self) -> bool:
         """Return whether the period has ended, for a wait set."""
-        return self.is_ready()
+        return self.has_next()
 
     def has_next(self) -> bool:
         """Return whether the callback is due; the next period doesn't begin before `take`."""
-        return self.is_ready()
+        return not self._canceled and self._now_ns() >= self._next_ns
 
     def take(self) -> Any:
         """Return True, and begin the next period, if the callback is due."""
@@ -174,7 +185,7 @@ class Timer(CallbackEntity):
         return self._next_ns + missed * self._period_ns
 
     def _post_if_ready(self) -> None:
-        if self.is_ready():
+        if self.has_next():
             self._post()
 
     def _before_jump(self) -> None:
@@ -235,6 +246,7 @@ class Rate:
         self._ticked.wait()
         self._ticked.clear()
         if self._destroyed:
+            self._ticked.set()  # as below
             raise RuntimeError("Rate was destroyed while it slept")
         if not self._context.ok():
             self._ticked.set()  # `clear` has undone that of the shutdown, for which another thread may wait, too

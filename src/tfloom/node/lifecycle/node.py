@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from tfloom.interfaces.lifecycle_msgs.msg import TransitionDescription, TransitionEvent
@@ -29,7 +30,7 @@ from tfloom.node.lifecycle.state_machine import (
 )
 from tfloom.node.node import Node
 from tfloom.node.values.callback_errors import print_error
-from tfloom.node.values.exceptions import RCLError
+from tfloom.node.values.exceptions import InvalidHandle, RCLError
 
 if TYPE_CHECKING:
     from tfloom.node.endpoints.publisher import Publisher
@@ -181,15 +182,16 @@ class LifecycleNodeMixin(ManagedEntity):
 
     def __enter_state(self, step: Step) -> None:
         self._state_machine.state = step.goal
-        if self.__events is not None:
-            self.__events.publish(
-                TransitionEvent(
-                    timestamp=self.__node.get_clock().now().nanoseconds,
-                    transition=step.transition_msg(),
-                    start_state=step.start.to_msg(),
-                    goal_state=step.goal.to_msg(),
-                )
-            )
+        if self.__events is None:
+            return
+        event = TransitionEvent(
+            timestamp=self.__node.get_clock().now().nanoseconds,
+            transition=step.transition_msg(),
+            start_state=step.start.to_msg(),
+            goal_state=step.goal.to_msg(),
+        )
+        with suppress(InvalidHandle):  # a node that was destroyed still changes its state
+            self.__events.publish(event)
 
     # Services
 
