@@ -109,7 +109,7 @@ def test_a_configuration_that_a_skipped_file_would_set_names_it(launch_file: Pat
     include = f"{launch_file}:7: package 'mars_rover' not found: it has launch/common.launch.py"
     assert (
         f"{launch_file}:8: launch configuration 'mode' does not exist; an included file that may set it was skipped: "
-        f"{include}\n"
+        f"{include}"
     ) in ran.text
 
 
