@@ -16,6 +16,7 @@ import pytest
 
 from tfloom.launch import logging as launch_logging
 from tfloom.launch import standard_handlers
+from tfloom.launch.log_handlers import BraceFormatter
 from tfloom.launch.logging import get_logger, get_output_loggers, launch_config
 
 
@@ -71,6 +72,9 @@ def test_the_level_applies_to_all_loggers(capsys: pytest.CaptureFixture[str]) ->
         ("default_with_timestamp", r"\d+\.\d{7} \[INFO\] \[a\]: hi"),
         ("{name}/{levelname}/{msg}", "a/INFO/hi"),
         ("{wrong}", "INFO a: hi"),
+        ("{message} of {name}", "hi of a"),
+        ("{message:>4}|{msg}", r"  hi\|hi"),
+        ("{asctime} {message}", r"\d{4}-\d\d-\d\d \d\d:\d\d:\d\d,\d{3} hi"),
     ],
 )
 def test_the_screen_has_the_format_of_the_environment(
@@ -81,6 +85,31 @@ def test_the_screen_has_the_format_of_the_environment(
     get_logger("a").info("hi")
     (printed,) = lines(capsys)
     assert re.fullmatch(line, printed)
+
+
+@pytest.mark.parametrize("text", ["{message} of {name}", "{asctime}: {message}", "{{message}} {message}"])
+def test_lines_of_a_process_have_the_format_of_the_environment(
+    text: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A loud process's lines are formatted together."""
+    record = logging.LogRecord("talker-1", logging.INFO, "", 0, "one", (), None)
+    formatter = BraceFormatter(text)
+    around = formatter.around_message(record)
+    line = formatter.format(record)
+    assert line.endswith(("one", "one of talker-1"))
+    assert around is None or line == "one".join(around)
+
+
+def test_a_log_folder_is_made_anew_after_it_was_reset(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path))
+    first = launch_config.log_dir
+    launch_config.log_dir = None
+    assert launch_config.log_dir != first
+    launch_config.log_dir = None
+    launch_config.log_dir = str(tmp_path)
+    assert launch_config.log_dir == str(tmp_path)
 
 
 @pytest.mark.parametrize("config", ["file", {"stdin": "screen"}, {"both": ["screen", "disk"]}])

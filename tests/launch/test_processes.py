@@ -13,6 +13,7 @@ import uuid
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
+from typing import Any
 
 import psutil
 import pytest
@@ -458,6 +459,21 @@ def test_no_process_is_started_after_the_shutdown(launch: Launch) -> None:
     late = shell("echo never")
     launch(Shutdown(), TimerAction(period=0.0, actions=[late], cancel_on_shutdown=False))
     assert late.process_details is None
+
+
+def test_details_of_a_process_are_known_before_its_start(launch: Launch) -> None:
+    seen: list[dict[str, Any] | None] = []
+    action = shell("true", cwd="/", name="early")
+    look = OpaqueFunction(function=lambda _: seen.append(dict(action.process_details or {})))
+    assert action.process_details is None
+    assert launch(look, action, look).code == 0
+    before, planned = seen
+    assert before == {}
+    assert planned is not None
+    name = planned["name"]
+    assert name.startswith("early-")
+    assert (planned["action"], planned["cwd"], planned["env"] is not None) == (action, "/", True)
+    assert action.process_details == {**planned, "pid": action.process_details["pid"]}  # type: ignore[index]
 
 
 @pytest.mark.parametrize("timeout", ["soon", "-1", "nan"])

@@ -52,6 +52,43 @@ def test_message() -> None:
     assert (str(x), x.default_value, str(bar.type)) == ("float32 x 1.5", 1.5, "other/Bar")
 
 
+COMMENTS = """\
+# one
+#
+# two
+
+## a
+#
+#
+#  b
+int32 v # c [m/s]
+  # d
+#
+# e
+bool K=true
+
+# f
+\t
+bool w
+string t # [1, 2] and [m] and [s]
+"""
+
+
+def test_comments_and_units() -> None:
+    message = parse_message_string("pkg", "Foo", COMMENTS)
+    assert message.annotations == {"comment": ["one", "", "two"]}
+    v, w, t = message.fields
+    assert v.annotations == {"comment": ["a", "", " b", "c", "d"], "unit": "m/s"}
+    assert message.constants[0].annotations == {"comment": ["e"]}
+    assert w.annotations == {"comment": ["f"]}
+    assert t.annotations == {"comment": ["[1, 2] and [m] and [s]"]}  # which of the two is the unit?
+    service = parse_service_string("pkg", "Ask", "# ask\nint8 a # [V]\n---\n# answer\n\n# b\nbool b\n")
+    assert service.request.annotations == {"comment": ["ask"]}
+    assert service.request.fields[0].annotations == {"comment": [], "unit": "V"}
+    assert service.response.annotations == {"comment": ["answer"]}
+    assert service.response.fields[0].annotations == {"comment": ["b"]}
+
+
 def test_text_of_a_message() -> None:
     text = 'int32[<=3] a [1,2] # x\nstring<=5 b "q"\nfloat64 K=1.5\nstring S="x y"\nstd_msgs/Header h\nbool c true\n'
     assert str(parse_message_string("pkg", "Foo", text)).splitlines() == [
@@ -103,6 +140,12 @@ def test_errors() -> None:
         BaseType("pkg/point")
     with pytest.raises(InvalidValue, match="'x' can not be converted to type 'int8'"):
         Field(Type("int8"), "a", "x")
+    with pytest.raises(TypeError, match="does not contain a"):
+        Type("bool]")
+    with pytest.raises(ValueError, match="must not be 'None'"):
+        Constant("bool", "X", None)  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="field 0 must be a 'Field' instance, not 'x'"):
+        MessageSpecification("pkg", "A", ["x"], [])  # type: ignore[list-item]
     with pytest.raises(TypeError, match="> 0"):
         Type("int8[0]")
     with pytest.raises(NameError):

@@ -11,13 +11,17 @@ from tests.rosidl.workspaces import run_python
 
 import tfloom
 from tfloom.distributions import INTERFACES
+from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.interfaces.geometry_msgs.msg import Twist
 from tfloom.interfaces.sensor_msgs.msg import CameraInfo
+from tfloom.interfaces.std_msgs.msg import Header
 from tfloom.interfaces.std_srvs.srv import SetBool
 from tfloom.interfaces.turtlesim.action import RotateAbsolute
 from tfloom.interfaces.turtlesim.srv import Spawn
 from tfloom.rosidl import definition, runtime, sources
+from tfloom.rosidl.definition import UnboundedSequence
 from tfloom.rosidl.definition_files import interface_names
+from tfloom.rosidl.fill import set_message_fields
 
 
 def test_types_are_found_by_name() -> None:
@@ -28,6 +32,20 @@ def test_types_are_found_by_name() -> None:
     named = runtime.get_message_namespaced_type("geometry_msgs/Twist")
     assert named.namespaced_name() == ("geometry_msgs", "msg", "Twist")
     assert runtime.import_message_from_namespaced_type(named) is Twist
+    assert runtime.import_message_from_namespaced_type(UnboundedSequence(named)) is Twist
+
+
+def test_fields_of_an_object_that_is_no_message_are_set_later_by_word() -> None:
+    class Duck:
+        def __init__(self) -> None:
+            self.header, self.at, self.value = Header(), Time(), 1
+
+    duck = Duck()
+    values = {"header": "auto", "at": "now", "value": 3}
+    setters = set_message_fields(duck, values, expand_header_auto=True, expand_time_now=True)  # type: ignore[arg-type]
+    for set_time in setters:
+        set_time(Time(sec=7))
+    assert (duck.header.stamp.sec, duck.at.sec, duck.value) == (7, 7, 3)
 
 
 @pytest.mark.parametrize(

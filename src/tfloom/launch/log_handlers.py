@@ -46,11 +46,14 @@ class BraceFormatter(logging.Formatter):
 
     def __init__(self, text: str, stream: Any = None) -> None:
         super().__init__(text, style="{")
-        self._text = text
+        self._text = text.replace("{message}", "{msg}")  # the same here, and looked for in one form
+        self._has_time = "{asctime" in text
         self._colors = colors_of(stream)
 
     def around_message(self, record: logging.LogRecord) -> tuple[str, str] | None:
         """Return what stands before and after the message of each line; None if that depends on the line."""
+        if self._has_time:
+            return None
         return around_field(self._text, "msg", record.__dict__)
 
     def colored(self, line: str, level: str, name: str) -> str:
@@ -59,11 +62,14 @@ class BraceFormatter(logging.Formatter):
 
     def format(self, record: logging.LogRecord) -> str:
         """Return the line of a record."""
-        values = {**record.__dict__, "msg": record.getMessage()}
+        message = record.getMessage()
+        values = {**record.__dict__, "msg": message, "message": message}
+        if self._has_time:
+            values["asctime"] = self.formatTime(record)
         try:
             line = self._text.format(**values)
         except (KeyError, ValueError, IndexError):
-            line = f"{record.levelname} {record.name}: {record.getMessage()}"
+            line = f"{record.levelname} {record.name}: {message}"
         if record.exc_info:
             line += "\n" + self.formatException(record.exc_info)
         return self.colored(line, record.levelname, record.name)

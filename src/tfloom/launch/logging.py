@@ -148,7 +148,10 @@ class LaunchConfig:
         return self._log_dir
 
     @log_dir.setter
-    def log_dir(self, log_dir: str) -> None:
+    def log_dir(self, log_dir: str | None) -> None:
+        if log_dir is None:  # a new folder at the next use
+            self._log_dir = None
+            return
         path = Path(log_dir).expanduser()
         if not path.is_dir():
             raise ValueError(f"{log_dir} is not a directory")

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from tfloom.rosidl import spec
+from tfloom.rosidl.adapter_comments import annotations_of, find_comments
 from tfloom.rosidl.literal import parse_value
 from tfloom.rosidl.parse import ParseError, parse_interface, parse_type, read_text
 
@@ -235,6 +236,8 @@ class Type(BaseType):
 
     def __init__(self, type_string: str, context_package_name: str | None = None) -> None:
         element, bracket, rest = type_string.partition("[")
+        if not bracket and element.endswith("]"):
+            raise TypeError(f"the type '{type_string}' ends with ']' but does not contain a '['")
         self.is_array = bool(bracket)
         self.array_size: int | None = None
         self.is_upper_bound = False
@@ -274,6 +277,7 @@ class Constant:
     Raises:
         TypeError: the type is no primitive.
         NameError: the name is no constant's.
+        ValueError: the value is None.
         InvalidValue: the text isn't a value of the type.
     """
 
@@ -284,6 +288,8 @@ class Constant:
             raise TypeError(f"the constant type '{primitive_type}' must be a primitive type")
         if not is_valid_constant_name(name):
             raise NameError(f"the constant name '{name}' is not valid")
+        if value_string is None:
+            raise ValueError("the constant value must not be 'None'")
         self.type = primitive_type
         self.name = name
         self.value: Any = parse_primitive_value_string(Type(primitive_type), value_string)
@@ -354,6 +360,7 @@ class MessageSpecification:
         constants: Its constants.
 
     Raises:
+        TypeError: one of them is none.
         ValueError: two fields, or two constants, have one name.
     """
 
@@ -365,7 +372,11 @@ class MessageSpecification:
         self.annotations: dict[str, Any] = {}
         self.fields = list(fields)
         self.constants = list(constants)
-        for members in (self.fields, self.constants):
+        for members, kind in ((self.fields, Field), (self.constants, Constant)):
+            for number, member in enumerate(members):
+                if not isinstance(member, kind):
+                    word = kind.__name__
+                    raise TypeError(f"{word.lower()} {number} must be a '{word}' instance, not {member!r}")
             names = [member.name for member in members]
             if twice := sorted({name for name in names if names.count(name) > 1}):
                 raise ValueError(f"{self.base_type} has several members of one name: {', '.join(twice)}")
@@ -476,7 +487,7 @@ def parse_message_string(pkg_name: str, msg_name: str, message_string: str) -> M
         InvalidFieldDefinition: a line is invalid; the text has line and column.
         InvalidResourceName: a name is invalid.
     """
-    return _message(_parsed(pkg_name, "msg", msg_name, message_string))
+    return _message(_parsed(pkg_name, "msg", msg_name, message_string), message_string)
 
 
 def parse_service_string(pkg_name: str, srv_name: str, message_string: str) -> ServiceSpecification:
@@ -485,9 +496,11 @@ def parse_service_string(pkg_name: str, srv_name: str, message_string: str) -> S
     Raises:
         InvalidServiceSpecification: it doesn't have two parts.
     """
-    _check_parts(message_string, 2, f"{pkg_name}/{srv_name}", InvalidServiceSpecification)
+    texts = _parts(message_string, 2, f"{pkg_name}/{srv_name}", InvalidServiceSpecification)
     service = _parsed(pkg_name, "srv", srv_name, message_string)
-    return ServiceSpecification(pkg_name, srv_name, _message(service.request), _message(service.response))
+    return ServiceSpecification(
+        pkg_name, srv_name, *map(_message, (service.request, service.response), texts)
+    )
 
 
 def parse_action_string(pkg_name: str, action_name: str, action_string: str) -> ActionSpecification:
@@ -496,16 +509,23 @@ def parse_action_string(pkg_name: str, action_name: str, action_string: str) -> 
     Raises:
         InvalidActionSpecification: it doesn't have three parts.
     """
-    _check_parts(action_string, 3, f"{pkg_name}/{action_name}", InvalidActionSpecification)
+    texts = _parts(action_string, 3, f"{pkg_name}/{action_name}", InvalidActionSpecification)
     action = _parsed(pkg_name, "action", action_name, action_string)
     parts = (action.goal, action.result, action.feedback)
-    return ActionSpecification(pkg_name, action_name, *map(_message, parts))
+    return ActionSpecification(pkg_name, action_name, *map(_message, parts, texts))
 
 
-def _check_parts(text: str, count: int, name: str, error: type[InvalidSpecification]) -> None:
-    parts = 1 + sum(line.strip() == SERVICE_REQUEST_RESPONSE_SEPARATOR for line in text.splitlines())
-    if parts != count:
-        raise error(f"the definition of {name} has {parts} of its {count} parts, divided by '---'")
+def _parts(text: str, count: int, name: str, error: type[InvalidSpecification]) -> list[str]:
+    """Return the parts of a definition, which lines of `---` divide."""
+    parts: list[list[str]] = [[]]
+    for line in text.splitlines():
+        if line.strip() == SERVICE_REQUEST_RESPONSE_SEPARATOR:
+            parts.append([])
+        else:
+            parts[-1].append(line)
+    if len(parts) != count:
+        raise error(f"the definition of {name} has {len(parts)} of its {count} parts, divided by '---'")
+    return ["\n".join(lines) for lines in parts]
 
 
 def _parsed(package: str, kind: str, name: str, text: str) -> Any:
@@ -520,19 +540,22 @@ def _parsed(package: str, kind: str, name: str, text: str) -> Any:
     return interface._replace(name=f"{package}/{kind}/{name}")
 
 
-def _message(message: spec.Message) -> MessageSpecification:
+def _message(message: spec.Message, text: str) -> MessageSpecification:
     package, _, name = message.name.split("/")
     specification = MessageSpecification(
         package, name, map(_field, message.fields), map(_constant, message.constants)
     )
-    specification.annotations["comment"] = message.comment.splitlines()
+    comments = find_comments(text)
+    specification.annotations = annotations_of(comments.message)
+    elements: list[Field | Constant] = [*specification.fields, *specification.constants]
+    for element in elements:
+        element.annotations = annotations_of(comments.elements.get(element.name, []))
     return specification
 
 
 def _field(field: spec.Field) -> Field:
     converted = Field(Type(str(field.type)), field.name)
     converted.default_value = _plain(field.default)
-    converted.annotations["comment"] = field.comment.splitlines()
     return converted
 
 
@@ -541,7 +564,7 @@ def _constant(constant: spec.Constant) -> Constant:
     converted = Constant.__new__(Constant)
     converted.type, converted.name = constant.type.base, constant.name
     converted.value = _plain(constant.value)
-    converted.annotations = {"comment": constant.comment.splitlines()}
+    converted.annotations = {}
     return converted
 
 

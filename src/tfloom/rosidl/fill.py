@@ -72,7 +72,9 @@ class Filler:
         """Set an attribute of an object that is used as a message but isn't one, by the type of what it holds."""
         current = getattr(msg, name)
         self.path.append(f".{name}")
-        if isinstance(value, Mapping) and not isinstance(current, Mapping):
+        if isinstance(value, str) and value == self.words.get(getattr(current, "_TYPE_NAME", "")):
+            self._set_later(msg, name, value)
+        elif isinstance(value, Mapping) and not isinstance(current, Mapping):
             self.fill(current, value)
         elif current is None or isinstance(value, type(current)):
             setattr(msg, name, value)
@@ -80,12 +82,15 @@ class Filler:
             setattr(msg, name, type(current)(value))
         self.path.pop()
 
+    def _set_later(self, msg: Any, name: str, word: str) -> None:
+        is_time = word == "now"
+        self.setters.append(
+            partial(setattr, msg if is_time else getattr(msg, name), name if is_time else "stamp")
+        )
+
     def _set(self, msg: Message, name: str, type_: Type, value: Any) -> None:
         if isinstance(value, str) and value == self.words.get(type_.base) and not type_.shape:
-            is_time = value == "now"
-            self.setters.append(
-                partial(setattr, msg if is_time else getattr(msg, name), name if is_time else "stamp")
-            )
+            self._set_later(msg, name, value)
         elif type_.shape:
             setattr(msg, name, self._array(type_, value))
         elif type_.is_primitive:

@@ -7,7 +7,7 @@ from collections import OrderedDict
 from typing import Any
 
 from tfloom.rosidl.class_search import find_class
-from tfloom.rosidl.definition import AbstractType, NamespacedType, to_namespaced_type
+from tfloom.rosidl.definition import AbstractNestedType, AbstractType, NamespacedType, to_namespaced_type
 from tfloom.rosidl.message import Message
 from tfloom.rosidl.service import Action, Service
 
@@ -127,14 +127,15 @@ def _is(interface: object, base: type) -> bool:
     return issubclass(interface if isinstance(interface, type) else type(interface), base)
 
 
-def import_message_from_namespaced_type(message_type: NamespacedType) -> Any:
-    """Return the class of a message, a service or an action, or of a part of one.
+def import_message_from_namespaced_type(message_type: NamespacedType | AbstractNestedType) -> Any:
+    """Return the class of a message, a service or an action, or of a part of one; of an array, that of its elements.
 
     Raises:
         ModuleNotFoundError: there is no such package, or it has no interfaces of that kind.
         AttributeError: there is no such interface in it.
     """
-    *namespaces, base = message_type.namespaced_name()
+    named: Any = message_type.value_type if isinstance(message_type, AbstractNestedType) else message_type
+    *namespaces, base = named.namespaced_name()
     try:
         return find_class("/".join([*namespaces, base]))
     except LookupError:

@@ -164,7 +164,7 @@ def test_order_is_checked(output: IoHandler) -> None:
         with pytest.raises(AssertionError, match="'first' not found in sequence after previous match"):
             checker.assertInStdout("first")
         checker.assertInText("third")
-    assert checker.get_nearby_lines() == ["first", "second", "third"]
+    assert checker.get_nearby_lines() == "first\nsecond\nthird"
     with pytest.raises(Exception, match="multiple processes"), assertSequentialStdout(output, None):
         pass
 

@@ -21,12 +21,14 @@ from tfloom.launch.testing.loader import (
     LoadTestsFromPythonModule,
     PostShutdownTestLoader,
     PreShutdownTestLoader,
+    TestRun,
 )
 from tfloom.launch.testing.markers import is_kept_alive, keep_alive, post_shutdown_test, retry_on_failure
 from tfloom.launch.testing.output import basic_output_filter, expect_output, expected_output_from_file
 from tfloom.launch.testing.parametrize import parametrize
 from tfloom.launch.testing.readiness import ReadyAggregator, ready_to_test_action_timeout, timeout_of
 from tfloom.launch.testing.test_result import FailResult, SkipResult, TestResult
+from tfloom.launch.testing.test_runner import LaunchTestRunner
 from tfloom.launch.testing.text import build_line_match, build_text_match, remove_ansi_escape_sequences
 
 LINES = ["[talker] red", "[listener] red", "[talker] blue", "[listener] blue"]
@@ -104,6 +106,7 @@ def test_older_checks_of_output(tmp_path: Path) -> None:
         check("one\n")
     check, _ = legacy_output.create_output_regex_test(["o.e"])
     check("one\n")
+    legacy_output.create_output_regex_test([r"zero\no.e"])[0]("zero\none\n")
     with pytest.raises(AssertionError, match=r"no line of the output matches: \['o.e'\]"):
         check("two\n")
     (tmp_path / "both.regex").write_text("t.o\n")
@@ -271,6 +274,23 @@ def test_skipped_test_that_never_started_is_a_result() -> None:
     result.stopTest(case)
     (suite,) = unittestResultsToXml(test_results={"one": result}).getroot()
     assert [element.get("name") for element in suite] == ["test_skip"]
+
+
+def test_tests_of_a_skipped_launch_are_skipped_each() -> None:
+    @unittest.skip("no robot")
+    def describe() -> None:
+        raise RuntimeError
+
+    run = TestRun("run", describe, {}, [Mixed], [BadSetUp])
+    (result,) = LaunchTestRunner([run]).run().values()
+    names = {case._testMethodName for case, _ in result.skipped}
+    assert names >= {"test_good", "test_fail", "test_error", "test_skip"}
+    assert result.testsRun == len(result.skipped) == len(names)
+    assert result.wasSuccessful()
+    (suite,) = unittestResultsToXml(test_results={"run": result}).getroot()
+    assert suite.get("tests") == suite.get("skipped") == str(len(names))
+    assert {element.get("name") for element in suite} == names
+    assert all(element.find("skipped").get("message") == "no robot" for element in suite)  # type: ignore[union-attr]
 
 
 def test_results_as_xml() -> None:

@@ -115,6 +115,8 @@ class ExecuteLocal(Action):
         self._respawn_max_retries = respawn_max_retries
         self._respawn_count = 0
         self._process: LocalProcess | None = None
+        self._planned: dict[str, Any] | None = None
+        """The details that are known before the process has a pid."""
         self._details: dict[str, Any] | None = None
         self._early_output: list[tuple[int, bytes]] = []
         self._completed_future: asyncio.Future[None] | None = None
@@ -158,8 +160,11 @@ class ExecuteLocal(Action):
 
     @property
     def process_details(self) -> dict[str, Any] | None:
-        """Arguments of the events of the process: action, name, cmd, cwd, env, pid; None before it has started."""
-        return self._details
+        """Arguments of the events of the process: action, name, cmd, cwd, env, and from its start, pid.
+
+        None before the action is executed.
+        """
+        return self._details or self._planned
 
     @property
     def return_code(self) -> int | None:
@@ -212,6 +217,14 @@ class ExecuteLocal(Action):
             if isinstance(self._given_output, dict)
             else perform_substitutions(context, self._given_output)
         )
+        executable = self._process_description
+        self._planned = {
+            "action": self,
+            "name": name,
+            "cmd": executable.final_cmd or [],
+            "cwd": executable.final_cwd,
+            "env": executable.final_env,
+        }
         self._has_terminals = self._emulates_terminals(context)
         self._has_shell = _flag(context, self._shell)
         self._output = ProcessOutput(self, name, output, self._output_format, is_cached=self._cached_output)
@@ -294,14 +307,7 @@ class ExecuteLocal(Action):
         # environment, which holds the launch's id.
         guard.add(process.pid)
         self._process = process
-        self._details = {
-            "action": self,
-            "name": name,
-            "cmd": cmd,
-            "cwd": executable.final_cwd,
-            "env": executable.final_env,
-            "pid": process.pid,
-        }
+        self._details = {**(self._planned or {}), "pid": process.pid}
         logger.info("process started with pid [%d]", process.pid)
         await context.emit_event(ProcessStarted(**self._details))
         for early in self._early_output:

@@ -34,20 +34,19 @@ class SequentialTextChecker:
         if begin >= 0:
             self._at = begin + len(msg)
             return
-        nearby = "\n".join(self.get_nearby_lines())
         raise AssertionError(
             f"'{msg}' not found in sequence after previous match.  "
-            f"The output near the last matched line:\n{nearby}"
+            f"The output near the last matched line:\n{self.get_nearby_lines()}"
         )
 
     def assertInText(self, msg: str) -> None:  # noqa: N802  # launch_testing's name
         """Assert that a text follows the ones that were found before, as `assertInStdout` does."""
         self.assertInStdout(msg)
 
-    def get_nearby_lines(self) -> list[str]:
-        """Return the lines around the last text that was found."""
+    def get_nearby_lines(self) -> str:
+        """Return the lines around the last text that was found, as one text."""
         before = self._output.count("\n", 0, self._at)
-        return self._output.splitlines()[max(before - _NEARBY, 0) : before + _NEARBY + 1]
+        return "\n".join(self._output.splitlines()[max(before - _NEARBY, 0) : before + _NEARBY + 1])
 
 
 @contextmanager

@@ -38,7 +38,7 @@ def unittestResultToXml(name: str, test_result: unittest.TestResult) -> ET.Eleme
     Args:
         name: Of the launch.
         test_result: Its result; of a launch that failed there is one element, `launch`, and of one that was skipped
-            `skipped_launch`.
+            without tests `skipped_launch`.
     """
     suite = ET.Element("testsuite", {"name": name, "time": f"{_seconds(test_result):.3f}"})
     counts = {
@@ -47,7 +47,9 @@ def unittestResultToXml(name: str, test_result: unittest.TestResult) -> ET.Eleme
         "failures": len(test_result.failures),
         "skipped": len(test_result.skipped),
     }
-    if isinstance(test_result, (FailResult, SkipResult)):
+    if isinstance(test_result, FailResult) or (
+        isinstance(test_result, SkipResult) and not test_result.testCases
+    ):
         is_failure = isinstance(test_result, FailResult)
         kind, key = ("failure", "failures") if is_failure else ("skipped", "skipped")
         case_name = "launch" if is_failure else "skipped_launch"

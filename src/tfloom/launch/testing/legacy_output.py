@@ -54,7 +54,7 @@ def create_output_lines_test(expected_lines: Sequence[str]) -> tuple[Check, list
 def create_output_regex_test(
     expected_patterns: Sequence[str | re.Pattern[str]],
 ) -> tuple[Check, list[re.Pattern[str]]]:
-    """Return a check that each of some patterns matches a line of an output, and these patterns.
+    """Return a check that each of some patterns matches from the start of an output or of a line, and these patterns.
 
     The check takes the output, and raises AssertionError if a pattern matches none.
     """
@@ -62,7 +62,11 @@ def create_output_regex_test(
 
     def check(output: str) -> None:
         there = output.splitlines()
-        missing = [pattern.pattern for pattern in patterns if not any(pattern.match(line) for line in there)]
+        missing = [
+            pattern.pattern
+            for pattern in patterns
+            if not any(pattern.match(text) for text in (output, *there))
+        ]
         if missing:
             raise AssertionError(f"no line of the output matches: {missing}")
 

@@ -75,6 +75,15 @@ class TestRun:
         self.ready_timeout_s = timeout_of(test_description_function)
 
     @property
+    def all_tests(self) -> list[unittest.TestCase]:
+        """The tests before and after the shutdown, one by one."""
+        return [
+            case(name)
+            for case in (*self.pre_shutdown_tests, *self.post_shutdown_tests)
+            for name in unittest.defaultTestLoader.getTestCaseNames(case)
+        ]
+
+    @property
     def skip_reason(self) -> str | None:
         """The reason of `unittest.skip`; None if the launch is not skipped."""
         if not getattr(self.test_description_function, "__unittest_skip__", False):

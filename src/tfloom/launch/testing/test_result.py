@@ -42,6 +42,10 @@ class SkipResult(unittest.TestResult):
         super().__init__()
         self.test_run = test_run
         self.message = skip_reason or msg
+        self.testCases: list[unittest.TestCase] = list(getattr(test_run, "all_tests", ()))
+        """Each test of the launch, which are skipped with it."""
+        self.skipped = [(test, self.message) for test in self.testCases]
+        self.testsRun = len(self.testCases)
 
     def wasSuccessful(self) -> bool:  # noqa: N802  # unittest's name
         """Return True, because a skipped launch is no failure."""
