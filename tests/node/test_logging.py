@@ -10,16 +10,18 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 from threading import Thread
+from typing import Any
 
 import pytest
 
 from tfloom.interfaces.rcl_interfaces.msg import Log
-from tfloom.node.clock.clock import ROSClock
+from tfloom.node.clock.clock import Clock, ROSClock
 from tfloom.node.context.context import Context
 from tfloom.node.executing.executors import SingleThreadedExecutor
-from tfloom.node.log import logging
+from tfloom.node.log import logging, logging_filters
 from tfloom.node.log.log_file import LogFile
 from tfloom.node.log.logging_severity import LoggingSeverity
+from tfloom.node.log.rcutils_logger import RcutilsLogger
 from tfloom.node.node import Node
 from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.time import Time
@@ -128,6 +130,83 @@ def test_the_period_begins_with_the_call_that_is_skipped() -> None:
         return logger.info(second, skip_first=True, throttle_duration_sec=3, throttle_time_source_type=clock)
 
     assert [second for second in range(10) if log(second)] == [3, 6, 9]
+
+
+FETCHES: dict[str, Callable[[Node], RcutilsLogger]] = {
+    "child": lambda node: node.get_logger().get_child("child"),
+    "grandchild": lambda node: node.get_logger().get_child("child").get_child("grandchild"),
+    "named": lambda _: logging.get_logger("fetched"),
+    "child of named": lambda _: logging.get_logger("fetched").get_child("child"),
+    "constructed": lambda _: RcutilsLogger("constructed"),
+}
+
+
+@pytest.mark.parametrize("fetch", FETCHES)
+def test_filters_hold_for_the_name_where_each_call_fetches_its_logger(fetch: str, node: Node) -> None:
+    def logger() -> RcutilsLogger:
+        return FETCHES[fetch](node)
+
+    assert said(lambda text: logger().info(text, once=True)) == [0]
+    assert said(lambda text: logger().info(text, skip_first=True)) == [1, 2, 3]
+    assert said(lambda text: logger().info(text, throttle_duration_sec=60)) == [0]
+    assert said(lambda text: logger().get_child(f"c{text}").info(text, once=True)) == [0, 1, 2, 3]
+
+
+def test_a_fetched_logger_may_be_called_in_another_way_as_a_new_one_there() -> None:
+    def log(severity: LoggingSeverity, **options: Any) -> bool:
+        return logging.get_logger("helper").log("x", severity, **options)
+
+    calls = [
+        lambda: log(LoggingSeverity.INFO, once=True),
+        lambda: log(LoggingSeverity.WARN, once=True),
+        lambda: log(LoggingSeverity.INFO, skip_first=True, once=True),
+        lambda: log(LoggingSeverity.INFO, throttle_duration_sec=1.0, throttle_time_source_type=Clock()),
+        lambda: log(LoggingSeverity.INFO, throttle_duration_sec=60.0, throttle_time_source_type=Clock()),
+    ]
+    assert [call() for call in calls * 2] == [True, True, False, True, True, False, False, True, False, False]
+
+
+def test_the_next_node_of_a_name_begins_anew(make_node: Callable[..., Node]) -> None:
+    logged = []
+    for _ in range(2):
+        node = make_node("twice")
+        logged += [node.get_logger().get_child("child").info("x", once=True) for _ in range(2)]
+        node.destroy_node()
+    assert logged == [True, False, True, False]
+
+
+def test_places_are_forgotten_beyond_a_limit(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(logging_filters, "MAX_FILTERS", 10)
+    table = logging_filters.FilterTable()
+    logged = [RcutilsLogger(f"n{number}", table).info("x", once=True) for number in [*range(30), 29, 0]]
+    assert logged == [True] * 30 + [False, True]
+    assert len(table._filters) == 10
+
+
+@pytest.mark.parametrize(
+    ("seconds", "expected"),
+    [
+        ([0, 0, 0, 0.5, 1, 1.5, 2], [True, False, False, False, True, False, True]),
+        ([0.2, 0.9, 1.1, 1.3], [True, False, False, True]),
+        ([0, 0, 100, 100.5, 101], [True, False, True, False, True]),
+        ([5, 5, 3, 3.5, 4.1], [True, False, True, False, True]),
+        ([100, 100.5, 0, 0, 1], [True, False, True, False, True]),
+    ],
+)
+@pytest.mark.parametrize(
+    "fetch", [lambda logger: logger, lambda logger: logger.get_child("child")], ids=["one", "each"]
+)
+def test_throttle_begins_with_the_first_call_of_simulated_time(
+    fetch: Callable[[RcutilsLogger], RcutilsLogger], seconds: list[float], expected: list[bool], node: Node
+) -> None:
+    clock = ROSClock()
+    clock.set_ros_time_is_active(True)
+
+    def log(second: float) -> bool:
+        clock.set_ros_time_override(Time(seconds=second, clock_type=ClockType.ROS_TIME))
+        return fetch(node.get_logger()).info("x", throttle_duration_sec=1, throttle_time_source_type=clock)
+
+    assert [log(second) for second in seconds] == expected
 
 
 def test_each_logger_counts_its_own_calls(make_node: Callable[..., Node]) -> None:

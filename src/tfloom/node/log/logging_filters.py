@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 import time
+from contextlib import suppress
 from types import CodeType
 from typing import Any, NamedTuple
 
 from tfloom.node.log.logging_severity import LoggingSeverity
-from tfloom.node.values.constants import S_TO_NS
+from tfloom.node.values.constants import INT64_MAX
+from tfloom.node.values.numbers import checked_timeout, to_nanoseconds
 from tfloom.node.values.readable_clock import ReadableClock
 
-__all__ = ["CallState", "CallerId", "options_error"]
+__all__ = ["CallState", "CallerId", "FilterTable", "options_error", "place_of"]
+
+MAX_FILTERS = 10_000
+"""Most places that a table remembers."""
 
 _PARAMETERS = {
     "once": "once",
@@ -38,18 +43,78 @@ class CallerId(NamedTuple):
         return self.code.co_filename
 
 
-class CallState:
-    """State of the filters of one place in a program, kept between calls."""
+class Place(NamedTuple):
+    """What a filter holds for: calls of one place, by loggers of one name, with the same options."""
 
-    __slots__ = ("_last_ns", "_name", "_options", "_severity", "_skips_next", "_was_logged")
+    name: str
+    caller: CallerId
+    severity: LoggingSeverity
+    once: bool
+    skip_first: bool
+    period_ns: int | None
+    clock_type: object
 
-    def __init__(self, severity: LoggingSeverity, name: str, options: dict[str, Any]) -> None:
-        self._severity = severity
-        self._name = name
-        self._options = options
-        self._skips_next = bool(options.get("skip_first"))
+
+class CallFilter:
+    """What the filters remember of the calls of a place."""
+
+    __slots__ = ("_last_ns", "_skips_next", "_was_logged")
+
+    def __init__(self, *, skips_first: bool) -> None:
+        self._skips_next = skips_first
         self._was_logged = False
         self._last_ns: int | None = None
+
+    def lets_through(self, place: Place, clock: ReadableClock | None) -> bool:
+        """Return whether this call is to be logged, and count it."""
+        # In this order, as in rclpy: the period also starts with a call that `skip_first` drops, and the one call of
+        # `once` is the first that the other two let through.
+        if place.period_ns is not None and not self._is_due(place.period_ns, clock):
+            return False
+        if self._skips_next:
+            self._skips_next = False
+            return False
+        if self._was_logged and place.once:
+            return False
+        self._was_logged = True
+        return True
+
+    def _is_due(self, period_ns: int, clock: ReadableClock | None) -> bool:
+        """Return whether the period since the last call that was due has passed; it starts anew then."""
+        now_ns = time.monotonic_ns() if clock is None else clock.now().nanoseconds
+        # After a jump backward of the clock, the period starts anew.
+        if self._last_ns is not None and 0 <= now_ns - self._last_ns < period_ns:
+            return False
+        self._last_ns = now_ns
+        return True
+
+
+class FilterTable:
+    """The filters of loggers, by place, which all loggers of a name share: programs fetch one for each call."""
+
+    def __init__(self) -> None:
+        self._filters: dict[Place, CallFilter] = {}
+        """Changed by single operations."""
+
+    def filter_of(self, place: Place) -> CallFilter:
+        """Return the filter of a place; that of the oldest place is forgotten beyond MAX_FILTERS."""
+        found = self._filters.setdefault(place, CallFilter(skips_first=place.skip_first))
+        while len(self._filters) > MAX_FILTERS:
+            with suppress(StopIteration, RuntimeError):  # another thread was faster
+                self._filters.pop(next(iter(self._filters)), None)
+        return found
+
+
+class CallState:
+    """How a logger was called first at a place, and the filter of that place."""
+
+    __slots__ = ("_clock", "_filter", "_options", "_place")
+
+    def __init__(self, table: FilterTable, place: Place, options: dict[str, Any]) -> None:
+        self._place = place
+        self._options = options
+        self._clock: ReadableClock | None = options.get("throttle_time_source_type")
+        self._filter = table.filter_of(place)
 
     def check_unchanged(self, severity: LoggingSeverity, name: str, options: dict[str, Any]) -> None:
         """Compare a call with the first one of this place.
@@ -57,9 +122,9 @@ class CallState:
         Raises:
             ValueError: it has another severity, another logger's name, or other filters.
         """
-        if severity != self._severity:
+        if severity != self._place.severity:
             raise ValueError("Logger severity cannot be changed between calls.")
-        if name != self._name:
+        if name != self._place.name:
             raise ValueError("Logger name cannot be changed between calls.")
         if _filters(options) != _filters(self._options):
             raise ValueError("Requested logging filters cannot be changed between calls.")
@@ -68,30 +133,17 @@ class CallState:
 
     def lets_through(self) -> bool:
         """Return whether this call is to be logged, and count it."""
-        # In this order, as in rclpy: the period also starts with a call that `skip_first` drops, and the one call of
-        # `once` is the first that the other two let through.
-        if not self._is_due():
-            return False
-        if self._skips_next:
-            self._skips_next = False
-            return False
-        if self._was_logged and self._options.get("once"):
-            return False
-        self._was_logged = True
-        return True
+        return self._filter.lets_through(self._place, self._clock)
 
-    def _is_due(self) -> bool:
-        """Return whether the period since the last call that was due has passed; it starts anew then."""
-        period_s = self._options.get("throttle_duration_sec")
-        if period_s is None:
-            return True
-        clock: ReadableClock | None = self._options.get("throttle_time_source_type")
-        now_ns = time.monotonic_ns() if clock is None else clock.now().nanoseconds
-        # After a jump backward of the clock, the period starts anew.
-        if self._last_ns is not None and 0 <= now_ns - self._last_ns < int(period_s * S_TO_NS):
-            return False
-        self._last_ns = now_ns
-        return True
+
+def place_of(caller: CallerId, severity: LoggingSeverity, name: str, options: dict[str, Any]) -> Place:
+    """Return the place of a call whose options have no error."""
+    period_s = options.get("throttle_duration_sec")
+    limit_s = checked_timeout("throttle_duration_sec", period_s)
+    period_ns = None if period_s is None else INT64_MAX if limit_s is None else to_nanoseconds(limit_s)
+    clock = options.get("throttle_time_source_type")
+    once, skip_first = bool(options.get("once")), bool(options.get("skip_first"))
+    return Place(name, caller, severity, once, skip_first, period_ns, clock and clock.clock_type)
 
 
 def _filters(options: dict[str, Any]) -> set[str]:
@@ -110,6 +162,8 @@ def options_error(options: dict[str, Any]) -> TypeError | ValueError | None:
     clock = options.get("throttle_time_source_type")
     if period_s is not None and not hasattr(period_s, "__float__"):
         return TypeError(f"throttle_duration_sec must be a number of seconds, not {type(period_s).__name__}")
+    if period_s != period_s:  # noqa: PLR0124  # NaN, of any class
+        return ValueError(f"throttle_duration_sec must be a number of seconds, not {period_s}")
     if clock is not None and period_s is None:
         return TypeError(
             'required parameter "throttle_duration_sec" not specified but is required for the the logging filter '

@@ -7,17 +7,21 @@ from typing import Any
 
 from tfloom.node.log import log_output
 from tfloom.node.log.log_output import Record
-from tfloom.node.log.logging_filters import CallerId, CallState, options_error
+from tfloom.node.log.logging_filters import CallerId, CallState, FilterTable, options_error, place_of
 from tfloom.node.log.logging_severity import LoggingSeverity
 
 __all__ = ["CallerId", "RcutilsLogger"]
+
+
+_filters_of_all = FilterTable()
+"""The filters of loggers that are of no node."""
 
 
 class RcutilsLogger:
     """Logs records under a name. Without a level of its own it has that of the nearest name above it, up to the root.
 
     Each of `debug`, `info`, `warning`, `error` and `fatal` takes these options, which belong to the place of the
-    call and to this object, which a node's `get_logger()` always returns:
+    call and to the name, also where each call fetches a logger of its own, as by `get_child`:
 
     - `once=True`: only the first call is logged;
     - `skip_first=True`: all but the first;
@@ -26,12 +30,15 @@ class RcutilsLogger:
 
     Args:
         name: Names of nested loggers are joined by dots.
+        filters: What is remembered of the calls with options, by this logger and others; None: by all loggers that are
+            of no node. A node has a table of its own, so that the next one of its name begins anew.
     """
 
-    def __init__(self, name: str = "") -> None:
+    def __init__(self, name: str = "", filters: FilterTable | None = None) -> None:
         self.name = name
+        self._filters = _filters_of_all if filters is None else filters
         self._states: dict[CallerId, CallState] = {}
-        """What is known of the calls with options, by place: the places of two loggers are counted separately."""
+        """How this logger was called with options, by place."""
 
     def get_child(self, name: str) -> RcutilsLogger:
         """Return the logger `<name of this one>.<name>`.
@@ -41,7 +48,7 @@ class RcutilsLogger:
         """
         if not name:
             raise ValueError("Child logger name must not be empty.")
-        return RcutilsLogger(f"{self.name}.{name}" if self.name else name)
+        return RcutilsLogger(f"{self.name}.{name}" if self.name else name, self._filters)
 
     def set_level(self, level: LoggingSeverity | int) -> None:
         """Set the least severity to log; UNSET: that of the nearest name above that has a level.
@@ -109,7 +116,8 @@ class RcutilsLogger:
             if state is None:
                 if (error := options_error(options)) is not None:
                     raise error
-                state = self._states[caller] = CallState(severity, name, options)
+                place = place_of(caller, severity, name, options)
+                state = self._states[caller] = CallState(self._filters, place, options)
             else:
                 state.check_unchanged(severity, name, options)
             if severity < log_output.effective_level(name) or not state.lets_through():
