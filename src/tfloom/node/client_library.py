@@ -193,7 +193,7 @@ def spin(node: Node, executor: Executor | None = None) -> None:
 
 def spin_once(node: Node, *, executor: Executor | None = None, timeout_sec: float | None = None) -> None:
     """Wait for one callback and run it; after `timeout_sec` [s] (None: no limit), return without one."""
-    error = node_error("spin_once", node) or executor_error("spin_once", executor)
+    error: Exception | None = node_error("spin_once", node) or executor_error("spin_once", executor)
     if (error := error or timeout_error("spin_once", timeout_sec)) is not None:
         raise error
     executor = executor or get_global_executor()
@@ -206,7 +206,7 @@ def spin_until_future_complete(
 ) -> None:
     """Run a node's callbacks until a future is done, or for `timeout_sec` [s] (None: no limit)."""
     name = "spin_until_future_complete"
-    error = node_error(name, node) or future_error(future)
+    error: Exception | None = node_error(name, node) or future_error(future)
     error = error or executor_error(name, executor) or timeout_error(name, timeout_sec)
     if error is not None:
         raise error

@@ -10,6 +10,7 @@ from tfloom.node.executing.executor import executor_of
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.executing.task import Future
 from tfloom.node.qos.qos import QoSProfile
+from tfloom.node.values.numbers import checked_timeout
 
 if TYPE_CHECKING:
     from tfloom.node.node import Node
@@ -41,8 +42,11 @@ def wait_for_message(
         (True, the message), or (False, None) if none arrived in time or before shutdown.
 
     Raises:
+        TypeError: `time_to_wait` is not a number.
+        ValueError: it is NaN.
         RuntimeError: called from a callback of a single-threaded executor, which would block its own thread.
     """
+    timeout_s = checked_timeout("wait_for_message", time_to_wait)
     future: Future[Any] = Future()
 
     def on_message(message: Any) -> None:
@@ -61,21 +65,21 @@ def wait_for_message(
         # In an executor, the node is spun by another thread, and this one only waits. Otherwise nothing would call the
         # callback, so the node is spun here.
         if executor is not None:
-            _wait_for_future(future, time_to_wait, node)
+            _wait_for_future(future, timeout_s, node)
         else:
             with SingleThreadedExecutor(context=node.context) as own:
                 own.add_node(node)
-                own.spin_until_future_complete(future, time_to_wait)
+                own.spin_until_future_complete(future, timeout_s)
     finally:
         node.destroy_subscription(subscription)
     return future.done(), future.result()
 
 
-def _wait_for_future(future: Future[Any], time_to_wait: float, node: Node) -> None:
+def _wait_for_future(future: Future[Any], timeout_s: float | None, node: Node) -> None:
     ended = threading.Event()
     future.when_complete(ended.set)
     node.context.add_shutdown_hook(ended.set)
     try:
-        ended.wait(None if time_to_wait < 0 else time_to_wait)
+        ended.wait(None if timeout_s is None or timeout_s < 0 else timeout_s)
     finally:
         node.context.remove_shutdown_hook(ended.set)

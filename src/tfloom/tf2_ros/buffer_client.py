@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import threading
 import time as steady
 import weakref
@@ -17,6 +18,7 @@ from tfloom.node.executing.task import Future
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.names import name_error
 from tfloom.node.values.node_errors import node_error
+from tfloom.node.values.numbers import checked_timeout
 from tfloom.tf2.errors import (
     ConnectivityException,
     ExtrapolationException,
@@ -77,6 +79,7 @@ class BufferClient(BufferInterface):
 
         if (error := node_error("BufferClient", node) or name_error(ns, is_service=True)) is not None:
             raise error
+        _padding_s(timeout_padding)  # raises for what is not one
         super().__init__()
         self.node = node
         self.action_client = ActionClient(node, LookupTransform, action_name=ns)
@@ -154,9 +157,9 @@ class BufferClient(BufferInterface):
             raise TimeoutException("The BufferServer is not ready.")
         # One end for the whole exchange: the server waits for the transform up to the goal's timeout, and the padding
         # is for the messages there and back.
-        padding = self.timeout_padding
-        padding_s = float(padding) if isinstance(padding, (int, float)) else duration_ns(padding) / 1e9
-        end_s = steady.monotonic() + max(0.0, duration_ns(goal.timeout) / 1e9) + padding_s
+        end_s = (
+            steady.monotonic() + max(0.0, duration_ns(goal.timeout) / 1e9) + _padding_s(self.timeout_padding)
+        )
         handle: ClientGoalHandle = self._wait(self.action_client.send_goal_async(goal), end_s)
         if not handle.accepted:
             raise TimeoutException(
@@ -217,6 +220,13 @@ class BufferClient(BufferInterface):
         finally:
             alone.release()
         return True
+
+
+def _padding_s(padding: Any) -> float:
+    if hasattr(padding, "nanoseconds") or hasattr(padding, "nanosec"):
+        return duration_ns(padding) / 1e9
+    padding_s = checked_timeout("BufferClient", padding)
+    return math.inf if padding_s is None else padding_s
 
 
 def _transform_of(response: Any, goal: LookupTransform_Goal) -> TransformStamped:

@@ -132,6 +132,8 @@ def _row_of(key: str, case: Any, theirs: Any, ours: Any, *, is_mistyped: bool) -
         return lossy_row
     if "ended" in theirs:
         return "messages-mistyped"
+    if key == "equal" and None in (here, there):  # one could not be set
+        return None
     if key in {"equal", "equal to what is received"} and is_refused_there(here, there):
         return "messages-array-equality"
     if key == "equal" and is_lossy(case, "other") and here["to another"] == "error OverflowError":
@@ -150,10 +152,12 @@ SENT = {"sent", "received", "arrives", "all that is received", "equal to what is
 
 def is_refused_there(here: Any, there: Any) -> bool:
     """Return whether the real one raises ValueError where ours answers."""
-    if not isinstance(there, dict):
+    if isinstance(there, str):
         return there == "error ValueError"
-    return isinstance(here, dict) and all(
-        repr(here[key]) == repr(there[key]) or there[key] == "error ValueError" for key in there
+    return (
+        isinstance(here, dict)
+        and isinstance(there, dict)
+        and all(repr(here[key]) == repr(there[key]) or there[key] == "error ValueError" for key in there)
     )
 
 

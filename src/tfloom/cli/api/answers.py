@@ -8,6 +8,7 @@ from typing import Any, NamedTuple, TypeVar
 
 from tfloom.cli.nodes.strategy import GraphNode, node_of
 from tfloom.node.client_library import spin_until_future_complete
+from tfloom.node.values.numbers import checked_timeout
 
 __all__ = ["TIMEOUT_S", "Call", "call_services"]
 
@@ -38,6 +39,7 @@ def call_services(
     Returns:
         For each key the response, or a RuntimeError where the service isn't there or doesn't respond.
     """
+    limit_s = checked_timeout("call_services", timeout_s)
     caller = node_of(node)
     clients: dict[_Key, Any] = {}
     try:
@@ -45,15 +47,15 @@ def call_services(
         for key, call in calls.items():
             clients[key] = caller.create_client(call.service_class, call.service_name)
         futures, answers = {}, {}
-        end_s = time.monotonic() + (TIMEOUT_S if timeout_s is None else timeout_s)
+        end_s = time.monotonic() + (TIMEOUT_S if limit_s is None else limit_s)
         for key, client in clients.items():
             if client.wait_for_service(timeout_sec=max(0.0, end_s - time.monotonic())):
                 futures[key] = client.call_async(calls[key].request)
             else:
                 answers[key] = RuntimeError(f"service {calls[key].service_name} is not there")
-        end_s = float("inf") if timeout_s is None else time.monotonic() + timeout_s
+        end_s = float("inf") if limit_s is None else time.monotonic() + limit_s
         for key, future in futures.items():
-            left_s = None if timeout_s is None else max(0.0, end_s - time.monotonic())
+            left_s = None if limit_s is None else max(0.0, end_s - time.monotonic())
             spin_until_future_complete(caller, future, timeout_sec=left_s)
             answers[key] = _answer(future, calls[key].service_name)
         return {key: answers[key] for key in calls}

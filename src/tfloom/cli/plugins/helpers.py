@@ -9,6 +9,8 @@ import time
 from collections.abc import Callable
 from typing import Any, TypeVar
 
+from tfloom.node.values.numbers import checked_timeout
+
 __all__ = [
     "before_invocation",
     "bind",
@@ -35,11 +37,13 @@ def wait_for(predicate: Callable[[], Any], timeout: float | None, period: float 
         timeout: Longest wait [s]; None: no limit.
         period: Time between two looks [s].
     """
-    end_s = None if timeout is None else time.monotonic() + timeout
+    timeout_s = checked_timeout("wait_for", timeout)
+    period_s = checked_timeout("wait_for", period)
+    end_s = None if timeout_s is None else time.monotonic() + timeout_s
     while not (is_met := bool(predicate())):
         if end_s is not None and time.monotonic() >= end_s:
             break
-        time.sleep(period)
+        time.sleep(1e9 if period_s is None else max(0.0, period_s))
     return is_met
 
 

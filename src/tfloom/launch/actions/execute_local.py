@@ -35,6 +35,7 @@ from tfloom.launch.utilities.type_utils import (
     normalize_typed_substitution,
     perform_typed_substitution,
 )
+from tfloom.node.values.numbers import checked_timeout
 
 if TYPE_CHECKING:
     import asyncio
@@ -111,7 +112,9 @@ class ExecuteLocal(Action):
         self._log_cmd = log_cmd
         self._on_exit = on_exit
         self._respawn = normalize_typed_substitution(respawn, bool)
-        self._respawn_delay = respawn_delay
+        self._respawn_delay_s = (
+            0.0 if respawn_delay is None else checked_timeout("respawn_delay", respawn_delay)
+        )
         self._respawn_max_retries = respawn_max_retries
         self._respawn_count = 0
         self._process: LocalProcess | None = None
@@ -342,11 +345,11 @@ class ExecuteLocal(Action):
             return False
         if 0 <= self._respawn_max_retries <= self._respawn_count:
             return False
-        if self._respawn_delay is not None and self._respawn_delay > 0.0:
+        if self._respawn_delay_s is None or self._respawn_delay_s > 0.0:
             import asyncio
 
             # The end of the launch ends the wait, too.
-            await asyncio.wait([self._shutdown_future], timeout=self._respawn_delay)
+            await asyncio.wait([self._shutdown_future], timeout=self._respawn_delay_s)
         return not self._shutdown_future.done()
 
     def _clean_up(self, context: LaunchContext) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, Any, cast
 
@@ -18,6 +19,7 @@ from tfloom.launch.logging import get_logger
 from tfloom.launch.substitution import SomeSubstitutionsType
 from tfloom.launch.utilities.argument_errors import entities_error
 from tfloom.launch.utilities.type_utils import normalize_typed_substitution, perform_typed_substitution
+from tfloom.node.values.numbers import checked_timeout
 
 if TYPE_CHECKING:
     import asyncio
@@ -37,6 +39,7 @@ class TimerAction(Action):
 
     Raises:
         TypeError: `period` is neither a number nor a substitution.
+        ValueError: it is NaN.
     """
 
     def __init__(
@@ -141,13 +144,17 @@ class TimerAction(Action):
     async def _wait_to_fire_event(self, context: LaunchContext) -> None:
         import asyncio  # loaded with the first launch, and not for its arguments
 
-        period_s = perform_typed_substitution(context, self._period, float)
+        period_s = self._period_s(context)
         canceled = cast("asyncio.Future[bool]", self._canceled_future)
         await asyncio.wait([canceled], timeout=period_s)
         if canceled.done():
             self._complete(context)
         else:
             await context.emit_event(TimerEvent(timer_action=self))
+
+    def _period_s(self, context: LaunchContext) -> float | None:
+        """Return the period [s]; None if it never ends."""
+        return checked_timeout("TimerAction", perform_typed_substitution(context, self._period, float))
 
     def _complete(self, context: LaunchContext) -> None:
         for handler in self._handlers:
@@ -173,6 +180,10 @@ class _OnTimer(BaseEventHandler):
 
 
 def _as_substitution(period: Any) -> Any:
-    """Return whole numbers and texts of numbers as floats."""
-    is_number = isinstance(period, (int, str)) and not isinstance(period, bool)
-    return float(period) if is_number else period
+    """Return numbers of all kinds, and texts of numbers, as floats."""
+    if isinstance(period, str):
+        return float(period)
+    if not hasattr(period, "__float__") or isinstance(period, bool):
+        return period
+    period_s = checked_timeout("TimerAction", period)
+    return math.inf if period_s is None else period_s

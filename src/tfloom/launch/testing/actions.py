@@ -16,6 +16,7 @@ from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.logging import get_logger
 from tfloom.launch.substitution import SomeSubstitutionsType
+from tfloom.node.values.numbers import checked_timeout
 
 __all__ = ["GTest", "PyTest", "ReadyToTest", "Test", "TestsCanBegin"]
 
@@ -32,7 +33,7 @@ class Test(ExecuteProcess):
 
     def __init__(self, *, timeout: float | None = None, **kwargs: Any) -> None:
         super().__init__(**kwargs)
-        self._timeout = timeout
+        self._timeout = checked_timeout("Test", timeout)
 
     @property
     def timeout(self) -> float | None:
@@ -45,7 +46,7 @@ class Test(ExecuteProcess):
         if self._timeout is None:
             return started
         timer = TimerAction(
-            period=float(self._timeout), actions=[OpaqueFunction(function=self._end)], cancel_on_shutdown=True
+            period=self._timeout, actions=[OpaqueFunction(function=self._end)], cancel_on_shutdown=True
         )
         on_start = OnProcessStart(target_action=self, on_start=[timer], handle_once=True)
         context.register_event_handler(on_start)

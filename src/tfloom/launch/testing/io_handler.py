@@ -20,6 +20,7 @@ from tfloom.launch.testing.proc_lookup import (
     process_name,
 )
 from tfloom.launch.testing.text import Expected
+from tfloom.node.values.numbers import checked_timeout
 
 __all__ = ["ActiveIoHandler", "IoHandler"]
 
@@ -144,6 +145,7 @@ class ActiveIoHandler(ActiveRecord[ProcessIO, list[ProcessIO]]):
         Raises:
             AssertionError: it did not.
         """
+        timeout_s = checked_timeout("assertWaitFor", timeout)
         expected = (
             expected_output if isinstance(expected_output, (str, re.Pattern)) else list(expected_output)
         )
@@ -160,7 +162,7 @@ class ActiveIoHandler(ActiveRecord[ProcessIO, list[ProcessIO]]):
 
         # Searched again after the wait, because the end of the launch may have ended it with the output there.
         with self._changed:
-            self._changed.wait_for(lambda: is_there() or self._is_closed, timeout=timeout)
+            self._changed.wait_for(lambda: is_there() or self._is_closed, timeout_s)
             if is_there():
                 return
             waited = "the launch ended" if self._is_closed else f"timed out after {timeout} s"

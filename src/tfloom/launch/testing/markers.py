@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import functools
 import inspect
-import time
+import threading
 import unittest
 from collections.abc import Callable
 from typing import Any, TypeVar
+
+from tfloom.node.values.numbers import checked_timeout
 
 __all__ = ["is_kept_alive", "keep_alive", "post_shutdown_test", "retry_on_failure"]
 
@@ -50,27 +52,27 @@ def retry_on_failure(*, times: int, delay: float | None = None) -> Callable[[_Ma
     """
     if times < 1:
         raise ValueError(f"times must be at least 1, and is {times}")
+    delay_s = 0.0 if delay is None else checked_timeout("retry_on_failure", delay)
 
     def decorate(target: Any) -> Any:
         if not inspect.isclass(target):
-            return _retrying_test(target, times, delay)
+            return _retrying_test(target, times, delay_s)
         case: Any = target
         for name in unittest.TestLoader().getTestCaseNames(case):
-            setattr(target, name, _retrying_test(getattr(target, name), times, delay))
+            setattr(target, name, _retrying_test(getattr(target, name), times, delay_s))
         return target
 
     return decorate
 
 
-def _retrying_test(test: _Marked, times: int, delay: float | None) -> _Marked:
+def _retrying_test(test: _Marked, times: int, delay_s: float | None) -> _Marked:
     @functools.wraps(test)
     def retry(*args: Any, **kwargs: Any) -> Any:
         for _ in range(times - 1):
             try:
                 return test(*args, **kwargs)
             except AssertionError:  # noqa: PERF203  # it is the subject
-                if delay is not None:
-                    time.sleep(delay)
+                threading.Event().wait(delay_s)
         return test(*args, **kwargs)
 
     return retry  # type: ignore[return-value]  # has the same signature

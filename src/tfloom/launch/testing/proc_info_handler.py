@@ -17,6 +17,7 @@ from tfloom.launch.testing.proc_lookup import (
     process_name,
     resolveProcesses,
 )
+from tfloom.node.values.numbers import checked_timeout
 
 __all__ = ["ActiveProcInfoHandler", "ProcInfoHandler"]
 
@@ -104,6 +105,7 @@ class ActiveProcInfoHandler(ActiveRecord[Info, Info]):
         self, process: Process, cmd_args: CmdArgs, timeout: float | None, what: str, *, is_end: bool
     ) -> None:
         fault = ""
+        timeout_s = checked_timeout("assertWaitForShutdown" if is_end else "assertWaitForStartup", timeout)
 
         def has_happened() -> bool:
             nonlocal fault
@@ -116,7 +118,7 @@ class ActiveProcInfoHandler(ActiveRecord[Info, Info]):
             return not is_end or isinstance(self._handler[action], ProcessExited)
 
         with self._changed:
-            self._changed.wait_for(lambda: has_happened() or self._is_closed, timeout=timeout)
+            self._changed.wait_for(lambda: has_happened() or self._is_closed, timeout_s)
             if has_happened():
                 return
             waited = "The launch ended, waiting" if self._is_closed else "Timed out waiting"

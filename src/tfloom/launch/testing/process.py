@@ -15,6 +15,7 @@ from tfloom.launch.testing.assert_output import text_of
 from tfloom.launch.testing.io_handler import ActiveIoHandler
 from tfloom.launch.testing.proc_info_handler import ActiveProcInfoHandler
 from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
+from tfloom.node.values.numbers import checked_timeout
 
 __all__ = ["ProcessProxy", "launch_process"]
 
@@ -101,9 +102,10 @@ class ProcessProxy:
             condition: Takes all that it has printed, and returns whether this will do; None for any text.
             timeout: [s]; None for no limit.
         """
+        timeout_s = checked_timeout("wait_for_output", timeout)
         changed = self._proc_output.io_event
         with changed:
-            return changed.wait_for(lambda: bool((condition or bool)(self.output)), timeout=timeout)
+            return changed.wait_for(lambda: bool((condition or bool)(self.output)), timeout_s)
 
     def _last_event(self) -> object:
         try:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import threading
 from collections.abc import Callable, Iterable
 from typing import Any, TypeVar
@@ -10,6 +11,7 @@ from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.event_handlers import OnProcessIO
 from tfloom.launch.events.process import ProcessIO
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity, SomeEntitiesType
+from tfloom.node.values.numbers import checked_timeout
 
 __all__ = [
     "DEFAULT_TIMEOUT_S",
@@ -53,9 +55,10 @@ def ready_to_test_action_timeout(timeout: float) -> Callable[[_Function], _Funct
     Args:
         timeout: [s], instead of 15.
     """
+    timeout_s = checked_timeout("ready_to_test_action_timeout", timeout)
 
     def decorate(function: _Function) -> _Function:
-        setattr(function, _ATTRIBUTE, timeout)
+        setattr(function, _ATTRIBUTE, math.inf if timeout_s is None else timeout_s)
         return function
 
     return decorate

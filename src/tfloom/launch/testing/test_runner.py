@@ -162,7 +162,9 @@ class _Launch:
         # `_can_go_on` is set for two reasons: the tests can begin, or the launch has ended before. `_is_ready` tells
         # them apart. Whatever happens here ends the launch, which waits on the other thread.
         try:
-            self._has_timed_out = not self._can_go_on.wait(self._run.ready_timeout_s)
+            self._has_timed_out = not self._can_go_on.wait(
+                min(self._run.ready_timeout_s, threading.TIMEOUT_MAX)
+            )
             if self._is_ready:
                 self._result = self._run_suite(
                     self._run.pre_shutdown_tests,

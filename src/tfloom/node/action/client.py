@@ -32,7 +32,7 @@ from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.names import name_error
 from tfloom.node.values.node_errors import node_error
-from tfloom.node.values.numbers import timeout_error
+from tfloom.node.values.numbers import checked_timeout
 from tfloom.node.values.type_support import check_is_valid_action_type, wrong_fields
 from tfloom.rmw.action_names import (
     CANCEL_GOAL,
@@ -221,9 +221,8 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
         """Wait until a server is ready; return False after `timeout_sec` [s] (None: no limit), or at shutdown."""
         if isinstance(timeout_sec, Duration):
             timeout_sec = timeout_sec.nanoseconds / S_TO_NS
-        if (error := timeout_error("wait_for_server", timeout_sec)) is not None:
-            raise error
-        end = None if timeout_sec is None else time.monotonic() + timeout_sec
+        timeout_s = checked_timeout("wait_for_server", timeout_sec)
+        end = None if timeout_s is None else time.monotonic() + timeout_s
         while self._node.context.ok():
             if self.server_is_ready():
                 return True

@@ -27,6 +27,7 @@ from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.exceptions import InvalidHandle, RCLError
 from tfloom.node.values.names import name_error
 from tfloom.node.values.node_errors import node_error
+from tfloom.node.values.numbers import checked_timeout, to_nanoseconds
 from tfloom.node.values.type_support import check_is_valid_action_type, wrong_fields
 from tfloom.rmw.action_names import (
     CANCEL_GOAL,
@@ -157,7 +158,8 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         node.resolve_service_name(action_name + SEND_GOAL)  # raises here, near the program's line
         self._node = node
         self._action_type: type[Any] = action_type
-        self._result_timeout_ns = int(result_timeout * S_TO_NS)
+        timeout_s = checked_timeout("ActionServer", result_timeout)
+        self._result_timeout_ns = -1 if timeout_s is None else to_nanoseconds(timeout_s)
         self._forgets_sent_results = forget_sent_results
         self._lock = threading.RLock()
         """Guards the four below."""

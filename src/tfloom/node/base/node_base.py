@@ -31,6 +31,7 @@ from tfloom.node.executing.event_handler import (
 from tfloom.node.executing.guard_condition import GuardCondition
 from tfloom.node.executing.timer import Rate, Timer
 from tfloom.node.executing.waitable_entity import WaitableEntity
+from tfloom.node.log.logging_filters import FilterTable
 from tfloom.node.log.rcutils_logger import RcutilsLogger
 from tfloom.node.parameters.node_parameters import NodeParameters
 from tfloom.node.parameters.parameter import Parameter, no_parameter_error
@@ -39,10 +40,10 @@ from tfloom.node.qos.qos import QoSProfile, qos_profile_parameter_events, qos_pr
 from tfloom.node.qos.qos_overriding_options import QoSOverridingOptions, apply_overrides
 from tfloom.node.values.callbacks import not_callable
 from tfloom.node.values.clock_type import ClockType
-from tfloom.node.values.constants import S_TO_NS
+from tfloom.node.values.constants import INT64_MAX, S_TO_NS
 from tfloom.node.values.handle import Handle
 from tfloom.node.values.names import name_error
-from tfloom.node.values.numbers import not_a_number
+from tfloom.node.values.numbers import checked_timeout, not_a_number, to_nanoseconds, too_long
 from tfloom.node.values.time import check_fits_stamp
 from tfloom.node.values.type_support import (
     check_is_valid_srv_type,
@@ -188,7 +189,7 @@ class NodeBase:
             names.node,
             context=context,
             clock=ROSClock(),
-            logger=RcutilsLogger(names.node.full.strip("/").replace("/", ".")),
+            logger=RcutilsLogger(names.node.full.strip("/").replace("/", "."), FilterTable()),
         )
         self.__graph = NodeGraph(names, participant.graph)
         try:
@@ -331,7 +332,9 @@ class NodeBase:
         if not isinstance(fully_qualified_node_name, str):
             given = f"{fully_qualified_node_name!r} of class {type(fully_qualified_node_name).__name__}"
             raise TypeError(f"wait_for_node() needs the full name of a node, as '/turtlesim', got {given}")
-        return self.__graph.wait_for_node(fully_qualified_node_name, timeout)
+        return self.__graph.wait_for_node(
+            fully_qualified_node_name, checked_timeout("wait_for_node", timeout)
+        )
 
     def _wire(self) -> tuple[Participant, NodeName]:
         """Return the node's participant, and its name there, for tfloom's own nodes."""
@@ -918,7 +921,7 @@ class NodeBase:
         clock = Clock(clock_type=ClockType.STEADY_TIME)
         # Without a callback group, which distinguishes it from the program's timers.
         return self.__entities.add(
-            Timer(callback, None, int(period_s * S_TO_NS), clock, context=self.context)
+            Timer(callback, None, to_nanoseconds(period_s), clock, context=self.context)
         )
 
     def __introspection(self, srv_type: type[ServiceType], name: str) -> Introspection:
@@ -942,37 +945,40 @@ class NodeBase:
             autostart: Whether it is started at once; otherwise by its first `reset`.
 
         Raises:
-            ValueError: the period is negative, or a text.
+            ValueError: the period is negative, NaN, a text, or longer than 292 years.
             TypeError: the period is no number, or `callback` can't be called.
         """
         try:
-            period_s = float(timer_period_sec)
+            period_ns = to_nanoseconds(timer_period_sec)
         except (TypeError, ValueError) as error:
             raise type(error)(
                 f"create_timer() {not_a_number('a period in seconds', timer_period_sec)}"
             ) from None
+        except OverflowError:  # infinite
+            period_ns = INT64_MAX + 1
         if callback is None:
             warnings.warn(f"create_timer() has no callback, {not_callable(None)}", stacklevel=2)
         elif not callable(callback):
             raise TypeError(f"create_timer() needs a callback, {not_callable(callback)}")
-        if period_s < 0:
-            raise ValueError(f"timer period must be non-negative, not {period_s} s")
+        if period_ns < 0:
+            raise ValueError(f"timer period must be non-negative, not {period_ns / S_TO_NS} s")
+        if period_ns > INT64_MAX:
+            raise ValueError(f"create_timer() {too_long('period', timer_period_sec)}")
         if (wrong_group := group_error(callback_group)) is not None:
             raise wrong_group
         return self.__entities.add(
-            self.__timer(period_s, callback, callback_group, clock, autostart=autostart)
+            self.__timer(period_ns, callback, callback_group, clock, autostart=autostart)
         )
 
     def __timer(
         self,
-        timer_period_sec: float,
+        period_ns: int,
         callback: Callable[[], Any] | None,
         callback_group: CallbackGroup | None,
         clock: Clock | None,
         *,
         autostart: bool = True,
     ) -> Timer:
-        period_ns = int(timer_period_sec * S_TO_NS)
         group = callback_group or self.default_callback_group
         return Timer(
             callback, group, period_ns, clock or self.get_clock(), context=self.context, autostart=autostart
@@ -997,15 +1003,16 @@ class NodeBase:
 
         Raises:
             TypeError: `frequency` is no number.
-            ValueError: `frequency` isn't above 0.
+            ValueError: `frequency` isn't above 0, or its period is longer than 292 years.
         """
-        if frequency is None or isinstance(frequency, str):
+        if not hasattr(frequency, "__float__"):
             raise TypeError(f"create_rate() {not_a_number('a frequency in Hz', frequency)}")
-        if frequency <= 0:
+        if not frequency > 0:
             raise ValueError("frequency must be > 0")
-        timer = self.__entities.add(
-            self.__timer(1.0 / frequency, None, MutuallyExclusiveCallbackGroup(), clock)
-        )
+        period_ns = to_nanoseconds(1.0 / frequency)
+        if period_ns > INT64_MAX:
+            raise ValueError(f"create_rate() {too_long('period', frequency)}")
+        timer = self.__entities.add(self.__timer(period_ns, None, MutuallyExclusiveCallbackGroup(), clock))
         rate = Rate(timer, context=self.context)
         self.__entities.add_rate(rate)
         return rate

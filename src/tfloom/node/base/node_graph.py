@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
@@ -80,9 +81,9 @@ class NodeGraph:
             raise full_name
         return full_name
 
-    def wait_for_node(self, full_name: str, timeout_s: float) -> bool:
-        """Wait until a node is on the graph; False if it isn't after `timeout_s`."""
-        end = time.monotonic() + timeout_s
+    def wait_for_node(self, full_name: str, timeout_s: float | None) -> bool:
+        """Wait until a node is on the graph; False if it isn't after `timeout_s` (None: no limit)."""
+        end = math.inf if timeout_s is None else time.monotonic() + timeout_s
         if not full_name.startswith("/"):
             full_name = f"/{full_name}"
         while all(node.full != full_name for node in self.wire_graph.nodes()):

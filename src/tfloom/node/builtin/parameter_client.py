@@ -21,6 +21,7 @@ from tfloom.node.parameters.parameter import Parameter, ParameterType, parameter
 from tfloom.node.parameters.parameter_file import EVERY_NODE, read_parameter_file
 from tfloom.node.qos.qos import QoSProfile, qos_profile_parameter_events, qos_profile_services_default
 from tfloom.node.values.names import full_node_name
+from tfloom.node.values.numbers import checked_timeout
 
 if TYPE_CHECKING:
     from tfloom.node.base.node_base import NodeBase
@@ -78,7 +79,8 @@ class AsyncParameterClient:
 
     def wait_for_services(self, timeout_sec: float | None = None) -> bool:
         """Wait for all six services; False if they aren't ready after `timeout_sec` [s] (None: no limit)."""
-        end = None if timeout_sec is None else time.monotonic() + timeout_sec
+        timeout_s = checked_timeout("wait_for_services", timeout_sec)
+        end = None if timeout_s is None else time.monotonic() + timeout_s
         for client in self._clients():
             left_s = None if end is None else max(0.0, end - time.monotonic())
             if not client.wait_for_service(left_s):

@@ -11,6 +11,7 @@ from tfloom.node.context import arguments
 from tfloom.node.context.context import Context
 from tfloom.node.context.defaults import current_defaults
 from tfloom.node.values.constants import S_TO_NS
+from tfloom.node.values.numbers import checked_timeout, to_nanoseconds
 
 __all__ = [
     "S_TO_NS",
@@ -94,5 +95,11 @@ def get_available_rmw_implementations() -> set[str]:
 
 
 def timeout_sec_to_nsec(timeout_sec: float | None) -> int:
-    """Return a timeout [s] in nanoseconds; -1, no limit, for None and for negative ones."""
-    return -1 if timeout_sec is None or timeout_sec < 0 else int(float(timeout_sec) * S_TO_NS)
+    """Return a timeout [s] in nanoseconds; -1, no limit, for None, negative ones, and those beyond 64 bits.
+
+    Raises:
+        TypeError: it is not a number.
+        ValueError: it is NaN.
+    """
+    timeout_s = checked_timeout("timeout_sec_to_nsec", timeout_sec)
+    return -1 if timeout_s is None or timeout_s < 0 else to_nanoseconds(timeout_s)

@@ -23,7 +23,7 @@ from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
 from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.exceptions import InvalidHandle, RCLError
-from tfloom.node.values.numbers import timeout_error
+from tfloom.node.values.numbers import checked_timeout
 from tfloom.node.values.type_support import wrong_fields
 from tfloom.rmw.base import RequestId
 from tfloom.rmw.waiting import LOOK_AGAIN_S, wait_for_token, wait_until_ready
@@ -157,9 +157,11 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         Raises:
             NoResponseError: without a limit, no response can arrive any more, as for `call_async`.
             KeyboardInterrupt: Ctrl-C has shut the context down.
-            TypeError: `request` isn't of the service's request type.
+            TypeError: `request` isn't of the service's request type, or `timeout_sec` is not a number.
+            ValueError: `timeout_sec` is NaN.
             RuntimeError: called from a callback of a single-threaded executor, which would block its own thread.
         """
+        timeout_s = checked_timeout("call", timeout_sec)
         executor = self._executor()
         if executor is not None and executor.would_wait_for_itself():
             raise RuntimeError(
@@ -167,7 +169,7 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
                 "same executor has to run first. Await call_async, or spin with a MultiThreadedExecutor"
             )
         future = self.call_async(request)
-        is_complete = self._wait_for(future, timeout_sec)
+        is_complete = self._wait_for(future, timeout_s)
         # A Ctrl-C may have come where no exception could be raised, as in a callback of the wire's library.
         if not self._context.ok() and postponed.take():
             raise KeyboardInterrupt
@@ -178,8 +180,8 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
             return None
         return future.result() if future.done() else None
 
-    def _wait_for(self, future: Future[Any], timeout_sec: float | None) -> bool:
-        """Receive responses until a future is complete or the context shut down; return False after `timeout_sec` [s].
+    def _wait_for(self, future: Future[Any], timeout_s: float | None) -> bool:
+        """Receive responses until a future is complete or the context shut down; return False after `timeout_s` [s].
 
         The servers are looked up from time to time, because their departure is announced to the executor alone, which
         may not spin. With a limit, the wait for a response that can't arrive takes as long as for one that may.
@@ -195,11 +197,11 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         def end() -> None:
             nonlocal is_ended
             # With a limit, a NoResponseError doesn't end the wait, which takes its time as the docstring tells.
-            if timeout_sec is None or future.exception() is None:
+            if timeout_s is None or future.exception() is None:
                 is_ended = True
                 queue.post(WAKE)
 
-        end_s = math.inf if timeout_sec is None else time.monotonic() + timeout_sec
+        end_s = math.inf if timeout_s is None else time.monotonic() + timeout_s
         self._context.add_queue(queue)
         # From here on responses wake this thread and not the executor. One that has arrived before posts at once.
         self._posting.divert(queue, _RESPONSE)
@@ -418,14 +420,14 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
             True if a server is ready; False after the timeout, or at shutdown.
 
         Raises:
-            TypeError: `timeout_sec` is no number.
+            TypeError: `timeout_sec` is not a number.
+            ValueError: it is NaN.
             InvalidHandle: the client was destroyed.
         """
         if isinstance(timeout_sec, Duration):
             timeout_sec = timeout_sec.nanoseconds / S_TO_NS
-        if (error := timeout_error("wait_for_service", timeout_sec)) is not None:
-            raise error
-        end_s = math.inf if timeout_sec is None else time.monotonic() + timeout_sec
+        timeout_s = checked_timeout("wait_for_service", timeout_sec)
+        end_s = math.inf if timeout_s is None else time.monotonic() + timeout_s
         queue = ReadyQueue()
         self._context.add_queue(queue)
         try:

@@ -28,7 +28,7 @@ from tfloom.node.values.callback_errors import report_exception
 from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.exceptions import ExternalShutdownException
 from tfloom.node.values.node_errors import node_error
-from tfloom.node.values.numbers import timeout_error
+from tfloom.node.values.numbers import checked_timeout, timeout_error
 from tfloom.ros_guard import ros_repr
 
 if TYPE_CHECKING:
@@ -213,6 +213,8 @@ class Executor(OfferedWork):
             ShutdownException: the executor was shut down.
             ExternalShutdownException: its context was shut down.
         """
+        if (error := timeout_error("wait_for_ready_callbacks", _seconds(timeout_sec))) is not None:
+            raise error
         for node in nodes or ():
             if (error := node_error("wait_for_ready_callbacks", node)) is not None:
                 raise error
@@ -473,6 +475,8 @@ class Executor(OfferedWork):
         self, future: Future[Any], timeout_sec: float | TimeoutObject | None = None
     ) -> None:
         """Wait for one callback and run it, or return when a future is done or after `timeout_sec` [s]."""
+        if (error := timeout_error("spin_once_until_future_complete", _seconds(timeout_sec))) is not None:
+            raise error
         future.when_complete(self.wake)
         self._spin_once(_end_ns(timeout_sec), lambda: future.done() or future.cancelled())
 
@@ -599,6 +603,7 @@ class Executor(OfferedWork):
         Returns:
             False if a callback still runs after `timeout_sec` [s] (None: no limit).
         """
+        timeout_s = checked_timeout("shutdown", timeout_sec)
         self._is_shutdown = True
         if self._context.is_from_parent_process():
             return True  # its threads, which may hold its locks, are the parent's
@@ -606,7 +611,7 @@ class Executor(OfferedWork):
         # The flag is set, so a thread that spins ends when it wakes. Nodes are removed when no callback runs any more,
         # because a callback may use them to its end.
         self.wake()
-        if not self._running.wait(timeout_sec):
+        if not self._running.wait(timeout_s):
             return False
         for node in self.get_nodes():
             self.remove_node(node)
@@ -628,10 +633,12 @@ class Executor(OfferedWork):
 
 def _end_ns(timeout_sec: float | TimeoutObject | None) -> int | None:
     """Return when a timeout [s] that begins now is over, by the steady clock; None: never."""
-    if isinstance(timeout_sec, TimeoutObject):
-        timeout_sec = timeout_sec.timeout
-    timeout_ns = timeout_sec_to_nsec(timeout_sec)
+    timeout_ns = timeout_sec_to_nsec(_seconds(timeout_sec))
     return None if timeout_ns < 0 else time.monotonic_ns() + timeout_ns
+
+
+def _seconds(timeout_sec: float | TimeoutObject | None) -> float | None:
+    return timeout_sec.timeout if isinstance(timeout_sec, TimeoutObject) else timeout_sec
 
 
 def _is_running(entity: Entity) -> bool:

@@ -10,7 +10,9 @@ from typing import TYPE_CHECKING, Any
 from tfloom.node.clock.clock import Clock, JumpHandle, ROSClock
 from tfloom.node.clock.time_jump import ANY_JUMP, SOURCE_CHANGES, TimeJump
 from tfloom.node.executing.entity import CallbackEntity
+from tfloom.node.values.constants import INT64_MAX
 from tfloom.node.values.exceptions import ROSInterruptException
+from tfloom.node.values.numbers import too_long
 from tfloom.ros_guard import ros_repr
 
 if TYPE_CHECKING:
@@ -39,7 +41,7 @@ class Timer(CallbackEntity):
         autostart: Whether it is started at once; otherwise by the first `reset`.
 
     Raises:
-        ValueError: the period is negative.
+        ValueError: the period is negative, NaN, or longer than 292 years.
     """
 
     is_timed = True
@@ -55,13 +57,11 @@ class Timer(CallbackEntity):
         context: Context | None = None,  # noqa: ARG002
         autostart: bool = True,
     ) -> None:
-        if timer_period_ns < 0:
-            raise ValueError(f"timer period must be non-negative, not {timer_period_ns} ns")
+        self._period_ns = _checked_period(timer_period_ns)
         self.callback = callback
         self.callback_group = callback_group
         self._clock = clock
         self._ros_clock = clock if isinstance(clock, ROSClock) else None
-        self._period_ns = int(timer_period_ns)
         self._canceled = not autostart
         self._lock = threading.RLock()
         """Guards `_last_ns` and `_next_ns`; single reads take no lock."""
@@ -97,10 +97,9 @@ class Timer(CallbackEntity):
 
     @timer_period_ns.setter
     def timer_period_ns(self, value: int) -> None:
-        if value < 0:
-            raise ValueError(f"timer period must be non-negative, not {value} ns")
+        period_ns = _checked_period(value)
         self._alive()
-        self._period_ns = int(value)
+        self._period_ns = period_ns
 
     def is_ready(self) -> bool:
         """Return whether the callback is due."""
@@ -206,6 +205,18 @@ class Timer(CallbackEntity):
             elif now_ns < self._next_ns:  # the usual step of simulated time, within the period
                 return
         self._post()
+
+
+def _checked_period(period_ns: int) -> int:
+    try:
+        checked_ns = int(period_ns)
+    except OverflowError:  # infinite
+        checked_ns = INT64_MAX + 1
+    if checked_ns < 0:
+        raise ValueError(f"timer period must be non-negative, not {checked_ns} ns")
+    if checked_ns > INT64_MAX:
+        raise ValueError(f"a timer {too_long('period', period_ns)}")
+    return checked_ns
 
 
 class Rate:

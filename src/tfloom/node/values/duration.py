@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Protocol
 
 from tfloom.node.values.constants import INT64_MAX, S_TO_NS
-from tfloom.node.values.numbers import given_time, no_time_of, not_a_number
+from tfloom.node.values.numbers import given_time, no_time_of, not_a_number, to_nanoseconds
 
 if TYPE_CHECKING:
     from tfloom.interfaces.builtin_interfaces import msg as builtin_msg
@@ -37,10 +37,10 @@ class Duration:
     __slots__ = ("_ns",)
 
     def __init__(self, *, seconds: float = 0, nanoseconds: int = 0) -> None:
-        if isinstance(seconds, str):  # whose product would be a text of a gigabyte
+        if isinstance(seconds, str):
             raise ValueError(f"Duration {not_a_number('seconds', seconds)}")  # noqa: TRY004, the reference's kind
         try:
-            total = int(seconds * S_TO_NS) + int(nanoseconds)
+            total = to_nanoseconds(seconds) + int(nanoseconds)
         except TypeError:
             raise TypeError(no_time_of("Duration", seconds, nanoseconds)) from None
         if not -INT64_MAX - 1 <= total <= INT64_MAX:
@@ -74,7 +74,7 @@ class Duration:
 
         if not isinstance(msg, builtin_msg.Duration):
             raise TypeError(f"Must pass a builtin_interfaces.msg.Duration object{given_time(msg)}")
-        return cls(nanoseconds=msg.sec * S_TO_NS + msg.nanosec)
+        return cls(seconds=msg.sec, nanoseconds=msg.nanosec)
 
     def __repr__(self) -> str:
         return f"Duration(nanoseconds={self._ns})"

@@ -8,7 +8,7 @@ from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.constants import INT64_MAX, S_TO_NS
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.exceptions import RCLError
-from tfloom.node.values.numbers import given_time, no_time_of
+from tfloom.node.values.numbers import given_time, no_time_of, to_nanoseconds
 from tfloom.rmw.machine_clock import describe_machine_clock
 
 if TYPE_CHECKING:
@@ -47,11 +47,12 @@ class Time:
         if not isinstance(clock_type, ClockType):
             raise TypeError("Clock type must be a ClockType enum")
         try:
-            if seconds < 0:
+            # NaN, which is not equal to itself, can't be compared in each class; the conversion refuses it.
+            if seconds == seconds and seconds < 0:  # noqa: PLR0124
                 raise ValueError("Seconds value must not be negative")
-            if nanoseconds < 0:
+            if nanoseconds == nanoseconds and nanoseconds < 0:  # noqa: PLR0124
                 raise ValueError("Nanoseconds value must not be negative")
-            total = int(seconds * S_TO_NS) + int(nanoseconds)
+            total = to_nanoseconds(seconds) + int(nanoseconds)
         except TypeError:
             raise TypeError(no_time_of("Time", seconds, nanoseconds)) from None
         if total > INT64_MAX:

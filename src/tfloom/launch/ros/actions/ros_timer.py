@@ -10,7 +10,6 @@ from tfloom.launch.events.timer_event import TimerEvent
 from tfloom.launch.frontend.expose import expose_action
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.ros.ros_adapters import get_ros_node
-from tfloom.launch.utilities.type_utils import perform_typed_substitution
 
 __all__ = ["ROSTimer", "RosTimer"]
 
@@ -30,12 +29,13 @@ class ROSTimer(TimerAction):
         def fire() -> None:  # called on the thread of the launch's node
             loop.call_soon_threadsafe(_set, fired)
 
-        period_s = perform_typed_substitution(context, self._period, float)
+        period_s = self._period_s(context)
         node = get_ros_node(context)
-        timer = node.create_timer(period_s, fire)
+        timer = None if period_s is None else node.create_timer(period_s, fire)
         waited: list[asyncio.Future[Any]] = [canceled, fired]
         await asyncio.wait(waited, return_when=asyncio.FIRST_COMPLETED)
-        node.destroy_timer(timer)
+        if timer is not None:
+            node.destroy_timer(timer)
         if canceled.done():
             self._complete(context)
         else:

@@ -14,6 +14,7 @@ from tfloom.node.context.context import Context
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import QoSProfile
+from tfloom.node.values.numbers import checked_timeout
 
 __all__ = ["WaitForTopics"]
 
@@ -47,6 +48,7 @@ class WaitForTopics:
     ) -> None:
         self.topic_tuples = list(topic_tuples)
         self.timeout = timeout
+        checked_timeout("WaitForTopics", timeout)
         self.messages_received_buffer_length = messages_received_buffer_length
         if trigger is not None and not callable(trigger):
             raise TypeError(f"trigger must be a function, and is {trigger!r}")
@@ -71,6 +73,7 @@ class WaitForTopics:
             args: Further arguments of `trigger`.
             kwargs: The same, by name.
         """
+        timeout_s = checked_timeout("WaitForTopics", self.timeout)
         if not self._is_subscribed:
             self._is_subscribed = True
             for topic, kind in self.topic_tuples:
@@ -79,7 +82,7 @@ class WaitForTopics:
         if self._trigger is not None:
             self._trigger(self._node, *args, **kwargs)
         with self._changed:
-            return self._changed.wait_for(lambda: not self.topics_not_received(), timeout=self.timeout)
+            return self._changed.wait_for(lambda: not self.topics_not_received(), timeout_s)
 
     def shutdown(self) -> None:
         """End the node; calling it again does nothing."""
