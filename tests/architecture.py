@@ -52,7 +52,11 @@ DOORS = {
     "argcomplete": ("cli/tab_key.py",),
     "PIL": ("turtlesim/picture.py", "tf2_tools/drawing/png.py", "viewer/pictures.py"),
     "viser": ("viewer/",),
-    "websockets": ("viewer/page_server.py", "viewer/foxglove_bridge/own_client.py"),
+    "websockets": (
+        "viewer/page_server.py",
+        "viewer/foxglove_bridge/own_client.py",
+        "viewer/foxglove_bridge/relay.py",
+    ),
     "msgspec": ("viewer/page_server.py",),
     "trimesh": ("viewer/",),
     "foxglove": ("viewer/foxglove_bridge/",),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import math
+import socket
 import urllib.error
 import urllib.request
 from collections.abc import Callable
@@ -489,10 +490,23 @@ def test_requests_of_other_sites_and_for_other_files_are_refused(viewer: Viewer)
     assert status("page.js") == 200
     assert status(Host="evil.example") == 403
     assert status(Origin="http://evil.example") == 403
+    # Lower case, and an image in a page of another site, for which browsers send no Origin.
+    place = urlsplit(address)
+    head = f"GET {{}} HTTP/1.1\r\nHost: {place.netloc}\r\n{{}}: {{}}\r\n\r\n"
+    for path, name, value in (
+        ("/api", "origin", "http://evil.example"),
+        ("/image?topic=/camera", "sec-fetch-site", "cross-site"),
+        ("http://evil.example/", "accept", "*/*"),
+    ):
+        with socket.create_connection((place.hostname, place.port), timeout=10.0) as client:
+            client.sendall(head.format(path, name, value).encode())
+            assert client.recv(100).startswith(b"HTTP/1.1 403"), path
+    assert status("image?topic=/camera", **{"Sec-Fetch-Site": "same-origin"}) == 204
     for path in ("../page_server.py", "%2e%2e/page_server.py", "page/../../view.py", "scene/../x"):
         assert status(path) == 404
     with urllib.request.urlopen(address) as response:
         policy = response.headers["Content-Security-Policy"]
+        assert response.headers["Cross-Origin-Resource-Policy"] == "same-origin"
     assert "script-src 'self'" in policy
     assert "unsafe-inline" not in policy
 

@@ -276,12 +276,12 @@ class PageServer:
 
     async def _respond(self, _: ServerConnection, request: Request) -> Response | None:
         """Return the response to a request; None lets a WebSocket open."""
-        headers = dict(request.headers.raw_items())
-        if refusal := self._access.refusal(request.path, headers):
+        headers = request.headers
+        if refusal := self._access.refusal(request.path, headers.raw_items()):
             return _response(HTTPStatus.FORBIDDEN, f"{refusal}\n".encode(), "text/plain; charset=utf-8")
         url = urlsplit(request.path)
         if url.path in {"/api", "/scene/ws"}:
-            if headers.get("Upgrade", "").lower() != "websocket":
+            if [value.lower() for value in headers.get_all("Upgrade")] != ["websocket"]:
                 return _response(HTTPStatus.UPGRADE_REQUIRED, b"this is for WebSockets\n", "text/plain")
             if url.path == "/api" and len(self._pages) >= MAX_PAGES:
                 return _response(HTTPStatus.SERVICE_UNAVAILABLE, b"too many pages are open\n", "text/plain")
@@ -479,6 +479,7 @@ def _response(status: HTTPStatus, content: bytes, kind: str, policy: str = "defa
             "Cache-Control": "no-store",
             "Referrer-Policy": "no-referrer",
             "X-Content-Type-Options": "nosniff",
+            "Cross-Origin-Resource-Policy": "same-origin",
             "Connection": "close",
         }
     )

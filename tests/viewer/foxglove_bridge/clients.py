@@ -235,7 +235,7 @@ def spun_node(domain_id: int, name: str) -> Iterator[Node]:
 
 def connect_to(bridge: FoxgloveBridge) -> Client:
     assert bridge.server is not None
-    client = Client(bridge.server.port)
+    client = Client(bridge.port)
     client.bridge = bridge
     client.wait_for(lambda: client.info, "serverInfo")
     return client

@@ -293,7 +293,7 @@ def test_wrong_parameters_and_a_used_port_are_one_sentence(domain_id: int) -> No
         expect_refusal(domain_id, SettingsError, text, parameter)
     with bridging(domain_id) as bridge:
         assert bridge.server is not None
-        port = bridge.server.port
+        port = bridge.port
         expect_refusal(domain_id, BridgeError, rf"can't listen at 127\.0\.0\.1:{port}: ", f"port:={port}")
 
 

@@ -112,7 +112,7 @@ def open_client(
 def _port(domain_id: int) -> Iterator[int]:
     with bridging(domain_id) as bridge:
         assert bridge.server is not None
-        yield bridge.server.port
+        yield bridge.port
 
 
 def _padded(data: bytes) -> bytes:

@@ -81,8 +81,9 @@ def test_own_client_is_subscribed_before_it_publishes(monkeypatch: pytest.Monkey
                 yield json.dumps({"op": op})
             own.publish_parameters([Parameter("count", value=1)])
 
-    server: Any = SimpleNamespace(port=1, publish_connection_graph=lambda _: done.append("published"))
-    own = own_client.OwnClient(server, "127.0.0.1", False, ["connectionGraph"], None)  # type: ignore[arg-type]
+    server: Any = SimpleNamespace(publish_connection_graph=lambda _: done.append("published"))
+    inner: Any = SimpleNamespace(host="127.0.0.1", port=1, connect=lambda _: nullcontext())
+    own = own_client.OwnClient(server, inner, ["connectionGraph"], None)  # type: ignore[arg-type]
     monkeypatch.setattr(own_client, "connect", lambda *_, **__: nullcontext(Connection()))
     own._serve()
     assert done == ["subscribeConnectionGraph", False, False, "published", True, "setParameters"]
@@ -156,13 +157,3 @@ def test_requests_of_others_are_not_its_own(domain_id: int) -> None:
         assert own.changed_parameters(None) is None
         assert own.changed_parameters("other") is None
         assert own.changed_parameters(own._secret) == []
-
-
-@pytest.mark.parametrize(
-    ("address", "host"),
-    [("127.0.0.1", "127.0.0.1"), ("0.0.0.0", "127.0.0.1"), ("::", "[::1]"), ("::1", "[::1]")],
-)
-def test_own_client_finds_each_address(address: str, host: str) -> None:
-    server: Any = None
-    logger: Any = None
-    assert own_client.OwnClient(server, address, False, (), logger)._host == host

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import threading
+import time
 from collections import defaultdict
+from collections.abc import Iterable
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -18,15 +20,18 @@ from tfloom.node.node import Node
 from tfloom.node.qos.qos import QoSProfile
 from tfloom.node.values.clock_type import ClockType
 from tfloom.rmw.qos import ReliabilityPolicy
+from tfloom.viewer.access import ClientAccess
 from tfloom.viewer.foxglove_bridge.assets import AssetError, read_asset
 from tfloom.viewer.foxglove_bridge.calls import Calls
 from tfloom.viewer.foxglove_bridge.channels import Channels
 from tfloom.viewer.foxglove_bridge.client_topics import ClientTopic, ClientTopicError, ClientTopics
 from tfloom.viewer.foxglove_bridge.commands import Commands
 from tfloom.viewer.foxglove_bridge.complaints import Complaints
+from tfloom.viewer.foxglove_bridge.inner_port import InnerPort
 from tfloom.viewer.foxglove_bridge.known_types import KnownTypes
 from tfloom.viewer.foxglove_bridge.own_client import OwnClient
 from tfloom.viewer.foxglove_bridge.parameters import Parameters, from_message
+from tfloom.viewer.foxglove_bridge.relay import Relay, listen
 from tfloom.viewer.foxglove_bridge.services import Services
 from tfloom.viewer.foxglove_bridge.settings import TIME, Settings
 
@@ -43,7 +48,13 @@ UPDATE_S = 0.25
 CONNECTIONS_S = 1.0
 """Period at which the connection graph is published, where it has changed [s]."""
 STOP_S = 2.0
-"""The longest wait for the server's end [s]."""
+"""The longest wait for clients to take what was sent to them before the end [s]."""
+OPEN_INSIDE = (
+    "This system has no way to close the port at which foxglove-sdk listens behind this one: a page of any site that "
+    "finds it in this machine's browser can drive robots"
+)
+MAX_REFUSALS = 100
+"""Number of reasons for which connections are refused that are logged."""
 CAPABILITIES = {
     "clientPublish": Capability.ClientPublish,
     "parameters": Capability.Parameters,
@@ -71,8 +82,11 @@ class FoxgloveBridge(Node):
         super().__init__("foxglove_bridge", context=context)
         self.server: WebSocketServer | None = None
         self.own_client: OwnClient | None = None
+        self._relay: Relay | None = None
         self._sysinfo: SystemInfoPublisher | None = None
         self._complaints = Complaints(self.get_logger())
+        self._refusals: set[str] = set()
+        """Why connections were refused; each reason is logged once, because pages try again and again."""
         try:
             self._start()
         except BaseException:
@@ -93,29 +107,38 @@ class FoxgloveBridge(Node):
         self._is_simulated = bool(self.get_parameter("use_sim_time").value)
         if self._is_simulated or TIME in settings.capabilities:
             capabilities.append(Capability.Time)
+        self._access = ClientAccess(settings.address, settings.origins)
+        try:
+            listener = listen(settings.address, settings.port)
+        except (OSError, UnicodeError) as error:
+            reason = getattr(error, "strerror", None) or error
+            raise BridgeError(f"can't listen at {settings.address}:{settings.port}: {reason}") from None
+        inner = InnerPort()
+        self._relay = Relay(listener, settings.tls, inner, self._refusal)
         try:
             self.server = foxglove.start_server(
                 name="foxglove_bridge",
-                host=settings.address,
-                port=settings.port,
+                host=inner.host,
+                port=0,
                 capabilities=capabilities,
                 server_listener=_Listener(self),
                 supported_encodings=["cdr"],
                 asset_handler=self._read_asset if "assets" in settings.capabilities else None,
                 context=sdk_context,
                 message_backlog_size=settings.backlog,
-                tls_cert=settings.certificate,
-                tls_key=settings.key,
             )
+            if not inner.close_to_others(self.server.port):
+                self.get_logger().warning(OPEN_INSIDE)
+            self._relay.start()
         except (OSError, RuntimeError, ValueError, foxglove_error()) as error:
-            raise BridgeError(f"can't listen at {settings.address}:{settings.port}: {error}") from None
+            raise BridgeError(f"can't serve at {settings.address}:{settings.port}: {error}") from None
         if settings.sysinfo_topic:
             self._sysinfo = foxglove.start_sysinfo_publisher(
                 topic=settings.sysinfo_topic, refresh_interval=settings.sysinfo_s, context=sdk_context
             )
         publishes_parameters = settings.capabilities >= {"parameters", "parametersSubscribe"}
         if publishes_parameters or "connectionGraph" in settings.capabilities:
-            self._start_own_client(self.server)
+            self._start_own_client(self.server, inner)
         self._services = Services(self.server, self.calls, settings, self._types)
         # Clients see the graph of now, whatever /clock says.
         steady = Clock(clock_type=ClockType.STEADY_TIME)
@@ -129,10 +152,8 @@ class FoxgloveBridge(Node):
         if publishes_parameters:
             self.create_subscription(ParameterEvent, "/parameter_events", self._publish_parameters, 100)
 
-    def _start_own_client(self, server: WebSocketServer) -> None:
-        settings = self.settings
-        is_encrypted = settings.certificate is not None
-        client = OwnClient(server, settings.address, is_encrypted, settings.capabilities, self.get_logger())
+    def _start_own_client(self, server: WebSocketServer, inner: InnerPort) -> None:
+        client = OwnClient(server, inner, self.settings.capabilities, self.get_logger())
         try:
             client.start()
         except RuntimeError as error:
@@ -140,34 +161,45 @@ class FoxgloveBridge(Node):
             return
         self.own_client = client
 
+    @property
+    def port(self) -> int:
+        """The port at which clients connect."""
+        return 0 if self._relay is None else self._relay.port
+
     def close(self) -> None:
         """Close all connections and the port, and destroy the node.
 
-        A connection whose client takes nothing is left to the system, because closing it has to wait for the client.
+        A connection whose client takes nothing is cut after a while.
         """
         if self.own_client is not None:
             self.own_client.close()
         if self._sysinfo is not None:
             self._sysinfo.stop()
-        if self.server is not None:
-            self._stop(self.server)
+        if self._relay is not None and self.server is None:
+            self._relay.close(0.0)
+        elif self._relay is not None and self.server is not None:
+            self._relay.refuse_more()
+            self._stop(self.server, self._relay)
             self.channels.close()
             self._types.close()
         self.destroy_node()
 
-    def _stop(self, server: WebSocketServer) -> None:
-        """Stop the server, for `STOP_S` at most."""
-        # `stop` returns when each client has taken the closing message. One whose receive buffer is full never takes
-        # it, so the wait is on a thread that neither the caller nor the interpreter's end waits for.
+    def _stop(self, server: WebSocketServer, relay: Relay) -> None:
+        """Stop the server and the relay, within `STOP_S` or little more."""
+        # `stop` returns when each client has taken the closing message. One that takes nothing never does: the relay
+        # cuts its connection after a while, and then `stop` returns, too.
+        end_s = time.monotonic() + STOP_S
         stopping = threading.Thread(target=server.stop, name="foxglove_bridge_stop", daemon=True)
         try:
             stopping.start()
         except RuntimeError:  # no thread is left
+            relay.close(0.0)
             server.stop()
             return
         stopping.join(STOP_S)
-        if stopping.is_alive():
-            self.get_logger().warning("A client takes nothing: its connection is left open until it ends")
+        if not relay.close(max(0.0, end_s - time.monotonic())):
+            self.get_logger().warning("A client takes nothing: its connection is cut")
+        stopping.join(STOP_S)
 
     def warn(self, text: str) -> None:
         """Log a warning, which all clients get, too; on any thread. Of many at once, some are left out."""
@@ -235,6 +267,15 @@ class FoxgloveBridge(Node):
         ]
         if parameters and self.own_client is not None:
             self.own_client.publish_parameters(parameters)
+
+    # On the relay's thread.
+
+    def _refusal(self, headers: Iterable[tuple[str, str]]) -> str:
+        reason = self._access.refusal(headers)
+        if reason and reason not in self._refusals and len(self._refusals) < MAX_REFUSALS:
+            self._refusals.add(reason)
+            self.get_logger().warning(f"A connection is refused: {reason}")
+        return reason
 
     # On threads of the SDK.
 

@@ -11,7 +11,6 @@ own, which doesn't hold the GIL.
 from __future__ import annotations
 
 import json
-import ssl
 import threading
 from collections.abc import Iterable
 from secrets import token_hex
@@ -27,6 +26,7 @@ if TYPE_CHECKING:
     from websockets.sync.connection import Connection
 
     from tfloom.node.log.rcutils_logger import RcutilsLogger
+    from tfloom.viewer.foxglove_bridge.inner_port import InnerPort
 
 __all__ = ["OwnClient"]
 
@@ -47,8 +47,7 @@ class OwnClient:
 
     Args:
         server: The bridge's server.
-        address: The address at which it listens.
-        is_encrypted: Whether it speaks TLS.
+        inner: Its port.
         capabilities: Those of the bridge.
         logger: The bridge's.
     """
@@ -56,15 +55,12 @@ class OwnClient:
     def __init__(
         self,
         server: WebSocketServer,
-        address: str,
-        is_encrypted: bool,
+        inner: InnerPort,
         capabilities: Iterable[str],
         logger: RcutilsLogger,
     ) -> None:
         self._server = server
-        host = {"0.0.0.0": "127.0.0.1", "::": "::1"}.get(address, address)  # noqa: S104  # listens at all
-        self._host = f"[{host}]" if ":" in host else host
-        self._is_encrypted = is_encrypted
+        self._inner = inner
         self._capabilities = set(capabilities)
         self._logger = logger
         self._secret = token_hex()
@@ -146,16 +142,19 @@ class OwnClient:
 
     def _serve(self) -> None:
         """Connect, and read until the connection ends."""
-        with connect(
-            f"{'wss' if self._is_encrypted else 'ws'}://{self._host}:{self._server.port}",
-            ssl=_any_certificate() if self._is_encrypted else None,
-            subprotocols=[SUBPROTOCOL],
-            open_timeout=OPEN_S,
-            close_timeout=CLOSE_S,
-            ping_interval=None,
-            max_size=None,
-            proxy=None,
-        ) as connection:
+        with (
+            self._inner.connect(OPEN_S) as way_in,
+            connect(
+                f"ws://{self._inner.host}:{self._inner.port}",
+                sock=way_in,
+                subprotocols=[SUBPROTOCOL],
+                open_timeout=OPEN_S,
+                close_timeout=CLOSE_S,
+                ping_interval=None,
+                max_size=None,
+                proxy=None,
+            ) as connection,
+        ):
             with self._lock:
                 self._connection = connection
                 has_changed = bool(self._changed)
@@ -174,11 +173,3 @@ class OwnClient:
                 ):
                     with self._lock:
                         self._is_subscribed = not self._is_closed.is_set()
-
-
-def _any_certificate() -> ssl.SSLContext:
-    """Return a context for the bridge's own certificate, which need not be for the address at which it listens."""
-    context = ssl.SSLContext(ssl.PROTOCOL_TLS_CLIENT)
-    context.check_hostname = False
-    context.verify_mode = ssl.CERT_NONE
-    return context

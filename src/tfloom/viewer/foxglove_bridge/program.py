@@ -28,18 +28,19 @@ def main(args: list[str] | None = None) -> int:
 
 def _serve() -> int:
     from tfloom.viewer.foxglove_bridge.bridge import BridgeError, FoxgloveBridge
+    from tfloom.viewer.foxglove_bridge.relay import SWITCH_INTERVAL_S
     from tfloom.viewer.foxglove_bridge.settings import SettingsError
 
+    sys.setswitchinterval(SWITCH_INTERVAL_S)
     try:
         bridge = FoxgloveBridge()
     except (BridgeError, SettingsError) as error:
         print(f"foxglove_bridge: {error}", file=sys.stderr)
         return 1
     try:
-        assert bridge.server is not None  # noqa: S101  # for the type checker
         address = bridge.settings.address
-        scheme = "ws" if bridge.settings.certificate is None else "wss"
-        bridge.get_logger().info(f"Server listening at {scheme}://{address}:{bridge.server.port}")
+        scheme = "ws" if bridge.settings.tls is None else "wss"
+        bridge.get_logger().info(f"Server listening at {scheme}://{address}:{bridge.port}")
         if not is_loopback(address):
             bridge.get_logger().warning(OPEN_TO_ALL)
         spin(bridge)

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
+import ssl
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tfloom.interfaces.rcl_interfaces.msg import ParameterDescriptor
 from tfloom.node.log.logging_severity import LoggingSeverity
 from tfloom.node.parameters.parameter import Parameter
+from tfloom.viewer.access import is_origin
 
 if TYPE_CHECKING:
     from tfloom.node.node import Node
@@ -26,6 +28,10 @@ PARAMETERS: dict[str, tuple[Any, str]] = {
     "tls": (False, "Whether connections are encrypted, with certfile and keyfile"),
     "certfile": ("", "The certificate, a PEM file"),
     "keyfile": ("", "Its private key, a PEM file"),
+    "allowed_origins": (
+        ["https://app.foxglove.dev", "file://"],
+        "Sites whose pages may connect, beside those of this machine's own servers",
+    ),
     "topic_whitelist": ([".*"], "Regular expressions of the topics that clients see"),
     "service_whitelist": ([".*"], "Regular expressions of the services that clients may call"),
     "param_whitelist": (
@@ -119,11 +125,8 @@ class Settings:
         )
         self.include_hidden: bool = values["include_hidden"]
         self.skips_silent_nodes: bool = values["ignore_unresponsive_param_nodes"]
-        self.certificate: bytes | None = None
-        self.key: bytes | None = None
-        if values["tls"]:
-            self.certificate = _read("certfile", values["certfile"])
-            self.key = _read("keyfile", values["keyfile"])
+        self.origins = frozenset(_origin(origin) for origin in values["allowed_origins"])
+        self.tls = _tls(values["certfile"], values["keyfile"]) if values["tls"] else None
 
     def shows(self, name: str, names: Names) -> bool:
         """Return whether clients see a topic or a service."""
@@ -155,10 +158,31 @@ def _in_range(parameter: str, value: int, least: int, most: int) -> int:
     return value
 
 
-def _read(parameter: str, path: str) -> bytes:
-    if not path:
-        raise SettingsError(f"parameter {parameter}: tls needs a file")
+def _origin(text: str) -> str:
+    if not is_origin(origin := text.lower()):
+        raise SettingsError(
+            f"parameter allowed_origins: '{text}' is not a site as browsers name it, as https://viewer.example"
+        )
+    return origin
+
+
+def _tls(certificate: str, key: str) -> ssl.SSLContext:
+    """Return with what connections are encrypted."""
+    for parameter, path in (("certfile", certificate), ("keyfile", key)):
+        if not path:
+            raise SettingsError(f"parameter {parameter}: tls needs a file")
+        try:
+            Path(path).read_bytes()
+        except OSError as error:
+            raise SettingsError(f"parameter {parameter}: {path}: {error.strerror or error}") from None
+    context = ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER)
     try:
-        return Path(path).read_bytes()
-    except OSError as error:
-        raise SettingsError(f"parameter {parameter}: {path}: {error.strerror or error}") from None
+        # Without a password, OpenSSL would ask for that of an encrypted key at the terminal.
+        context.load_cert_chain(certificate, key, password="")
+    except (ssl.SSLError, ValueError) as error:
+        reason = getattr(error, "reason", None) or error
+        raise SettingsError(
+            f"parameters certfile and keyfile: {certificate} and {key} are no pair of a certificate and its key "
+            f"without a password, as PEM files: {reason}"
+        ) from None
+    return context

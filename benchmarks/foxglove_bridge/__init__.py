@@ -1,0 +1,1 @@
+"""Benchmarks of foxglove_bridge."""
