@@ -3,21 +3,29 @@
 from __future__ import annotations
 
 import json
+import sys
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 import transcript
 import yaml
+from tests.conftest import Program
 
 pytestmark = pytest.mark.usefixtures("turtlesim")
 
 
-@pytest.mark.parametrize(
-    "name", ["param_get", "param_get_bad", "param_set_bad", "param_set_range", "param_describe"]
-)
+@pytest.mark.parametrize("name", ["param_get", "param_get_bad", "param_describe"])
 def test_answers_match_the_recording(name: str) -> None:
     transcript.check(name)
+
+
+@pytest.mark.parametrize("name", ["param_set_bad", "param_set_range"])
+def test_a_refused_value_gives_exit_code_1(name: str, deviations: dict[str, dict[str, str]]) -> None:
+    assert "param-exit-code" in deviations
+    recorded = transcript.golden(name)
+    assert transcript.run_here(*recorded.command) == recorded._replace(exit_code=1)
 
 
 @pytest.mark.usefixtures("turtlesim_to_change")
@@ -29,7 +37,7 @@ def test_failed_deletion_prints_the_reason_of_the_node(deviations: dict[str, dic
     assert "param-delete-text" in deviations
     recorded = transcript.golden("param_delete")
     answer = transcript.run_here(*recorded.command)
-    assert answer.exit_code == recorded.exit_code
+    assert answer.exit_code == 1
     assert answer.text.startswith("Deleting parameter failed: ")
     assert transcript.run_here("param", "get", "--hide-type", "/turtlesim", "background_r").text == "69"
 
@@ -58,6 +66,69 @@ def test_the_node_is_found_after_prefixes_too(
 ) -> None:
     assert "param-prefixes-node" in deviations
     assert transcript.run_here("param", "list", *words).text == "  start_type_description_service"
+
+
+def test_a_refused_file_gives_exit_code_1(tmp_path: Path) -> None:
+    file = tmp_path / "parameters.yaml"
+    file.write_text("/turtlesim:\n  ros__parameters:\n    background_r: fast\n")
+    loaded = transcript.run_here("param", "load", "/turtlesim", str(file))
+    assert loaded.exit_code == 1
+    assert loaded.text.startswith("Set parameter background_r failed: ")
+
+
+TYPED: dict[str, tuple[str, Any]] = {
+    "serial": ("STRING", "0888"),
+    "commit": ("STRING", "12e03"),
+    "axis": ("STRING", "y"),
+    "axes": ("STRING_ARRAY", ["x", "y", "n"]),
+    "speed": ("STRING", "inf"),
+    "no_text": ("STRING", ""),
+    "lines": ("STRING", "a\nb\t\x85c"),
+    "double": ("DOUBLE", 1e20),
+    "least": ("DOUBLE", 5e-324),
+    "limits": ("DOUBLE_ARRAY", [float("-inf"), 0.1]),
+    "no_doubles": ("DOUBLE_ARRAY", []),
+    "no_texts": ("STRING_ARRAY", []),
+    "octets": ("BYTE_ARRAY", [b"\x00", b"\xff"]),
+    "flags": ("BOOL_ARRAY", [True, False]),
+}
+TYPED_NODE = f"""
+import sys
+import rclpy
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+
+inf = float("inf")
+rclpy.init()
+node = Node("typed")
+for name, (kind, value) in {TYPED}.items():
+    node.declare_parameter(name, Parameter.Type[kind])
+    if sys.argv[1] == "set":
+        assert node.set_parameters([Parameter(name, Parameter.Type[kind], value)])[0].successful
+print("=", {{name: node.get_parameter(name).value for name in {list(TYPED)}}}, flush=True)
+rclpy.spin(node)
+"""
+
+
+def test_each_value_comes_back_from_a_dump_with_its_type(
+    start_program: Callable[..., Program], tmp_path: Path
+) -> None:
+    node = start_program(sys.executable, "-c", TYPED_NODE, "set")
+    before = node.wait_for("= ")
+    assert before == f"= { {name: value for name, (_, value) in TYPED.items()} }"
+    file = tmp_path / "parameters.yaml"
+    file.write_text(transcript.run_here("param", "dump", "/typed").text, "utf-8")
+    loaded = transcript.run_here("param", "load", "/typed", str(file))
+    others = [line for line in loaded.text.splitlines() if not line.endswith(" successful")]
+    assert others == [
+        (
+            "Set parameter start_type_description_service failed: Trying to set a read-only parameter: "
+            "start_type_description_service."
+        )
+    ]
+    assert loaded.exit_code == 0  # because it has the value of the file
+    again = start_program(sys.executable, "-c", TYPED_NODE, "read", "--ros-args", "--params-file", str(file))
+    assert again.wait_for("= ") == before
 
 
 @pytest.mark.usefixtures("turtlesim_to_change")

@@ -38,9 +38,22 @@ VALUE = "TypeError: Unexpected type for parameter value"
 LIST = "TypeError: 'Node' expected 'parameters' to be one of [<class 'list'>], but got "
 DIFFERENCES: dict[str, dict[str, Ours]] = {
     "launch_values": {
+        "03 ": Ours("launch-untyped-parameters", ("03 ParameterValue(L) 1e-3: 0.001",)),
+        "07 ": Ours("launch-untyped-parameters", ('07 ParameterValue(L) "[1.0, 2]": [1.0, 2.0]',)),
+        "08 ": Ours("launch-untyped-parameters", ("08 ParameterValue(L) null: 'null'",)),
+        "09 ": Ours("launch-list-of-floats", ("09 ParameterValue(L, List[float]): [1.0, 2.0]",)),
+        "17 ": Ours(
+            "launch-untyped-parameters",
+            (
+                (
+                    "17 ParameterValue(\"[1, asd]\"): ValueError: the list of 'value' must be of one scalar type, not "
+                    "int, str"
+                ),
+            ),
+        ),
         "20 ": Ours(
-            "launch-parameter-texts",
-            (f"20 evaluate_parameters: {UNIFORM}: [1.0, 2]. If the parameter is meant to be a string, tr",),
+            "launch-untyped-parameters",
+            ("20 evaluate_parameters: ({'a': 0.001, 'b': (1, 2), 'c': '1x', 'd.e': 1.0, 'f': (1.0, 2.0)},)",),
         ),
         "21b ": Ours("launch-parameter-texts", (f"21b evaluate mixed: {UNIFORM}: [1, 'a']",)),
         "24 ": Ours(

@@ -12,6 +12,7 @@ from tfloom.node.context.arguments import (
     UnknownROSArgsError,
     parse_arguments,
     remove_ros_args,
+    warn_of_deprecated_remaps,
 )
 from tfloom.node.context.context import Context
 from tfloom.node.log.logging_severity import LoggingSeverity
@@ -234,7 +235,6 @@ def test_parameter_file_is_read_per_node(tmp_path: Path) -> None:
         ("/*/*/remote", False),
         ("remote", False),
         ("/ns/remot", False),
-        ("/ns/.*", False),
     ],
 )
 def test_pattern_of_a_parameter_file_matches_some_nodes(tmp_path: Path, pattern: str, is_meant: bool) -> None:
@@ -281,3 +281,92 @@ def test_malformed_parameter_file_raises_with_the_place(content: str, text: str,
     path.write_text(content)
     with pytest.raises(RCLInvalidROSArgsError, match=text):
         parse_arguments(["--ros-args", "--params-file", str(path)])
+
+
+@pytest.mark.parametrize(
+    ("rule", "is_meant"),
+    [
+        ("/ns/remote:x:=1", True),
+        ("ns/remote:x:=1", True),
+        ("remote:x:=1", True),
+        ("/**:x:=1", True),
+        ("**:x:=1", True),
+        ("/*/remote:x:=1", True),
+        ("/ns/*:x:=1", True),
+        ("**/remote:x:=1", True),
+        ("*:x:=1", False),
+        ("/*:x:=1", False),
+        ("/remote:x:=1", False),
+        ("other:x:=1", False),
+    ],
+)
+def test_pattern_of_a_rule_matches_as_in_a_file(rule: str, is_meant: bool) -> None:
+    parsed = parse_arguments(["--ros-args", "-p", rule])
+    assert parsed.parameter_overrides("/ns/remote") == ({"x": 1} if is_meant else {})
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "a b",
+        "a=b",
+        '"x"',
+        " x",
+        "x ",
+        ":x",
+        "5",
+        "x.5",
+        "x-y",
+        "é",
+        "x..y",
+        ".x",
+        "x.",
+        "~x",
+        "__x",
+        "a.__b",
+        "{node}",
+    ],
+)
+def test_a_rule_for_what_is_no_parameter_is_refused(name: str) -> None:
+    for rule in (f"{name}:=1", f"remote:{name}:=1"):
+        with pytest.raises(RCLInvalidROSArgsError, match="is not a parameter's name"):
+            parse_arguments(["--ros-args", "-p", rule])
+
+
+def test_a_long_name_is_read_in_time() -> None:
+    with pytest.raises(RCLInvalidROSArgsError):
+        parse_arguments(["--ros-args", "-p", f"{'a' * 5000}!:=1"])
+    with pytest.raises(RCLInvalidROSArgsError):
+        parse_arguments(["--ros-args", "-p", f"{'a/' * 5000}!:=1"])
+
+
+def test_rules_of_ros_1_act_with_a_warning(capfd: pytest.CaptureFixture[str]) -> None:
+    words = ["program", "chat:=x", "__node:=q", "__ns:=/s", "word", "a b:=c", "x:=5", ":=x", "x:="]
+    parsed = parse_arguments([*words, "--ros-args", "-r", "chat:=y"])
+    assert parsed.rest == ["program", "word", "a b:=c", "x:=5", ":=x", "x:="]
+    assert parsed.node_name("nd") == "q"
+    assert parsed.namespace("nd", "/") == "/s"
+    assert parsed.remap("/s/chat", "q", "/s") == "/s/x"
+    warn_of_deprecated_remaps(parsed)
+    lines = capfd.readouterr().err.splitlines()
+    assert [line.partition("[rcl]: ")[2] for line in lines] == [
+        f"Found remap rule '{rule}'. This syntax is deprecated. Use '--ros-args --remap {rule}' instead."
+        for rule in ("chat:=x", "__node:=q", "__ns:=/s")
+    ]
+
+
+@pytest.mark.parametrize("key", ["the_n*", "/a/", "//a", "''", "a b", "a-b", "/a/**b", "5"])
+def test_a_file_for_what_is_no_node_is_refused(tmp_path: Path, key: str) -> None:
+    path = tmp_path / "p.yaml"
+    path.write_text(f"{key}:\n  ros__parameters:\n    x: 1\n")
+    with pytest.raises(RCLInvalidROSArgsError, match="is not a name of nodes"):
+        parse_arguments(["--ros-args", "--params-file", str(path)])
+
+
+def test_the_root_may_hold_nodes_in_a_file(tmp_path: Path) -> None:
+    path = tmp_path / "p.yaml"
+    path.write_text(
+        "/:\n  remote:\n    ros__parameters:\n      x: 1\n---\n/remote: {ros__parameters: {y: 2}}\n"
+    )
+    parsed = parse_arguments(["--ros-args", "--params-file", str(path)])
+    assert parsed.parameter_overrides("/remote") == {"x": 1, "y": 2}

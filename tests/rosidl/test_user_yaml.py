@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from tfloom.rosidl import user_yaml
-from tfloom.rosidl.user_yaml import MAX_DEPTH, YamlError, YamlLimitError, compose, load
+from tfloom.rosidl.user_yaml import MAX_DEPTH, YamlError, YamlLimitError, compose_all, load
 
 LAUGHS = "\n".join(
     [
@@ -20,7 +20,7 @@ MERGES = "\n".join(
 )
 
 
-@pytest.mark.parametrize("read", [load, compose])
+@pytest.mark.parametrize("read", [load, compose_all])
 @pytest.mark.parametrize(
     ("text", "problem", "line"),
     [

@@ -10,7 +10,7 @@ from tfloom.node.builtin.parameter_service import ParameterService
 from tfloom.node.builtin.rosout import Rosout
 from tfloom.node.builtin.time_source import TimeSource
 from tfloom.node.builtin.type_description_service import TypeDescriptionService
-from tfloom.node.context.arguments import Arguments, parse_arguments
+from tfloom.node.context.arguments import Arguments, parse_arguments, warn_of_deprecated_remaps
 from tfloom.node.context.utilities import get_default_context
 from tfloom.node.endpoints.type_variables import MsgType, SrvType, SrvTypeRequest, SrvTypeResponse
 from tfloom.node.parameters.parameter import PARAMETER_SEPARATOR_STRING, Parameter, no_parameter_error
@@ -95,9 +95,9 @@ class Node(NodeBase):
         context = context or get_default_context()
         if (error := context.joining_error()) is not None:
             raise error
-        arguments = parse_arguments(cli_args or []).over(
-            context.arguments if use_global_arguments else Arguments()
-        )
+        own_arguments = parse_arguments(cli_args or [])
+        warn_of_deprecated_remaps(own_arguments)
+        arguments = own_arguments.over(context.arguments if use_global_arguments else Arguments())
         NodeBase.__init__(
             self,
             node_name,

@@ -2,6 +2,7 @@
 
 YAML's aliases may make a text of a hundred bytes stand for more values than fit into memory, and nested collections
 exhaust the stack of a recursive program. So both have limits here. Text without aliases may have any length.
+Tabs stand where rcl takes them, see `yaml_scanner`.
 Import this module where it is used, because yaml takes 15 ms to load.
 """
 
@@ -11,8 +12,15 @@ from collections.abc import Callable
 from typing import Any
 
 import yaml
+from yaml.composer import Composer
+from yaml.constructor import SafeConstructor
+from yaml.parser import Parser
+from yaml.resolver import Resolver
 
-__all__ = ["YamlError", "YamlLimitError", "compose", "load", "load_placed"]
+from tfloom.rosidl.quoted_text import QuotedText
+from tfloom.rosidl.yaml_scanner import TabScanner
+
+__all__ = ["YamlError", "YamlLimitError", "compose_all", "load", "load_placed"]
 
 _STRING_TAG = "tag:yaml.org,2002:str"
 """The tag of strings, `!!str` in a text."""
@@ -49,17 +57,27 @@ class YamlLimitError(YamlError):
         self.args = (f"{problem}{self.place}",)
 
 
-class _Loader(yaml.SafeLoader):
+class _Loader(TabScanner, Parser, Composer, SafeConstructor, Resolver):
     """Loads plain values, and measures them while they are composed."""
 
     def __init__(self, text: str) -> None:
-        super().__init__(text)
+        TabScanner.__init__(self, text)
+        Parser.__init__(self)
+        Composer.__init__(self)
+        SafeConstructor.__init__(self)
+        Resolver.__init__(self)
         self._level = 0
         self._deepest = 0
         self._total = 0
         self._copied = 0
+        self.marks_quoted = False
         self.lines: dict[int, int] = {}  # of each mapping and list: its line from 1, by the id of its value
         self._measured: dict[str, tuple[int, int]] = {}  # of each complete anchor: its size and its levels
+
+    def compose_document(self) -> Any:
+        """Return the root node of the next document; its aliases are those of its own anchors."""
+        self._measured.clear()
+        return super().compose_document()
 
     def compose_node(self, parent: Any, index: Any) -> Any:
         """Return the next node.
@@ -92,8 +110,8 @@ class _Loader(yaml.SafeLoader):
         """
         event: Any = self.peek_event()  # type: ignore[no-untyped-call]
         node = super().compose_scalar_node(anchor)
-        if event.tag == _STRING_TAG:
-            node.style = node.style or "'"
+        if event.tag == _STRING_TAG and event.value:
+            node.style = "'"
         return node
 
     def _enter(self, levels: int, mark: Any) -> None:
@@ -128,6 +146,8 @@ class _Loader(yaml.SafeLoader):
             raise yaml.constructor.ConstructorError(
                 None, None, f"{node.value!r} is no {kind}", node.start_mark
             ) from None
+        if self.marks_quoted and isinstance(value, str) and node.style in ("'", '"'):
+            return QuotedText(value)
         if isinstance(value, (dict, list)):
             self.lines[id(value)] = node.start_mark.line + 1
         return value
@@ -143,12 +163,15 @@ def load(text: str) -> Any:
     return _read(text, lambda loader: loader.get_single_data())
 
 
-def load_placed(text: str, repeating: str | None = None) -> tuple[Any, dict[int, int]]:
+def load_placed(
+    text: str, repeating: str | None = None, *, mark_quoted: bool = False
+) -> tuple[Any, dict[int, int]]:
     """Return the value of a YAML text, and the line of each mapping and list, from 1, by the id of its value.
 
     Args:
         text: The text.
         repeating: A key of the outermost mapping by which files are known that may repeat keys; the last value counts.
+        mark_quoted: Whether texts in quotes are QuotedText.
 
     Raises:
         YamlError: as `load`, or a mapping has the same key twice.
@@ -157,6 +180,7 @@ def load_placed(text: str, repeating: str | None = None) -> tuple[Any, dict[int,
     lines: dict[int, int] = {}
 
     def read(loader: _Loader) -> Any:
+        loader.marks_quoted = mark_quoted
         node = loader.get_single_node()
         if node is None:
             return None
@@ -169,15 +193,23 @@ def load_placed(text: str, repeating: str | None = None) -> tuple[Any, dict[int,
     return _read(text, read), lines
 
 
-def compose(text: str) -> Any:
-    """Return the root node of a YAML text, with unresolved scalars; None for an empty text.
+def compose_all(text: str) -> list[Any]:
+    """Return the root node of each document of a YAML text, with unresolved scalars.
 
-    A scalar is a string if it has a style: it is in quotes, in a block, or has the tag `!!str`.
+    A scalar is a string if its style is a quotation mark: it is in quotes, or has the tag `!!str`.
 
     Raises:
-        YamlError, YamlLimitError: as `load`, except that tags are not checked.
+        YamlError, YamlLimitError: as `load`, except that tags are not checked, and that there may be several documents.
     """
-    return _read(text, lambda loader: loader.get_single_node())
+
+    def read(loader: _Loader) -> list[Any]:
+        nodes = []
+        while loader.check_node():
+            nodes.append(loader.get_node())
+        return nodes
+
+    nodes: list[Any] = _read(text, read)
+    return nodes
 
 
 def _has_key(node: Any, key: str) -> bool:

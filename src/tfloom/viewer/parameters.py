@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 from tfloom._native import ReadyQueue
 from tfloom.interfaces.rcl_interfaces import srv
 from tfloom.interfaces.rcl_interfaces.msg import Parameter
-from tfloom.node.parameters.parameter import get_parameter_value, parameter_value_to_python
+from tfloom.node.parameters.parameter import ParameterType, get_parameter_value, parameter_value_to_python
+from tfloom.node.values.value_text import value_text as _value_text
 from tfloom.rmw.service_request import ServiceRequest, ServiceRequestError
 from tfloom.rosidl import cdr
 from tfloom.viewer.displays.display import shown_text
@@ -119,6 +120,11 @@ class Parameters:
             parsed = get_parameter_value(value)
         except ValueError as error:
             raise PageError(f"the value of {name} can't be used: {error}") from None
+        if parsed.type == ParameterType.BYTE_ARRAY.value and not parsed.byte_array_value:
+            # An empty list in YAML doesn't tell the type of its items; the node does.
+            asked = srv.GetParameterTypes.Request(names=[name])
+            types = self._call(node, "get_parameter_types", srv.GetParameterTypes, asked).types
+            parsed.type = max([parsed.type, *types])
         request = srv.SetParameters.Request(parameters=[Parameter(name=name, value=parsed)])
         results = self._call(node, "set_parameters", srv.SetParameters, request).results
         if len(results) != 1 or not results[0].successful:
@@ -137,14 +143,3 @@ class Parameters:
             raise PageError(str(error)) from None
         finally:
             asked.close()
-
-
-def _value_text(value: Any) -> str:
-    """Return a value as YAML, in which it can be set again."""
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    if value is None:
-        return ""
-    if isinstance(value, (int, float, str)):
-        return str(value)
-    return "[" + ", ".join(_value_text(part) for part in value) + "]"

@@ -137,11 +137,11 @@ def test_parameters_of_a_node_without_a_full_name_are_those_of_each_node(
     ids=str,
 )
 def test_parameter_objects_keep_their_types(words: Words, value: object, text: str) -> None:
-    from tfloom.rosidl.user_yaml import load
+    from tfloom.node.values.scalars import parse_value
 
     *_, word = words(show(parameters=[Parameter("x", value)]))
     assert word.startswith("word x:=")
-    assert load(word.removeprefix("word x:=")) == value
+    assert parse_value(word.removeprefix("word x:=")) == value
     if text != "1e+20":
         assert word == f"word x:={text}"
 

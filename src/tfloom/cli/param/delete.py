@@ -26,4 +26,4 @@ def main(args: argparse.Namespace) -> int:
         print("Deleted parameter successfully")
     else:
         print(f"Deleting parameter failed{reason}", file=sys.stderr)
-    return 0
+    return 0 if result.successful else 1

@@ -20,9 +20,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Print the parameters below the name of their node and `ros__parameters`."""
-    import yaml
-
     from tfloom.node.parameters.parameter import parameter_value_to_python
+    from tfloom.node.values.value_text import tree_text
 
     with nodes_with_parameters(args, args.node_name) as nodes:
         node, services = nodes[0]
@@ -37,7 +36,7 @@ def main(args: argparse.Namespace) -> int:
     if args.json:
         print_json(tree)
     else:
-        print(yaml.safe_dump(tree, default_flow_style=False))
+        print(tree_text(tree))
     return 0
 
 

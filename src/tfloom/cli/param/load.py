@@ -23,7 +23,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def main(args: argparse.Namespace) -> int:
-    """Set the parameters one by one and print each outcome."""
+    """Set the parameters one by one, print each outcome, and return 1 if one doesn't have the file's value then."""
+    refused: list[Parameter] = []
     with nodes_with_parameters(args, args.node_name) as nodes:
         node, services = nodes[0]
         parameters = [_parameter(name, value) for name, value in _values(args, node).items()]
@@ -33,7 +34,10 @@ def main(args: argparse.Namespace) -> int:
                 print(f"Set parameter {parameter.name} successful{reason}")
             else:
                 print(f"Set parameter {parameter.name} failed{reason}", file=sys.stderr)
-    return 0
+                refused.append(parameter)
+        # A dump has the read-only parameters, too, which have this value.
+        values = services.values([parameter.name for parameter in refused]) if refused else []
+    return 0 if values == [parameter.value for parameter in refused] else 1
 
 
 def _values(args: argparse.Namespace, node: str) -> dict[str, Any]:

@@ -35,4 +35,4 @@ def main(args: argparse.Namespace) -> int:
         print(f"Set parameter successful{reason}")
     else:
         print(f"Setting parameter failed{reason}", file=sys.stderr)
-    return 0
+    return 0 if result.successful else 1

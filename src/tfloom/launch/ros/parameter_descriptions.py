@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, Union, cast
+from typing import Any, List, Union, cast  # noqa: UP035  # programs pass typing.List
 
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.substitution import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple, Substitution
@@ -16,6 +16,7 @@ from tfloom.launch.utilities.type_utils import (
     FilePath,
     SomeValueType,
     data_type_error,
+    is_normalized_substitution,
     normalize_typed_substitution,
     perform_typed_substitution,
 )
@@ -34,12 +35,14 @@ class ParameterValue:
     Args:
         value: The value, or substitutions for it.
         value_type: int, float, bool, str, or a list of one of them, `list[int]`; None: the type that YAML gives the
-            text of the substitutions.
+            text of the substitutions, by the rules of parameter files.
     """
 
     def __init__(self, value: SomeValueType, *, value_type: AllowedTypesType | None = None) -> None:
         if value_type is not None and (error := data_type_error(value_type)) is not None:
             raise error
+        if isinstance(value, (list, tuple)) and {type(item) for item in value} == {int, float}:
+            value = [float(item) for item in cast("Sequence[float]", value)]
         self._value = normalize_typed_substitution(value, value_type)
         self._value_type = value_type
         self._evaluated: Any = None
@@ -63,8 +66,45 @@ class ParameterValue:
         Raises:
             ValueError: their text is no value of the type.
         """
-        self._evaluated = perform_typed_substitution(context, self._value, self._value_type)
+        if self._value_type is None:
+            self._evaluated = _perform_untyped(context, self._value)
+        elif self._value_type in (list[float], List[float]) and is_normalized_substitution(self._value):  # noqa: UP006
+            self._evaluated = _perform_floats(context, self._value)
+        else:
+            self._evaluated = perform_typed_substitution(context, self._value, self._value_type)
         return cast("EvaluatedParameterValue", self._evaluated)
+
+
+def _perform_floats(context: LaunchContext, value: list[Substitution]) -> Any:
+    """Return a text's list of floats, of which an item may be a whole number."""
+    from tfloom.launch.ros.utilities.parameter_text import untyped_value
+
+    try:
+        items = untyped_value(perform_substitutions(context, value))
+    except ValueError:
+        items = None
+    if isinstance(items, list) and {type(item) for item in items} <= {int, float}:
+        return [float(item) for item in items]
+    return perform_typed_substitution(context, value, list[float])  # raises its error
+
+
+def _perform_untyped(context: LaunchContext, value: Any) -> Any:
+    from tfloom.launch.ros.utilities.parameter_text import untyped_items, untyped_value
+    from tfloom.node.parameters.parameter_file import checked_value
+
+    if is_normalized_substitution(value):
+        text = perform_substitutions(context, value)
+        performed = untyped_value(text)
+        if isinstance(performed, dict):
+            raise ValueError(f"a parameter's value can't be a mapping, as {text!r} is")
+    elif isinstance(value, list):
+        # A text that stands there as one is a text by its type.
+        texts = [perform_substitutions(context, item) for item in value if is_normalized_substitution(item)]
+        values = iter(untyped_items(texts))
+        performed = [next(values) if is_normalized_substitution(item) else item for item in value]
+    else:
+        return value
+    return checked_value("value", performed)
 
 
 class Parameter:

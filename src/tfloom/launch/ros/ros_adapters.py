@@ -129,7 +129,10 @@ def get_ros_adapter(context: LaunchContext) -> ROSAdapter:
     """Return the adapter of a launch, which is created on first use and ended at the shutdown."""
     adapter: ROSAdapter | None = context.get_locals_as_dict().get(_KEY)
     if adapter is None:
-        adapter = ROSAdapter(argv=context.argv)
+        # A launch's own arguments, `name:=value`, are no remap rules of its node.
+        argv = context.argv
+        rules = [word for index, word in enumerate(argv) if ":=" not in word or "--ros-args" in argv[:index]]
+        adapter = ROSAdapter(argv=rules)
         context.extend_globals({_KEY: adapter})
         end = adapter.shutdown
         context.register_event_handler(OnShutdown(on_shutdown=lambda *_: end()))

@@ -156,7 +156,10 @@ class Entity(BaseEntity):
             raise TypeError(
                 f"Attribute '{name}' of Entity '{self._type_name}' expected to be a list of dictionaries."
             )
-        if not is_instance_of(data, data_type, can_be_str=can_be_str):
+        is_of_numbers = isinstance(data, list) and {type(item) for item in data} == {int, float}
+        if not (is_of_numbers and data_type is None) and not is_instance_of(
+            data, data_type, can_be_str=can_be_str
+        ):
             quoted = f"; a text has quotation marks: '{data}'" if data_type is str and _scalar(data) else ""
             raise TypeError(
                 f"Attribute '{name}' of Entity '{self._type_name}' expected to be of type '{data_type}', "

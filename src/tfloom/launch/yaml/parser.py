@@ -40,7 +40,7 @@ def _root(content: bytes, name: str) -> Entity:
     from tfloom.rosidl.user_yaml import YamlError, load_placed  # loads yaml
 
     try:
-        tree, lines = load_placed(content.decode())
+        tree, lines = load_placed(content.decode(), mark_quoted=True)
     except YamlError as error:
         message = f"{name}:{error.line}: {error}" if error.line is not None else f"{name}: {error}"
         raise InvalidFrontendLaunchFileError.with_message(message, error) from error

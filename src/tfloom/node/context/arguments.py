@@ -7,7 +7,12 @@ from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
 from tfloom.node.log.logging_severity import LoggingSeverity
-from tfloom.node.parameters.parameter_file import ParameterRule, checked_value, read_parameter_file
+from tfloom.node.parameters.parameter_file import (
+    EVERY_NODE,
+    ParameterRule,
+    checked_value,
+    read_parameter_file,
+)
 from tfloom.node.values.exceptions import RCLError
 from tfloom.node.values.names import (
     InvalidNamespaceException,
@@ -28,6 +33,7 @@ __all__ = [
     "UnknownROSArgsError",
     "parse_arguments",
     "remove_ros_args",
+    "warn_of_deprecated_remaps",
 ]
 
 _FLAGS = {
@@ -51,6 +57,9 @@ _TAKES_VALUE = {
     "--enclave": "enclave",
 }
 _NODE_PREFIX = r"([A-Za-z_][A-Za-z0-9_]*):(?!=|//)"
+_WORD = r"(?<![A-Za-z0-9_])(?!__)[A-Za-z_][A-Za-z0-9_]*"
+_NODES_PREFIX = rf"/?(\*\*?|{_WORD})(/(\*\*?|{_WORD}))*:"
+_PARAMETER_NAME = rf"(/|{_WORD})(\.?(/|{_WORD}))*"
 
 
 class RCLInvalidROSArgsError(RCLError):
@@ -99,6 +108,8 @@ class Arguments:
         self.external_lib_logs = True
         self.unknown: list[str] = []
         self.rest: list[str] = []
+        self.deprecated_remaps: list[str] = []
+        """Remap rules outside the ROS arguments, as ROS 1 has them."""
 
     def over(self, others: Arguments) -> Arguments:
         """Return the union of both; where both have a value, this one's takes precedence."""
@@ -145,7 +156,7 @@ class Arguments:
 
 
 def parse_arguments(arguments: Sequence[str]) -> Arguments:
-    """Read the parts of a command line between `--ros-args` and `--` or the end.
+    """Read the parts of a command line between `--ros-args` and `--` or the end, and the remap rules elsewhere.
 
     Raises:
         RCLInvalidROSArgsError: a ROS argument has no value, or a malformed one.
@@ -156,6 +167,8 @@ def parse_arguments(arguments: Sequence[str]) -> Arguments:
     for word in words:
         if word == "--ros-args":
             _parse_ros_part(parsed, words)
+        elif _parse_deprecated_remap(parsed, word):
+            parsed.deprecated_remaps.append(word)
         else:
             parsed.rest.append(word)
     if parsed.unknown:
@@ -221,20 +234,52 @@ def _parse_remap(parsed: Arguments, flag: str, value: str) -> None:
     parsed.remaps.append(RemapRule(node, scheme, match, replacement))
 
 
+def _parse_deprecated_remap(parsed: Arguments, word: str) -> bool:
+    """Add a remap rule without its flag, as ROS 1 has them; return False if the word is not one."""
+    if ":=" not in word:
+        return False
+    try:
+        _parse_remap(parsed, "-r", word)
+    except RCLInvalidROSArgsError:
+        return False
+    return True
+
+
+def warn_of_deprecated_remaps(arguments: Arguments) -> None:
+    """Log a warning for each remap rule that has effect outside the ROS arguments."""
+    if not arguments.deprecated_remaps:
+        return
+    from tfloom.node.log.logging import get_logger
+
+    for rule in arguments.deprecated_remaps:
+        get_logger("rcl").warning(
+            f"Found remap rule '{rule}'. This syntax is deprecated. Use '--ros-args --remap {rule}' instead."
+        )
+
+
 def _parse_param(parsed: Arguments, flag: str, value: str) -> None:
     left, text = _split_assignment(flag, value)
-    node, name = _split_node_prefix(left)
-    if not name:
-        raise _argument_error(flag, value, "the parameter has no name")
+    prefix = re.match(_NODES_PREFIX, left)
+    name = left[prefix.end() :] if prefix else left
+    if not re.fullmatch(_PARAMETER_NAME, name):
+        raise _argument_error(flag, value, f"{name!r} is not a parameter's name, as robot.max_speed")
     try:
-        parameter = checked_value(name, parse_value(text))
+        parameter = checked_value(name, parse_value(text, nothing=None))
     except ValueError as error:
         raise _argument_error(flag, value, str(error)) from None
-    if text == "":
+    if parameter is None:
         raise _argument_error(flag, value, "the parameter has no value; write '' for an empty string")
     if isinstance(parameter, dict):
         raise _argument_error(flag, value, "a parameter's value can't be a mapping")
-    parsed.parameters.append(ParameterRule(f"/**/{node}" if node else "/**", name, parameter))
+    parsed.parameters.append(ParameterRule(_nodes(prefix.group()) if prefix else EVERY_NODE, name, parameter))
+
+
+def _nodes(prefix: str) -> str:
+    """Return the pattern for `node:`, a name in any namespace, or `/pattern:`, as in a parameter file."""
+    pattern = prefix.removesuffix(":")
+    if re.fullmatch(_WORD, pattern):
+        return f"{EVERY_NODE}/{pattern}"
+    return pattern if pattern.startswith("/") else f"/{pattern}"
 
 
 def _parse_params_file(parsed: Arguments, flag: str, value: str) -> None:

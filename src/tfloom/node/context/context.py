@@ -15,7 +15,7 @@ from types import MethodType, TracebackType
 from typing import TYPE_CHECKING, Any, Protocol
 
 from tfloom._native import block_waits_at_exit
-from tfloom.node.context.arguments import Arguments, parse_arguments
+from tfloom.node.context.arguments import Arguments, parse_arguments, warn_of_deprecated_remaps
 from tfloom.node.context.postponed_interrupt import postponed
 from tfloom.node.context.topic_types import TopicTypes
 from tfloom.node.log import log_output
@@ -151,6 +151,7 @@ class Context:
             self._initialized = self._valid = True
         if initialize_logging:
             _set_up_logging(arguments)
+        warn_of_deprecated_remaps(arguments)
         number = next(_context_numbers)
         contexts = _contexts  # at the interpreter's end, the module's name may be gone before a context is
 

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import threading
+import warnings
 from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
+from tfloom.given_text import given_text
 from tfloom.interfaces.rcl_interfaces import msg as rcl_msg
 from tfloom.node.parameters.exceptions import (
     InvalidParameterException,
@@ -184,6 +186,9 @@ class NodeParameters:
         if not ignore_override and declaration.name in self.overrides:
             parameter = self.overrides[declaration.name]
         descriptor = declaration.descriptor
+        if parameter.value == [] and descriptor.type > ParameterType.BYTE_ARRAY.value:
+            # An empty list in YAML doesn't tell the type of its items.
+            parameter = Parameter(parameter.name, ParameterType(descriptor.type), [])
         if parameter.type_ is ParameterType.NOT_SET:
             descriptor.name = parameter.name
             self.descriptors[parameter.name] = descriptor
@@ -341,15 +346,15 @@ class NodeParameters:
 
 def _answer(callback: _SetCallback, parameters: list[Parameter]) -> rcl_msg.SetParametersResult:
     result: Any = callback(parameters)
-    if not hasattr(result, "successful"):
-        # It begins as the reference's text does, which Python makes.
-        name = getattr(callback, "__qualname__", repr(callback))
-        raise AttributeError(
-            f"{type(result).__name__!r} object has no attribute 'successful': the callback {name}, which was given to "
-            f"add_on_set_parameters_callback(), has to return a SetParametersResult, as "
-            f"SetParametersResult(successful=True)"
-        )
-    return result  # type: ignore[no-any-return]
+    if isinstance(result, rcl_msg.SetParametersResult):
+        return result
+    name = getattr(callback, "__qualname__", repr(callback))
+    warnings.warn(
+        f"Callback returned an invalid type, it should return SetParametersResult: {name}, which was given to "
+        f"add_on_set_parameters_callback(), returned {given_text(result)}",
+        stacklevel=2,
+    )
+    return rcl_msg.SetParametersResult(successful=False, reason="Callback returned an invalid type")
 
 
 def _is_below(name: str, prefix: str, depth: int) -> bool:

@@ -8,7 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 from tfloom.given_text import given_text
 from tfloom.interfaces.rcl_interfaces import msg as rcl_msg
-from tfloom.node.parameters.parameter_file import EVERY_NODE, ParameterRule, read_parameter_file
+from tfloom.node.parameters.parameter_file import (
+    EVERY_NODE,
+    ParameterRule,
+    checked_value,
+    read_parameter_file,
+)
 from tfloom.node.values.names import full_node_name
 from tfloom.node.values.scalars import parse_value
 
@@ -205,12 +210,14 @@ def parameter_value_to_python(parameter_value: rcl_msg.ParameterValue) -> Any:
 def get_parameter_value(string_value: str) -> rcl_msg.ParameterValue:
     """Return the message for a value written as YAML; text that is not a value of another type is a string.
 
+    The letters `y` and `n` are strings, because they are more often axes than answers.
+
     Raises:
         YamlLimitError: the value is too large, or nested too deep.
     """
     try:
-        value = parse_value(string_value, nothing=string_value)
-        return Parameter("", value=value).get_parameter_value()
+        value = parse_value(string_value, nothing=string_value, letters=False)
+        return Parameter("", value=checked_value("", value)).get_parameter_value()
     except (TypeError, ValueError) as error:
         from tfloom.rosidl.user_yaml import YamlLimitError
 

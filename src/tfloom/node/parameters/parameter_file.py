@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from tfloom.node.values.scalars import parse_value
+from tfloom.node.values.scalars import parse_documents
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -20,6 +20,7 @@ EVERY_NODE = "/**"
 """The pattern that matches all nodes."""
 
 _KEY = "ros__parameters"
+_NODE = r"(/(\*\*?|[A-Za-z_][A-Za-z0-9_]*))+"
 
 
 class ParameterRule(NamedTuple):
@@ -41,8 +42,12 @@ class ParameterRule(NamedTuple):
         return re.fullmatch("/".join(parts).replace("/.*", "(/.*)?"), full_name) is not None
 
 
-def read_parameter_file(path: str | Path) -> list[ParameterRule]:
+def read_parameter_file(path: str | Path, *, can_be_flat: bool = False) -> list[ParameterRule]:
     """Return the parameter values in a file, in its order.
+
+    Args:
+        path: The file.
+        can_be_flat: Whether it may hold names and values alone, without a node's name, which are for each node.
 
     Raises:
         OSError: the file can't be read.
@@ -55,18 +60,40 @@ def read_parameter_file(path: str | Path) -> list[ParameterRule]:
     except UnicodeDecodeError:
         raise ValueError(f"{path} isn't UTF-8 text") from None
     try:
-        content = parse_value(text)
+        documents = parse_documents(text)
+        return [
+            rule for document in documents for rule in _rules_of_document(document, can_be_flat=can_be_flat)
+        ]
     except ValueError as error:
         raise ValueError(f"{path}: {error}") from None
-    if content == "":
-        return []
+
+
+def _rules_of_document(content: Any, *, can_be_flat: bool) -> Iterator[ParameterRule]:
     if not isinstance(content, dict):
-        raise ValueError(f"{path} must hold a mapping of node names, not {type(content).__name__}")
-    return [rule for key, value in content.items() for rule in _rules_below(_join_namespace("", key), value)]
+        raise ValueError(f"it must hold a mapping of node names, not {content!r}")
+    if can_be_flat and _is_flat(content):
+        yield from _rules_of_node(EVERY_NODE, "", content)
+        return
+    for key, value in content.items():
+        yield from _rules_below(_join_namespace("", key), value)
+
+
+def _is_flat(content: Any) -> bool:
+    """Return whether a mapping holds names of parameters, and none of nodes."""
+    return not isinstance(content, dict) or all(
+        key != _KEY and not re.match(r"/|\*", key) and _is_flat(value) for key, value in content.items()
+    )
 
 
 def _join_namespace(namespace: str, key: str) -> str:
-    return f"{namespace}/{key.strip('/')}"
+    node = f"{namespace.rstrip('/')}/{key.removeprefix('/')}"
+    # "/" alone may hold the names of nodes.
+    if key != "/" and not re.fullmatch(_NODE, node):
+        raise ValueError(
+            f"'{key}' is not a name of nodes: it is a name such as /robot/camera, of which * stands for one part and "
+            "** for any number"
+        )
+    return node
 
 
 def _rules_below(node: str, content: Any) -> Iterator[ParameterRule]:
@@ -84,6 +111,8 @@ def _rules_below(node: str, content: Any) -> Iterator[ParameterRule]:
 def _rules_of_node(node: str, prefix: str, content: dict[str, Any]) -> Iterator[ParameterRule]:
     for key, value in content.items():
         name = f"{prefix}{key}"
+        if not key:
+            raise ValueError(f"{node}: a parameter below '{prefix}' has no name")
         if isinstance(value, dict):
             yield from _rules_of_node(node, f"{name}.", value)
         else:

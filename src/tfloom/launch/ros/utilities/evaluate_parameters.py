@@ -13,6 +13,7 @@ from tfloom.launch.ros.parameters_type import (
     Parameters,
     ParametersDict,
 )
+from tfloom.launch.ros.utilities.parameter_text import untyped_items, untyped_value
 from tfloom.launch.substitution import Substitution
 from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
 from tfloom.launch.utilities.substitutions import perform_substitutions
@@ -75,7 +76,11 @@ def _evaluate_value(context: LaunchContext, name: str, value: Any) -> EvaluatedP
             read: EvaluatedParameterValue = _read(name, perform_substitutions(context, value))
             return read
         if isinstance(value[0], Sequence) and not isinstance(value[0], (str, bytes)):
-            items = [_read(name, perform_substitutions(context, item)) for item in value]
+            texts = [perform_substitutions(context, item) for item in value]
+            try:
+                items = untyped_items(texts)
+            except ValueError as error:
+                raise _unreadable(name, error) from error
             return cast("EvaluatedParameterValue", tuple(_checked_array(name, items)))
     if value == ():
         ensure_argument_type(value, (float, int, str, bool, bytes), "value")
@@ -83,18 +88,14 @@ def _evaluate_value(context: LaunchContext, name: str, value: Any) -> EvaluatedP
 
 
 def _read(name: str, text: str) -> Any:
-    """Return the value that a text stands for by YAML's rules; an empty text stays one."""
-    from tfloom.rosidl.user_yaml import YamlError, load
-
+    """Return the value that a text stands for."""
     try:
-        value = load(text)
-    except YamlError as error:
-        raise TypeError(f"Unable to parse the value of parameter {name} as yaml: {error}. {_WRAP}") from error
-    if value is None and not text.strip():
-        return text
+        value = untyped_value(text)
+    except ValueError as error:
+        raise _unreadable(name, error) from error
     if isinstance(value, list):
         return tuple(_checked_array(name, value))
-    if not isinstance(value, (*_SCALARS, bytes)):
+    if isinstance(value, dict):
         raise TypeError(
             "Allowed value types are bytes, bool, int, float, str, Sequence[bool], Sequence[int], "
             f"Sequence[float], Sequence[str]. Got {type(value)} for parameter {name}, from {text!r}. {_WRAP}"
@@ -102,9 +103,15 @@ def _read(name: str, text: str) -> Any:
     return value
 
 
+def _unreadable(name: str, error: ValueError) -> TypeError:
+    return TypeError(f"Unable to parse the value of parameter {name} as yaml: {error}. {_WRAP}")
+
+
 def _checked_array(name: str, items: list[Any]) -> list[Any]:
     kinds = {type(item) for item in items}
-    if len(kinds) != 1 or not kinds <= set(_SCALARS):
+    if kinds == {int, float}:
+        return [float(item) for item in items]
+    if len(kinds) != 1 or not kinds <= {*_SCALARS, bytes}:
         raise TypeError(
             "Expected a non-empty sequence, with items of uniform type. Allowed sequence item types are bool, int, "
             f'float, str. Got inconsistent input for "{name}": {items!r}. {_WRAP}'

@@ -21,12 +21,12 @@ from tfloom.launch.substitution import Substitution
 from tfloom.launch.substitutions.text_substitution import TextSubstitution
 from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions
+from tfloom.node.values.scalars import parse_scalar
 
 __all__ = ["normalize_parameter_dict", "normalize_parameters", "parameters_error"]
 
 _PLAIN = re.compile(r"[A-Za-z_/][A-Za-z0-9_/]*")
-_WORDS = {"y", "yes", "n", "no", "true", "false", "on", "off", "null"}
-"""Texts of letters that YAML reads as other values; the module yaml need not be imported for any other."""
+"""Texts for which the module yaml need not be imported, unless they are words such as `on` and `inf`."""
 
 
 def normalize_parameters(parameters: SomeParameters) -> Parameters:
@@ -122,7 +122,7 @@ def _normalize_name(name: Any, prefix: Sequence[Substitution] | None) -> Paramet
 
 def _normalize_value(name: Any, value: Any) -> ParameterValue:
     if isinstance(value, str):
-        # In quotes, if YAML would read it as something else than this text.
+        # In quotes, if rcl's rules would read it as something else than this text.
         return (TextSubstitution(text=_as_yaml(value)),)
     if isinstance(value, Substitution):
         return (value,)
@@ -134,11 +134,11 @@ def _normalize_value(name: Any, value: Any) -> ParameterValue:
 
 
 def _as_yaml(text: str) -> str:
-    if _PLAIN.fullmatch(text) and text.lower() not in _WORDS:
+    if _PLAIN.fullmatch(text) and parse_scalar(text) == text:
         return text
-    from tfloom.launch.ros.utilities.parameter_text import as_yaml
+    from tfloom.node.values.value_text import value_text
 
-    return as_yaml(text)
+    return value_text(text)
 
 
 def _normalize_array(name: Any, array: Sequence[Any]) -> ParameterValue:

@@ -2,43 +2,60 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
-__all__ = ["as_yaml", "parameter_file_text", "parameter_rule"]
+__all__ = ["parameter_file_text", "parameter_rule", "untyped_items", "untyped_value"]
 
 
-def as_yaml(value: Any) -> str:
-    """Return a value as YAML on one line, without the end of the document."""
-    import yaml
+def untyped_value(text: str) -> Any:
+    """Return the value that a text without a type has by rcl's rules; a text without a value stays one.
 
-    text = yaml.safe_dump(_as_list(value), default_flow_style=True, allow_unicode=True, width=10**9)
-    return text.removesuffix("\n").removesuffix("\n...")
+    In a list of texts, as `[x, y, z]`, the letters `y` and `n` are not bools, because a list has one type.
+
+    Raises:
+        ValueError: it is not valid YAML, or a part of it has no value.
+    """
+    from tfloom.node.values.scalars import parse_value
+
+    value = parse_value(text, nothing=text)
+    return parse_value(text, letters=False) if _has_bools_among_texts(value) else value
+
+
+def untyped_items(texts: Sequence[str]) -> list[Any]:
+    """Return the values of a list's items, each of which is a text without a type; see `untyped_value`."""
+    from tfloom.node.values.scalars import parse_value
+
+    values = [parse_value(text, nothing=text) for text in texts]
+    if _has_bools_among_texts(values):
+        return [parse_value(text, nothing=text, letters=False) for text in texts]
+    return values
+
+
+def _has_bools_among_texts(value: Any) -> bool:
+    return isinstance(value, list) and {type(item) for item in value} == {bool, str}
 
 
 def parameter_rule(name: str, value: Any) -> str:
     """Return `name:=value` for the option -p, such that the value is read with its type.
 
-    Python's text is used where YAML reads the same value from it.
+    Python's text is used where the same value is read from it.
     """
-    from tfloom.rosidl.user_yaml import YamlError, load
+    from tfloom.node.values.scalars import parse_value
+    from tfloom.node.values.value_text import value_text
 
-    text = str(_as_list(value))
+    plain = list(value) if isinstance(value, tuple) else value
+    text = str(plain)
     try:
-        read = load(text)
-    except YamlError:
+        read = parse_value(text, nothing=None)
+    except ValueError:
         read = None
-    same = type(read) is type(_as_list(value)) and read == _as_list(value)
-    return f"{name}:={text if same else as_yaml(value)}"
+    # As texts, in which True and 1 differ, also within a list, and NaN is equal to itself.
+    return f"{name}:={text if repr(read) == repr(plain) else value_text(plain)}"
 
 
 def parameter_file_text(node: str, parameters: Mapping[str, Any]) -> str:
     """Return the content of a file with the parameters of a node; the node `/**` is each one."""
-    import yaml
+    from tfloom.node.values.value_text import tree_text
 
-    values = {name: _as_list(value) for name, value in parameters.items()}
-    return yaml.safe_dump({node: {"ros__parameters": values}}, default_flow_style=False, allow_unicode=True)
-
-
-def _as_list(value: Any) -> Any:
-    return list(value) if isinstance(value, tuple) else value
+    return tree_text({node: {"ros__parameters": parameters}})

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from typing import Any, List  # noqa: UP035  # the type that `Entity.get_attr` takes for children
 
 from tfloom.launch.frontend.entity import Entity, ParsesActions
 from tfloom.launch.frontend.pairs import Pair, parse_pairs
 from tfloom.launch.frontend.type_utils import get_data_type_from_identifier
 from tfloom.launch.ros.parameter_descriptions import ParameterFile, ParameterValue
+from tfloom.launch.ros.utilities.parameter_text import untyped_items, untyped_value
+from tfloom.rosidl.quoted_text import QuotedText
 
 __all__ = ["parse_nested_parameters", "parse_parameters", "parse_remappings"]
 
@@ -64,17 +67,56 @@ def _parse_values(elements: list[Entity], parser: ParsesActions) -> dict[Any, An
         name = tuple(parser.parse_substitution(element.get_attr("name")))
         identifier = element.get_attr("type", optional=True)
         data_type = None if identifier is None else get_data_type_from_identifier(identifier)
-        value = element.get_attr("value", data_type=data_type, optional=True)
+        value = _value(element, data_type)
         nested = element.get_attr("param", data_type=_Elements, optional=True)
         if value is not None and nested:
             raise RuntimeError("param and value attributes are mutually exclusive")
         if data_type is not None and nested:
             raise RuntimeError("nested parameters and type attributes are mutually exclusive")
         if value is not None:
-            values[name] = ParameterValue(parser.parse_if_substitutions(value), value_type=data_type)
+            given = _untyped(value) if data_type is None else value
+            values[name] = ParameterValue(parser.parse_if_substitutions(given), value_type=data_type)
         elif nested:
             values[name] = _parse_values(nested, parser)
         else:
             raise RuntimeError("either a value attribute or nested params are needed")
         element.assert_entity_completely_parsed()
     return values
+
+
+def _value(element: Entity, data_type: Any) -> Any:
+    """Return the attribute `value`; without a type, its text, or the texts that `value-sep` separates."""
+    for kind in (str, List[str]) if data_type is None else ():  # noqa: UP006  # as programs write types
+        with suppress(TypeError):  # it is of YAML, and a number or a list of them
+            return element.get_attr("value", data_type=kind, optional=True)
+    return element.get_attr("value", data_type=data_type, optional=True)
+
+
+def _untyped(value: Any) -> Any:
+    """Return a value with its texts read by rcl's rules; those in quotes in YAML are texts by their type.
+
+    Of a text with substitutions, the performed text tells the type.
+    """
+    if isinstance(value, list):
+        plain = [item for item in value if _is_plain(item)]
+        read = iter(_read_each(plain))
+        items = [next(read) if _is_plain(item) else _without_mark(item) for item in value]
+        return [float(item) for item in items] if {type(item) for item in items} == {int, float} else items
+    return _read_each([value])[0] if _is_plain(value) else _without_mark(value)
+
+
+def _is_plain(value: Any) -> bool:
+    return isinstance(value, str) and not isinstance(value, QuotedText)
+
+
+def _without_mark(value: Any) -> Any:
+    return str(value) if isinstance(value, QuotedText) else value
+
+
+def _read_each(texts: list[str]) -> list[Any]:
+    """Return the values of texts; one that is not YAML, or a mapping, stays as it is."""
+    try:
+        values = [untyped_value(texts[0])] if len(texts) == 1 else untyped_items(texts)
+    except ValueError:
+        return list(texts)
+    return [text if isinstance(value, dict) else value for text, value in zip(texts, values, strict=True)]

@@ -48,7 +48,7 @@ def to_parameters_list(
 def _values_in_file(path: Path, node_name: str, namespace: str) -> dict[str, Any]:
     from tfloom.node.parameters.parameter_file import read_parameter_file
 
-    rules = read_parameter_file(path)
+    rules = read_parameter_file(path, can_be_flat=True)
     full_name = prefix_namespace(namespace or "/", node_name) or ""
     values = {rule.name: rule.value for rule in rules if rule.is_for(full_name)}
     if rules and not values:
