@@ -302,8 +302,8 @@ def nothing_is_named_that_does_not_exist(house: Path) -> list[str]:
     return violations
 
 
-YAML_DOOR = "rosidl/user_yaml.py"
-"""Where YAML is read: the file that has the limits."""
+YAML_DOOR = ("rosidl/user_yaml.py", "rosidl/yaml_scanner.py")
+"""Where YAML is read: the file that has the limits, and what it reads with."""
 
 
 def one_door_for_reading_yaml(house: Path) -> list[str]:
@@ -313,7 +313,7 @@ def one_door_for_reading_yaml(house: Path) -> list[str]:
     for path in sorted(house.rglob("*.py")):
         place = path.relative_to(house).as_posix()
         text = path.read_text("utf-8")
-        if place == YAML_DOOR or not re.search(r"\byaml\b", text):
+        if place in YAML_DOOR or not re.search(r"\byaml\b", text):
             continue
         for node in ast.walk(ast.parse(text)):
             if (
