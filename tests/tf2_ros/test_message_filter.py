@@ -9,8 +9,10 @@ from tests.tf2_ros.conftest import SECOND, transform_stamped
 
 from tfloom.interfaces.geometry_msgs.msg import PointStamped
 from tfloom.interfaces.std_msgs.msg import Header
+from tfloom.node.clock.clock import ROSClock
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
+from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.time import Time
 from tfloom.tf2_ros.buffer import Buffer
@@ -198,3 +200,26 @@ def test_messages_and_transforms_from_many_threads() -> None:
     watched.set(3 * SECOND)
     assert sorted(watched.out) == [SECOND + index for index in range(count)]
     assert watched.dropped == []
+
+
+@pytest.mark.parametrize("is_fed_by_subscriber", [True, False])
+def test_messages_are_forgotten_when_time_jumps_backward(
+    is_fed_by_subscriber: bool, node: Node, executor: SingleThreadedExecutor
+) -> None:
+    clock = node.get_clock()
+    assert isinstance(clock, ROSClock)
+    clock.set_ros_time_is_active(True)
+    clock.set_ros_time_override(Time(seconds=100, clock_type=ClockType.ROS_TIME))
+    watched = Watched(node=node)
+    if is_fed_by_subscriber:
+        subscriber = Subscriber(node, PointStamped, "points")
+        watched.filter = MessageFilter(subscriber, watched.buffer, "map", 1)
+        watched.filter.registerCallback(lambda message: watched.out.append(watched.stamp(message)))
+    add = subscriber.callback if is_fed_by_subscriber else watched.filter.add
+    add(point(100 * SECOND))
+    clock.set_ros_time_override(Time(seconds=10, clock_type=ClockType.ROS_TIME))
+    add(point(10 * SECOND))
+    for stamp in (10, 100):
+        watched.set(stamp * SECOND)
+        executor.spin_once(timeout_sec=0.1)
+    assert (watched.out, watched.dropped) == ([10 * SECOND], [])

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import gc
 import random
+import weakref
 from collections.abc import Callable
+from functools import partial
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
+from tests.conftest import wait_until
 
 from tfloom.interfaces.geometry_msgs.msg import PointStamped
 from tfloom.interfaces.std_msgs.msg import Header, String
+from tfloom.node.clock.clock import ROSClock
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.values.clock_type import ClockType
@@ -178,6 +183,178 @@ def test_messages_without_a_header_are_stamped_with_simulated_time(
     words.signalMessage(String(data="now"))
     assert pairs == ["50.2 now"]
     assert cache.getLastestTime() == Time(seconds=50, clock_type=ClockType.ROS_TIME)
+
+
+class Sim:
+    """A node with simulated time, and subscribers whose messages are called in."""
+
+    def __init__(self, node: Node) -> None:
+        self.node = node
+        self.clock = node.get_clock()
+        assert isinstance(self.clock, ROSClock)
+        self.clock.set_ros_time_is_active(True)
+        self.subscribers = [Subscriber(node, PointStamped, topic) for topic in ("left", "right")]
+
+    def show(self, second: float) -> None:
+        assert isinstance(self.clock, ROSClock)
+        self.clock.set_ros_time_override(Time(seconds=second, clock_type=ClockType.ROS_TIME))
+
+    def pair(self, second: float) -> None:
+        for subscriber in self.subscribers:
+            subscriber.callback(point(second))
+
+
+@pytest.fixture
+def sim(node: Node) -> Sim:
+    return Sim(node)
+
+
+class Passing(SimpleFilter):
+    """A filter of a program's own."""
+
+    def __init__(self, source: Any) -> None:
+        super().__init__()
+        source.registerCallback(self.add)
+
+    def add(self, message: Any) -> None:
+        self.signalMessage(message)
+
+
+def chained(source: Any) -> Chain:
+    chain = Chain(source)
+    chain.addFilter(Cache(None, 1))
+    return chain
+
+
+WAYS: dict[str, Callable[[Any], Any]] = {
+    "directly": lambda source: source,
+    "through a cache": lambda source: Cache(source, 1),
+    "through an empty chain": Chain,
+    "through a chain": chained,
+    "through a filter of one's own": Passing,
+    "through two": lambda source: Passing(Cache(Chain(source), 1)),
+}
+
+
+@pytest.mark.parametrize("way", WAYS)
+@pytest.mark.parametrize(
+    "kind", [TimeSynchronizer, partial(ApproximateTimeSynchronizer, slop=0.1)], ids=["exact", "near"]
+)
+def test_pairs_go_on_after_a_jump_backward(kind: Any, way: str, sim: Sim) -> None:
+    passed_on: list[float] = []
+    # What goes through one filter first is not kept alive by anything else.
+    inputs = [WAYS[way](subscriber) for subscriber in sim.subscribers]
+    kind(inputs, 1).registerCallback(lambda left, _: passed_on.append(seconds(left)))
+    for jump_to in (10.0, 3.0, 0.5):
+        passed_on.clear()
+        sim.show(100)
+        sim.pair(100)
+        sim.subscribers[0].callback(point(101))  # waits for its match
+        sim.show(jump_to)
+        sim.subscribers[0].callback(point(101.2))  # was sent before the jump
+        sim.pair(jump_to)
+        sim.subscribers[1].callback(point(101))
+        sim.pair(jump_to + 0.2)
+        assert passed_on == [100, jump_to, jump_to + 0.2]
+
+
+def test_a_set_is_not_made_across_a_jump(sim: Sim) -> None:
+    passed_on: list[float] = []
+    synchronizer = TimeSynchronizer(sim.subscribers, 5)
+    synchronizer.registerCallback(lambda left, _: passed_on.append(seconds(left)))
+    sim.show(10)
+    sim.subscribers[0].callback(point(9.5))
+    sim.show(9)
+    sim.subscribers[1].callback(point(9.5))
+    assert (passed_on, [len(queue) for queue in synchronizer.queues]) == ([], [0, 0])
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_a_cache_forgets_after_a_jump_backward_alone(way: str, sim: Sim) -> None:
+    cache = Cache(WAYS[way](sim.subscribers[0]), 2)
+    for at in (10, 11):
+        sim.show(at)
+        sim.pair(at)
+    assert [seconds(message) for message in cache.cache_msgs] == [10, 11]
+    sim.show(5)
+    assert (cache.cache_msgs, cache.cache_times, cache.getLast(), cache.getLastestTime()) == (
+        [],
+        [],
+        None,
+        None,
+    )
+    sim.subscribers[0].callback(point(11))
+    assert cache.getLast() is None
+    sim.pair(5)
+    sim.pair(6)
+    assert [seconds(message) for message in cache.cache_msgs] == [5, 6]
+
+
+def test_a_message_of_the_old_time_counts_again_when_the_time_is_reached(sim: Sim) -> None:
+    cache = Cache(sim.subscribers[0], 5)
+    sim.show(10)
+    sim.show(9.9)
+    sim.pair(10)
+    assert cache.getLast() is None
+    wait_until(lambda: (sim.pair(10), cache.getLast())[1] is not None)  # after the twentieth of a second
+
+
+def test_another_source_of_time_clears_filters(sim: Sim) -> None:
+    cache = Cache(sim.subscribers[0], 5)
+    assert isinstance(sim.clock, ROSClock)
+    for is_active in (False, True):
+        sim.pair(5)
+        sim.clock.set_ros_time_is_active(is_active)
+        assert cache.getLast() is None
+
+
+def test_filters_of_other_nodes_and_unregistered_ones_keep_their_messages(
+    sim: Sim, make_node: Callable[..., Node]
+) -> None:
+    other = Cache(Subscriber(make_node("other"), PointStamped, "topic"), 5)
+    freed = Cache(sim.subscribers[0], 5)
+    kept = Cache(sim.subscribers[0], 5)
+    other.add(point(50))
+    sim.show(100)
+    sim.pair(100)
+    sim.subscribers[0].unregisterCallback(freed.incoming_connection)
+    sim.show(10)
+    assert [len(cache.cache_msgs) for cache in (other, freed, kept)] == [1, 1, 0]
+
+
+def test_the_clock_keeps_no_subscriber_alive(node: Node) -> None:
+    clock = node.get_clock()
+    handles = len(clock.jump_handles())
+    subscriber = Subscriber(node, PointStamped, "topic")
+    gone = weakref.ref(subscriber)
+    assert len(clock.jump_handles()) == handles + 1
+    node.destroy_subscription(subscriber.sub)
+    del subscriber
+    gc.collect()
+    assert gone() is None
+    assert len(clock.jump_handles()) == handles
+
+
+def test_filters_in_a_circle_hear_of_a_jump_once(sim: Sim) -> None:
+    first, second = Passing(sim.subscribers[0]), Passing(SimpleFilter())
+    first.registerCallback(second.signalMessage)
+    second.registerCallback(first.clear_after_jump)  # of the first, and not called
+    second.unregisterCallback(0)
+    second.registerCallback(first.add)
+    cache = Cache(second, 5)
+    cache.add(point(1))
+    sim.show(100)
+    sim.show(10)
+    assert cache.getLast() is None
+
+
+def test_equal_stamps_match_without_slop() -> None:
+    sources, passed_on = synchronized(ApproximateTimeSynchronizer, 5, 0)
+    for at in (1, 2.000000001, 3):
+        sources[0].signalMessage(point(at))
+    for at in (1, 2, 3):
+        sources[1].signalMessage(point(at))
+    assert passed_on == [(1, 1), (3, 3)]
 
 
 @pytest.mark.parametrize("slop", [0.05, 0.2])

@@ -13,7 +13,7 @@ from tfloom.node.log.logging import get_logger
 from tfloom.node.values.callback_errors import call_all
 from tfloom.tf2_ros.buffer_core import duration_ns, time_ns
 from tfloom.tf2_ros.deadlines import call_after
-from tfloom.tf2_ros.filters.message_filters import SimpleFilter
+from tfloom.tf2_ros.filters.message_filters import JumpBack, SimpleFilter, clear_with
 
 if TYPE_CHECKING:
     from tfloom.node.executing.guard_condition import GuardCondition
@@ -98,6 +98,8 @@ class MessageFilter(SimpleFilter):
         self._calls: deque[Callable[[], None]] = deque()
         self._guard: GuardCondition | None = None
         self.setTargetFrames([target_frame] if isinstance(target_frame, str) else target_frame)
+        if f is None and node is not None:
+            clear_with(node.get_clock(), self)
         node = getattr(f, "node", None) if node is None else node
         if node is not None:
             self._guard = node.create_guard_condition(self._call_all)
@@ -145,6 +147,11 @@ class MessageFilter(SimpleFilter):
                 held.is_settled = True
         for held in forgotten:
             self._cancel(held)
+
+    def clear_after_jump(self, jump: JumpBack) -> None:
+        """Drop all held messages, which wait for transforms of a time that is now in the future."""
+        self.clear()
+        super().clear_after_jump(jump)
 
     def add(self, msg: Any) -> None:
         """Add a message, which is passed on as soon as the buffer can transform it."""

@@ -1,16 +1,24 @@
-"""Synchronization of messages of several topics by their stamps, with message_filters' interface."""
+"""Synchronization of messages of several topics by their stamps, with message_filters' interface.
+
+Where simulated time jumps backward, as when a recording begins again, filters forget their messages, whose stamps are
+now in the future. A `Subscriber` hears of the jump from its node's clock, and tells the filters that its messages go
+to; so filters need no node, and may be connected and removed at any time.
+"""
 
 from __future__ import annotations
 
 import reprlib
 import threading
+import weakref
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterable, Sequence
 from functools import partial
 from itertools import product
+from time import monotonic
 from typing import TYPE_CHECKING, Any
 
 from tfloom.given_text import given_text
+from tfloom.node.clock.time_jump import ClockChange, JumpThreshold
 from tfloom.node.values.callback_errors import call_all
 from tfloom.node.values.callbacks import not_callable
 from tfloom.node.values.clock_type import ClockType
@@ -21,8 +29,21 @@ from tfloom.tf2_ros.buffer_core import time_ns
 
 if TYPE_CHECKING:
     from tfloom.node.clock.clock import Clock
+    from tfloom.node.clock.time_jump import TimeJump
 
-__all__ = ["ApproximateTimeSynchronizer", "Cache", "Chain", "SimpleFilter", "Subscriber", "TimeSynchronizer"]
+__all__ = [
+    "ApproximateTimeSynchronizer",
+    "Cache",
+    "Chain",
+    "JumpBack",
+    "SimpleFilter",
+    "Subscriber",
+    "TimeSynchronizer",
+]
+
+BACKWARD = JumpThreshold(min_forward=None, min_backward=Duration(nanoseconds=-1), on_clock_change=True)
+MAX_MARGIN_NS = 1_000_000_000
+"""How long messages from before a jump are ignored, and how near their stamps are to the old time [ns]."""
 
 
 class SimpleFilter:
@@ -50,6 +71,61 @@ class SimpleFilter:
         """Call all callbacks; if one raises, the others first."""
         call_all([partial(callback, *msg, *args) for callback, args in self.callbacks.values()])
 
+    def clear_after_jump(self, jump: JumpBack) -> None:
+        """Forget the messages from before a jump of time, here and in all filters that this one's messages go to."""
+        if jump.reaches(self):
+            for filter_ in self._outputs():
+                filter_.clear_after_jump(jump)
+
+    def _outputs(self) -> list[SimpleFilter]:
+        """Return the filters that messages go to from here."""
+        callbacks = [callback for callback, _ in list(self.callbacks.values())]
+        owners = [getattr(getattr(callback, "func", callback), "__self__", None) for callback in callbacks]
+        return [owner for owner in owners if isinstance(owner, SimpleFilter)]
+
+
+class JumpBack:
+    """A jump of time on its way through filters.
+
+    Args:
+        clock: The clock, after it.
+        jump_ns: The jump, which is negative; 0: the clock has another source now.
+    """
+
+    def __init__(self, clock: Clock, jump_ns: int) -> None:
+        # Messages that were sent before the jump may still arrive for a short time.
+        margin_ns = min(-jump_ns // 2, MAX_MARGIN_NS)
+        self._clock = clock
+        self._ignored_from_ns = clock.now_ns() - jump_ns - margin_ns
+        self._until_s = monotonic() + margin_ns / 1e9
+        self._reached: set[int] = set()
+
+    def reaches(self, filter_: SimpleFilter) -> bool:
+        """Return whether a filter hears of it for the first time: there may be several ways to it."""
+        number = id(filter_)
+        is_first = number not in self._reached
+        self._reached.add(number)
+        return is_first
+
+    def has_overtaken(self, stamp_ns: int) -> bool:
+        """Return whether a message that has arrived after the jump was sent before it."""
+        start_ns = self._ignored_from_ns
+        return stamp_ns >= start_ns and monotonic() < self._until_s and self._clock.now_ns() < start_ns
+
+
+def clear_with(clock: Clock, filter_: SimpleFilter) -> None:
+    """Have a filter, and those that its messages go to, forget their messages when a clock jumps backward."""
+    alive = weakref.ref(filter_)  # because the clock outlives it
+
+    def on_jump(jump: TimeJump) -> None:
+        filter_ = alive()
+        if filter_ is not None:
+            is_other_source = jump.clock_change != ClockChange.ROS_TIME_NO_CHANGE
+            filter_.clear_after_jump(JumpBack(clock, 0 if is_other_source else jump.delta.nanoseconds))
+
+    handle = clock.create_jump_callback(BACKWARD, post_callback=on_jump)
+    weakref.finalize(filter_, handle.unregister)
+
 
 class Subscriber(SimpleFilter):
     """Passes on the messages of a topic.
@@ -70,6 +146,7 @@ class Subscriber(SimpleFilter):
         if others:
             kwargs["qos_profile"] = others[0]
         self._clock = self.node.get_clock()
+        clear_with(self._clock, self)
         self.sub = self.node.create_subscription(self.type, self.topic, self.callback, **kwargs)
 
     def callback(self, msg: Any) -> None:
@@ -101,6 +178,9 @@ class Cache(SimpleFilter):
         super().__init__()
         self.cache_msgs: list[Any] = []
         self.cache_times: list[Time] = []
+        self._lock = threading.Lock()
+        """Guards both lists, between messages and jumps of time."""
+        self._jump: JumpBack | None = None
         self.cache_size = cache_size
         self.allow_headerless = allow_headerless
         self.connectInput(f)
@@ -118,12 +198,23 @@ class Cache(SimpleFilter):
             return
         if not hasattr(stamp, "nanoseconds"):
             stamp = Time(nanoseconds=time_ns(stamp), clock_type=ClockType.ROS_TIME)
-        place = bisect_right([time.nanoseconds for time in self.cache_times], stamp.nanoseconds)
-        self.cache_times.insert(place, stamp)
-        self.cache_msgs.insert(place, msg)
-        if len(self.cache_msgs) > self.cache_size:
-            del self.cache_msgs[0], self.cache_times[0]
+        with self._lock:
+            if self._jump is not None and self._jump.has_overtaken(stamp.nanoseconds):
+                return
+            place = bisect_right([time.nanoseconds for time in self.cache_times], stamp.nanoseconds)
+            self.cache_times.insert(place, stamp)
+            self.cache_msgs.insert(place, msg)
+            if len(self.cache_msgs) > self.cache_size:
+                del self.cache_msgs[0], self.cache_times[0]
         self.signalMessage(msg)
+
+    def clear_after_jump(self, jump: JumpBack) -> None:
+        """Forget all messages, and those that are sent before the jump and arrive now; see `SimpleFilter`."""
+        with self._lock:
+            self._jump = jump
+            self.cache_msgs.clear()
+            self.cache_times.clear()
+        super().clear_after_jump(jump)
 
     def getInterval(self, from_stamp: Any, to_stamp: Any) -> list[Any]:  # noqa: N802, message_filters' name
         """Return the messages from one time to another, both included, oldest first."""
@@ -188,6 +279,13 @@ class Chain(SimpleFilter):
         else:
             self.signalMessage(message)
 
+    def _outputs(self) -> list[SimpleFilter]:
+        """Return the chain's own filters, and those that messages go to from the last."""
+        return [
+            *(f for f in list(self._filters.values()) if isinstance(f, SimpleFilter)),
+            *super()._outputs(),
+        ]
+
     def addFilter(self, message_filter: Any) -> None:  # noqa: N802, message_filters' name
         """Append a filter, which has `add` and `registerCallback`."""
         number = len(self._filters)
@@ -225,6 +323,7 @@ class TimeSynchronizer(SimpleFilter):
         super().__init__()
         self.queue_size = queue_size
         self.lock = threading.Lock()
+        self._jump: JumpBack | None = None
         self.connectInput(fs)
 
     def connectInput(self, fs: Sequence[Any]) -> None:  # noqa: N802, message_filters' name
@@ -246,6 +345,8 @@ class TimeSynchronizer(SimpleFilter):
         # Choose and remove under the lock, because other filters add messages on other threads, and a message must be
         # in one set only. Call the callbacks after it, because they may add messages.
         with self.lock:
+            if self._jump is not None and self._jump.has_overtaken(at):
+                return
             my_queue[at] = msg
             while len(my_queue) > self.queue_size:
                 del my_queue[min(my_queue)]
@@ -254,6 +355,14 @@ class TimeSynchronizer(SimpleFilter):
             matched = [queue.pop(at) for queue, at in zip(self.queues, chosen, strict=True)] if chosen else []
         if matched:
             self.signalMessage(*matched)
+
+    def clear_after_jump(self, jump: JumpBack) -> None:
+        """Forget all messages, and those that are sent before the jump and arrive now; see `SimpleFilter`."""
+        with self.lock:
+            self._jump = jump
+            for queue in self.queues:
+                queue.clear()
+        super().clear_after_jump(jump)
 
     def _match(self, own: dict[int, Any], stamp: int) -> tuple[int, ...] | None:  # noqa: ARG002
         """Return the stamps in the queues of a set with a message of the queue `own`; None if there is no such set."""
@@ -281,7 +390,7 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
     Args:
         fs: The filters.
         queue_size: Most messages of each to keep.
-        slop: Upper limit for the difference of stamps, exclusive [s].
+        slop: Upper limit for the difference of stamps, exclusive [s]; 0: equal stamps only.
         allow_headerless: Whether a message without a header is stamped with its time of arrival, by the clock of the
             subscribers' node.
     """
@@ -294,7 +403,7 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
         self.allow_headerless = allow_headerless
 
     def _match(self, own: dict[int, Any], stamp: int) -> tuple[int, ...] | None:
-        slop = self.slop.nanoseconds
+        slop = self.slop.nanoseconds or 1
         choices = [
             [stamp]
             if queue is own
