@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 from tests.conftest import wait_until
 from tests.viewer.conftest import Page
-from tests.viewer.messages import cloud, header, pose
+from tests.viewer.messages import cloud, header, marker, pose
 from tests.viewer.scenes import Scene, take_all
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import connect
@@ -25,7 +25,9 @@ from websockets.sync.client import connect
 from tfloom.interfaces.geometry_msgs.msg import PoseStamped, TransformStamped, Twist
 from tfloom.interfaces.sensor_msgs.msg import CameraInfo, Image, PointCloud2
 from tfloom.interfaces.std_msgs.msg import Int64
+from tfloom.interfaces.visualization_msgs.msg import Marker
 from tfloom.node.node import Node
+from tfloom.node.qos.qos import QoSProfile, ReliabilityPolicy
 from tfloom.rmw.errors import WireError
 from tfloom.tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
 from tfloom.tf2_ros.transform_broadcaster import TransformBroadcaster
@@ -197,6 +199,25 @@ def test_cloud_is_shown_where_it_stood_and_a_closed_page_reads_nothing(
     again = open_page(viewer)
     wait_until(lambda: publisher.get_subscription_count() == 1, what="the reader of the next page")
     assert again.wait_for(lambda: again.display("/points"))["on"]
+
+
+@pytest.mark.parametrize("reliability", [ReliabilityPolicy.RELIABLE, ReliabilityPolicy.BEST_EFFORT])
+def test_each_of_many_markers_that_come_at_once_is_shown(
+    node: Node, viewer: Viewer, page: Page, reliability: ReliabilityPolicy
+) -> None:
+    feed(node, viewer)
+    publisher = node.create_publisher(Marker, "/markers", QoSProfile(depth=1000, reliability=reliability))
+    page.show("/markers", publisher)
+    for number in range(300):
+        made = marker(Marker.CUBE, number, header=header("map", sec=200 - number % 3))
+        publisher.publish(made)
+    wait_until(lambda: shown(viewer, "/displays/0/299"), what="300 nodes")
+    page.send(op="hold", stamp_ns=str(105 * 10**9))
+    page.wait_for(lambda: page.state["held_ns"] == str(105 * 10**9))
+    wait_until(lambda: shown(viewer, "/displays/0/0") is None, what="the time before the markers")
+    page.send(op="hold", stamp_ns=None)
+    wait_until(lambda: shown(viewer, "/displays/0/299"), what="all markers again")
+    assert shown(viewer, "/displays/0/300") is None
 
 
 def test_display_says_why_it_shows_nothing(node: Node, viewer: Viewer, page: Page) -> None:

@@ -1,6 +1,6 @@
 """Frames, robots and sensors in a browser: `tfloom view`, by viser, which the extra `view` installs.
 
-- frames, history, camera, playback, shapes: what is shown, without viser
+- frames, history, replay, camera, playback, shapes: what is shown, without viser
 - displays/: from a message to shapes, a file for each kind
 - type_searches: types that have no definition here
 - feed, topics, recorded: a display and its messages, of a graph or of a recording

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from functools import partial
+from typing import TYPE_CHECKING, Any, cast
 
 from tfloom.tf2.buffer import LATEST
 from tfloom.tf2.errors import TransformException
@@ -11,10 +13,12 @@ from tfloom.tf2.transform import Transform
 from tfloom.viewer.displays.display import MAX_COORDINATE_M, shown_text
 from tfloom.viewer.displays.kinds import Kind, make_display
 from tfloom.viewer.fault_text import fault_text
+from tfloom.viewer.replay import Replay, State
 from tfloom.viewer.shapes import DisplayError, Placed, Shape
 
 if TYPE_CHECKING:
     from tfloom.tf2.buffer import Buffer
+    from tfloom.viewer.displays.display import KeepingDisplay
     from tfloom.viewer.drawing import Pose
     from tfloom.viewer.history import Entry, Messages
 
@@ -46,9 +50,12 @@ class Feed:
         self.display = make_display(kind, topic)
         self.decode = decode
         """Returns the message of an entry's bytes."""
+        self._replay = self._new_replay(None)
         self._last: Entry | None = None
+        self._held_ns: int | None = None
+        """The time that was shown last [ns since epoch]; None: the newest."""
         self._failed_at: Entry | None = None
-        """The last message when the display failed."""
+        """The newest message of that time when the display failed."""
         self._fault = ""
         self._frame = ""
         """The frame of the last message that has its own stamp; empty before one."""
@@ -58,15 +65,24 @@ class Feed:
 
     def read(self, messages: Messages, decode: Callable[[bytes], Any]) -> None:
         """Show other messages of the topic from now on; what is shown stays until the first one has come."""
+        base = self._replay.base() if self._replay is not None else None
         self.messages, self.decode = messages, decode
+        self._replay = self._new_replay(base)
+
+    def _new_replay(self, base: State | None) -> Replay | None:
+        """Return what gives the display all messages; None if it shows the last one alone."""
+        if self.display is None or not self.display.keeps_all:
+            return None
+        make = cast("Callable[[], KeepingDisplay]", partial(make_display, self.kind, self.topic))
+        return Replay(make, self.messages.log(), self.decode, base)
 
     def fail(self, error: Exception) -> None:
         """Show nothing until the next message, because of a fault."""
         self.has_failed = True
-        self._failed_at = self._last
+        self._failed_at = None
+        with contextlib.suppress(Exception):  # that may be what failed
+            self._failed_at = self.messages.newest(self._held_ns)
         self.status = shown_text(f"it can't be shown: {fault_text(error)}")
-        if self.display is not None:
-            self.display.clear()
 
     def choose(self, choice: str) -> None:
         """Choose one of the display's choices, and show the last message anew."""
@@ -88,19 +104,28 @@ class Feed:
         display = self.display
         if display is None:
             return []  # the page asks for images itself
-        if self.has_failed and self.messages.newest(held_ns) == self._failed_at:
+        self._held_ns = held_ns
+        if self.has_failed and self._failed_at == self.messages.newest(held_ns):
             return []
-        self._take(buffer, fixed_frame, held_ns)
         self.has_failed = False
-        if self._last is None:
-            self.status = self._fault or "no message at this time"
+        if self._replay is not None:
+            cursor = self._replay.show(held_ns)
+            self.display = display = cursor.display
+            self._fault, is_empty = cursor.fault, not cursor.known
+            if cursor.is_behind:
+                self._fault = f"{cursor.known} messages are read so far, and more follow"
+        else:
+            self._take(buffer, fixed_frame, held_ns)
+            is_empty = self._last is None
+        if is_empty:
+            self.status = shown_text(self._fault or "no message at this time")
             return []
         try:
             placed = display.shapes(now_ns)
         except DisplayError as error:
             self.status = shown_text(str(error))
             return []
-        if placed and placed[0].stamp_ns == self._last.stamp_ns:
+        if placed and self._last is not None and placed[0].stamp_ns == self._last.stamp_ns:
             self._frame = placed[0].frame_id.removeprefix("/")
         fault = self._fault
         if len(placed) > MAX_SHAPES:
@@ -131,31 +156,20 @@ class Feed:
         return reached
 
     def _take(self, buffer: Buffer, fixed_frame: str, held_ns: int | None) -> None:
-        """Give the display the messages up to a time."""
+        """Give the display the last message up to a time."""
         display = self.display
         assert display is not None  # noqa: S101  # for the type checker; the caller has asked
-        is_one = not display.keeps_all
-        entry = self._newest(buffer, fixed_frame, held_ns) if is_one else self.messages.newest(held_ns)
-        if entry is self._last or (entry is not None and entry == self._last):
+        entry = self._newest(buffer, fixed_frame, held_ns)
+        if entry == self._last:
             return
-        if entry is None or not display.keeps_all:
-            display.clear()
-            entries = [entry] if entry is not None else []
-        else:
-            # All messages matter. Forward in time, the display has had those up to the last one; back in time, it
-            # begins anew.
-            entries = list(self.messages.until(held_ns))
-            if self._last is not None and self._last.stamp_ns <= entry.stamp_ns:
-                last = self._last
-                entries = [other for other in entries if other.stamp_ns > last.stamp_ns]
-            else:
-                display.clear()
+        display.clear()
         self._last, self._fault = entry, ""
-        for one in entries:
-            try:
-                display.take(self.decode(one.data), one.stamp_ns)
-            except Exception as error:  # noqa: BLE001, PERF203  # of one message: the others are shown
-                self._fault = fault_text(error)
+        if entry is None:
+            return
+        try:
+            display.take(self.decode(entry.data), entry.stamp_ns)
+        except Exception as error:  # noqa: BLE001  # of one message: the next one may be good
+            self._fault = fault_text(error)
 
     def _place(
         self, buffer: Buffer, fixed_frame: str, held_ns: int | None, placed: list[Placed]
@@ -186,8 +200,10 @@ def pose_in(buffer: Buffer, fixed_frame: str, placed: Placed, held_ns: int | Non
 
     Raises:
         TransformException: the frames are not connected.
-        DisplayError: they are, but it is further away than a page can compute with.
+        DisplayError: there are no frames, or it is further away than a page can compute with.
     """
+    if not fixed_frame:
+        raise DisplayError("there are no frames yet")
     frame = placed.frame_id.removeprefix("/") or fixed_frame
     view_ns = LATEST if held_ns is None else held_ns
     is_exact = False

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -14,14 +14,14 @@ from tfloom.bag.opening import open_bag
 from tfloom.rosidl import cdr
 from tfloom.tf2.buffer import Buffer
 from tfloom.tf2_tools.watch.sources import open_path
-from tfloom.viewer.history import Entry
+from tfloom.viewer.history import START, Entry, Logged
 from tfloom.viewer.program import Viewer
 from tfloom.viewer.shapes import DisplayError
 
 if TYPE_CHECKING:
     from tfloom.bag.bag import Bag
     from tfloom.rosidl.message import Message
-    from tfloom.viewer.history import Messages
+    from tfloom.viewer.history import MessageLog, Messages, Place
     from tfloom.viewer.topics import Follower
 
 __all__ = ["RecordedTopics", "recorded_viewer"]
@@ -32,8 +32,8 @@ STEPS = 200
 """Number of parts of a recording that are read one after the other for a plot."""
 READ_S = 0.005
 """How long a recording is read for one picture [s]; one part is read at least."""
-MAX_ENTRIES = 500
-"""Number of messages up to a time that a display gets, if all matter to it."""
+MAX_STEP_NS = 10_000_000_000
+"""Length of the longest of these parts [ns]."""
 
 
 class RecordedTopics:
@@ -133,31 +133,70 @@ class _RecordedMessages:
     def __init__(self, bag: Bag, topic: str) -> None:
         self._bag = bag
         self._topic = topic
-        self._found: tuple[int, int, list[Entry]] | None = None
+        self._found: tuple[int, int, Entry | None] | None = None
         """The last answer, and from when to when it holds [ns since epoch]."""
+
+    def log(self) -> MessageLog:
+        """Return the messages by the times at which they were recorded."""
+        return _RecordedLog(self._bag, self._topic)
 
     def newest(self, stamp_ns: int | None) -> Entry | None:
         """Return the last message up to a time [ns since epoch]; None: the last of all."""
-        entries = self.until(stamp_ns)
-        return entries[-1] if entries else None
-
-    def until(self, stamp_ns: int | None) -> Sequence[Entry]:
-        """Return messages up to a time, by their times: at least the last one, at most `MAX_ENTRIES`."""
         end_ns = self._bag.end_ns if stamp_ns is None else stamp_ns
         if self._found is not None and self._found[0] <= end_ns < self._found[1]:
             return self._found[2]
         for window_ns in (*WINDOWS_NS, end_ns):
             # A little beyond the time, because the message that follows says until when the answer holds.
             entries = _read_entries(self._bag, self._topic, end_ns - window_ns, end_ns + WINDOWS_NS[0])
-            until = [entry for entry in entries if entry.stamp_ns <= end_ns][-MAX_ENTRIES:]
-            if until or window_ns == end_ns:
+            newest = next((entry for entry in reversed(entries) if entry.stamp_ns <= end_ns), None)
+            if newest is not None or window_ns == end_ns:
                 after_ns = next(
                     (entry.stamp_ns for entry in entries if entry.stamp_ns > end_ns), end_ns + WINDOWS_NS[0]
                 )
-                begin_ns = until[-1].stamp_ns if until else end_ns
-                self._found = begin_ns, after_ns, until
-                return until
-        return []
+                self._found = end_ns if newest is None else newest.stamp_ns, after_ns, newest
+                return newest
+        return None
+
+
+class _RecordedLog:
+    """The messages of one topic, by the times at which they were recorded, read a part at a time."""
+
+    is_whole = True
+
+    def __init__(self, bag: Bag, topic: str) -> None:
+        self._bag = bag
+        self._topic = topic
+        self._step_ns = min((bag.end_ns - bag.start_ns) // STEPS + 1, MAX_STEP_NS)
+        self._parts: dict[int, list[Logged]] = {}
+        """The messages of the two parts that were read last, by their numbers: a time at their border needs both."""
+
+    def after(self, place: Place, stamp_ns: int | None) -> Iterator[Logged]:
+        end_ns = self._bag.end_ns if stamp_ns is None else min(stamp_ns, self._bag.end_ns)
+        first = max(0, (place[0] - self._bag.start_ns) // self._step_ns)
+        for number in range(first, (end_ns - self._bag.start_ns) // self._step_ns + 1):
+            for logged in self._read(number):
+                if logged.from_ns > end_ns:
+                    return
+                if logged.place > place:
+                    yield logged
+
+    def _read(self, number: int) -> list[Logged]:
+        if number not in self._parts:
+            start_ns = self._bag.start_ns + number * self._step_ns
+            entries = _read_entries(self._bag, self._topic, start_ns, start_ns + self._step_ns - 1)
+            # Several may be of one time, which are all in one part.
+            self._parts[number] = [
+                Logged((entry.stamp_ns, index), entry.stamp_ns, entry) for index, entry in enumerate(entries)
+            ]
+            if len(self._parts) > 2:
+                del self._parts[next(iter(self._parts))]
+        return self._parts[number]
+
+    def droppable(self) -> Place:
+        return START
+
+    def drop(self, place: Place) -> None:
+        """Do nothing: messages are read anew."""
 
 
 @contextmanager

@@ -10,6 +10,7 @@ from tfloom.rmw.qos import DurabilityPolicy, QoS, ReliabilityPolicy
 from tfloom.rosidl import cdr
 from tfloom.rosidl.class_search import UnknownTypeError, find_class_of_kind
 from tfloom.rosidl.message import Message
+from tfloom.viewer.displays.kinds import KEPT_TYPES
 from tfloom.viewer.history import Entry, History, Messages, header_stamp_ns
 from tfloom.viewer.shapes import DisplayError
 from tfloom.viewer.type_searches import TypeSearches
@@ -23,6 +24,8 @@ DEPTH = 50
 """Number of messages of a topic that wait between two pictures; older ones are dropped."""
 LATCHED_DEPTH = 100
 """… of a topic whose publishers keep messages for late subscriptions."""
+KEPT_DEPTH = 2000
+"""… of a topic of which all messages matter: one that is dropped doesn't come again."""
 MAX_TAKEN = 200
 """Number of messages of a topic that are taken for one picture."""
 
@@ -86,8 +89,9 @@ class Topics(Protocol):
 class LiveTopics:
     """The topics of a graph. One thread may use it.
 
-    Readers are best effort, so that no publisher waits for the viewer; those of topics whose publishers keep messages
-    for late subscriptions are not, because such a message is only sent to a reliable reader.
+    Readers are best effort, so that no publisher waits for the viewer. Those of topics whose publishers keep messages
+    for late subscriptions are not, because such a message is only sent to a reliable reader; nor are those of topics of
+    which all messages matter.
 
     Args:
         participant: The participant that reads.
@@ -171,9 +175,16 @@ class LiveTopics:
         """
         writers = self._writers(topic)
         is_latched = any(end.qos.resolved().durability is DurabilityPolicy.TRANSIENT_LOCAL for end in writers)
-        qos = QoS(ReliabilityPolicy.BEST_EFFORT, DurabilityPolicy.VOLATILE, depth=DEPTH)
-        if is_latched:
-            qos = QoS(ReliabilityPolicy.RELIABLE, DurabilityPolicy.TRANSIENT_LOCAL, depth=LATCHED_DEPTH)
+        do_all_matter = writers[0].topic.type_name in KEPT_TYPES
+        is_reliable = is_latched or (
+            do_all_matter
+            and all(end.qos.resolved().reliability is ReliabilityPolicy.RELIABLE for end in writers)
+        )
+        qos = QoS(
+            ReliabilityPolicy.RELIABLE if is_reliable else ReliabilityPolicy.BEST_EFFORT,
+            DurabilityPolicy.TRANSIENT_LOCAL if is_latched else DurabilityPolicy.VOLATILE,
+            depth=KEPT_DEPTH if do_all_matter else LATCHED_DEPTH if is_latched else DEPTH,
+        )
         try:
             return self._participant.create_reader(self._node, writers[0].topic, qos), is_latched
         except WireError as error:

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 __all__ = [
     "MAX_COORDINATE_M",
     "Display",
+    "KeepingDisplay",
     "Latest",
     "are_drawable",
     "color_of",
@@ -64,6 +65,16 @@ class Display(Protocol):
         Raises:
             DisplayError: it can't be shown.
         """
+
+
+class KeepingDisplay(Display, Protocol):
+    """Shows what all messages so far make."""
+
+    def saved(self) -> Any:
+        """Return what is known of the messages so far, which later ones don't change."""
+
+    def restore(self, saved: Any) -> None:
+        """Know what was saved, and nothing else."""
 
 
 class Latest:

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from tfloom.viewer.displays.display import Display, Latest
 
-__all__ = ["IMAGE_TYPES", "Kind", "kind_of", "make_display"]
+__all__ = ["IMAGE_TYPES", "KEPT_TYPES", "Kind", "kind_of", "make_display"]
 
 
 class Kind(NamedTuple):
@@ -24,6 +24,9 @@ class Kind(NamedTuple):
 
 IMAGE_TYPES = frozenset(("sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage"))
 """Types that are shown beside the scene."""
+
+KEPT_TYPES = frozenset(("visualization_msgs/msg/Marker", "visualization_msgs/msg/MarkerArray"))
+"""Types whose displays keep what earlier messages made."""
 
 KINDS = {
     "sensor_msgs/msg/PointCloud2": Kind("PointCloud2", "point_cloud", "PointCloudDisplay"),

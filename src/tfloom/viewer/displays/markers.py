@@ -79,12 +79,14 @@ class MarkerDisplay:
                 self._markers.clear()
             elif marker.action == Marker.DELETE:
                 self._markers.pop(key, None)
+            elif marker.action != Marker.ADD:
+                faults.append(_fault(key, f"its action is {marker.action}, which is not known"))
             elif key in self._markers or len(self._markers) < MAX_MARKERS:
                 self._markers.pop(key, None)
                 try:
                     self._markers[key] = _end_ns(marker, stamp_ns), shapes_of_marker(marker)
                 except Exception as error:  # noqa: BLE001  # of one marker: the others are shown
-                    faults.append(f"marker {key[1]} of {shown_text(key[0], 40)!r}: {fault_text(error)}")
+                    faults.append(_fault(key, fault_text(error)))
             else:
                 faults.append(f"there are more than {MAX_MARKERS} markers")
         if faults:
@@ -94,6 +96,14 @@ class MarkerDisplay:
         """Forget all markers."""
         self._markers.clear()
 
+    def saved(self) -> dict[tuple[str, int], tuple[int, list[Placed]]]:
+        """Return the markers."""
+        return self._markers.copy()
+
+    def restore(self, saved: dict[tuple[str, int], tuple[int, list[Placed]]]) -> None:
+        """Have the markers that were saved."""
+        self._markers = saved.copy()
+
     def shapes(self, now_ns: int) -> list[Placed]:
         """Return the shapes of the markers that are alive."""
         return [
@@ -102,6 +112,10 @@ class MarkerDisplay:
             if not end_ns or now_ns <= end_ns
             for shape in shapes
         ]
+
+
+def _fault(key: tuple[str, int], reason: str) -> str:
+    return f"marker {key[1]} of {shown_text(key[0], 40)!r}: {reason}"
 
 
 def _end_ns(marker: Any, stamp_ns: int) -> int:

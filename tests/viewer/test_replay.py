@@ -1,0 +1,343 @@
+"""Displays to which all messages matter: none is lost, and one time has one picture, however it is reached."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import closing
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+from tests.viewer.messages import header, marker
+
+from tfloom.bag.opening import open_bag
+from tfloom.bag.values import Topic
+from tfloom.bag.writing.bag_writer import BagWriter
+from tfloom.interfaces.builtin_interfaces.msg import Duration
+from tfloom.interfaces.visualization_msgs.msg import Marker, MarkerArray
+from tfloom.rosidl import cdr
+from tfloom.tf2.buffer import Buffer
+from tfloom.viewer import history as history_module
+from tfloom.viewer import recorded, replay
+from tfloom.viewer.displays.kinds import kind_of
+from tfloom.viewer.displays.markers import MarkerDisplay
+from tfloom.viewer.feed import Feed
+from tfloom.viewer.history import START, Entry, History
+from tfloom.viewer.recorded import RecordedTopics
+
+S = 1_000_000_000
+TYPE = "visualization_msgs/msg/Marker"
+
+
+def cube(number: int, action: int = Marker.ADD, lifetime_s: int = 0, x: float = 0.0) -> bytes:
+    made = marker(Marker.CUBE, number, header=header("map"), action=action, lifetime=Duration(sec=lifetime_s))
+    made.pose.position.x = x
+    return cdr.encode(made)
+
+
+@lru_cache
+def decode(data: bytes) -> Any:
+    return cdr.decode(Marker, data)
+
+
+class Shown:
+    """What a feed of markers shows."""
+
+    def __init__(self, messages: Any, decode: Callable[[bytes], Any] = decode) -> None:
+        kind = kind_of("/m", TYPE)
+        assert kind is not None
+        self.feed = Feed("/m", kind, messages, decode)
+        self.buffer = Buffer()
+        self.buffer.set_log_callback(None)
+
+    def at(self, held_ns: int | None, now_ns: int = 0) -> list[float]:
+        """Return the x of each cube at a time."""
+        placed = self.feed.draw(self.buffer, "map", held_ns, now_ns if held_ns is None else held_ns)
+        return sorted(pose[0][0] for _, pose in placed if pose is not None)
+
+
+def picture(entries: Iterable[Entry], now_ns: int) -> list[float]:
+    """Return the x of each cube after some messages."""
+    display = MarkerDisplay()
+    for entry in entries:
+        display.take(decode(entry.data), entry.stamp_ns)
+    return sorted(placed.position[0] for placed in display.shapes(now_ns))
+
+
+def random_cube(chance: random.Random, x: float) -> bytes:
+    """Return a marker that is added, changed, deleted, or ends; or one that deletes all."""
+    action = chance.choices((Marker.ADD, Marker.DELETE, Marker.DELETEALL), (20, 4, 1))[0]
+    return cube(chance.randrange(12), action, chance.choice((0, 0, 0, 3)), x)
+
+
+@pytest.fixture(params=[1, 3, 256])
+def state_messages(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[int]:
+    """Keep a state after so few messages that tests have many."""
+    monkeypatch.setattr(replay, "STATE_MESSAGES", request.param)
+    monkeypatch.setattr(replay, "MAX_STATES", 7)
+    return request.param
+
+
+# Live.
+
+
+def test_markers_of_one_stamp_and_older_ones_are_shown() -> None:
+    history = History(60 * S)
+    shown = Shown(history)
+    for number, sec in enumerate((10, 10, 9, 11, 10, 1)):
+        history.add(Entry(sec * S, cube(number, x=float(number))))
+        assert shown.at(None) == [float(other) for other in range(number + 1)]
+    assert shown.at(9 * S) == [2.0, 5.0]
+    assert shown.at(10 * S) == [0.0, 1.0, 2.0, 4.0, 5.0]
+    assert shown.at(None) == [0.0, 1.0, 2.0, 3.0, 4.0, 5.0]
+
+
+def test_marker_beyond_the_history_stays_when_the_time_was_held() -> None:
+    history = History(60 * S)
+    shown = Shown(history)
+    history.add(Entry(1 * S, cube(0, x=0.0)))
+    assert shown.at(None) == [0.0]
+    history.add(Entry(100 * S, cube(1, x=1.0)))
+    assert len(history) == 1
+    assert shown.at(None) == [0.0, 1.0]
+    assert shown.at(90 * S) == [0.0]
+    assert shown.at(None) == [0.0, 1.0]
+    history.add(Entry(101 * S, cube(0, Marker.DELETE)))
+    assert shown.at(90 * S) == [0.0]
+    assert shown.at(None) == [1.0]
+
+
+def test_marker_that_is_far_older_than_the_history_is_added_and_takes_none_away() -> None:
+    history = History(60 * S)
+    shown = Shown(history)
+    for number in range(5):
+        history.add(Entry((1000 + number) * S, cube(number, x=float(number))))
+    history.add(Entry(1 * S, cube(5, x=5.0)))  # as of a clock that went back
+    assert shown.at(None) == [0.0, 1.0, 2.0, 3.0, 4.0, 5.0]
+    history.add(Entry(1005 * S, cube(6, x=6.0)))
+    assert shown.at(None) == [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0]
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_live_picture_is_that_of_all_messages_by_their_arrival_whatever_was_held(
+    seed: int, state_messages: int
+) -> None:
+    chance = random.Random(seed)
+    history = History(10**6 * S)
+    shown = Shown(history)
+    came: list[Entry] = []
+    for number in range(300):
+        for _ in range(chance.randrange(3)):
+            entry = Entry((number + chance.randint(-5, 5) + 10) * S, random_cube(chance, float(number)))
+            came.append(entry)
+            history.add(entry)
+        held_ns = chance.choice((None, None, chance.randrange(320) * S))
+        now_ns = (number + 10) * S
+        until = [entry for entry in came if held_ns is None or entry.stamp_ns <= held_ns]
+        assert shown.at(held_ns, now_ns) == picture(until, now_ns if held_ns is None else held_ns)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_live_picture_is_whole_while_old_messages_are_dropped(
+    seed: int, state_messages: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(history_module, "MAX_ENTRIES", 40)
+    chance = random.Random(seed)
+    history = History(20 * S)
+    shown = Shown(history)
+    came: list[Entry] = []
+    hold_ns: int | None = None
+    for number in range(400):
+        entry = Entry(number * S // 3, random_cube(chance, float(number)))
+        came.append(entry)
+        history.add(entry)
+        oldest_ns, newest_ns = history.until(None)[0].stamp_ns, entry.stamp_ns
+        if chance.random() < 0.1:  # the user takes the slider, or lets it go
+            hold_ns = chance.choice((None, chance.randint(oldest_ns, newest_ns)))
+        held_ns = None if hold_ns is None else max(hold_ns, oldest_ns)
+        if chance.random() < 0.7:
+            until = [other for other in came if held_ns is None or other.stamp_ns <= held_ns]
+            now_ns = newest_ns if held_ns is None else held_ns
+            assert shown.at(held_ns, now_ns) == picture(until, now_ns)
+    kept = shown.feed._replay._log._messages  # type: ignore[union-attr]
+    assert len(kept) <= 40 + 2 * state_messages + 3
+    assert shown.at(None, 10**6 * S) == picture(came, 10**6 * S)
+
+
+def test_first_message_of_a_latched_topic_counts_for_the_time_before_it() -> None:
+    history = History(60 * S, is_latched=True)
+    shown = Shown(history)
+    history.add(Entry(5 * S, cube(0, x=0.0)))
+    history.add(Entry(6 * S, cube(1, x=1.0)))
+    assert shown.at(1 * S) == [0.0]
+    assert shown.at(6 * S) == [0.0, 1.0]
+
+
+def test_wrong_message_is_a_sentence_until_the_next_one_and_hides_no_marker() -> None:
+    history = History(60 * S)
+    shown = Shown(history)
+    history.add(Entry(1 * S, cube(0, x=0.0)))
+    history.add(Entry(2 * S, b"\0\1\0\0"))
+    assert (shown.at(None), bool(shown.feed.status)) == ([0.0], True)
+    assert (shown.at(1 * S), shown.feed.status) == ([0.0], "")
+    assert (shown.at(2 * S), bool(shown.feed.status)) == ([0.0], True)
+    history.add(Entry(3 * S, cube(1, x=1.0)))
+    assert (shown.at(None), shown.feed.status) == ([0.0, 1.0], "")
+
+
+def test_unknown_action_is_a_sentence_and_changes_nothing() -> None:
+    history = History(60 * S)
+    shown = Shown(history)
+    history.add(Entry(1 * S, cube(0, x=0.0)))
+    history.add(Entry(2 * S, cube(0, action=7, x=1.0)))
+    assert shown.at(None) == [0.0]
+    assert "its action is 7" in shown.feed.status
+
+
+# A second life.
+
+
+@pytest.mark.parametrize("held_ns", [None, 1 * S])
+def test_markers_stay_when_pages_come_back_and_later_messages_change_them(held_ns: int | None) -> None:
+    first, second = History(60 * S), History(60 * S)
+    shown = Shown(first)
+    for number in range(3):
+        first.add(Entry((number + 1) * S, cube(number, x=float(number))))
+    shown.at(held_ns)
+    shown.feed.read(second, decode)
+    assert shown.at(None) == [0.0, 1.0, 2.0]
+    first.add(Entry(9 * S, cube(8, x=8.0)))  # nobody reads that any more
+    second.add(Entry(10 * S, cube(0, Marker.DELETE)))
+    second.add(Entry(11 * S, cube(5, x=5.0)))
+    assert shown.at(None) == [1.0, 2.0, 5.0]
+    assert shown.at(10 * S) == [1.0, 2.0]
+    second.add(Entry(12 * S, cube(0, Marker.DELETEALL)))
+    assert shown.at(None) == []
+
+
+def test_numbers_of_a_history_go_on_after_it_was_cleared() -> None:
+    history = History(60 * S)
+    log = history.log()
+    for sec in (1, 2):
+        history.add(Entry(sec * S, b"a"))
+    assert [logged.place[0] for logged in log.after(START, None)] == [0, 1]
+    history.clear()
+    assert history.oldest_number() == 2
+    history.add(Entry(1 * S, b"b"))
+    assert [logged.entry.data for logged in log.after((1, 0), None)] == [b"b"]
+    assert history.oldest_number() == 2
+    assert [logged.place[0] for logged in history.log().after(START, None)] == [2]
+
+
+# Recordings.
+
+
+@pytest.fixture
+def record(tmp_path: Path) -> Callable[[list[Entry]], Path]:
+    def write(entries: list[Entry]) -> Path:
+        folder = tmp_path / "bag"
+        with closing(BagWriter(folder)) as writer:
+            number = writer.add_topic(Topic("/m", TYPE))
+            other = writer.add_topic(Topic("/other", TYPE))
+            for entry in entries:
+                writer.push(number, entry.data, entry.stamp_ns, entry.stamp_ns)
+                writer.push(other, cube(99), entry.stamp_ns, entry.stamp_ns)
+        return folder
+
+    return write
+
+
+@pytest.mark.parametrize("seed", range(2))
+def test_picture_of_a_recording_at_one_time_does_not_depend_on_the_way_there(
+    seed: int, state_messages: int, record: Callable[[list[Entry]], Path]
+) -> None:
+    chance = random.Random(seed)
+    # Some of one time, and a pause in which nothing comes.
+    stamps = sorted(
+        100 * S + chance.randrange(400) * S // 4 + (700 * S) * (part // 300) for part in range(700)
+    )
+    entries = [Entry(stamp_ns, random_cube(chance, float(number))) for number, stamp_ns in enumerate(stamps)]
+    ways = [
+        range(99 * S, 1000 * S, 13 * S),
+        range(1000 * S, 99 * S, -31 * S),
+        [chance.randrange(90 * S, 1000 * S) for _ in range(30)],
+        [chance.choice(stamps) + chance.randint(-1, 1) for _ in range(30)],
+        [1000 * S, 99 * S, 500 * S, 1000 * S, stamps[0], stamps[-1]],
+    ]
+    with open_bag(record(entries)) as bag:
+        for way in ways:
+            shown = Shown(*RecordedTopics(bag).open("/m"))
+            for held_ns in way:
+                until = [entry for entry in entries if entry.stamp_ns <= held_ns]
+                assert shown.at(held_ns) == picture(until, held_ns), (held_ns, list(way)[:5])
+            assert shown.at(None, 10**6 * S) == picture(entries, 10**6 * S)
+
+
+def test_recording_that_pages_come_back_to_shows_its_time_and_nothing_of_before(
+    record: Callable[[list[Entry]], Path],
+) -> None:
+    entries = [Entry((100 + number) * S, cube(number, x=float(number))) for number in range(5)]
+    with open_bag(record(entries)) as bag:
+        topics = RecordedTopics(bag)
+        shown = Shown(*topics.open("/m"))
+        assert shown.at(104 * S) == [0.0, 1.0, 2.0, 3.0, 4.0]
+        topics.close("/m")
+        shown.feed.read(*topics.open("/m"))
+        assert shown.at(102 * S) == [0.0, 1.0, 2.0]
+        assert shown.at(104 * S) == [0.0, 1.0, 2.0, 3.0, 4.0]
+
+
+def test_many_messages_are_read_over_several_pictures_and_the_page_is_told(
+    record: Callable[[list[Entry]], Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(replay, "READ_S", 0.0)
+    entries = [Entry((100 + number) * S, cube(number, x=float(number))) for number in range(40)]
+    with open_bag(record(entries)) as bag:
+        shown = Shown(*RecordedTopics(bag).open("/m"))
+        counts = []
+        while not counts or "more follow" in shown.feed.status:
+            counts.append(len(shown.at(139 * S)))
+            assert len(counts) < 100
+        assert counts == sorted(counts)
+        assert len(counts) > 2
+        assert counts[-1] == 40
+        assert shown.feed.status == ""
+
+
+def test_playing_a_recording_reads_each_part_once_and_keeps_few_states(
+    record: Callable[[list[Entry]], Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(replay, "STATE_MESSAGES", 2)
+    reads: list[int] = []
+    read = recorded._read_entries
+    monkeypatch.setattr(
+        recorded,
+        "_read_entries",
+        lambda bag, topic, start, end: (reads.append(start), read(bag, topic, start, end))[1],
+    )
+    entries = [Entry(100 * S + number * S // 10, cube(number % 7, x=float(number))) for number in range(1000)]
+    with open_bag(record(entries)) as bag:
+        messages, decode_one = RecordedTopics(bag).open("/m")
+        shown = Shown(messages, decode_one)
+        for tick in range(3 * 1000):
+            shown.at(100 * S + tick * S // 30)
+        assert len(reads) == len(set(reads)) <= recorded.STEPS + 1
+        assert len(shown.feed._replay._states) <= replay.MAX_STATES  # type: ignore[union-attr]
+        before = len(reads)
+        shown.at(150 * S)
+        assert len(reads) - before < 20  # from a state near this time
+
+
+def test_array_of_markers_is_taken_in_its_order() -> None:
+    history = History(60 * S)
+    shown = Shown(history, lambda data: cdr.decode(MarkerArray, data))
+    markers = [
+        decode(cube(0, x=0.0)),
+        decode(cube(0, Marker.DELETEALL)),
+        decode(cube(1, x=1.0)),
+        decode(cube(2, x=2.0)),
+    ]
+    history.add(Entry(1 * S, cdr.encode(MarkerArray(markers=markers))))
+    assert shown.at(None) == [1.0, 2.0]
