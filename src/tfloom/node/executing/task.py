@@ -136,11 +136,13 @@ class Future(Generic[T]):
                 return
         self._run_callback(callback)
 
-    def remove_done_callback(self, callback: Callable[[Future[T]], Any]) -> None:
-        """Undo one `add_done_callback`; do nothing for a callback that wasn't added."""
+    def remove_done_callback(self, callback: Callable[[Future[T]], Any]) -> bool:
+        """Undo one `add_done_callback`; return False for a callback that wasn't added, or was called."""
         with self._lock:
-            if callback in self._callbacks:
-                self._callbacks.remove(callback)
+            if callback not in self._callbacks:
+                return False
+            self._callbacks.remove(callback)
+            return True
 
     def when_complete(self, resume: Callable[[], None]) -> None:
         """Call `resume()` on completion, at once if it is complete, on the completing thread; once if added twice.
