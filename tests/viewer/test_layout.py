@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 import random
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -11,6 +13,8 @@ from typing import Any
 import pytest
 import yaml
 
+from tfloom.cli.view import read_config
+from tfloom.rosidl import user_yaml
 from tfloom.viewer.layout.layout import DisplayLayout, Layout, LayoutError, PlotLayout, ViewPoint
 from tfloom.viewer.layout.layout_file import layout_text, read_layout
 
@@ -286,3 +290,53 @@ def outcome(path: Path) -> str:
     if layout.camera is not None:
         assert all(map(math.isfinite, (*layout.camera.position, *layout.camera.look_at)))
     return "named" if unknown else "read"
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("displays:\n" + "- {topic: /a}\n" * 100_000, "view.yaml"),
+        ("displays: [" + "a," * 1_000_000 + "]", "view.yaml"),
+        ("".join(f"k{number}: &a{number} 1\n" for number in range(100_000)), "view.yaml"),
+        ("Visualization Manager:\n  Displays:\n" + "  - {Class: rviz_common/Group}\n" * 60_000, "big.rviz"),
+    ],
+    ids=["displays", "one line", "anchors", "rviz"],
+)
+def test_layout_with_too_many_values_is_refused_before_all_of_it_is_read(
+    write: Write, text: str, name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    counted = itertools.count()
+    compose = user_yaml._Loader.compose_node
+
+    def count(*arguments: Any) -> Any:
+        next(counted)
+        return compose(*arguments)
+
+    monkeypatch.setattr(user_yaml._Loader, "compose_node", count)
+    path = write(text, name)
+    with pytest.raises(LayoutError) as refused:
+        read_layout(path)
+    assert re.fullmatch(
+        rf"{re.escape(str(path))}:\d+: it has more than 20000 keys and values", str(refused.value)
+    )
+    assert next(counted) < 21_000
+
+
+def test_layout_of_two_megabytes_with_few_values_is_read(write: Write) -> None:
+    layout, unknown = read_layout(write("fixed_frame: odom\nnote: |\n" + "  a line of a text\n" * 110_000))
+    assert (layout.fixed_frame, unknown) == ("odom", ["note"])
+
+
+@pytest.mark.parametrize(
+    "text", ["axes: 1" + "0" * 5000, "axes: '" + "x" * 100_000 + "'", "names: [" + "1," * 9000 + "]"]
+)
+def test_mistake_with_a_long_value_is_a_short_sentence(write: Write, text: str) -> None:
+    with pytest.raises(LayoutError) as refused:
+        read_layout(write(text))
+    assert len(str(refused.value).rpartition("view.yaml")[2]) < 150
+
+
+def test_of_many_unknown_names_some_are_printed(write: Write, capsys: pytest.CaptureFixture[str]) -> None:
+    read_config(write("".join(f'"k\\x1b{number}": 1\n' for number in range(50))))
+    printed = capsys.readouterr().err
+    assert printed.endswith("; k\\x1b18; k\\x1b19; and 30 more\n")

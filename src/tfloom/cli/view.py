@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 from tfloom.cli.errors import CommandError
 from tfloom.cli.names import full_topic_name
 from tfloom.cli.numbers import seconds
+from tfloom.terminal_text import shown_part
 from tfloom.tf2_tools.watch.model import STATIC_TOPIC, TF_TOPIC
 from tfloom.viewer.extra import MISSING, is_installed
 
@@ -24,6 +25,8 @@ if TYPE_CHECKING:
 
 PORT = 8765
 HISTORY_S = 60.0
+MAX_UNKNOWN = 20
+"""Number of things that are named of those that a layout has and that are not known here."""
 OPEN_TO_ALL = """\
 Whoever has this address can see what is published here, publish, call services, and drive robots: it has a token, and \
 is not encrypted."""
@@ -154,7 +157,9 @@ def read_config(path: Path) -> Layout:
     except LayoutError as error:
         raise CommandError(str(error)) from None
     if unknown:
-        print(f"{path}: shown without what is not known here: {'; '.join(unknown)}", file=sys.stderr)
+        more = [f"and {len(unknown) - MAX_UNKNOWN} more"] if len(unknown) > MAX_UNKNOWN else []
+        named = "; ".join([*map(shown_part, unknown[:MAX_UNKNOWN]), *more])
+        print(f"{path}: shown without what is not known here: {named}", file=sys.stderr)
     return layout
 
 

@@ -1,13 +1,14 @@
 """The loader of all YAML that a user gives: in a file, in an argument, on standard input.
 
 YAML's aliases may make a text of a hundred bytes stand for more values than fit into memory, and nested collections
-exhaust the stack of a recursive program. So both have limits here. Text without aliases may have any length.
-Tabs stand where rcl takes them, see `yaml_scanner`.
+exhaust the stack of a recursive program. So both have limits here. Text without aliases may have any length, unless the
+caller gives a limit: a hundred thousand values take seconds. Tabs stand where rcl takes them, see `yaml_scanner`.
 Import this module where it is used, because yaml takes 15 ms to load.
 """
 
 from __future__ import annotations
 
+import reprlib
 from collections.abc import Callable
 from typing import Any
 
@@ -60,12 +61,14 @@ class YamlLimitError(YamlError):
 class _Loader(TabScanner, Parser, Composer, SafeConstructor, Resolver):
     """Loads plain values, and measures them while they are composed."""
 
-    def __init__(self, text: str) -> None:
+    def __init__(self, text: str, max_values: int | None = None) -> None:
         TabScanner.__init__(self, text)
         Parser.__init__(self)
         Composer.__init__(self)
         SafeConstructor.__init__(self)
         Resolver.__init__(self)
+        self._max_values = max_values
+        self._value_count = 0
         self._level = 0
         self._deepest = 0
         self._total = 0
@@ -91,6 +94,9 @@ class _Loader(TabScanner, Parser, Composer, SafeConstructor, Resolver):
             node = super().compose_node(parent, index)
             self._count_alias(event.anchor, mark)
             return node
+        self._value_count += 1
+        if self._max_values is not None and self._value_count > self._max_values:
+            raise YamlLimitError(f"it has more than {self._max_values} keys and values", mark)
         before, deepest = self._total, self._deepest
         self._total += 1 + len(getattr(event, "value", ""))
         self._enter(1, mark)
@@ -144,7 +150,7 @@ class _Loader(TabScanner, Parser, Composer, SafeConstructor, Resolver):
                 raise
             kind = node.tag.rpartition(":")[2]
             raise yaml.constructor.ConstructorError(
-                None, None, f"{node.value!r} is no {kind}", node.start_mark
+                None, None, f"{reprlib.repr(node.value)} is no {kind}", node.start_mark
             ) from None
         if self.marks_quoted and isinstance(value, str) and node.style in ("'", '"'):
             return QuotedText(value)
@@ -164,7 +170,7 @@ def load(text: str) -> Any:
 
 
 def load_placed(
-    text: str, repeating: str | None = None, *, mark_quoted: bool = False
+    text: str, repeating: str | None = None, *, mark_quoted: bool = False, max_values: int | None = None
 ) -> tuple[Any, dict[int, int]]:
     """Return the value of a YAML text, and the line of each mapping and list, from 1, by the id of its value.
 
@@ -172,10 +178,11 @@ def load_placed(
         text: The text.
         repeating: A key of the outermost mapping by which files are known that may repeat keys; the last value counts.
         mark_quoted: Whether texts in quotes are QuotedText.
+        max_values: Number of keys and values that it may have, aliases not expanded.
 
     Raises:
         YamlError: as `load`, or a mapping has the same key twice.
-        YamlLimitError: as `load`.
+        YamlLimitError: as `load`, or there are more than `max_values`.
     """
     lines: dict[int, int] = {}
 
@@ -190,7 +197,7 @@ def load_placed(
         lines.update(loader.lines)
         return value
 
-    return _read(text, read), lines
+    return _read(text, read, max_values), lines
 
 
 def compose_all(text: str) -> list[Any]:
@@ -235,9 +242,9 @@ def _refuse_repeated_keys(root: Any) -> None:
             nodes += node.value
 
 
-def _read(text: str, method: Callable[[_Loader], Any]) -> Any:
+def _read(text: str, method: Callable[[_Loader], Any], max_values: int | None = None) -> Any:
     try:
-        loader = _Loader(text)
+        loader = _Loader(text, max_values)
         try:
             return method(loader)
         finally:

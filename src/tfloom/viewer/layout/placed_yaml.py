@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import reprlib
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, TypeVar
@@ -13,6 +14,8 @@ __all__ = ["PlacedYaml"]
 
 Container = TypeVar("Container", dict[Any, Any], list[Any])
 MAX_BYTES = 4 * 1024 * 1024
+MAX_VALUES = 20_000
+"""Number of keys and values of a file, which take a second: many times those of RViz's files."""
 
 
 class PlacedYaml:
@@ -33,7 +36,7 @@ class PlacedYaml:
                 data = file.read(MAX_BYTES + 1)
             if len(data) > MAX_BYTES:
                 raise LayoutError(f"{path}: it has more than {MAX_BYTES} bytes")
-            root, self._lines = user_yaml.load_placed(data.decode(), repeating)
+            root, self._lines = user_yaml.load_placed(data.decode(), repeating, max_values=MAX_VALUES)
         except OSError as error:
             raise LayoutError(f"{path}: {error.strerror or error}") from None
         except UnicodeDecodeError as error:
@@ -84,7 +87,7 @@ class PlacedYaml:
         """
         value = holder.get(key, default)
         if not isinstance(value, str):
-            raise self.error(holder, f"{key} has to be a text, not {value!r}")
+            raise self.error(holder, f"{key} has to be a text, not {reprlib.repr(value)}")
         return value
 
     def flag(self, holder: Mapping[Any, Any], key: str, *, default: bool) -> bool:
@@ -95,7 +98,7 @@ class PlacedYaml:
         """
         value = holder.get(key, default)
         if not isinstance(value, bool):
-            raise self.error(holder, f"{key} has to be true or false, not {value!r}")
+            raise self.error(holder, f"{key} has to be true or false, not {reprlib.repr(value)}")
         return value
 
     def number(self, holder: Mapping[Any, Any], key: str, default: float) -> float:
@@ -106,7 +109,7 @@ class PlacedYaml:
         """
         value = holder.get(key, default)
         if isinstance(value, bool) or not isinstance(value, (int, float)) or not abs(value) < 1e12:
-            raise self.error(holder, f"{key} has to be a finite number, not {value!r}")
+            raise self.error(holder, f"{key} has to be a finite number, not {reprlib.repr(value)}")
         return float(value)
 
     def point(self, holder: Mapping[Any, Any], key: str) -> tuple[float, float, float]:
@@ -124,4 +127,6 @@ class PlacedYaml:
                 abs(part) < 1e12 for part in numbers
             ):  # neither nan nor beyond a float
                 return float(numbers[0]), float(numbers[1]), float(numbers[2])
-        raise self.error(holder, f"{key} has to be three numbers, as [1.0, 2.0, 3.0], not {value!r}")
+        raise self.error(
+            holder, f"{key} has to be three numbers, as [1.0, 2.0, 3.0], not {reprlib.repr(value)}"
+        )
