@@ -3,19 +3,24 @@
 from __future__ import annotations
 
 import argparse
+import itertools
 import math
+import signal
 import socket
+import sys
 import urllib.error
 import urllib.request
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
 
 import msgspec
 import numpy as np
+import psutil
 import pytest
-from tests.conftest import wait_until
+from tests.conftest import Program, python_with, wait_until
 from tests.viewer.conftest import Page
 from tests.viewer.messages import cloud, header, marker, pose
 from tests.viewer.scenes import Scene, take_all
@@ -35,6 +40,7 @@ from tfloom.tf2_tools.text.transform import transform_text
 from tfloom.viewer import page_server, program
 from tfloom.viewer.layout.layout import DisplayLayout, Layout, PlotLayout, ViewPoint
 from tfloom.viewer.layout.layout_file import read_layout
+from tfloom.viewer.log_lines import MAX_LINES
 from tfloom.viewer.page_server import _is_allowed
 from tfloom.viewer.program import Viewer
 from tfloom.viewer.tools import Tools
@@ -752,3 +758,97 @@ def test_trails_that_a_layout_has_too_many_of_are_named_on_the_page(
     assert len(page.state["trails"]) == 20
     said = page.wait_for(lambda: [line["text"] for line in page.log if "trails" in line["text"]])
     assert said == ["there are at most 20 trails; those of these frames are not shown: frame_20, frame_21"]
+
+
+def test_new_page_gets_the_last_lines_and_an_open_one_each_line_once_also_after_the_first_are_dropped(
+    viewer: Viewer, open_page: OpenPage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(viewer._live.log, "take", list)  # the lines below are the only ones
+    page = open_page(viewer)
+    number = itertools.count()
+    for count in (MAX_LINES - 100, 300, MAX_LINES + 50, 1):
+        added = [str(next(number)) for _ in range(count)]
+        page.log.clear()
+        viewer.pages.add_lines([{"text": text} for text in added], MAX_LINES)
+        page.wait_for(lambda page=page: page.log)
+        # Of more than are kept, the last ones.
+        assert [line["text"] for line in page.log] == added[-MAX_LINES:]
+        late = open_page(viewer)
+        late.wait_for(lambda late=late: late.log)
+        last = added[-1]
+        assert late.log[-1]["text"] == last
+        assert [int(line["text"]) for line in late.log] == list(range(int(last) - 499, int(last) + 1))
+    assert len(viewer.pages._lines) == MAX_LINES
+
+
+def test_tools_that_were_closed_are_opened_by_the_next_use(spun: Node, viewer: Viewer) -> None:
+    live = viewer._live
+    goals: list[PoseStamped] = []
+    spun.create_subscription(PoseStamped, "/goal_pose", goals.append, 10)
+    tools = Tools(live.participant, next(iter(live.participant.graph.nodes())), lambda: 5 * 10**9)
+    others = spun.count_publishers("/goal_pose")
+    for _ in range(2):
+        tools.open()
+        tools.open()
+        wait_until(lambda: spun.count_publishers("/goal_pose") == others + 1, what="one publisher")
+        goals.clear()
+        wait_until(lambda: tools.use("goal", "map", (1.0, 2.0), (1.0, 3.0)) and goals, what="a goal")
+        tools.close()
+        wait_until(lambda: spun.count_publishers("/goal_pose") == others, what="no publisher")
+    tools.close()
+
+
+def test_connections_that_ask_for_nothing_sensible_print_nothing(
+    domain_id: int, start_program: Callable[..., Program]
+) -> None:
+    view = start_program("tfloom", "view", "--no-open", "--port", "0")
+    view.wait_for("Open http://127.0.0.1:")
+    ports = [
+        listener.laddr.port
+        for listener in psutil.Process(view.process.pid).net_connections("tcp")
+        if listener.status == psutil.CONN_LISTEN
+    ]
+    assert len(ports) >= 2  # that of pages, and viser's
+    for port in ports:
+        for data in (
+            *(b"", b"GET", b"\x16\x03\x01\x00", b"GET / HTTP/1.1\r\n\r\n"),
+            *(b"POST / HTTP/1.1\r\nContent-Length: 3\r\n\r\nabc", b"GET / HTTP/1.1\r\nX: " + b"y" * 100_000),
+            b"GET /api HTTP/1.1\r\nHost: 127.0.0.1\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n\r\n",
+        ):
+            with suppress(ConnectionError), socket.create_connection(("127.0.0.1", port)) as stranger:
+                stranger.sendall(data)
+                stranger.shutdown(socket.SHUT_WR)
+                while stranger.recv(65536):
+                    pass
+    view.signal(signal.SIGINT)
+    assert view.wait() == 0
+    assert len(view.lines) == 1, view.output
+
+
+PICTURE_FOR_EVER = """\
+import itertools, time
+from tfloom.cli.main import main
+from tfloom.viewer.view import View
+
+def draw(self):
+    print("draws", flush=True)
+    for number in itertools.count():
+        time.sleep(0.001)
+
+View.draw = draw
+sys.exit(main(["view", "--no-open", "--port", "0"]))
+"""
+
+
+@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="needs a timer's signal")
+@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM"])
+def test_picture_that_takes_for_ever_does_not_keep_the_program_from_its_end(
+    domain_id: int, start_program: Callable[..., Program], name: str
+) -> None:
+    view = start_program(sys.executable, *python_with({}, PICTURE_FOR_EVER))
+    address = view.wait_for("Open http://127.0.0.1:").removeprefix("Open http://")
+    with connect(f"ws://{address}api", proxy=None):
+        view.wait_for("draws")
+        view.signal(getattr(signal, name))
+        assert view.wait() == 0
+    assert "Traceback" not in view.output

@@ -25,6 +25,8 @@ if TYPE_CHECKING:
 
 PORT = 8765
 HISTORY_S = 60.0
+MAX_END_S = 0.5
+"""How long a picture may take after Ctrl-C until it is given up [s]: one of many thousand frames takes seconds."""
 MAX_UNKNOWN = 20
 """Number of things that are named of those that a layout has and that are not known here."""
 OPEN_TO_ALL = """\
@@ -121,10 +123,9 @@ def serve(args: argparse.Namespace, *, needs_terminal: bool) -> int:
     if not is_installed():
         raise CommandError(MISSING.format(name="`tfloom view`"))
     layout = None if args.config is None else read_config(args.config)
-    over = threading.Event()
-    for name in ("SIGINT", "SIGTERM"):
-        signal.signal(getattr(signal, name), lambda *_: over.set())
+    over = _set_by_signals()
     with _open_viewer(args) as viewer:
+        _interrupt_by_alarm(viewer)
         viewer.layout_path = args.save_config
         if layout is not None:
             # What the command line says counts before the file.
@@ -141,6 +142,28 @@ def serve(args: argparse.Namespace, *, needs_terminal: bool) -> int:
             webbrowser.open(viewer.pages.address)
         viewer.run(over.is_set)
     return 0
+
+
+def _set_by_signals() -> threading.Event:
+    """Return an event that Ctrl-C and SIGTERM set; an alarm follows."""
+    over = threading.Event()
+
+    def end(*_: object) -> None:
+        over.set()
+        if hasattr(signal, "setitimer"):
+            signal.setitimer(signal.ITIMER_REAL, MAX_END_S)
+
+    for name in ("SIGINT", "SIGTERM"):
+        signal.signal(getattr(signal, name), end)
+    if hasattr(signal, "SIGALRM"):
+        signal.signal(signal.SIGALRM, lambda *_: None)
+    return over
+
+
+def _interrupt_by_alarm(viewer: Viewer) -> None:
+    """Let the alarm end what is drawn."""
+    if hasattr(signal, "SIGALRM"):
+        signal.signal(signal.SIGALRM, lambda *_: viewer.interrupt())
 
 
 def read_config(path: Path) -> Layout:

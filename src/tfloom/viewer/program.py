@@ -55,6 +55,10 @@ LIVE_COMMANDS = FORM_COMMANDS | {"floor", "drive", "graph", "parameters", "set_p
 """Commands that a recording has nobody for."""
 
 
+class _InterruptedError(BaseException):
+    """What is drawn is ended. No part's failure, which `except Exception` is for."""
+
+
 class Viewer:
     """Shows transforms and topics to pages; a context manager that closes its ports on exit.
 
@@ -105,6 +109,8 @@ class Viewer:
         """By page, the topic whose fields it asked for last, while the type of this topic is searched for."""
         self._is_open = False
         self._is_over: Callable[[], bool] = lambda: False
+        self._is_at_work = False
+        """Whether `interrupt` may end what is done."""
         self._layout = Layout()
         """What is shown from the start."""
         self._unplaced: set[str] = set()
@@ -136,6 +142,25 @@ class Viewer:
     def run(self, is_over: Callable[[], bool]) -> None:
         """Draw for the open pages until it is over; from then on, no page drives."""
         self._is_over = is_over
+        try:
+            self._is_at_work = True
+            self._draw_until(is_over)
+            self._is_at_work = False
+        except _InterruptedError:
+            pass
+        finally:
+            self._is_at_work = False
+            if self._live is not None:
+                self._live.driving.close()
+            self._close()
+
+    def interrupt(self) -> None:
+        """End what `run` does, however long that takes; in a handler of a signal, on the thread that runs."""
+        if self._is_at_work:
+            self._is_at_work = False
+            raise _InterruptedError
+
+    def _draw_until(self, is_over: Callable[[], bool]) -> None:
         next_draw_s = next_state_s = 0.0
         while not is_over():
             now_s = time.monotonic()
@@ -160,9 +185,6 @@ class Viewer:
                 for page, topic in asked.items():
                     self._do(page, {"op": "plot_fields", "topic": topic})
                 self._try("the state can't be sent", self._publish)
-        self._close()
-        if self._live is not None:
-            self._live.driving.close()
 
     def _open(self) -> None:
         self._is_open = True

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import io
+import logging
 import secrets
 import warnings
 from collections.abc import Iterator
@@ -37,6 +38,7 @@ class SceneServer:
     """
 
     def __init__(self) -> None:
+        logging.getLogger("websockets.server").addFilter(_is_not_of_a_stranger)
         self.key = secrets.token_urlsafe(24)
         self._clients: dict[str, int] = {}
         """Viser's number of the client of each page."""
@@ -115,6 +117,11 @@ class SceneServer:
         """Close all connections, and the port."""
         with _without_words():
             self._server.stop()
+
+
+def _is_not_of_a_stranger(record: logging.LogRecord) -> bool:
+    """Return False for the traceback of a connection that asks for nothing sensible, as a port scanner's."""
+    return record.getMessage() != "opening handshake failed"
 
 
 def is_readable(data: bytes) -> bool:
