@@ -82,11 +82,12 @@ def test_wait_lasts_until_nothing_new_arrives(
     [([0.6], 5.0, 0.6), ([], 5.0, graph.MIN_WAIT_S + graph.PATIENCE_S), ([], 0.4, 0.4)],
     ids=["it comes", "it never comes", "for so long at most"],
 )
-def test_wait_lasts_while_announced_entities_are_missing(
-    changes_s: list[float], most_s: float, at_least_s: float
+def test_wait_lasts_while_announced_entities_are_missing_and_tells_if_they_never_come(
+    changes_s: list[float], most_s: float, at_least_s: float, capsys: pytest.CaptureFixture[str]
 ) -> None:
     duration = waited(changes_s, most_s, whole_from=1)
     assert at_least_s <= duration < at_least_s + 0.6 + graph.MAX_LATE_S
+    assert capsys.readouterr().err == ("" if changes_s else f"{graph.MISSING}\n")
 
 
 WAITING = "waiting for the nodes of 1 participant of Fast DDS, which lists them up to 3 s late\n"

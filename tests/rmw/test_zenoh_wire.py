@@ -12,8 +12,9 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
-from contextlib import ExitStack, contextmanager, suppress
+from contextlib import ExitStack, closing, contextmanager, suppress
 from itertools import pairwise
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -22,7 +23,14 @@ from tests.rmw.conftest import Peer, outputs_by_end
 from tests.zenoh_ports import use_port_of
 
 from tfloom._native import ReadyQueue, SampleQueue
-from tfloom.rmw import zenoh_attachment, zenoh_graph, zenoh_library, zenoh_services
+from tfloom.rmw import (
+    zenoh_announced,
+    zenoh_attachment,
+    zenoh_config,
+    zenoh_graph,
+    zenoh_library,
+    zenoh_services,
+)
 from tfloom.rmw.base import NodeName, Participant, Reader, Requester, Sample, Service, Topic
 from tfloom.rmw.endpoint_events import READER_EVENTS, EndpointEvents
 from tfloom.rmw.errors import ClosedError, ForeignPeerError, NoBackendError, WireError
@@ -41,7 +49,8 @@ from tfloom.rmw.zenoh_events import MIN_PERIOD_S, Timers
 from tfloom.rmw.zenoh_graph import ZenohGraph
 from tfloom.rmw.zenoh_library import signals_deferred
 from tfloom.rmw.zenoh_services import ZenohRequester, ZenohResponder
-from tfloom.rmw.zenoh_tokens import End, Kind, Token, data_key, gid_of, token_key
+from tfloom.rmw.zenoh_session import open_session
+from tfloom.rmw.zenoh_tokens import PREFIX, End, Kind, Token, data_key, gid_of, token_key
 
 zenoh = pytest.importorskip("zenoh", reason="eclipse-zenoh is not installed: pip install 'tfloom[zenoh]'")
 
@@ -1156,20 +1165,136 @@ def test_a_writer_that_asserts_nothing_is_not_alive_until_it_writes(participant:
     wait_until(lambda: reader.events._statuses[Event.LIVELINESS_CHANGED][:2] == (0, 0))
 
 
-def test_a_graph_beside_others_is_whole_when_one_has_told_of_itself(
-    participant: Participant, plain: Any
+class Router:
+    """The router of a participant, of whose tokens a graph of another session hears nothing by itself."""
+
+    def __init__(self, participant: Any, plain: Any, domain_id: int) -> None:
+        self.domain_id = domain_id
+        self.plain = plain
+        self.open = participant._session.open_client
+        self.tokens: list[Any] = []
+        self.open_count = 0
+        self.is_silent = False
+
+    def open_client(self) -> Any:
+        self.open_count += 1
+        if self.is_silent:
+            raise zenoh.ZError("no answer")
+        return self.open()
+
+    def declare(self, key: str) -> str:
+        self.tokens.append(self.plain.liveliness().declare_token(key))
+        return key
+
+    def key(self, number: int, kind: Kind = Kind.NODE) -> str:
+        node = NodeName("/", f"n{number}")
+        return token_key(Token(self.domain_id, str(self.plain.zid()), number, number, kind, "/", node, None))
+
+
+@pytest.fixture
+def router(participant: Participant, plain: Any) -> Router:
+    return Router(participant, plain, 200)  # a domain that has nothing else
+
+
+@pytest.fixture
+def deaf(router: Router, monkeypatch: pytest.MonkeyPatch) -> Iterator[ZenohGraph]:
+    """Yield the graph of a session that is linked to nothing."""
+    monkeypatch.setattr(zenoh_announced, "AGAIN_S", 0.01)
+    config = zenoh_config.default_configuration(
+        {**zenoh_config.session_settings(), "connect/endpoints": [], "scouting/gossip/enabled": False}
+    )
+    with zenoh.open(config) as session:
+        graph = ZenohGraph(session, router.domain_id, str(session.zid()), open_client=router.open_client)
+        yield graph
+        graph.close()
+    assert not [thread for thread in threading.enumerate() if thread.name == "tfloom_zenoh_announced"]
+
+
+def test_a_graph_is_whole_when_all_tokens_of_the_router_are_here(router: Router, deaf: ZenohGraph) -> None:
+    first, second, third = (router.declare(router.key(number)) for number in range(3))
+    router.declare(f"{PREFIX}/{router.domain_id}/of/another/form")
+    deaf.add_own(first)  # as of another session
+    wait_until(lambda: not deaf.is_whole() and router.open_count >= 3)  # it has replied
+    deaf.add_own(second)
+    router.open_count = 0
+    wait_until(lambda: not deaf.is_whole() and router.open_count >= 3)
+    deaf.add_own(third)
+    wait_until(deaf.is_whole)
+    router.open_count = 0
+    assert deaf.is_whole()
+    assert router.open_count == 0
+
+
+def test_a_token_that_has_ended_is_awaited_no_longer(router: Router, deaf: ZenohGraph) -> None:
+    router.declare(router.key(1))
+    wait_until(lambda: not deaf.is_whole() and router.open_count >= 3)
+    router.tokens.pop().undeclare()
+    wait_until(deaf.is_whole)
+
+
+def test_a_graph_is_not_whole_while_the_router_is_silent(router: Router, deaf: ZenohGraph) -> None:
+    router.is_silent = True
+    wait_until(lambda: not deaf.is_whole() and router.open_count >= 3)
+    router.is_silent = False
+    wait_until(deaf.is_whole)
+
+
+def test_a_graph_that_keeps_no_more_tokens_awaits_none(
+    router: Router, deaf: ZenohGraph, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    monkeypatch.setattr(zenoh_graph, "MAX_TOKENS", 1)
+    for number in range(3):
+        router.declare(router.key(number))
+    deaf.add_own(router.key(0))
+    wait_until(deaf.is_whole)
+
+
+def test_a_graph_that_closes_while_its_router_is_asked_leaves_no_thread(
+    router: Router, deaf: ZenohGraph, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    opening, closing = threading.Event(), threading.Event()
+
+    def open_late() -> Any:
+        opening.set()
+        closing.wait(30)
+        return router.open()
+
+    monkeypatch.setattr(deaf._announced, "_open_client", open_late)
+    assert not deaf.is_whole()
+    assert opening.wait(30)
+    late = threading.Timer(0.1, closing.set)
+    late.start()
+    deaf.close()
+    assert closing.is_set()
+    assert not deaf.is_whole()
+    assert not [thread for thread in threading.enumerate() if thread.name == "tfloom_zenoh_announced"]
+    late.join()
+
+
+def test_the_owner_of_the_router_awaits_nobody_and_others_await_it(
+    participant: Participant, domain_id: int
+) -> None:
+    from tfloom.rmw.zenoh_wire import open_participant
+
     assert participant.graph.is_whole()
-    domain, zid = 231, str(plain.zid())
-    graph = ZenohGraph(plain, domain, zid, expects_others=True)
-    own = Token(domain, zid, 0, 0, Kind.NODE, "/", NODE, None)
-    graph.add_own(token_key(own))
-    assert not graph.is_whole()
-    session = participant._session.session
-    other = session.liveliness().declare_token(token_key(own._replace(zid=str(session.zid()))))
-    wait_until(graph.is_whole)
-    other.undeclare()
-    graph.close()
+    other = open_participant(domain_id)
+    assert not other.graph.is_whole()
+    wait_until(other.graph.is_whole)
+    assert other.graph.nodes() == [NODE]
+    other.close()
+
+
+def test_a_second_session_is_a_client_with_an_id_of_its_own(
+    participant: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    file = tmp_path / "session.json5"
+    file.write_text('{id: "c0ffee", mode: "peer"}')
+    monkeypatch.setenv("ZENOH_SESSION_CONFIG_URI", str(file))
+    with closing(open_session()) as opened, opened.open_client() as client:
+        assert opened.zid == "c0ffee"
+        assert str(client.zid()) != "c0ffee"
+        routers = {str(zid) for zid in opened.session.info.routers_zid()}
+        assert {str(zid) for zid in client.info.routers_zid()} == routers
 
 
 @contextmanager

@@ -35,6 +35,9 @@ LATE_WEIGHT = 4.0
 """Additional wait for each second by which sleeps ended late [s]."""
 MAX_WAIT_S = 5.0
 """The longest wait without --spin-time [s]."""
+MISSING = (
+    "nodes may be missing: not all that programs have announced has arrived (is one stopped, or very busy?)"
+)
 
 TOPICS_OF_EVERY_NODE = {
     "/parameter_events": "rcl_interfaces/msg/ParameterEvent",
@@ -87,12 +90,13 @@ def wait_until_quiet(graph: Graph, most_s: float) -> None:
 
     It waits longer while announced entities are missing: up to `PATIENCE_S`, or up to `LATE_PEERS_S` and with a message
     on stderr where they are of Fast DDS. It also does if this process was scheduled late, up to `MAX_LATE_S`, because
-    the others may be late, too.
+    the others may be late, too. Where something is missing after that, a message on stderr says so.
     """
     queue = ReadyQueue()
     start = time.monotonic()
     has_told = False
     graph.notify(queue)
+    graph.is_whole()  # on Zenoh, this begins to ask the router for what it has, which takes some time
     try:
         # `quiet` is the time at which nothing new has come for long enough. Each change moves it, and each sleep that
         # ended late, because on a busy machine a process that announces itself is late as well.
@@ -111,9 +115,11 @@ def wait_until_quiet(graph: Graph, most_s: float) -> None:
                 # a moment. A process that ends releases its ports and is no longer missing, which posts no token.
                 late = graph.late_count()
                 patience_s = LATE_PEERS_S if late else PATIENCE_S
-                if now >= min(until + patience_s, start + most_s) or graph.is_whole():
+                if (is_whole := graph.is_whole()) or now >= min(until + patience_s, start + most_s):
                     if late:
                         _print_notice(f"nodes may be missing: {_participants(late)} did not list them")
+                    elif not is_whole:
+                        _print_notice(MISSING)
                     return
                 until = now + LOOK_S
             asked_s = min(until - now, LOOK_S)

@@ -15,6 +15,7 @@ from tfloom._native import ReadyQueue
 from tfloom.rmw.base import EndpointInfo, NodeName, ParticipantInfo, ServiceEndInfo, Topic
 from tfloom.rmw.callback_files import callback_files
 from tfloom.rmw.topic_names import type_to_dds
+from tfloom.rmw.zenoh_announced import AnnouncedTokens
 from tfloom.rmw.zenoh_library import open_library, signals_deferred
 from tfloom.rmw.zenoh_session import refuse_fork
 from tfloom.rmw.zenoh_tokens import PREFIX, End, Kind, Token, TokenError, gid_of, parse_token, token_pattern
@@ -73,12 +74,20 @@ class ZenohGraph:
         session: The `zenoh.Session`.
         domain_id: The domain.
         zid: The session's id.
-        expects_others: Whether it found a router that was there, so that there are other sessions, too, as a rule.
+        open_client: Opens a second session, as a client of the router; see `AnnouncedTokens`. None: there is none, or
+            it is this process's own.
     """
 
-    def __init__(self, session: Any, domain_id: int, zid: str, *, expects_others: bool = False) -> None:
+    def __init__(
+        self,
+        session: Any,
+        domain_id: int,
+        zid: str,
+        *,
+        open_client: Callable[[], Any] | None = None,
+    ) -> None:
         self.zid = zid
-        self._expects_others = expects_others
+        self._announced = open_client and AnnouncedTokens(open_client, token_pattern(domain_id))
         self._own_prefix = f"{PREFIX}/{domain_id}/{zid}/"
         self._lock = threading.Lock()
         self._entities: dict[str, _Entity] = {}
@@ -115,12 +124,9 @@ class ZenohGraph:
 
     def _add(self, key: str) -> None:
         # After a reconnection all tokens of that link come again, with no deletion before: a known one changes nothing.
-        if key in self._entities or len(key) > MAX_KEY_LENGTH:
+        if key in self._entities or (token := self._parsed(key)) is None:
             return
-        try:
-            entity = _Entity(key, parse_token(key))
-        except TokenError:
-            return
+        entity = _Entity(key, token)
         with self._lock:
             if key in self._entities:
                 return
@@ -134,6 +140,14 @@ class ZenohGraph:
                 afterwards.append(_report_overflow)
         for call in filter(None, afterwards):
             call()
+
+    @staticmethod
+    def _parsed(key: str) -> Token | None:
+        """Return the token of a key; None if it has another form."""
+        try:
+            return parse_token(key) if len(key) <= MAX_KEY_LENGTH else None
+        except TokenError:
+            return None
 
     def _remove(self, key: str) -> None:
         with self._lock:
@@ -251,15 +265,17 @@ class ZenohGraph:
         return self._changes
 
     def is_whole(self) -> bool:
-        """Return whether a token of another session has come, where there are others.
+        """Return whether all tokens that the router has have come. The first call begins to ask it, and returns False.
 
-        Nothing tells of the last one: a query of all tokens ends early, with none or some of them, where the link to
-        the router is as young as that of a session that has just been opened.
+        Where the router is this process's own, there are no others, as a rule.
         """
-        if not self._expects_others:
-            return True
-        with self._lock:
-            return any(entity.token.zid != self.zid for entity in self._entities.values())
+        return self._announced is None or self._announced.are_here(self._lacks)
+
+    def _lacks(self, key: str) -> bool:
+        """Return whether a token is to come: it isn't here, and would be kept."""
+        if key in self._entities or key.startswith(self._own_prefix) or len(self._entities) >= MAX_TOKENS:
+            return False
+        return self._parsed(key) is not None
 
     def delivers_incompatible(self) -> bool:
         """Return True: keys connect endpoints, and they tell nothing of qualities."""
@@ -276,6 +292,8 @@ class ZenohGraph:
 
     def close(self) -> None:
         """Stop listening."""
+        if self._announced is not None:
+            self._announced.close()
         with signals_deferred(), suppress(Exception):  # a ZError: the session has ended before
             self._subscriber.undeclare()
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import atexit
+import json
 import os
 import sys
 import threading
@@ -33,8 +34,10 @@ FLUSH_S = 0.05
 
 Zenoh's word of the end of a link overtakes the samples in its queue, and nothing tells when that is empty.
 """
+CLIENT_LIMIT_S = 1.0
+"""How long a router may take to accept a client that asks for its tokens [s]."""
 CLOSE_LIMIT_S = 1.0
-"""How long the close of a session that is linked to no router is waited for [s]."""
+"""How long the close of a peer's session is waited for [s]."""
 
 FORK_ADVICE = (
     "this process was forked after that, and a fork has none of Zenoh's threads: start the child by "
@@ -104,6 +107,30 @@ class ZenohSession:
         """Return, for each of `endpoints`, why there is no link, in one line."""
         return why_no_links(self._config)
 
+    def open_client(self) -> Any:
+        """Open a second `zenoh.Session`, a client of the router, which must be closed.
+
+        Raises:
+            ZError: the router doesn't answer within `CLIENT_LIMIT_S`.
+        """
+        zenoh = open_library()
+        values = json.loads(str(self._config))
+        values.pop("id", None)  # where the configuration states one, it is the first session's
+        config = zenoh.Config.from_json5(
+            json.dumps({key: part for key, part in values.items() if part is not None})
+        )
+        settings = {
+            "mode": "client",
+            "connect/endpoints": self.endpoints,
+            "connect/timeout_ms": round(1000 * CLIENT_LIMIT_S),
+            "connect/exit_on_failure": True,
+            "listen/endpoints": [],
+            "scouting/multicast/enabled": False,
+        }
+        for key, setting in settings.items():
+            config.insert_json5(key, json.dumps(setting))
+        return zenoh.open(config)
+
     def wait_for_router(self, timeout_s: float) -> bool:
         """Wait until the session is linked to a router, and return whether it is.
 
@@ -120,8 +147,8 @@ class ZenohSession:
     def close(self) -> None:
         """Leave, after all that was written has been sent. A router in this process ends, and another takes over.
 
-        Zenoh waits some seconds for a linked router that is stopped and takes nothing; a line tells it then. It must
-        not be called in a callback of Zenoh. A second call, and one in a forked child, does nothing.
+        Of a client Zenoh waits some seconds for a router that is stopped and takes nothing; a line tells it then. It
+        must not be called in a callback of Zenoh. A second call, and one in a forked child, does nothing.
         """
         if self._is_closed or os.getpid() != self._pid:
             return
@@ -129,12 +156,13 @@ class ZenohSession:
         try:
             if self._session.info.routers_zid():
                 time.sleep(FLUSH_S)
+            if mode_of(self._config) == "client":
                 with (
                     signals_deferred()
                 ):  # requests of this session end within it, and their clients are called
                     self._session.close()
             else:
-                self._close_unlinked()
+                self._close_peer()
         except open_library().ZError as error:
             text = f"what was written last may be lost, because the Zenoh session can't be closed: {reason_of(error)}"
             print(f"tfloom: {text}", file=sys.stderr)
@@ -142,8 +170,8 @@ class ZenohSession:
             if self._meeting_point is not None:
                 self._meeting_point.close()
 
-    def _close_unlinked(self) -> None:
-        """Close the session, but don't wait for the handshake with a router that is stopped.
+    def _close_peer(self) -> None:
+        """Close the session of a peer, but don't wait long for the handshake with a program that is stopped.
 
         Zenoh waits for that for ten seconds before it ends its links to others, which have all that was written by
         then. A thread does so instead, and ends; the end of the process ends the links, too.

@@ -112,7 +112,10 @@ class ZenohParticipant:
         self.is_closed = False
         self._is_forked = False
         self.graph = ZenohGraph(
-            session.session, domain_id, self._zid, expects_others=not session.is_meeting_point
+            session.session,
+            domain_id,
+            self._zid,
+            open_client=session.open_client if session.endpoints and not session.is_meeting_point else None,
         )
 
     def add_node(self, node: NodeName) -> None:
