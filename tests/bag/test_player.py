@@ -21,6 +21,7 @@ from tfloom.bag.playing.offered_qos import offered
 from tfloom.bag.playing.play_options import PlayOptions, parse_remaps
 from tfloom.bag.playing.player import Player
 from tfloom.bag.playing.read_ahead import ReadAhead
+from tfloom.bag.playing.run import play
 from tfloom.bag.topic_choice import TopicChoice
 from tfloom.bag.values import RawMessage
 from tfloom.bag.writing.bag_writer import BagWriter
@@ -374,3 +375,11 @@ def test_new_rate_counts_from_the_moment_it_is_set(monkeypatch: pytest.MonkeyPat
     clock.set_paused(False)
     now = 120
     assert clock.now_ns() == 1030
+
+
+def test_bag_without_messages_is_played_to_its_end(
+    tmp_path: Path, local_context: Context, capsys: pytest.CaptureFixture[str]
+) -> None:
+    BagWriter(tmp_path / "still").close()
+    play(tmp_path / "still", PlayOptions())
+    assert capsys.readouterr().err == f"{tmp_path}/still: there are no messages in it\n"

@@ -201,6 +201,7 @@ FREE = {
     "after",
     "launch_file_name",
     "launch_arguments",
+    "words",
 }
 
 

@@ -15,6 +15,11 @@ from tests.zenoh_ports import use_port_of
 from tfloom.cli import health
 from tfloom.cli.finding import Verdict
 from tfloom.cli.health import Interface, check_domain, check_network, check_reach
+from tfloom.interfaces.std_msgs.msg import Empty
+from tfloom.rmw.backends import open_participant
+from tfloom.rmw.base import NodeName
+from tfloom.rmw.qos import QoS, ReliabilityPolicy
+from tfloom.rmw.typed_names import topic_of
 
 LO, ETH0, TUN0 = Interface("lo", 0x9), Interface("eth0", 0x1003), Interface("tun0", 0x1)
 
@@ -42,7 +47,7 @@ def test_all_checks_pass_on_a_sound_system(domain_id: int) -> None:
     assert "domain: domain %d, discovery range LOCALHOST" % domain_id in answer.text  # noqa: UP031
     assert "and exchanged a message" in answer.text
     is_zenoh = os.environ.get("RMW_IMPLEMENTATION") == "rmw_zenoh_cpp"  # whose router is a check more
-    assert answer.text.endswith(f"\nAll {12 if is_zenoh else 11} checks passed")
+    assert answer.text.endswith(f"\nAll {13 if is_zenoh else 12} checks passed")
 
 
 def test_wtf_is_doctor() -> None:
@@ -133,8 +138,73 @@ def test_report_flags_print_details() -> None:
     assert "reportlab: " in whole.text
     assert "reportlab: " not in failed.text
     assert "ROS_DOMAIN_ID: x" in failed.text
-    assert failed.text.endswith("3/11 checks failed\nFailed: domain, round trip, peers")
+    assert failed.text.endswith("4/12 checks failed\nFailed: domain, round trip, peers, quality of service")
     assert whole.exit_code == failed.exit_code == 1
+
+
+OFFERED = "/chatter: /talker and /listener: offered RELIABILITY BEST_EFFORT, requested RELIABILITY RELIABLE"
+
+
+def test_publishers_and_subscriptions_that_do_not_connect_are_named(domain_id: int) -> None:
+    best_effort = QoS(reliability=ReliabilityPolicy.BEST_EFFORT)
+    topic, other = topic_of(Empty, "/chatter"), topic_of(Empty, "/scan")
+    talker, listener = NodeName("/", "talker"), NodeName("/", "listener")
+    participant = open_participant()
+    try:
+        for node in (talker, listener):
+            participant.add_node(node)
+        participant.create_writer(talker, topic, best_effort)
+        participant.create_reader(listener, other, QoS())
+        participant.create_reader(listener, topic, QoS())
+        participant.create_reader(talker, topic, best_effort)
+        answer = doctor_here("--report")
+        participant.create_writer(talker, other, best_effort)
+        both = doctor_here("--report-failed")
+    finally:
+        participant.close()
+    passes = os.environ.get("RMW_IMPLEMENTATION") == "rmw_zenoh_cpp"
+    assert answer.exit_code == int(not passes)
+    assert f"  quality of service: {OFFERED}, so " in answer.text
+    assert f"pair 1: {OFFERED}\n" in answer.text
+    assert "pair 2" not in answer.text
+    assert "; and 1 more pair: see --report" in both.text
+    found = health.checks(exclude_packages=True)["quality of service"]()  # when they have left
+    assert found.verdict is Verdict.OK, found
+
+
+def test_link_to_our_own_command_is_ours(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """`uv tool install` and pipx put such a link into ~/.local/bin."""
+    (tmp_path / "venv").mkdir()
+    (tmp_path / "bin").mkdir()
+    (tmp_path / "venv" / "ros2").touch(mode=0o755)
+    (tmp_path / "bin" / "ros2").symlink_to(tmp_path / "venv" / "ros2")
+    monkeypatch.setattr(sys, "executable", str(tmp_path / "venv" / "python"))
+    monkeypatch.setenv("PATH", str(tmp_path / "bin"))
+    assert health.check_commands().verdict is Verdict.OK
+    (tmp_path / "bin" / "ros2").unlink()
+    (tmp_path / "bin" / "ros2").touch(mode=0o755)
+    assert health.check_commands().verdict is Verdict.WARNING
+
+
+def test_checks_for_other_programs(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
+    monkeypatch.setenv("ROS_DOMAIN_ID", "x")
+    from ros2doctor.api import DoctorCheck, Report, Result, generate_reports, run_checks
+
+    failed = {"domain", "round trip", "peers", "quality of service"}
+    assert run_checks() == (failed, 4, 12)
+    assert run_checks(exclude_packages=True)[1:] == (4, 10)
+    (report,) = generate_reports(categories=["domain"])
+    assert isinstance(report, Report)
+    assert report.name == "domain"
+    assert ("verdict", "failed") in report.items
+    assert ("ROS_DOMAIN_ID", "x") in report.items
+    result = Result()
+    result.add_error()
+    result.add_warning()
+    assert (result.error, result.warning) == (1, 1)
+    with pytest.raises(NotImplementedError):
+        DoctorCheck().check()
 
 
 @pytest.mark.parametrize(
@@ -142,6 +212,7 @@ def test_report_flags_print_details() -> None:
     [
         (("daemon", "status"), 0, "There is no daemon"),
         (("daemon", "start", "--debug"), 0, "There is no daemon"),
+        (("security", "create_keystore", "keys", "--verbose"), 1, "SROS 2 is not there"),
         (("component", "types", "composition"), 1, "Components are C++"),
     ],
 )

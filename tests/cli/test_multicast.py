@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import socket
 from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor, wait
 from typing import Any
 
 import pytest
@@ -28,6 +29,21 @@ def test_datagram_is_received(port: str, start_program: Callable[..., Any]) -> N
     assert (sent.text, sent.exit_code) == ("Sending one UDP multicast datagram...", 0)
     assert receiver.wait() == 0
     assert re.fullmatch(r"Received from 127\.0\.0\.1:\d+: 'Hello World!'", receiver.lines[1])
+
+
+def test_datagrams_between_programs(port: str) -> None:
+    from ros2multicast.api import DEFAULT_GROUP, DEFAULT_PORT, receive, send
+
+    assert (DEFAULT_GROUP, DEFAULT_PORT) == ("225.0.0.1", 49150)
+    with pytest.raises(TimeoutError):
+        receive(port=int(port), timeout=0.05)
+    with ThreadPoolExecutor(1) as pool:
+        received = pool.submit(receive, port=int(port), timeout=30.0)
+        while not received.done():  # a datagram that nobody listens to is lost
+            send(b"hello", port=int(port), ttl=0)
+            wait([received], 0.02)
+    data, (host, _) = received.result()
+    assert (data, host) == (b"hello", "127.0.0.1")
 
 
 def test_missing_datagram_gives_an_error_message(port: str) -> None:

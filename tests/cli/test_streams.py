@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import sys
+from argparse import Namespace
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
 import transcript
+
+from tfloom.cli.topic import pub
 
 pytestmark = pytest.mark.wire
 
@@ -66,10 +69,14 @@ def test_csv_of_a_byte(node: None) -> None:
     assert run("topic", "echo", "--once", "--csv", "/octet") == (0, "b'\\x05'\n", "")
 
 
-def test_longest_wait_without_a_wait(node: None) -> None:
-    code, out, err = run("topic", "pub", "--max-wait-time-secs", "1", "/x", "std_msgs/msg/Empty")
-    assert (code, out) == (1, "")
-    assert err == "--max-wait-time-secs needs --wait-matching-subscriptions, --once or --times\n"
+def test_longest_wait_without_a_wait(capsys: pytest.CaptureFixture[str]) -> None:
+    none = {"wait_matching_subscriptions": None, "once": False, "times": 0}
+    assert pub._wanted_subscriptions(Namespace(**none, max_wait_time_secs=None)) == 0
+    assert capsys.readouterr().err == ""
+    assert pub._wanted_subscriptions(Namespace(**none, max_wait_time_secs=1.0)) == 0
+    needed = "--wait-matching-subscriptions, --once or --times"
+    assert capsys.readouterr().err == f"--max-wait-time-secs has no effect without {needed}\n"
+    assert pub._wanted_subscriptions(Namespace(**{**none, "once": True}, max_wait_time_secs=1.0)) == 1
 
 
 def test_waits_are_told_on_stdout(node: None) -> None:

@@ -7,8 +7,7 @@ import os
 import sys
 
 from tfloom.cli.finding import Finding, Verdict
-from tfloom.cli.health import CHECKS, PACKAGE_CHECKS
-from tfloom.cli.zenoh_health import check_router, is_zenoh_selected
+from tfloom.cli.health import checks
 from tfloom.terminal_text import unescaped
 
 COLOURS = {Verdict.OK: "32", Verdict.WARNING: "33", Verdict.FAILED: "31"}
@@ -33,14 +32,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Print a line for each check; return 1 if one failed."""
-    checks = {
-        name: check
-        for name, check in CHECKS.items()
-        if not (args.exclude_packages and name in PACKAGE_CHECKS)
-    }
-    if is_zenoh_selected():
-        checks["router"] = check_router
-    findings = {name: check() for name, check in checks.items()}
+    findings = {name: check() for name, check in checks(exclude_packages=args.exclude_packages).items()}
     failed = [name for name, finding in findings.items() if _counts_as_failure(finding, args)]
     if args.json:
         import json

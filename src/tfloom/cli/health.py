@@ -16,7 +16,8 @@ import tfloom
 from tfloom.cli.finding import Finding, Verdict
 from tfloom.cli.other_wire import check_other_wire
 from tfloom.cli.peer_health import check_peers
-from tfloom.cli.zenoh_health import WIRE, check_zenoh_reach, is_zenoh_selected
+from tfloom.cli.qos_health import check_qos
+from tfloom.cli.zenoh_health import WIRE, check_router, check_zenoh_reach, is_zenoh_selected
 from tfloom.rmw.errors import WireError
 from tfloom.workspace import index
 
@@ -443,8 +444,14 @@ def check_commands() -> Finding:
         "ROS_DISTRO": os.environ.get("ROS_DISTRO", "not set"),
         "workspaces": ", ".join(index.search_paths()) or "none sourced",
     }
-    # What is beside this Python is tfloom's own; `samefile` because either path may be a link.
-    real = [path for path in commands if not Path(path).parent.samefile(Path(sys.executable).parent)]
+    # What is beside this Python is tfloom's own, as is a link to it, which `uv tool install` and pipx make; `samefile`
+    # because either path may be a link.
+    here = Path(sys.executable).parent
+    real = [
+        command
+        for command in commands
+        if not any(path.parent.samefile(here) for path in (Path(command), Path(command).resolve()))
+    ]
     if real and len(commands) > len(real):
         return Finding(
             Verdict.WARNING,
@@ -507,6 +514,7 @@ CHECKS: dict[str, Callable[[], Finding]] = {
     "reach": check_reach,
     "round trip": check_round_trip,
     "peers": check_peers,
+    "quality of service": check_qos,
     "other wire": check_other_wire,
     "names": check_names,
     "commands": check_commands,
@@ -514,3 +522,17 @@ CHECKS: dict[str, Callable[[], Finding]] = {
     "versions": check_versions,
 }
 PACKAGE_CHECKS = {"names", "versions"}
+
+
+def checks(*, exclude_packages: bool = False) -> dict[str, Callable[[], Finding]]:
+    """Return the checks that apply here, by name.
+
+    Args:
+        exclude_packages: Leave out the versions, and the origin of each package.
+    """
+    chosen = {
+        name: check for name, check in CHECKS.items() if not (exclude_packages and name in PACKAGE_CHECKS)
+    }
+    if is_zenoh_selected():
+        chosen["router"] = check_router
+    return chosen

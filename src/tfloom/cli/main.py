@@ -119,6 +119,7 @@ COMMANDS: dict[str, str | Group] = {
         },
     ),
     "run": "Run a program of a package",
+    "security": "Explain that SROS 2 is not there, and what protects instead",
     "service": Group(
         "Inspect services, and call them",
         {

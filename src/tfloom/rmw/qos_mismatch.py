@@ -45,9 +45,14 @@ def _both_sides(topic_name: str, gid: bytes, graph: Graph, is_publisher: bool) -
 def _differences(mine: EndpointInfo, peer: EndpointInfo, is_publisher: bool) -> list[str]:
     writer, reader = (mine, peer) if is_publisher else (peer, mine)
     whose = "an unknown node" if peer.node is None else peer.node.full
+    return [f"{text}, peer {whose}" for text in differences(writer, reader)]
+
+
+def differences(writer: EndpointInfo, reader: EndpointInfo) -> list[str]:
+    """Return what a writer offers and a reader requests, of each policy that keeps them apart; empty if none does."""
     return [
         f"offered {_show(writer.qos, reader.qos, kind.name)}, "
-        f"requested {_show(reader.qos, writer.qos, kind.name)}, peer {whose}"
+        f"requested {_show(reader.qos, writer.qos, kind.name)}"
         for kind in incompatible_policies(writer.qos, reader.qos)
     ]
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+import sys
 import threading
 from collections.abc import Callable
 from pathlib import Path
 
-from tfloom.bag.errors import BagError
 from tfloom.bag.key_presses import handled_keys
 from tfloom.bag.node_running import spin_until
 from tfloom.bag.opening import open_bag
@@ -38,7 +38,8 @@ def play(
     """
     with open_bag(path) as bag:
         if bag.message_count == 0:
-            raise BagError(path, "there are no messages in it, so nothing can be played")
+            print(f"{path}: there are no messages in it", file=sys.stderr)
+            return
         # Filled when the player is there; until then keys do nothing.
         keys: dict[str, Callable[[], object]] = {}
         with handled_keys(keys, enabled=options.has_keyboard):

@@ -6,8 +6,8 @@ import argparse
 import socket
 
 from tfloom.cli.errors import CommandError
+from tfloom.cli.multicast.common import GROUP, PORT, interface, udp_socket
 from tfloom.cli.multicast.common import add_arguments as add_common_arguments
-from tfloom.cli.multicast.common import interface, udp_socket
 
 TEXT = b"Hello World!"
 
@@ -30,11 +30,26 @@ def _ttl(text: str) -> int:
 def main(args: argparse.Namespace) -> int:
     """Send the datagram; `multicast receive` prints it."""
     print("Sending one UDP multicast datagram...")
-    with udp_socket() as sender:
-        sender.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_TTL, args.ttl)
-        try:
-            sender.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_IF, socket.inet_aton(interface()))
-            sender.sendto(TEXT, (args.group, args.port))
-        except OSError as error:
-            raise CommandError(f"can't send to {args.group}:{args.port}: {error.strerror}") from None
+    try:
+        send(TEXT, group=args.group, port=args.port, ttl=args.ttl)
+    except OSError as error:
+        raise CommandError(f"can't send to {args.group}:{args.port}: {error.strerror}") from None
     return 0
+
+
+def send(data: bytes, *, group: str = GROUP, port: int = PORT, ttl: int | None = None) -> None:
+    """Send a datagram, on the interface of the discovery range.
+
+    Args:
+        data: Its bytes.
+        group: IPv4 multicast address.
+        port: UDP port.
+        ttl: Number of routers that it may cross, plus one; None for 1.
+
+    Raises:
+        OSError: the system refuses it.
+    """
+    with udp_socket() as sender:
+        sender.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_TTL, 1 if ttl is None else ttl)
+        sender.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_IF, socket.inet_aton(interface()))
+        sender.sendto(data, (group, port))

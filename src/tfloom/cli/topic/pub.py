@@ -117,17 +117,14 @@ class _Draft:
 
 
 def _wanted_subscriptions(args: argparse.Namespace) -> int:
-    """Return for how many subscriptions to wait.
-
-    Raises:
-        CommandError: a longest wait is given, and there is nothing to wait for.
-    """
+    """Return for how many subscriptions to wait."""
     if args.wait_matching_subscriptions is not None:
         return int(args.wait_matching_subscriptions)
     if args.once or args.times:
         return 1
     if args.max_wait_time_secs is not None:
-        raise CommandError("--max-wait-time-secs needs --wait-matching-subscriptions, --once or --times")
+        needed = "--wait-matching-subscriptions, --once or --times"
+        print(f"--max-wait-time-secs has no effect without {needed}", file=sys.stderr)
     return 0
 
 

@@ -7,11 +7,13 @@ claim("ros2multicast")
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from ros2multicast import api as api
     from ros2multicast import verb as verb
 else:
     from tfloom.ros_modules import deferred
 
     __getattr__, __dir__ = deferred(
         __name__,
+        api="ros2multicast",
         verb="ros2multicast",
     )

@@ -1,0 +1,12 @@
+"""The functions of `ros2multicast.api`: send and receive a datagram of UDP multicast."""
+
+from __future__ import annotations
+
+from tfloom.cli.multicast.common import GROUP, PORT
+from tfloom.cli.multicast.receive import receive
+from tfloom.cli.multicast.send import send
+
+__all__ = ["DEFAULT_GROUP", "DEFAULT_PORT", "receive", "send"]
+
+DEFAULT_GROUP = GROUP
+DEFAULT_PORT = PORT
