@@ -39,6 +39,7 @@ collect_ignore = (
         "test_recorded.py",
         "test_browser.py",
         "test_inline.py",
+        "test_open_ports.py",
     ]
 )
 """Tests of pages need the extra `view`; those of what is shown do not."""

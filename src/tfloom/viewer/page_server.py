@@ -368,12 +368,11 @@ class PageServer:
             await page.news.wait()
 
     async def _connect_to_viser(self) -> socket.socket:
-        """Return a connection to viser's port, with a small buffer, whose size is fixed when it connects."""
-        from_viser = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
+        """Return a connection to viser's port."""
+        from_viser = self._scene.inner.way_in()
         try:
-            from_viser.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, MAX_WAITING_BYTES)
             from_viser.setblocking(False)
-            await self._loop.sock_connect(from_viser, ("127.0.0.1", self._scene.port))
+            await self._loop.sock_connect(from_viser, self._scene.inner.address)
         except BaseException:
             from_viser.close()
             raise
@@ -396,7 +395,7 @@ class PageServer:
             socket.SOL_SOCKET, socket.SO_SNDBUF, MAX_WAITING_BYTES
         )
         async with connect(
-            f"ws://127.0.0.1:{self._scene.port}",
+            "ws://viser",
             sock=await self._connect_to_viser(),
             subprotocols=[connection.subprotocol] if connection.subprotocol else None,
             additional_headers={KEY_HEADER: self._scene.key, PAGE_HEADER: page},

@@ -17,6 +17,7 @@ import viser
 from viser import _messages
 
 from tfloom.viewer.camera import Camera, is_usable
+from tfloom.viewer.inner_port import InnerPort
 from tfloom.viewer.layout.layout import ViewPoint
 
 if TYPE_CHECKING:
@@ -34,18 +35,22 @@ class SceneServer:
     """The server of the scene, which all pages share.
 
     Viser has no access rules of its own: whoever reaches its port may read the scene, and may ask for a tunnel to the
-    internet. So each connection without the key is closed, and requests for a tunnel are not handled.
+    internet. So its port is closed to others where the system has a way to, each connection without the key is closed,
+    and requests for a tunnel are not handled.
     """
 
     def __init__(self) -> None:
         logging.getLogger("websockets.server").addFilter(_is_not_of_a_stranger)
+        self.inner = InnerPort()
+        """Viser's port."""
         self.key = secrets.token_urlsafe(24)
         self._clients: dict[str, int] = {}
         """Viser's number of the client of each page."""
         # What viser warns of there is in the words of a page; as an error, it makes the message one that can't be read.
         warnings.filterwarnings("error", module=r"viser\.infra\._messages")
         with _without_words():  # it would print its address, which is nobody's business
-            self._server = viser.ViserServer(host="127.0.0.1", port=0, verbose=False)
+            self._server = viser.ViserServer(host=self.inner.host, port=0, verbose=False)
+        self.inner.close_to_others(self._server.get_port())
         connections = self._server._websock_server  # noqa: SLF001  # there is no public way to a connection's headers
         for message in (_messages.ShareUrlRequest, _messages.ShareUrlDisconnect):
             connections.unregister_handler(message)
@@ -66,11 +71,6 @@ class SceneServer:
     def scene(self) -> SceneApi:
         """The scene."""
         return self._server.scene
-
-    @property
-    def port(self) -> int:
-        """The port at which viser listens."""
-        return self._server.get_port()
 
     def atomic(self) -> contextlib.AbstractContextManager[None]:
         """Send all changes of the block together."""

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import socket
-import ssl
 from collections.abc import Callable, Iterator
-from contextlib import closing, suppress
+from contextlib import closing
 from typing import Any
 
-import psutil
 import pytest
 from tests.conftest import Program, wait_until
 from tests.viewer.foxglove_bridge.clients import SUBPROTOCOL, TIMEOUT_S, bridging, connect_to, expect_refusal
+from tests.viewer.open_ports import EVIL, answers_to_a_page, open_ports
 from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect
 
@@ -19,11 +18,10 @@ from tfloom.interfaces.geometry_msgs.msg import Twist
 from tfloom.node.node import Node
 from tfloom.rosidl import cdr
 from tfloom.viewer.foxglove_bridge.bridge import OPEN_INSIDE, FoxgloveBridge
-from tfloom.viewer.foxglove_bridge.inner_port import InnerPort
 from tfloom.viewer.foxglove_bridge.settings import SettingsError
+from tfloom.viewer.inner_port import InnerPort
 
 pytestmark = pytest.mark.wire
-EVIL = "https://evil.example"
 StartBridge = Callable[..., tuple[Program, int]]
 
 
@@ -115,37 +113,14 @@ def test_sites_are_given_by_a_parameter(domain_id: int) -> None:
         expect_refusal(domain_id, SettingsError, text, f"allowed_origins:=[{wrong}]")
 
 
-def attempts(address: tuple[str, int]) -> Iterator[bytes]:
-    """Try to open a WebSocket at an address from a page of another site, in clear and encrypted; give the answers."""
-    request = (
-        f"GET / HTTP/1.1\r\nHost: {address[0]}:{address[1]}\r\nOrigin: {EVIL}\r\n"
-        "Upgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
-        f"Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Protocol: {SUBPROTOCOL}\r\n\r\n"
-    ).encode()
-    context = ssl.create_default_context()
-    context.check_hostname = False
-    context.verify_mode = ssl.CERT_NONE
-    for is_encrypted in (False, True):
-        with suppress(OSError), socket.create_connection(address, timeout=2.0) as plain:
-            connection = context.wrap_socket(plain) if is_encrypted else plain
-            connection.sendall(request)
-            yield connection.recv(4096)
-
-
 def test_no_port_of_the_process_lets_a_page_in(start_bridge: StartBridge) -> None:
     """The SDK itself lets all in: nobody but the relay gets as far as its port."""
     program, port = start_bridge()
-    process = psutil.Process(program.process.pid)
-    listening = {
-        (str(one.laddr.ip), int(one.laddr.port))
-        for one in process.net_connections("tcp")
-        if one.status == psutil.CONN_LISTEN
+    answers = {
+        address: answers_to_a_page(address, "/", SUBPROTOCOL) for address in open_ports(program.process.pid)
     }
-    assert ("127.0.0.1", port) in listening
-    assert len(listening) == 2, "one is the bridge's, one the SDK's"
-    answers = {address: list(attempts(address)) for address in listening}
     assert answers.pop(("127.0.0.1", port))[0].startswith(b"HTTP/1.1 403")
-    assert answers.popitem()[1] == []
+    assert list(answers.values()) == [[]], "the SDK's port, and no other one"
     assert OPEN_INSIDE not in program.output
     assert status(port) == 101
 

@@ -27,13 +27,13 @@ from tfloom.viewer.foxglove_bridge.channels import Channels
 from tfloom.viewer.foxglove_bridge.client_topics import ClientTopic, ClientTopicError, ClientTopics
 from tfloom.viewer.foxglove_bridge.commands import Commands
 from tfloom.viewer.foxglove_bridge.complaints import Complaints
-from tfloom.viewer.foxglove_bridge.inner_port import InnerPort
 from tfloom.viewer.foxglove_bridge.known_types import KnownTypes
 from tfloom.viewer.foxglove_bridge.own_client import OwnClient
 from tfloom.viewer.foxglove_bridge.parameters import Parameters, from_message
 from tfloom.viewer.foxglove_bridge.relay import Relay, listen
 from tfloom.viewer.foxglove_bridge.services import Services
 from tfloom.viewer.foxglove_bridge.settings import TIME, Settings
+from tfloom.viewer.inner_port import InnerPort
 
 if TYPE_CHECKING:
     from foxglove import Parameter, SystemInfoPublisher

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from websockets.sync.connection import Connection
 
     from tfloom.node.log.rcutils_logger import RcutilsLogger
-    from tfloom.viewer.foxglove_bridge.inner_port import InnerPort
+    from tfloom.viewer.inner_port import InnerPort
 
 __all__ = ["OwnClient"]
 

@@ -1,4 +1,4 @@
-"""The SDK's own port, which has no rules of who may connect, closed to all but this process."""
+"""The ports of libraries that have no rules of who may connect, closed to all but this process."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from pathlib import Path
 __all__ = ["InnerPort"]
 
 BUFFER_BYTES = 256 * 1024
-"""What the system may keep of a connection's bytes between the SDK and the relay, about [bytes]: a client that falls
-behind gets that first, however old it is."""
+"""What the system may keep of a connection's bytes, about [bytes]: a client that falls behind gets that first, however
+old it is."""
 CONNECT_S = 0.05
 """How long a connection that is expected to fail is waited for [s]; one that is made takes microseconds."""
 DESCRIPTORS = Path("/proc/self/fd")
@@ -26,7 +26,7 @@ SOURCE_ADDRESS = 0xFFF00000 + 12
 
 
 class InnerPort:
-    """An address for the SDK's server, and the way to it.
+    """An address for a server of a library, and the way to it.
 
     Browsers connect to addresses of the loopback interface from 127.0.0.1. On Linux all of 127.0.0.0/8 is this machine,
     so this process connects from a random one of these 16 million addresses, and a filter of the kernel on the
@@ -37,18 +37,20 @@ class InnerPort:
     def __init__(self) -> None:
         is_linux = sys.platform == "linux"
         self.host = _random_address() if is_linux else "127.0.0.1"
-        """The address at which the SDK has to listen. Nobody knows it until `close_to_others` has been called."""
+        """The address at which the library has to listen. Nobody knows it until `close_to_others` has been called."""
         self.port = 0
         self._source = _random_address() if is_linux else "127.0.0.1"
 
     def close_to_others(self, port: int) -> bool:
-        """Close the port at which the SDK listens to all but this process; return whether nobody else gets in."""
+        """Close the port at which the library listens to all but this process; return whether nobody else gets in."""
         self.port = port
         if sys.platform != "linux":
             return False
-        # A sandbox of the system may refuse filters, or take them without effect: only a try shows that.
-        with contextlib.suppress(OSError):
+        try:
             self._filter()
+        except OSError:
+            return False
+        # A sandbox may take filters without effect: only a try shows that.
         return not self._lets_others_in()
 
     def _filter(self) -> None:
@@ -70,14 +72,14 @@ class InnerPort:
             listener.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
 
     def _listener(self) -> socket.socket:
-        """Return a copy of the SDK's listening socket, which the SDK itself doesn't give to Python programs.
+        """Return a copy of the listening socket, which libraries don't give away.
 
         Raises:
             OSError: this process has none.
         """
         for descriptor in DESCRIPTORS.iterdir():
             with contextlib.suppress(OSError):
-                if not str(descriptor.readlink()).startswith("socket:"):
+                if not descriptor.is_socket():
                     continue
                 copy = socket.socket(fileno=os.dup(int(descriptor.name)))
                 if copy.family == socket.AF_INET and copy.getsockname() == (self.host, self.port):
@@ -127,7 +129,7 @@ class InnerPort:
 
     @property
     def address(self) -> tuple[str, int]:
-        """Where the SDK listens."""
+        """Where the library listens."""
         return self.host, self.port
 
 
