@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import random
+import threading
 import time
 from collections import Counter
 from collections.abc import Callable, Iterator
@@ -12,6 +13,7 @@ from typing import Any
 import pytest
 from tests.conftest import Program, wait_until
 from tests.viewer.conftest import OWN_TYPES, Page
+from tests.viewer.test_driving import Robot
 
 from tfloom._native import ReadyQueue
 from tfloom.interfaces.action_msgs.msg import GoalStatus
@@ -250,6 +252,54 @@ def test_message_is_published_to_all_subscriptions_of_the_graph(
     wait_until(lambda: any(end.topic.name == "/nobody" for end in graph.endpoints()), what="the writer")
     page.socket.close()
     wait_until(lambda: not any(end.topic.name == "/nobody" for end in graph.endpoints()), what="its end")
+
+
+@pytest.mark.parametrize("end", ["stop", "page", "viewer"])
+def test_velocity_at_a_rate_ends_with_zero(spun: Node, viewer: Viewer, page: Page, end: str) -> None:
+    robot = Robot(spun)
+    page.send(
+        op="send",
+        what="topic",
+        name="cmd_vel",
+        type="geometry_msgs/msg/Twist",
+        key="1",
+        values={"linear": {"x": 2.0}, "angular": {"z": -1.0}},
+        rate_hz=50.0,
+    )
+    wait_until(lambda: robot.is_moved, what="a velocity")
+    if end == "stop":
+        page.send(op="cancel", key="1")
+    elif end == "page":
+        page.socket.close()
+    else:
+        viewer._live.forms.close()
+    wait_until(lambda: robot.is_stopped, what="the stop")
+
+
+def test_publication_of_a_page_that_is_closed_ends_while_a_picture_takes_its_time(
+    spun: Node, viewer: Viewer, page: Page, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    robot = Robot(spun)
+    drawing, goes_on = threading.Event(), threading.Event()
+    monkeypatch.setattr(viewer.view, "draw", lambda: (drawing.set(), goes_on.wait(30.0)))
+    try:
+        wait_until(drawing.is_set, what="a picture")
+        for _ in range(2):
+            page.send(
+                op="send",
+                what="topic",
+                name="cmd_vel",
+                type="geometry_msgs/msg/Twist",
+                key="1",
+                values={"linear": {"x": 2.0}, "angular": {"z": -1.0}},
+                rate_hz=50.0,
+            )
+        wait_until(lambda: robot.is_moved, what="a velocity")
+        page.socket.close()
+        wait_until(lambda: robot.is_stopped, what="the stop")
+        wait_until(lambda: not viewer._live.forms._tasks, what="its end")
+    finally:
+        goes_on.set()
 
 
 class SlowWriter:

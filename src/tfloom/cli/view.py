@@ -145,7 +145,7 @@ def serve(args: argparse.Namespace, *, needs_terminal: bool) -> int:
 
 
 def _set_by_signals() -> threading.Event:
-    """Return an event that Ctrl-C and SIGTERM set; an alarm follows."""
+    """Return an event that Ctrl-C, SIGTERM and a terminal that is closed set; an alarm follows."""
     over = threading.Event()
 
     def end(*_: object) -> None:
@@ -153,8 +153,10 @@ def _set_by_signals() -> threading.Event:
         if hasattr(signal, "setitimer"):
             signal.setitimer(signal.ITIMER_REAL, MAX_END_S)
 
-    for name in ("SIGINT", "SIGTERM"):
-        signal.signal(getattr(signal, name), end)
+    for name in ("SIGINT", "SIGTERM", "SIGHUP"):
+        number = getattr(signal, name, None)
+        if number is not None and signal.getsignal(number) is not signal.SIG_IGN:  # as by nohup
+            signal.signal(number, end)
     if hasattr(signal, "SIGALRM"):
         signal.signal(signal.SIGALRM, lambda *_: None)
     return over

@@ -7,9 +7,9 @@ from typing import Any
 
 from tfloom.interfaces.geometry_msgs.msg import Twist
 from tfloom.interfaces.std_srvs.srv import Empty
-from tfloom.node.client_library import spin
 from tfloom.node.node import Node
 from tfloom.node.program import expect_no_arguments, run_program
+from tfloom.node.velocities import Velocities, spin_driver
 from tfloom.turtlesim.messages import Pose
 from tfloom.turtlesim.world import STEP_S, is_usable, normalize_angle
 
@@ -50,7 +50,7 @@ class DrawSquare(Node):
         self._skip_pose = False
         self._is_turning = False
         self._is_stopping = False
-        self._publisher = self.create_publisher(Twist, "turtle1/cmd_vel", 1)
+        self.velocities = Velocities(self.create_publisher(Twist, "turtle1/cmd_vel", 1))
         self.create_subscription(Pose, "turtle1/pose", self._on_pose, 1)
         self._reset = self.create_client(Empty, "reset")
         self._answer: Any = None
@@ -80,7 +80,7 @@ class DrawSquare(Node):
         if self._goal is None:
             self._set_goal(pose)
         elif self._is_stopping:
-            self._command(0.0, 0.0)
+            self.velocities.publish(0.0, 0.0)
             if abs(pose.linear_velocity) < STANDING and abs(pose.angular_velocity) < STANDING:
                 self.get_logger().info("Reached goal")
                 self._is_turning = not self._is_turning
@@ -88,9 +88,9 @@ class DrawSquare(Node):
         elif self._goal.is_reached(pose):
             self._is_stopping = True
         elif self._is_turning:
-            self._command(0.0, TURN_SPEED)
+            self.velocities.publish(0.0, TURN_SPEED)
         else:
-            self._command(SPEED, 0.0)
+            self.velocities.publish(SPEED, 0.0)
 
     def _set_goal(self, pose: Pose) -> None:
         """Set the goal: a left turn, or the other end of the side."""
@@ -103,15 +103,10 @@ class DrawSquare(Node):
         self._goal = goal
         self.get_logger().info(f"New goal [{goal.x:f} {goal.y:f}, {goal.theta:f}]")
 
-    def _command(self, ahead: float, turn: float) -> None:
-        twist = Twist()
-        twist.linear.x, twist.angular.z = ahead, turn
-        self._publisher.publish(twist)
-
 
 def main(args: list[str] | None = None) -> int:
     """Draw until stopped; return the exit code."""
     expect_no_arguments(
         "draw_square", "Reset turtlesim, then drive turtle1 along a square, repeatedly.", args
     )
-    return run_program(args, lambda: spin(DrawSquare()))
+    return run_program(args, lambda: spin_driver(DrawSquare()))

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from tfloom.interfaces.geometry_msgs.msg import Twist
-from tfloom.node.client_library import spin
 from tfloom.node.node import Node
 from tfloom.node.program import expect_no_arguments, run_program
+from tfloom.node.velocities import Velocities, spin_driver
 from tfloom.turtlesim.messages import Pose
 
 
@@ -14,14 +14,11 @@ class Mimic(Node):
 
     def __init__(self) -> None:
         super().__init__("turtle_mimic")
-        self._publisher = self.create_publisher(Twist, "output/cmd_vel", 1)
+        self.velocities = Velocities(self.create_publisher(Twist, "output/cmd_vel", 1))
         self.create_subscription(Pose, "input/pose", self._on_pose, 1)
 
     def _on_pose(self, pose: Pose) -> None:
-        twist = Twist()
-        twist.linear.x = pose.linear_velocity
-        twist.angular.z = pose.angular_velocity
-        self._publisher.publish(twist)
+        self.velocities.publish(pose.linear_velocity, pose.angular_velocity)
 
 
 def main(args: list[str] | None = None) -> int:
@@ -32,4 +29,4 @@ def main(args: list[str] | None = None) -> int:
         "-r output/cmd_vel:=turtle2/cmd_vel.",
         args,
     )
-    return run_program(args, lambda: spin(Mimic()))
+    return run_program(args, lambda: spin_driver(Mimic()))

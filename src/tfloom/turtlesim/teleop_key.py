@@ -16,6 +16,7 @@ from tfloom.node.context.utilities import remove_ros_args
 from tfloom.node.node import Node
 from tfloom.node.program import run_program
 from tfloom.node.values.exceptions import ExternalShutdownException
+from tfloom.node.velocities import Velocities
 from tfloom.turtlesim.messages import RotateAbsolute
 
 BANNER = """\
@@ -56,7 +57,7 @@ class TeleopTurtle(Node):
         super().__init__("teleop_turtle")
         self.declare_parameter("scale_linear", 2.0)
         self.declare_parameter("scale_angular", 2.0)
-        self._publisher = self.create_publisher(Twist, "turtle1/cmd_vel", 1)
+        self.velocities = Velocities(self.create_publisher(Twist, "turtle1/cmd_vel", 1))
         self._rotator = ActionClient(self, RotateAbsolute, "turtle1/rotate_absolute")
         self._sent: Any = None
 
@@ -71,10 +72,10 @@ class TeleopTurtle(Node):
         return key.lower() != QUIT
 
     def _drive(self, linear: float, angular: float) -> None:
-        twist = Twist()
-        twist.linear.x = linear * float(self.get_parameter("scale_linear").value)
-        twist.angular.z = angular * float(self.get_parameter("scale_angular").value)
-        self._publisher.publish(twist)
+        self.velocities.publish(
+            linear * float(self.get_parameter("scale_linear").value),
+            angular * float(self.get_parameter("scale_angular").value),
+        )
 
     def _turn(self, theta: float) -> None:
         if self._rotator.server_is_ready():
@@ -129,7 +130,8 @@ def main(args: list[str] | None = None) -> int:
             node = TeleopTurtle()
             # Keys are read on this thread; goal responses and parameters are handled on another.
             threading.Thread(target=spin_quietly, args=(node,), daemon=True).start()
-            node.run(keyboard)
+            with node.velocities:
+                node.run(keyboard)
 
     try:
         return run_program(args, drive)

@@ -53,6 +53,8 @@ TICK_S = 0.5
 
 LIVE_COMMANDS = FORM_COMMANDS | {"floor", "drive", "graph", "parameters", "set_parameter"}
 """Commands that a recording has nobody for."""
+AT_ONCE = FORM_COMMANDS | {"drive"}
+"""Commands that other threads do, for which nobody waits until a picture is drawn."""
 
 
 class _InterruptedError(BaseException):
@@ -134,8 +136,9 @@ class Viewer:
         # as an object: a page that sends the same words gets no place by that.
         if command is CLOSED and self._live is not None:
             self._live.driving.forget(page)
-        if command.get("op") == "drive":
-            self._do(page, command)  # now: a robot doesn't wait for a picture
+            self._live.forms.forget(page)
+        if command.get("op") in AT_ONCE:
+            self._do(page, command)
         elif command is CLOSED or self._commands.qsize() < MAX_COMMANDS:
             self._commands.put((page, command))
 
@@ -263,8 +266,6 @@ class Viewer:
         if operation == "closed":
             self._asked_fields.pop(page, None)
             self._unplaced.discard(page)
-            if self._live is not None:
-                self._live.forms.forget(page)
         elif operation == "layout":
             self._save_layout(page)
         elif operation == "plot_topics":
@@ -334,7 +335,7 @@ class Viewer:
             live.parameters.ask(command, lambda answer: self.pages.answer(page, answer))
 
     def _drive(self, live: LiveParts, page: str, command: Mapping[str, Any]) -> None:
-        """Drive a robot; on the thread of the server."""
+        """Drive a robot; as all of `AT_ONCE`, on the thread of the server."""
         topic, ahead, left = text(command, "topic"), number(command, "ahead"), number(command, "left")
         if self._is_over():
             raise PageError("the viewer ends")

@@ -6,9 +6,9 @@ import math
 
 from tfloom.demos.turtle_tf2_py.messages import Pose
 from tfloom.interfaces.geometry_msgs.msg import Twist
-from tfloom.node.client_library import spin
 from tfloom.node.node import Node
 from tfloom.node.program import run_program
+from tfloom.node.velocities import Velocities, spin_driver
 
 CENTRE_M = 5.544445
 RADIUS_M = 4.2
@@ -41,17 +41,15 @@ class CurveDriver(Node):
     def __init__(self) -> None:
         super().__init__("curve_driver")
         self.started_ns = self.get_clock().now().nanoseconds
-        self.publisher = self.create_publisher(Twist, "turtle1/cmd_vel", 7)
+        self.velocities = Velocities(self.create_publisher(Twist, "turtle1/cmd_vel", 7))
         self.create_subscription(Pose, "turtle1/pose", self.on_pose, 1)
 
     def on_pose(self, pose: Pose) -> None:
         """Steer towards the figure's next point."""
         time_s = (self.get_clock().now().nanoseconds - self.started_ns) / 1e9
-        twist = Twist()
-        twist.linear.x, twist.angular.z = steer(pose.x, pose.y, pose.theta, figure(time_s + LEAD_S))
-        self.publisher.publish(twist)
+        self.velocities.publish(*steer(pose.x, pose.y, pose.theta, figure(time_s + LEAD_S)))
 
 
 def main(args: list[str] | None = None) -> int:
     """Drive until stopped; return the exit code."""
-    return run_program(args, lambda: spin(CurveDriver()))
+    return run_program(args, lambda: spin_driver(CurveDriver()))

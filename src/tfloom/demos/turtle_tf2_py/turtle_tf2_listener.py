@@ -7,10 +7,10 @@ from typing import Any
 
 from tfloom.demos.turtle_tf2_py.messages import Spawn
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped, Twist
-from tfloom.node.client_library import spin
 from tfloom.node.node import Node
 from tfloom.node.program import expect_no_arguments, run_program
 from tfloom.node.values.time import Time
+from tfloom.node.velocities import Velocities, spin_driver
 from tfloom.tf2.errors import TransformException
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.transform_listener import TransformListener
@@ -34,7 +34,7 @@ class FrameListener(Node):
         self.spawner = self.create_client(Spawn, "spawn")
         self.answer: Any = None
         self.is_spawned = False
-        self.publisher = self.create_publisher(Twist, f"{FOLLOWER}/cmd_vel", 1)
+        self.velocities = Velocities(self.create_publisher(Twist, f"{FOLLOWER}/cmd_vel", 1))
         self.timer = self.create_timer(PERIOD_S, self.on_timer)
 
     def on_timer(self) -> None:
@@ -68,10 +68,8 @@ class FrameListener(Node):
             self.get_logger().info(f"Could not transform {FOLLOWER} to {self.target_frame}: {error}")
             return
         there = follower_from_target.transform.translation
-        twist = Twist()
-        twist.angular.z = TURN_GAIN * math.atan2(there.y, there.x)
-        twist.linear.x = SPEED_GAIN * math.hypot(there.x, there.y)
-        self.publisher.publish(twist)
+        turn = TURN_GAIN * math.atan2(there.y, there.x)
+        self.velocities.publish(SPEED_GAIN * math.hypot(there.x, there.y), turn)
 
 
 def main(args: list[str] | None = None) -> int:
@@ -81,4 +79,4 @@ def main(args: list[str] | None = None) -> int:
         "Spawn turtle2, and drive it towards a frame: --ros-args -p target_frame:=turtle1.",
         args,
     )
-    return run_program(args, lambda: spin(FrameListener()))
+    return run_program(args, lambda: spin_driver(FrameListener()))

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from typing import TYPE_CHECKING
 
+from tfloom.rmw.errors import WireError
 from tfloom.viewer.forms.task import Task
 
 if TYPE_CHECKING:
@@ -69,6 +71,7 @@ class Repetition(Task):
         new_data: Returns the bytes of the next message.
         period_s: Time between two messages [s].
         tell: Tells the page.
+        last_data: Returns the bytes of what is written at the end, as a velocity of zeros; None: nothing.
     """
 
     def __init__(
@@ -77,11 +80,13 @@ class Repetition(Task):
         new_data: Callable[[], bytes],
         period_s: float,
         tell: Callable[[str, str], None],
+        last_data: Callable[[], bytes] | None = None,
     ) -> None:
         self._first = first
         self._new_data = new_data
         self._period_s = period_s
         self._tell = tell
+        self._last_data = last_data
         self._count = 0
         self._due_s = time.monotonic()
         self._next_told_s = 0.0
@@ -115,5 +120,8 @@ class Repetition(Task):
         return False
 
     def close(self) -> None:
-        """Leave the writer open for the next message."""
+        """Write what is last, and leave the writer open for the next message."""
+        if self._count and self._last_data is not None:
+            with suppress(WireError):
+                self._first.write(self._last_data())
         self._first.close()

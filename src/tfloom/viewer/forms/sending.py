@@ -21,6 +21,7 @@ from tfloom.rosidl.definition_files import interface_names
 from tfloom.rosidl.message import Message
 from tfloom.rosidl.service import Action, Service
 from tfloom.viewer.displays.display import shown_text
+from tfloom.viewer.driving.driver import TWIST_TYPES
 from tfloom.viewer.forms.asking import Call, Goal, Wire
 from tfloom.viewer.forms.filling import fill
 from tfloom.viewer.forms.learning import Learning
@@ -159,9 +160,6 @@ class Sending:
         self._writers.clear()
 
     def _take_commands(self) -> None:
-        if self._is_left:
-            self._is_left = False
-            self._close_writers()
         # A page that is forgotten here has asked for everything before. So its commands, which may still wait, are done
         # first, and what they have begun is cancelled with the rest: nobody could cancel it later.
         forgotten = set()
@@ -175,6 +173,10 @@ class Sending:
         for opened in [opened for opened in self._tasks if opened.page in forgotten]:
             self._tasks.remove(opened)
             self._cancel_orphan(opened.task)
+        if self._is_left:
+            self._is_left = False
+            if not self._tasks:  # of a page that was opened since
+                self._close_writers()
 
     def _try(
         self, page: str, command: Mapping[str, Any], answer: Answer, reasons: list[str] | None = None
@@ -363,8 +365,13 @@ class Sending:
             task = self._publication(name, type(message), data, first_tell)
             if rate_hz:
                 message_class = type(message)
+                moves = message_class._TYPE_NAME in TWIST_TYPES
                 task = Repetition(
-                    task, lambda: fill(message_class(), values, self._now_ns()), 1.0 / rate_hz, tell
+                    task,
+                    lambda: fill(message_class(), values, self._now_ns()),
+                    1.0 / rate_hz,
+                    tell,
+                    (lambda: fill(message_class(), {}, self._now_ns())) if moves else None,
                 )
         elif what == "service":
             task = Call(self._wire, name, interface_class, data, tell)
