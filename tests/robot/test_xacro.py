@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import os
+import signal
 import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import psutil
 import pytest
+from tests.conftest import has_ended, wait_until
 
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.substitution import SubstitutionFailure
@@ -96,6 +99,98 @@ def test_its_errors_are_lines(
         assert end.value.code == 2, printed
         assert reason in printed
         assert "Traceback" not in printed
+
+
+def doubled(inner: str, outer: str) -> str:
+    """Return definitions that have the one before twice, forty times."""
+    return inner + "".join(outer.format(number, number - 1) for number in range(1, 41))
+
+
+ENDLESS = {
+    "macros": (
+        doubled(
+            '<xacro:macro name="m0"><link name="a"/></xacro:macro>',
+            '<xacro:macro name="m{0}"><xacro:m{1}/><xacro:m{1}/></xacro:macro>',
+        )
+        + "<xacro:m40/>",
+        "more than 2000 elements, which is the limit",
+    ),
+    "macros that are empty": (
+        doubled(
+            '<xacro:macro name="m0"/>', '<xacro:macro name="m{0}"><xacro:m{1}/><xacro:m{1}/></xacro:macro>'
+        )
+        + "<xacro:m40/>",
+        "more than 2000 elements",
+    ),
+    "blocks": (
+        '<xacro:macro name="m" params="*b"><a>'
+        + '<xacro:insert_block name="b"/>' * 2
+        + "</a></xacro:macro>"
+        + "<xacro:m>" * 40
+        + "<b/>"
+        + "</xacro:m>" * 40,
+        "more than 2000 elements",
+    ),
+    "a macro that calls itself": ('<xacro:macro name="m"><xacro:m/></xacro:macro><xacro:m/>', "recursion"),
+    "properties": (
+        doubled(
+            '<xacro:property name="p0" value="aaaaaaaa"/>',
+            '<xacro:property name="p{0}" value="${{p{1}}}${{p{1}}}"/>',
+        )
+        + '<link name="${p40}"/>',
+        "characters, and 1000000 are the limit",
+    ),
+    "an expression that fills the memory": (
+        "<link name=\"${'a' * 10**11}\"/>",
+        "MiB of memory, which is the limit",
+    ),
+    "an expression that doesn't end": ('<link name="${9**9**9}"/>', "more than 2 s, which is the limit"),
+    "conditions": (
+        '<xacro:macro name="m"><xacro:if value="${python.sum(python.map(len, [[]] * 10**5)) == 0}"><a/></xacro:if>'
+        "</xacro:macro>" + "<xacro:m/>" * 1900,
+        "more than 2 s, which is the limit",
+    ),
+}
+
+
+@pytest.mark.parametrize("kind", ENDLESS)
+def test_file_that_stands_for_more_than_the_limits_ends_with_a_line(
+    kind: str,
+    robot: Path,
+    deviations: dict[str, dict[str, str]],
+    monkeypatch: pytest.MonkeyPatch,
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    assert "xacro-limits" in deviations
+    monkeypatch.setattr(xacro_program, "MAX_ELEMENTS", 2000)
+    monkeypatch.setattr(xacro_program, "MAX_S", 2.0 if "2 s" in ENDLESS[kind][1] else 60.0)
+    monkeypatch.setattr(xacro_program, "GRACE_S", 0.5)
+    text, reason = ENDLESS[kind]
+    assert len(text) < 10**5
+    robot.write_text(f'<robot name="r" {NAMESPACE}>{text}</robot>')
+    with pytest.raises(SystemExit) as end:
+        xacro_program.main([str(robot)])
+    printed = capfd.readouterr()
+    assert end.value.code == 2
+    assert reason in printed.err
+    assert "Traceback" not in printed.err
+    assert printed.out == ""
+
+
+@pytest.mark.skipif(os.name != "posix", reason="Windows has no such signal")
+def test_process_of_the_library_ends_with_the_program(robot: Path, start_program: Callable[..., Any]) -> None:
+    robot.write_text(f'<robot name="r" {NAMESPACE}><link name="${{9**9**9}}"/></robot>')
+    program = start_program(*XACRO, robot)
+
+    def child() -> list[psutil.Process]:
+        children: list[psutil.Process] = psutil.Process(program.process.pid).children()
+        return children
+
+    wait_until(child, what="the library's process")
+    (library,) = child()
+    program.process.send_signal(signal.SIGTERM)
+    assert program.wait() == 128 + signal.SIGTERM
+    wait_until(lambda: has_ended(library.pid), what="its end")
 
 
 def test_where_it_is_not_installed(

@@ -1,33 +1,174 @@
-"""xacro: write the XML that a file with macros describes, by the library of this name."""
+"""xacro: write the XML that a file with macros describes, by the library of this name, within limits.
+
+A file of a few lines can stand for any amount of XML: macros that call others twice, or `${9**9**9}`. So the library
+runs in a process of its own, which has the limits; this one ends it where it doesn't end itself.
+"""
 
 from __future__ import annotations
 
+import contextlib
+import signal
+import subprocess
 import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from importlib.util import find_spec
+from typing import Any, NoReturn
 
 from tfloom.xml_parsers import guard_minidom
 
 __all__ = ["main"]
 
 MISSING = "xacro is not installed: pip install 'tfloom[robot]'"
+MAX_ELEMENTS = 50_000
+"""Number of elements that are evaluated, those of macros each time that they are called."""
+MAX_TEXT = 1_000_000
+"""Length of a text that an attribute, a property or an element may have [characters]."""
+MAX_S = 60.0
+"""How long an expansion may take [s]."""
+MAX_BYTES = 2 * 1024**3
+"""How much memory it may have, where the system can limit it [bytes]."""
+GRACE_S = 5.0
+"""How long it may take to say that it took too long, until it is ended [s]."""
+FAILED = 2
+"""Exit code of the library for what is wrong with a file."""
 
 
 def main(args: list[str] | None = None) -> int:
-    """Expand a file; return the exit code. The library prints errors and help, and raises SystemExit for them."""
-    import xml.parsers.expat  # noqa: F401  # the library uses it, and imports it too late for its errors
-
-    try:
-        import xacro
-    except ImportError as error:
-        if error.name != "xacro":
-            raise
+    """Expand a file; return 0, or 1 without the library. Raise SystemExit for errors, which were printed."""
+    if find_spec("xacro") is None:
         print(f"xacro: {MISSING}", file=sys.stderr)
         return 1
-    guard_minidom()  # by which the library reads
-    if args is not None:
-        sys.argv = ["xacro", *args]
+    words = sys.argv[1:] if args is None else args
+    limits = [f"{MAX_ELEMENTS}", f"{MAX_S}", f"{MAX_BYTES}"]
+    with subprocess.Popen([sys.executable, "-m", "tfloom.robot.xacro_program", *limits, *words]) as child:
+        try:
+            with _ended_by_signal():
+                code = child.wait(MAX_S + GRACE_S)
+        except subprocess.TimeoutExpired:
+            print(f"error: {_too_long(MAX_S)}", file=sys.stderr)
+            code = FAILED
+        finally:
+            child.kill()
+    if code < 0:
+        name = signal.Signals(-code).name if -code in {*signal.Signals} else f"signal {-code}"
+        print(f"error: the expansion was ended by {name}", file=sys.stderr)
+        code = FAILED
+    if code:
+        raise SystemExit(code)
+    return 0
+
+
+@contextlib.contextmanager
+def _ended_by_signal() -> Iterator[None]:
+    """Raise SystemExit in the block for SIGTERM, so that the child is ended, too."""
+
+    def end(number: int, _: object) -> NoReturn:
+        raise SystemExit(128 + number)
+
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = signal.signal(signal.SIGTERM, end)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, before)
+
+
+def _too_long(limit_s: float) -> str:
+    return f"the expansion takes more than {limit_s:g} s, which is the limit: does a macro call others again and again?"
+
+
+def _expand(limits: list[str], args: list[str]) -> int:
+    """Expand a file in this process; return the exit code. The library raises SystemExit for errors."""
+    import xml.parsers.expat  # noqa: F401  # the library uses it, and imports it too late for its errors
+
+    import tfloom
+
+    tfloom.use_ros_names()  # it finds packages by ament_index_python
+    import xacro
+
+    guard_minidom()  # by which it reads
+    max_elements, max_s, max_bytes = int(limits[0]), float(limits[1]), int(limits[2])
+    xacro.eval_all = _counted(xacro, max_elements, max_s)
+    xacro.eval_text = _measured(xacro)
+    xacro.process_file = _with_memory(xacro, max_bytes)
+    sys.argv = ["xacro", *args]
     try:
         xacro.main()
     except BrokenPipeError:
         sys.stdout = None  # there is nobody to write to when Python ends
         return 1
+    except MemoryError:  # from writing the XML
+        print(f"error: {_too_large(max_bytes)}", file=sys.stderr)
+        return FAILED
     return 0
+
+
+def _counted(xacro: Any, max_elements: int, max_s: float) -> Callable[[Any, Any, Any], None]:
+    """Return the library's function that evaluates an element, with a limit for their number and the time."""
+    evaluate: Callable[[Any, Any, Any], None] = xacro.eval_all
+    end_s = time.monotonic() + max_s
+    count = 0
+
+    def evaluate_within_limits(node: Any, macros: Any, symbols: Any) -> None:
+        nonlocal count
+        count += 1
+        if count > max_elements:
+            raise xacro.XacroException(
+                f"the expansion has more than {max_elements} elements, which is the limit: does a macro call others "
+                "again and again?"
+            )
+        if time.monotonic() > end_s:
+            raise xacro.XacroException(_too_long(max_s))
+        evaluate(node, macros, symbols)
+
+    return evaluate_within_limits
+
+
+def _measured(xacro: Any) -> Callable[[Any, Any], Any]:
+    """Return the library's function that evaluates a text, with a limit for what it yields."""
+    evaluate: Callable[[Any, Any], Any] = xacro.eval_text
+
+    def evaluate_within_limits(text: Any, symbols: Any) -> Any:
+        value = evaluate(text, symbols)
+        if isinstance(value, str) and len(value) > MAX_TEXT:
+            raise xacro.XacroException(
+                f"a text has {len(value)} characters, and {MAX_TEXT} are the limit: does a property have others again "
+                "and again?"
+            )
+        return value
+
+    return evaluate_within_limits
+
+
+def _with_memory(xacro: Any, max_bytes: int) -> Callable[..., Any]:
+    """Return the library's function that expands a file, with a limit for the memory, where the system has one."""
+    process: Callable[..., Any] = xacro.process_file
+    with contextlib.suppress(ImportError, OSError, ValueError):  # Windows; a lower limit of the user's
+        import resource
+
+        resource.setrlimit(resource.RLIMIT_AS, (max_bytes, resource.getrlimit(resource.RLIMIT_AS)[1]))
+
+    def process_within_limits(*args: Any, **options: Any) -> Any:
+        try:
+            return process(*args, **options)
+        except Exception as error:
+            cause: BaseException | None = error
+            while cause is not None and not isinstance(cause, MemoryError):
+                cause = cause.__context__
+            if cause is None:
+                raise
+        raise xacro.XacroException(_too_large(max_bytes))
+
+    return process_within_limits
+
+
+def _too_large(max_bytes: int) -> str:
+    return f"the expansion needs more than {max_bytes // 1024**2} MiB of memory, which is the limit"
+
+
+if __name__ == "__main__":
+    sys.exit(_expand(sys.argv[1:4], sys.argv[4:]))
