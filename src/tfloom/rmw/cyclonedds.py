@@ -37,7 +37,13 @@ from tfloom.rmw.errors import ClosedError, WireError
 from tfloom.rmw.forks import Inherited, refuse
 from tfloom.rmw.machine_clock import describe_machine_clock
 from tfloom.rmw.qos import DurabilityPolicy, QoS
-from tfloom.rmw.services import HeaderRequester, HeaderResponder, RequestsInFlight, waiting_qos
+from tfloom.rmw.services import (
+    HeaderRequester,
+    HeaderResponder,
+    RequestsInFlight,
+    sending_qos,
+    waiting_qos,
+)
 from tfloom.rmw.topic_names import request_topic, response_topic, topic_to_dds, type_to_dds
 
 MAX_TIME_NS = 2**32 * 1_000_000_000 - 1
@@ -240,19 +246,19 @@ class CycloneParticipant:
         self, key: str, asking: type[_End], answering: type[_End2], node: NodeName, service: Service, qos: QoS
     ) -> tuple[_End, _End2]:
         """Open the endpoints of a server or a client: for requests, and for responses."""
-        waiting = waiting_qos(qos, is_client=key == CLIENT_KEY)
+        waiting, sending = waiting_qos(qos, is_client=key == CLIENT_KEY), sending_qos(qos)
         identifier = end_id(self._native.gid, next(self._service_end_numbers))
         topic = response_topic(service)
         user_data = end_user_data(key, identifier, service.response_hash)
         # The end for responses comes first: a client's reader should be known to its peers when its first request is.
         responses = self._open(
-            answering, topic.name, topic, waiting if answering is CycloneReader else qos, user_data
+            answering, topic.name, topic, waiting if answering is CycloneReader else sending, user_data
         )
         topic = request_topic(service)
         user_data = end_user_data(key, identifier, service.request_hash)
         try:
             requests = self._open(
-                asking, topic.name, topic, waiting if asking is CycloneReader else qos, user_data
+                asking, topic.name, topic, waiting if asking is CycloneReader else sending, user_data
             )
         except WireError:
             responses.close()  # or peers would see half of a client or a server

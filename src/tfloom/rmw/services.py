@@ -19,7 +19,7 @@ from tfloom._native import ReadyQueue
 from tfloom.rmw.base import Reader, Request, RequestId, Response, Sample, Writer
 from tfloom.rmw.errors import ClosedError, ForeignPeerError, WireError
 from tfloom.rmw.events import Event
-from tfloom.rmw.qos import QoS
+from tfloom.rmw.qos import HistoryPolicy, QoS
 
 CLIENT_WAIT_S = 0.1
 """The longest wait of a response until its client's reader is matched [s]."""
@@ -103,6 +103,16 @@ def waiting_qos(qos: QoS, *, is_client: bool) -> QoS:
     if is_client or qos.depth >= QoS().depth:
         return qos._replace(depth=max(qos.depth, MIN_DEPTH))
     return qos
+
+
+def sending_qos(qos: QoS) -> QoS:
+    """Return the quality that the writer of a client or a server has.
+
+    A writer that keeps the last samples alone can't send one again that a peer has not received: of a burst, more than
+    its depth may be on their way, and the system drops what a busy peer has no room for. So it keeps all until they are
+    acknowledged, and a write waits where too many are not.
+    """
+    return qos._replace(history=HistoryPolicy.KEEP_ALL)
 
 
 def _with_header(data: bytes, key: bytes, sequence_number: int) -> bytes:
