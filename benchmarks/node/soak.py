@@ -9,7 +9,8 @@ calls the service.
 The resident memory (RSS) of each permanent process is measured. In the steady state, the part of the time after WARM_UP
 and WARM_UP_S, it must not grow by more than MAX_GROWTH: the report has its median over the first and the last tenth of
 that part, and over each tenth of the whole time. The exit code is 1 if a message was lost, a permanent process ended,
-or memory grew by more; in less than MIN_STEADY_S, memory is reported only, because it has not become steady.
+or memory grew by more; in less than MIN_STEADY_S, memory is reported only, because it has not become steady. The last
+lines, which are reported only, say what a latched publisher and its subscription leave (`soak_pairs`).
 """
 
 from __future__ import annotations
@@ -36,6 +37,7 @@ from std_msgs.msg import String
 from tf2_ros import Buffer, TransformBroadcaster, TransformException, TransformListener
 
 from benchmarks.domain import DOMAIN_ID
+from benchmarks.node import soak_pairs
 from benchmarks.node.memory import MIN_STEADY_S, Memory
 
 GUESTS = 3
@@ -46,6 +48,7 @@ CALL_EVERY = 50
 PADDING = "x" * 200
 PATIENCE_S = 60.0
 FRAMES = 20
+PAIRS = 200
 RESIDENTS = ("broadcaster", "listener")
 
 ALL = QoSProfile(history=HistoryPolicy.KEEP_ALL)
@@ -288,7 +291,10 @@ def main() -> int:
         return 0
     soak = Soak(arguments.seconds, arguments.domain)
     soak.run()
-    print("\n".join([*soak.faults[:10], soak.report()]), flush=True)
+    print(
+        "\n".join([*soak.faults[:10], soak.report(), *soak_pairs.reports(PAIRS, arguments.domain)]),
+        flush=True,
+    )
     return 0 if soak.is_sound() else 1
 
 
