@@ -13,12 +13,12 @@ from tests.rmw.conftest import NODES, Wires
 
 from tfloom._native import DdsParticipant, DdsReader, DdsWriter, ReadyQueue
 from tfloom.rmw import cyclone_services, cyclonedds, services
-from tfloom.rmw.base import RequestId, Sample, Service
+from tfloom.rmw.base import NodeName, Participant, RequestId, Sample, Service, Topic
 from tfloom.rmw.cyclone_config import configuration
 from tfloom.rmw.cyclone_library import find_library
 from tfloom.rmw.cyclone_services import CycloneClients, CycloneServers, Vendors, end_id
 from tfloom.rmw.errors import ClosedError, ForeignPeerError
-from tfloom.rmw.qos import QoS
+from tfloom.rmw.qos import HistoryPolicy, QoS
 from tfloom.rmw.services import HeaderRequester, HeaderResponder, RequestsInFlight
 
 KILL = Service("/kill", "turtlesim/srv/Kill", *(f"RIHS01_{digit * 64}" for digit in "123"))
@@ -221,6 +221,29 @@ def bare(domain_id: int) -> Iterator[DdsParticipant]:
 
 REQUESTS = ("rq/killRequest", "turtlesim::srv::dds_::Kill_Request_")
 RESPONSES = ("rr/killReply", "turtlesim::srv::dds_::Kill_Response_")
+
+
+def test_writers_keep_requests_and_responses_until_they_are_acknowledged(
+    participant: Participant, node: NodeName, wait_until
+) -> None:
+    """Those of topics keep their depth: what is lost with it is the user's choice."""
+    participant.create_responder(node, KILL, QoS())
+    participant.create_requester(node, KILL, QoS())
+    participant.create_writer(node, Topic("/kill", "std_msgs/msg/String", ""), QoS())
+
+    def kept() -> dict[str, HistoryPolicy]:
+        return {
+            end.topic.name: end.qos.history
+            for end in participant.graph.raw_endpoints()
+            if end.is_writer and "kill" in end.topic.name
+        }
+
+    wait_until(lambda: len(kept()) == 3)
+    assert kept() == {
+        "rq/killRequest": HistoryPolicy.KEEP_ALL,
+        "rr/killReply": HistoryPolicy.KEEP_ALL,
+        "rt/kill": HistoryPolicy.KEEP_LAST,
+    }
 
 
 def test_requests_on_the_wire_are_header_and_message(domain_id, bare, take, wait_until) -> None:

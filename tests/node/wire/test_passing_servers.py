@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 import random
 import signal
+import threading
+import time
 from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -15,6 +17,7 @@ from tests.conftest import Program
 
 from tfloom.interfaces.example_interfaces.action import Fibonacci
 from tfloom.interfaces.example_interfaces.srv import AddTwoInts
+from tfloom.interfaces.rcl_interfaces.srv import GetParameters
 from tfloom.node.action.client import ActionClient
 from tfloom.node.endpoints.client import NoResponseError
 from tfloom.node.executing.executors import SingleThreadedExecutor
@@ -132,3 +135,33 @@ def test_1500_calls_at_once_are_all_answered(
     for future in futures:
         executor.spin_until_future_complete(future, timeout_sec=30)
     assert [future.result().sum for future in futures] == list(range(1, 1501))
+
+
+def spin_until(
+    executor: SingleThreadedExecutor, is_over: Callable[[], bool], timeout_s: float = 30.0
+) -> None:
+    """Spin until a condition is true, or the time is over."""
+    end = time.monotonic() + timeout_s
+    while not is_over() and time.monotonic() < end:
+        executor.spin_once(timeout_sec=0.1)
+
+
+def test_calls_that_a_stopped_server_has_no_room_for_are_all_answered(
+    start: Start, node: Node, executor: SingleThreadedExecutor
+) -> None:
+    """The system drops what a process that doesn't run can't take: its peer sends it again."""
+    server = start("service_server")
+    asking = node.create_client(GetParameters, "/server/get_parameters")
+    assert asking.wait_for_service(timeout_sec=20)
+    request = GetParameters.Request(names=["x" * 20_000])  # more in all than any socket keeps
+    futures: list[Future[Any]] = []
+    server.pause()
+    calling = threading.Thread(
+        target=lambda: futures.extend(asking.call_async(request) for _ in range(1000)), daemon=True
+    )
+    calling.start()
+    calling.join(0.5)  # it waits where the wire keeps what the server has not received
+    server.signal(signal.SIGCONT)
+    calling.join(30)
+    spin_until(executor, lambda: all(future.done() for future in futures))
+    assert Counter(map(outcome, futures)) == {"answered": 1000}
