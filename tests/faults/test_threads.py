@@ -98,6 +98,11 @@ PLACES = {
     "viewer/foxglove_bridge/own_client.py": [
         "a warning: tests/viewer/foxglove_bridge/test_own_client.py, which refuses the thread"
     ],
+    "viewer/driving/link.py": [
+        "refused: tests/viewer/test_driving.py, where a page hears it, and drives later"
+    ]
+    * 2,
+    "viewer/driving/process.py": ["its viewer is told, and starts it again: tests/viewer/test_driving.py"],
     "viewer/forms/sending.py": [TOLD],
     "viewer/inline_page.py": ["inline_page"],
     "viewer/page_server.py": ["page_server"],

@@ -257,11 +257,47 @@ def test_driver_that_can_not_be_started_is_told_and_tried_again(
 
     monkeypatch.setattr(link.subprocess, "Popen", refuse)
     page = open_page(viewer)
-    text = "driving needs a process, which can't be started: Resource temporarily unavailable"
+    text = "driving needs a process and a thread, which can't be started: Resource temporarily unavailable"
     page.wait_for(lambda: any(line["text"] == text for line in page.log))
     monkeypatch.setattr(link.subprocess, "Popen", popen)
     drive(page, robot)
     wait_until(lambda: robot.is_stopped, what="the stop")
+
+
+@pytest.mark.parametrize("name", ["tfloom_view_driving", "tfloom_view_driving_words"])
+def test_driver_whose_thread_the_system_refuses_is_told_and_tried_again(
+    robot: Robot, viewer: Viewer, open_page: OpenPage, monkeypatch: pytest.MonkeyPatch, name: str
+) -> None:
+    monkeypatch.setattr(link, "RESTART_S", 0.05)
+
+    class RefusedThread(threading.Thread):
+        def start(self) -> None:
+            if self.name == name:
+                raise RuntimeError("can't start new thread")
+            super().start()
+
+    monkeypatch.setattr(link.threading, "Thread", RefusedThread)
+    page = open_page(viewer)
+    page.wait_for(lambda: can_drive(page))
+
+    def is_told() -> bool:
+        page.send(**MOVING)
+        said = [*(line["text"] for line in page.log), *(str(answer.get("error")) for answer in page.answers)]
+        return any("thread" in text and text.endswith("can't start new thread") for text in said)
+
+    page.wait_for(is_told)
+    monkeypatch.undo()
+    drive(page, robot)
+    wait_until(lambda: robot.is_stopped, what="the stop")
+
+
+def test_driver_that_fails_is_told(
+    robot: Robot, viewer: Viewer, open_page: OpenPage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(viewer._live.driving._environment, "RMW_IMPLEMENTATION", "none")
+    page = open_page(viewer)
+    page.wait_for(lambda: any(line["text"].startswith("nobody can drive: ") for line in page.log))
+    assert sum(line["text"].startswith("nobody can drive: ") for line in page.log) == 1
 
 
 def test_on_the_wire_within_a_process_a_thread_drives() -> None:

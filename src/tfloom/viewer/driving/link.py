@@ -235,6 +235,7 @@ class _Process:
         """Start the process. A page hears why that can't be done."""
         self._next_start_s = time.monotonic() + RESTART_S
         self._close_pipes()
+        self._process = None
         try:
             # In a session of its own, because a robot has to be stopped also after Ctrl-C or Ctrl-Z on the terminal.
             self._process = subprocess.Popen(
@@ -245,13 +246,17 @@ class _Process:
                 env=self._environment,
                 start_new_session=True,
             )
-        except OSError as error:
-            self._process = None
-            self._refuse("", f"driving needs a process, which can't be started: {error.strerror or error}")
-            return
-        threading.Thread(
-            target=self._read, args=(self._process,), name="tfloom_view_driving_words", daemon=True
-        ).start()
+            threading.Thread(
+                target=self._read, args=(self._process,), name="tfloom_view_driving_words", daemon=True
+            ).start()
+        except (OSError, RuntimeError) as error:
+            if self._process is not None:
+                self._process.communicate()  # which closes its stdin
+                self._process = None
+            reason = error.strerror if isinstance(error, OSError) else None
+            self._refuse(
+                "", f"driving needs a process and a thread, which can't be started: {reason or error}"
+            )
 
     def wait_s(self) -> float | None:
         """Return how long nothing is to be done without a command [s]; None: always."""

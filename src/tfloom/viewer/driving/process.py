@@ -16,7 +16,6 @@ from contextlib import closing, suppress
 
 from tfloom.rmw.backends import open_participant
 from tfloom.rmw.base import NodeName
-from tfloom.rmw.errors import WireError
 from tfloom.viewer.driving.driver import Driver, Wish, run_driver
 
 __all__ = ["main"]
@@ -31,14 +30,14 @@ def main(arguments: list[str]) -> int:
     for name in ENDS:
         if hasattr(signal, name):
             signal.signal(getattr(signal, name), lambda *_: commands.put(None))
-    threading.Thread(target=_read, args=(commands,), daemon=True).start()
     node = NodeName("/", arguments[1])
     try:
+        threading.Thread(target=_read, args=(commands,), daemon=True).start()
         with closing(open_participant(int(arguments[0]))) as participant:
             participant.add_node(node)
             run_driver(Driver(participant, node, _refuse), commands)
-    except WireError as error:
-        _refuse("", str(error))
+    except Exception as error:  # noqa: BLE001  # nobody else would hear of it
+        _refuse("", f"nobody can drive: {error}")
         return 1
     return 0
 
