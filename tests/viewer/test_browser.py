@@ -7,11 +7,8 @@ import os
 import re
 import shutil
 import sys
-import threading
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from functools import partial
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +18,7 @@ from tests import conftest
 from tests.conftest import Program
 from tests.spun import SpunNode, spun
 from tests.viewer.a_robot import EVIL
+from tests.viewer.sites import site
 from tests.viewer.test_layout import RVIZ
 
 import tfloom
@@ -578,30 +576,6 @@ def test_layout_of_rviz_is_shown_and_saved_as_ours(
     assert np.linalg.norm(np.subtract(*layout.camera)) == pytest.approx(7.0, abs=0.05)
     assert saved.faults == []
     saved.page.close()
-
-
-@contextmanager
-def site(host: str, html: str) -> Iterator[str]:
-    """Serve one page on this machine; give its address."""
-
-    class Handler(BaseHTTPRequestHandler):
-        def do_GET(self) -> None:
-            self.send_response(200)
-            self.send_header("Content-Type", "text/html")
-            self.end_headers()
-            self.wfile.write(html.encode())
-
-        def log_message(self, *_: object) -> None:
-            pass
-
-    with ThreadingHTTPServer((host, 0), Handler) as server:
-        thread = threading.Thread(target=server.serve_forever, args=(0.05,))
-        thread.start()
-        try:
-            yield f"http://{host}:{server.server_port}/"
-        finally:
-            server.shutdown()
-            thread.join()
 
 
 def test_page_is_shown_in_a_notebooks_frame_and_in_no_other_sites(
