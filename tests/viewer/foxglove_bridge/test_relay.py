@@ -134,17 +134,26 @@ def test_large_messages_pass_whole_and_in_order(relayed: Relayed) -> None:
             sending.join(TIMEOUT_S)
 
 
-@pytest.mark.parametrize("is_client", [True, False])
-def test_end_of_one_way_leaves_the_other_open(relayed: Relayed, is_client: bool) -> None:
+def test_client_that_sends_no_more_still_gets_answers(relayed: Relayed) -> None:
     with relayed.connection() as (client, server):
-        first, second = (client, server) if is_client else (server, client)
-        first.sendall(b"last words")
-        first.shutdown(socket.SHUT_WR)
-        assert read(second, LARGE) == b"last words"
-        second.sendall(b"an answer")
-        second.shutdown(socket.SHUT_WR)
-        assert read(first, LARGE) == b"an answer"
-    wait_until(lambda: not relayed.relay._ends)
+        client.sendall(b"last words")
+        client.shutdown(socket.SHUT_WR)
+        assert read(server, LARGE) == b"last words"
+        server.sendall(b"an answer")
+        assert read(client, 9) == b"an answer"
+        server.close()
+        assert read(client, LARGE) == b""
+        wait_until(lambda: not relayed.relay._ends)
+
+
+def test_end_of_the_server_ends_the_connection_when_all_is_taken(relayed: Relayed) -> None:
+    data = random.Random(3).randbytes(LARGE)
+    with relayed.connection() as (client, server):
+        sending = threading.Thread(target=lambda: (server.sendall(data), server.close()))
+        sending.start()
+        assert hashlib.sha256(read(client, 2 * LARGE)).digest() == hashlib.sha256(data).digest()
+        sending.join(TIMEOUT_S)
+        wait_until(lambda: not relayed.relay._ends)
 
 
 @pytest.mark.parametrize("is_client", [True, False])
@@ -242,6 +251,31 @@ def test_clients_that_come_and_go_leave_nothing(relayed: Relayed) -> None:
         come_and_go(number)
     wait_until(lambda: not relayed.relay._ends)
     assert psutil.Process().num_fds() <= before
+
+
+def client_end(relayed: Relayed) -> module._Client:
+    (end,) = (end for end in relayed.relay._ends if isinstance(end, module._Client))
+    return end
+
+
+def test_client_that_takes_nothing_is_cut_a_while_after_the_server_has_closed(
+    relayed: Relayed, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(module, "REST_S", 0.2)
+    with relayed.connection() as (client, server):
+        waiting = client_end(relayed).transport
+        wait_until(lambda: server.send(bytes(4096)) and waiting.get_write_buffer_size() > 0)
+        server.close()
+        wait_until(lambda: not relayed.relay._ends)
+        with suppress(ConnectionError):
+            assert read(client, LARGE)
+
+
+def test_clients_whose_network_is_gone_are_found(relayed: Relayed) -> None:
+    with relayed.connection():
+        connection = client_end(relayed).transport.get_extra_info("socket")
+        assert connection.getsockopt(socket.SOL_SOCKET, socket.SO_KEEPALIVE)
+        assert connection.getsockopt(socket.IPPROTO_TCP, socket.TCP_KEEPIDLE) == 15
 
 
 def test_server_that_is_gone_ends_the_connection_and_the_next_one_works(relayed: Relayed) -> None:

@@ -29,6 +29,11 @@ MAX_HEAD_BYTES = 16 * 1024
 """Size of a request [bytes]."""
 REQUEST_S = 10.0
 """The longest wait until a connection is let through [s]."""
+REST_S = 10.0
+"""How long one end may take what has come from the other one before that closed [s]."""
+KEEP_ALIVE = (("TCP_KEEPIDLE", 15), ("TCP_KEEPINTVL", 5), ("TCP_KEEPCNT", 3))
+"""When the system asks whether a client is still there that sends nothing, as its options: one whose network is gone
+says no farewell."""
 RETRY_S = 0.1
 """Time after the system refused a connection, as without a free descriptor, until the next is taken [s]."""
 SWITCH_INTERVAL_S = 0.001
@@ -222,8 +227,6 @@ class Relay:
 
     async def _close(self, timeout_s: float) -> bool:
         ends = {*self._ends}
-        for end in ends:
-            end.end_with_either_way()
         if ends:
             await asyncio.wait({end.closed for end in ends}, timeout=timeout_s)
         left = [end for end in ends if not end.closed.done()]
@@ -234,7 +237,7 @@ class Relay:
 
 
 class _End(asyncio.Protocol):
-    """One end of a connection, whose bytes go to the other one.
+    """One end of a connection, whose bytes go to the other one. When it closes, the other does, once all is taken.
 
     Args:
         loop: The relay's.
@@ -243,11 +246,9 @@ class _End(asyncio.Protocol):
 
     def __init__(self, loop: asyncio.AbstractEventLoop, other: _End | None) -> None:
         self.transport: asyncio.Transport
+        self._loop = loop
         self.other = other
         self.closed: asyncio.Future[None] = loop.create_future()
-        self._has_ended = False
-        """Whether nothing more comes from it."""
-        self._may_be_half_open = True
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         self.transport = cast("asyncio.Transport", transport)
@@ -255,22 +256,6 @@ class _End(asyncio.Protocol):
     def data_received(self, data: bytes) -> None:
         if self.other is not None:
             self.other.transport.write(data)
-
-    def eof_received(self) -> bool:
-        """Pass on that nothing more comes; return whether this end may still be written to."""
-        self._has_ended = True
-        other = self.other
-        # With TLS, there is no end of one way alone.
-        if other is None or not (other.transport.can_write_eof() and self.transport.can_write_eof()):
-            return False
-        other.transport.write_eof()
-        return self._may_be_half_open and not other._has_ended  # noqa: SLF001  # of the same class
-
-    def end_with_either_way(self) -> None:
-        """Close the connection as soon as nothing more comes from this end, when the other has taken what has come."""
-        self._may_be_half_open = False
-        if self._has_ended:
-            self.transport.close()
 
     def pause_writing(self) -> None:
         if self.other is not None:
@@ -284,6 +269,8 @@ class _End(asyncio.Protocol):
         self.closed.set_result(None)
         if self.other is not None:
             self.other.transport.close()
+            # Closing waits until all is taken, and one that takes nothing would never make room for another client.
+            self._loop.call_later(REST_S, self.other.abort)
 
     def abort(self) -> None:
         """Close the connection at once, whatever waits to be sent."""
@@ -296,7 +283,6 @@ class _Client(_End):
 
     def __init__(self, loop: asyncio.AbstractEventLoop, connection: socket.socket) -> None:
         super().__init__(loop, None)
-        self._loop = loop
         self._connection: socket.socket | None = connection
         """Until it is the transport's."""
         self._received = bytearray()
@@ -312,6 +298,10 @@ class _Client(_End):
         """
         if (connection := self._connection) is not None:
             connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+            connection.setsockopt(socket.SOL_SOCKET, socket.SO_KEEPALIVE, 1)
+            for name, value in KEEP_ALIVE:
+                if (option := getattr(socket, name, None)) is not None:
+                    connection.setsockopt(socket.IPPROTO_TCP, option, value)
             self._connection = None
             timeout_s = None if tls is None else REQUEST_S
             await self._loop.connect_accepted_socket(
@@ -329,6 +319,13 @@ class _Client(_End):
             self.transport.pause_reading()
             length = len(self._received) if end < 0 else end + len(HEAD_END)
             self.head.set_result(bytes(self._received[:length]))
+
+    def eof_received(self) -> bool:
+        """Pass on that nothing more comes; return whether this end may still be written to."""
+        if self.other is None or not self.transport.can_write_eof():
+            return False  # with TLS, there is no end of one way alone
+        self.other.transport.write_eof()
+        return True
 
     def go_on(self, other: _End) -> None:
         """Pass all that has come, and all that comes, to another end."""
