@@ -52,7 +52,7 @@ def test_root_namespace_adds_no_prefix() -> None:
         ("{a-b}", 2, "substitution name must not contain"),
         ("{1b}", 1, "substitution name must not start"),
         ("a/~", 2, "tilde '~' unless it is the first"),
-        ("~a", 1, "not followed by a forward slash"),
+        ("~ab", 1, "not followed by a forward slash"),
     ],
 )
 def test_invalid_topic_name_error_has_the_index(name: str, index: int, text: str) -> None:

@@ -119,6 +119,8 @@ def test_yaml_has_rcls_value(text: str, value: Any) -> None:
     [
         ("x:", r"there is no value at line 1, column 3"),
         ("x: !!str", "there is no value"),
+        ("x: |\ny: 1", "there is no value at line 1, column 4"),
+        ("x: >-", "there is no value"),
         ("[a, !!str ]", "there is no value"),
         ("- 1\n-", "there is no value at line 2, column 2"),
         ("5\n---\n", "there is no value"),

@@ -97,6 +97,7 @@ class _Loader(TabScanner, Parser, Composer, SafeConstructor, Resolver):
         self._value_count += 1
         if self._max_values is not None and self._value_count > self._max_values:
             raise YamlLimitError(f"it has more than {self._max_values} keys and values", mark)
+        self.anchors.pop(event.anchor, None)  # an anchor may be there again, for what follows
         before, deepest = self._total, self._deepest
         self._total += 1 + len(getattr(event, "value", ""))
         self._enter(1, mark)

@@ -75,6 +75,10 @@ class TabScanner(Reader, Scanner):
             else:
                 self.forward()
             suffix = self.scan_tag_uri("tag", start_mark)
+            if any(ch in suffix for ch in ",[]"):
+                self._fail(
+                    "a tag", start_mark, f"did not find a blank or line break after it, but {suffix!r}"
+                )
         if self.peek() not in _BLANKS_AND_ENDS and not (self.flow_level and self.peek() == ","):
             self._fail("a tag", start_mark, f"expected ' ', but found {self.peek()!r}")
         return TagToken((handle, suffix), start_mark, self.get_mark())

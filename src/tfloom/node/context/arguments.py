@@ -16,8 +16,7 @@ from tfloom.node.parameters.parameter_file import (
 from tfloom.node.values.exceptions import RCLError
 from tfloom.node.values.names import (
     InvalidNamespaceException,
-    InvalidNodeNameException,
-    InvalidTopicNameException,
+    NameValidationException,
     expand_topic_name,
     validate_namespace,
     validate_node_name,
@@ -56,7 +55,10 @@ _TAKES_VALUE = {
     "-e": "enclave",
     "--enclave": "enclave",
 }
-_NODE_PREFIX = r"([A-Za-z_][A-Za-z0-9_]*):(?!=|//)"
+_PART = r"(?![A-Za-z0-9_]*__)[A-Za-z_][A-Za-z0-9_]*"
+_NODE_PREFIX = rf"({_PART}):(?!=|//)"
+_TOPIC = rf"(~?/)?{_PART}(/{_PART})*"
+_NAMESPACE = rf"/|(/{_PART})+"
 _WORD = r"(?<![A-Za-z0-9_])(?!__)[A-Za-z_][A-Za-z0-9_]*"
 _NODES_PREFIX = rf"/?(\*\*?|{_WORD})(/(\*\*?|{_WORD}))*:"
 _PARAMETER_NAME = rf"(/|{_WORD})(\.?(/|{_WORD}))*"
@@ -219,18 +221,22 @@ def _parse_remap(parsed: Arguments, flag: str, value: str) -> None:
     for prefix in ("topic", "service"):
         if match.startswith(f"ros{prefix}://"):
             scheme, match = prefix, match[len(prefix) + 6 :]
+    pattern, names = _TOPIC, [match, replacement]
     try:
         if match in ("__node", "__name"):
-            match = "__node"
+            match, pattern, names = "__node", _PART, [replacement]
             validate_node_name(replacement)
         elif match == "__ns":
-            replacement = replacement if replacement.startswith("/") else f"/{replacement}"
+            pattern, names = _NAMESPACE, [replacement]
             validate_namespace(replacement)
         else:
             validate_topic_name(match)
             validate_topic_name(replacement)
-    except (InvalidNodeNameException, InvalidNamespaceException, InvalidTopicNameException) as error:
+    except NameValidationException as error:
         raise _argument_error(flag, value, f"'{error.name}': {error.error_msg}") from None
+    for name in names:
+        if not re.fullmatch(pattern, name):
+            raise _argument_error(flag, value, f"'{name}': a rule has no substitutions, and no '__' or '//'")
     parsed.remaps.append(RemapRule(node, scheme, match, replacement))
 
 

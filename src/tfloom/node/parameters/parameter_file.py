@@ -100,6 +100,8 @@ def _rules_below(node: str, content: Any) -> Iterator[ParameterRule]:
     if not isinstance(content, dict):
         raise ValueError(f"{node}: expected '{_KEY}' below it, found {content!r}")
     for key, value in content.items():
+        if key == _KEY and node == "/":
+            raise ValueError(f"'{_KEY}' is below '/', and not below the name of a node")
         if key != _KEY:
             yield from _rules_below(_join_namespace(node, key), value)
             continue

@@ -43,6 +43,7 @@ NODE_NAME_LIMIT = 255
 
 _Finding = tuple[str, int]
 _SUBSTITUTED = ("node", "ns", "namespace")
+_UNBALANCED = "topic name must not have unmatched (unbalanced) curly braces '{}'"
 _SUBSTITUTION = re.compile(r"\{([^{}]*)\}")
 
 
@@ -164,38 +165,49 @@ def _check_full_topic_name(name: str) -> _Finding | None:
     return finding
 
 
-def _check_substitutions(name: str) -> _Finding | None:
-    for match in _SUBSTITUTION.finditer(name):
-        inner = match.group(1)
-        if inner[:1].isdigit():
-            return "substitution name must not start with a number", match.start() + 1
-        at = _first_match_index(r"[^A-Za-z0-9_]", inner)
-        if at is not None:
-            text = "substitution name must not contain characters other than alphanumerics or '_'"
-            return text, match.start() + 1 + at
-    at = _first_match_index(r"[{}]", _SUBSTITUTION.sub(lambda match: "_" * len(match.group()), name))
-    return None if at is None else ("topic name must not have unmatched (unbalanced) curly braces '{}'", at)
+def _check_characters(name: str) -> _Finding | None:
+    """Check a topic's characters from the first to the last, of which the first that is wrong is told."""
+    opened: int | None = None
+    for at, character in enumerate(name):
+        if character == "{" and opened is None:
+            opened = at
+        elif character == "}":
+            if opened is None:
+                return _UNBALANCED, at
+            opened = None
+        elif character == "~" and at > 0:
+            return "topic name must not have tilde '~' unless it is the first character", at
+        elif opened is not None:
+            if character.isdigit() and character.isascii() and at == opened + 1:
+                return "substitution name must not start with a number", at
+            if not _is_word(character):
+                text = "substitution name must not contain characters other than alphanumerics or '_'"
+                return text, at
+        elif not _is_word(character) and character not in "/~":
+            text = "topic name must not contain characters other than alphanumerics, '_', '~', '{', or '}'"
+            return text, at
+    return None if opened is None else (_UNBALANCED, opened)
 
 
-def _check_topic_name(name: str) -> _Finding | None:  # noqa: PLR0911  # one return a rule
+def _is_word(character: str) -> bool:
+    return character == "_" or (character.isascii() and character.isalnum())
+
+
+def _check_topic_name(name: str) -> _Finding | None:
     if not name:
         return "topic name must not be empty string", 0
+    starts_with_number = "topic name token must not start with a number"
+    if re.match(r"[0-9]", name):
+        return starts_with_number, 0
     if name[-1] == "/":
         return "topic name must not end with a forward slash", len(name) - 1
-    finding = _check_substitutions(name)
+    finding = _check_characters(name)
     if finding is not None:
         return finding
-    at = _first_match_index(r"[^A-Za-z0-9_~{}/]", name)
-    if at is not None:
-        text = "topic name must not contain characters other than alphanumerics, '_', '~', '{', or '}'"
-        return text, at
-    at = _first_match_index(r"(?<!^)~", name)
-    if at is not None:
-        return "topic name must not have tilde '~' unless it is the first character", at
-    if len(name) > 1 and name[0] == "~" and name[1] != "/":
+    if re.match(r"~[^/].", name):  # of `~a`, the reference takes no notice
         return "topic name must not have a tilde '~' that is not followed by a forward slash '/'", 1
-    at = _first_match_index(r"(^|(?<=/))[0-9]", name)
-    return None if at is None else ("topic name token must not start with a number", at)
+    at = _first_match_index(r"(?<=/)[0-9]", name)
+    return None if at is None else (starts_with_number, at)
 
 
 def validate_node_name(node_name: str) -> bool:

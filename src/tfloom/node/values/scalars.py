@@ -148,7 +148,7 @@ def _construct(node: Any, letters: bool) -> Any:
         return [byte for item in items for byte in item] if is_bytes else items
     if node.style in _QUOTES and node.tag != _BINARY:
         return node.value
-    if node.value == "" and node.style is None:
+    if node.value == "":
         raise _error("there is no value", node, "write '' for an empty text")
     if node.tag == _BINARY:
         return _bytes(node.value)
