@@ -184,6 +184,8 @@ def test_values_of_every_type_survive_set_and_get(
     parameters = yaml.safe_load(dumped)["/ns/a_node"]["ros__parameters"]
     assert parameters["a"]["number"] == 5
     assert "unset" not in parameters
+    unset = transcript.run_here("param", "get", "/ns/a_node", "unset")
+    assert (unset.text, unset.exit_code) == ("Parameter not set\nit is declared, and has no value", 1)
     file = tmp_path / "parameters.yaml"
     file.write_text(dumped)
     loaded = transcript.run_here("param", "load", "/ns/a_node", str(file)).text

@@ -147,4 +147,7 @@ def requested_node(args: argparse.Namespace) -> Iterator[ParameterServices]:
 
 def unknown_parameter(services: ParameterServices, name: str) -> CommandError:
     """Return the error about a parameter that a node doesn't have, with the nearest names."""
-    return CommandError(f"Parameter not set{did_you_mean(name, services.names())}")
+    names = services.names()
+    if name in names:
+        return CommandError("Parameter not set\nit is declared, and has no value")
+    return CommandError(f"Parameter not set{did_you_mean(name, names)}")

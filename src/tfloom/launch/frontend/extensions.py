@@ -34,5 +34,6 @@ def load_entry_points(group: str) -> dict[str, Any]:
         try:
             loaded[entry_point.name] = entry_point.load()
         except Exception as error:  # noqa: BLE001, PERF203  # of any package
-            warnings.warn(f"Failed to load {entry_point.value}: {error}", stacklevel=3)
+            what = f"the extension '{entry_point.name}' of {group} ({entry_point.value})"
+            warnings.warn(f"Failed to load {what}: {type(error).__name__}: {error}", stacklevel=3)
     return loaded
