@@ -29,7 +29,9 @@ from tfloom.launch.ros.descriptions.composable_node import ComposableNode
 from tfloom.launch.ros.utilities.names import get_node_name_count
 from tfloom.launch.substitutions.text_substitution import TextSubstitution
 from tfloom.node.context.context import Context
+from tfloom.node.endpoints.client import Client, NoResponseError
 from tfloom.node.executing.executors import SingleThreadedExecutor
+from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
 
 Launch = Callable[..., Any]
@@ -77,6 +79,23 @@ def load(*nodes: ComposableNode, target: Any = "/container") -> LoadComposableNo
 
 def node(name: str = "n", **kwargs: Any) -> ComposableNode:
     return ComposableNode(package="some_package", plugin="some::Plugin", name=name, **kwargs)
+
+
+def test_container_that_leaves_while_it_loads_is_told(
+    launch: Launch, container: Container, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def call_async(client: Client[Any, Any], _request: Any) -> Future[Any]:
+        future: Future[Any] = Future()
+        future.set_exception(
+            NoResponseError(f"no response from {client.srv_name}: its server left the graph")
+        )
+        return future
+
+    monkeypatch.setattr(Client, "call_async", call_async)
+    ran = launch(load(node("first"), node("second")))
+    text = "no response from /container/_container/load_node: its server left the graph"
+    assert ran.lines == [f"[ERROR] [launch_ros.actions.load_composable_nodes]: {text}"]
+    assert not container.requests
 
 
 def test_nodes_are_loaded_in_order(launch: Launch, container: Container) -> None:

@@ -18,7 +18,9 @@ _POLL_S = 0.2
 
 
 def call_service(client: Client, request: Any, context: LaunchContext, logger: logging.Logger) -> Any:
-    """Wait for a service, call it, and return its response; None, with a warning, if the launch is shut down before.
+    """Wait for a service, call it, and return its response; None, with a log line, if there will be none.
+
+    That is if the launch is shut down before, or the server leaves.
 
     Not on the launch's own thread: there, the wait would hold up all events, the shutdown among them.
 
@@ -26,8 +28,9 @@ def call_service(client: Client, request: Any, context: LaunchContext, logger: l
         client: The client, of the launch's node.
         request: The request.
         context: The launch.
-        logger: Gets the warning.
+        logger: Gets the line.
     """
+    from tfloom.node.endpoints.client import NoResponseError
     from tfloom.node.values.exceptions import InvalidHandle
 
     # Both waits are polls, because nothing wakes them at the shutdown. The launch's thread destroys the node of the
@@ -44,6 +47,10 @@ def call_service(client: Client, request: Any, context: LaunchContext, logger: l
         return future.result()
     except InvalidHandle:  # the launch was shut down in between
         return None
+    except NoResponseError as error:  # a process that dies while it is asked
+        reason = str(error)
+    logger.error("%s", reason)
+    return None
 
 
 def _warn_of_abandoned_wait(logger: logging.Logger, what: str) -> None:
