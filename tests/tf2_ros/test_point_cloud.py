@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import array
+import math
 import sys
 from copy import deepcopy
+from typing import Any
 
 import numpy as np
 import pytest
@@ -266,6 +268,63 @@ def test_a_deskewed_cloud_equals_deskewed_points() -> None:
 def test_unfitting_points_raise(make: object, text: str) -> None:
     with pytest.raises(AssertionError, match=text):
         make()
+
+
+@pytest.mark.parametrize(
+    "points",
+    [
+        *(np.ones((2, columns)) for columns in (4, 2, 1, 0)),
+        *(np.ones(shape) for shape in [(3,), (3, 1), (2, 2, 4), ()]),
+        [(1.0, 2.0, 3.0, 4.0)],
+        [(1.0, 2.0)],
+        [(1.0, 2.0, 3.0), (1.0, 2.0)],
+    ],
+    ids=lambda points: str(getattr(points, "shape", points)),
+)
+def test_points_of_another_number_of_columns_are_refused(points: Any) -> None:
+    with pytest.raises(
+        ValueError, match=r"x, y, z\. Pass an array \(N, 3\)|could not assign tuple of length"
+    ):
+        create_cloud_xyz32(HEADER, points)
+
+
+def test_clouds_of_fitting_and_of_no_points_read_back() -> None:
+    for shape in [(2, 3), (4, 2, 3), (0, 3)]:
+        points = np.arange(math.prod(shape), dtype=float).reshape(shape)
+        cloud = create_cloud_xyz32(HEADER, points)
+        np.testing.assert_array_equal(read_points_numpy(cloud), points.reshape(-1, 3))
+    assert [create_cloud_xyz32(HEADER, empty).width for empty in ([], np.array([]))] == [0, 0]
+
+
+@pytest.mark.parametrize(
+    ("datatype", "number", "is_held"),
+    [
+        (PointField.FLOAT32, 1e50, False),
+        (PointField.FLOAT32, math.inf, True),
+        (PointField.FLOAT32, math.nan, True),
+        (PointField.FLOAT64, 1e50, True),
+        (PointField.UINT8, 255.0, True),
+        (PointField.UINT8, 300.0, False),
+        (PointField.UINT8, -1.0, False),
+        (PointField.INT16, math.nan, False),
+        (PointField.UINT32, 12.75, True),
+    ],
+)
+@pytest.mark.filterwarnings("error")
+def test_a_number_beyond_its_fields_type_is_refused(datatype: int, number: float, is_held: bool) -> None:
+    fields = [
+        PointField(name=name, offset=8 * index, datatype=datatype, count=1) for index, name in enumerate("ab")
+    ]
+    points = np.array([[1.0, 2.0], [3.0, number]])
+    if is_held:
+        (_, (_, read)) = read_points(create_cloud(HEADER, fields, points))
+        np.testing.assert_equal(float(read), number if datatype != PointField.UINT32 else 12)
+        return
+    with pytest.raises(ValueError, match="b: a number is beyond its field's type"):
+        create_cloud(HEADER, fields, points)
+    if datatype == PointField.FLOAT32:
+        with pytest.raises(ValueError, match="points: a number is beyond its field's type"):
+            create_cloud(HEADER, fields, points.tolist())
 
 
 def test_cloud_with_too_few_bytes_raises() -> None:

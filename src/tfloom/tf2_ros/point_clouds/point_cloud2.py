@@ -5,7 +5,8 @@ from __future__ import annotations
 import array
 import sys
 from collections import namedtuple
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
@@ -206,6 +207,7 @@ def create_cloud(
 
     Raises:
         AssertionError: the array doesn't fit the fields.
+        ValueError: a point has more or fewer numbers than the fields, or one that its field can't hold.
     """
     listed = list(fields)
     if point_step is None and isinstance(points, np.ndarray) and points.dtype.names is not None:
@@ -213,16 +215,15 @@ def create_cloud(
         point_step = max(points.dtype.itemsize, dtype_from_fields(listed).itemsize)
     dtype = dtype_from_fields(listed, point_step)
     if not isinstance(points, np.ndarray):
-        table = np.array([tuple(point) for point in points], dtype)
+        with _refusing("points"):
+            table = np.array([tuple(point) for point in points], dtype)
     elif points.dtype.names is None:
         if any(field.datatype != listed[0].datatype for field in listed):
             raise AssertionError(
                 "All fields need to have the same datatype. Pass a structured NumPy array with multiple dtypes "
                 "otherwise."
             )
-        table = np.zeros(points.shape[:-1], dtype)
-        for column, name in enumerate(dtype.names or ()):
-            table[name] = points[..., column]
+        table = _structured(points, dtype)
     else:
         if points.dtype != dtype:
             raise AssertionError(
@@ -248,8 +249,42 @@ def create_cloud(
     )
 
 
+@contextmanager
+def _refusing(what: str) -> Iterator[None]:
+    """Refuse numbers that are infinite, or not there, only in the field's type, as 1e50 in float32."""
+    try:
+        with np.errstate(over="raise", invalid="raise"):
+            yield
+    except FloatingPointError as error:
+        raise ValueError(f"{what}: a number is beyond its field's type: {error}") from None
+
+
+def _structured(points: NDArray[Any], dtype: np.dtype[Any]) -> NDArray[Any]:
+    """Return the points of a plain array (…, fields) as a structured one."""
+    names = dtype.names or ()
+    if points.shape == (0,):  # np.array([])
+        return np.zeros(0, dtype)
+    if points.ndim < 2 or points.shape[-1] != len(names):
+        raise ValueError(
+            f"points of the shape {points.shape} don't fit the {len(names)} numbers of a point: {', '.join(names)}. "
+            f"Pass an array (N, {len(names)}), as points[:, :{len(names)}], or a field for each column"
+        )
+    table = np.zeros(points.shape[:-1], dtype)
+    for column, name in enumerate(names):
+        numbers = points[..., column]
+        with _refusing(name):
+            table[name] = numbers
+        if dtype[name].kind in "iu" and (np.trunc(numbers) != table[name]).any():
+            raise ValueError(f"{name}: a number is beyond its field's type, {dtype[name].name}")
+    return table
+
+
 def create_cloud_xyz32(header: Header, points: Any) -> PointCloud2:
-    """Return a cloud of float32 x, y and z from an array (N, 3) or an iterable of points."""
+    """Return a cloud of float32 x, y and z from an array (N, 3) or an iterable of points.
+
+    Raises:
+        ValueError: a point has more or fewer numbers, or one beyond float32.
+    """
     fields = [
         PointField(name=name, offset=4 * index, datatype=PointField.FLOAT32, count=1)
         for index, name in enumerate("xyz")
