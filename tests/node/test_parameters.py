@@ -7,6 +7,7 @@ import re
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from tfloom.interfaces.rcl_interfaces.msg import (
@@ -456,3 +457,42 @@ def test_an_empty_list_of_an_argument_has_the_declared_type(
     assert parameter.type_ is Parameter("x", value=default).type_
     with pytest.raises(InvalidParameterTypeException):
         node.declare_parameter("y", 1.0)
+
+
+@pytest.mark.parametrize(
+    ("given", "kind", "value"),
+    [
+        (np.float64(1.5), Type.DOUBLE, 1.5),
+        (np.float16(1.5), Type.DOUBLE, 1.5),
+        (np.int32(3), Type.INTEGER, 3),
+        (np.uint8(3), Type.INTEGER, 3),
+        (np.array(3), Type.INTEGER, 3),
+        (np.bool_(True), Type.BOOL, True),
+        (np.str_("a"), Type.STRING, "a"),
+        (np.array([1.5, 2.0]), Type.DOUBLE_ARRAY, [1.5, 2.0]),
+        (np.array([1, 2], np.uint8), Type.INTEGER_ARRAY, [1, 2]),
+        (np.array([True]), Type.BOOL_ARRAY, [True]),
+        (np.array(["a", "b"]), Type.STRING_ARRAY, ["a", "b"]),
+        ([np.int64(1), np.int64(2)], Type.INTEGER_ARRAY, [1, 2]),
+        ((np.float32(1.5),), Type.DOUBLE_ARRAY, (1.5,)),
+    ],
+    ids=str,
+)
+def test_values_of_numpy_are_those_that_they_stand_for(
+    given: object, kind: Type, value: object, node: Node
+) -> None:
+    parameter = Parameter("x", value=given)
+    assert (parameter.type_, parameter.value, repr(parameter.value)) == (kind, value, repr(value))
+    assert Parameter("x", kind, given).value == value
+    assert node.declare_parameter("declared", given).value == value
+    node.declare_parameter("typed", kind)
+    assert node.set_parameters([Parameter("typed", value=given)])[0].successful
+    assert repr(node.get_parameter("typed").value) == repr(value)
+    in_message = parameter_value_to_python(node.get_parameter("declared").get_parameter_value())
+    assert in_message == (list(value) if isinstance(value, tuple) else value)
+
+
+def test_values_of_numpy_without_a_type_are_refused(node: Node) -> None:
+    for wrong in (np.bytes_(b"a"), np.array([[1, 2]]), np.complex64(1j), np.array([1, "a"], object)):
+        with pytest.raises(TypeError, match="is not one of the allowed types"):
+            node.declare_parameter("wrong", wrong)

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, List  # noqa: UP035  # as launch files write types
 
+import numpy as np
 import pytest
 
 from tfloom.launch.actions.declare_launch_argument import DeclareLaunchArgument
@@ -229,3 +230,34 @@ def test_a_file_with_a_node_is_not_flat(tmp_path: Path, text: str, problem: str)
     evaluated = evaluate_parameters(context, normalize_parameters([str(path)]))
     with pytest.raises(ValueError, match=problem):
         to_parameters_list(context, "camera", "/", evaluated)
+
+
+NUMPY = {
+    "double": (np.deg2rad(30), np.deg2rad(30).item()),
+    "single": (np.float32(0.5), 0.5),
+    "integer": (np.int32(7), 7),
+    "natural": (np.uint8(7), 7),
+    "flag": (np.bool_(True), True),
+    "text": (np.str_("0888"), "0888"),
+    "doubles": (np.array([0.5, 1.0]), [0.5, 1.0]),
+    "integers": (np.arange(3), [0, 1, 2]),
+    "list": ([np.float64(1.5), np.float64(2.0)], [1.5, 2.0]),
+    "mixed": ((np.int64(1), 2.5), [1.0, 2.5]),
+    "nested": ({"deep": np.float64(2.5)}, None),
+    "described": (ParameterValue(np.float64(0.25), value_type=float), 0.25),
+    "untyped": (ParameterValue(np.array([1, 2])), [1, 2]),
+}
+
+
+def test_numbers_of_numpy_arrive_as_those_of_python(words: Words) -> None:
+    given = {name: given for name, (given, _) in NUMPY.items()}
+    single = Parameter("single_parameter", np.int64(5))
+    lines = words(SetParameter("global", np.float64(1.25)), node(parameters=[given, single]))
+    expected = {name: value for name, (_, value) in NUMPY.items() if name != "nested"}
+    expected |= {"nested.deep": 2.5, "single_parameter": 5, "global": 1.25}
+    found = read(lines)
+    nested = found.pop("nested", {})
+    found |= {f"nested.{name}": value for name, value in nested.items()} if isinstance(nested, dict) else {}
+    assert {name: repr(found[name]) for name in expected} == {
+        name: repr(value) for name, value in expected.items()
+    }

@@ -20,6 +20,7 @@ from tfloom.launch.utilities.type_utils import (
     normalize_typed_substitution,
     perform_typed_substitution,
 )
+from tfloom.node.values.numbers import plain_value
 
 __all__ = ["EvaluatedParameterValue", "Parameter", "ParameterFile", "ParameterValue"]
 
@@ -39,6 +40,7 @@ class ParameterValue:
     """
 
     def __init__(self, value: SomeValueType, *, value_type: AllowedTypesType | None = None) -> None:
+        value = plain_value(value)
         if value_type is not None and (error := data_type_error(value_type)) is not None:
             raise error
         if isinstance(value, (list, tuple)) and {type(item) for item in value} == {int, float}:

@@ -15,6 +15,7 @@ from tfloom.node.parameters.parameter_file import (
     read_parameter_file,
 )
 from tfloom.node.values.names import full_node_name
+from tfloom.node.values.numbers import plain_value
 from tfloom.node.values.scalars import parse_value
 
 if TYPE_CHECKING:
@@ -66,8 +67,9 @@ class ParameterType(Enum):
 
 
 def value_error(value: Any) -> TypeError | None:
-    """Return what `from_parameter_value` raises, or None, for callers whose tracebacks shall be short."""
-    return None if any(check(value) for check in _CHECKS.values()) else _no_type(value)
+    """Return the error of a Parameter with a value, or None, for callers whose tracebacks shall be short."""
+    plain = plain_value(value)
+    return None if any(check(plain) for check in _CHECKS.values()) else _no_type(value)
 
 
 def no_parameter_error(parameters: Any) -> TypeError | None:
@@ -132,7 +134,8 @@ class Parameter:
     Args:
         name: Parts are joined by dots.
         type_: The value's type; None: the type that the value has.
-        value: None, bool, int, float, str, or a list of bytes (one each), bools, ints, floats or strings.
+        value: None, bool, int, float, str, or a list of bytes (one each), bools, ints, floats or strings; those
+            of numpy become Python's.
 
     Raises:
         TypeError: `type_` is not a Parameter.Type, or the value has no parameter type.
@@ -143,6 +146,7 @@ class Parameter:
     __slots__ = ("_name", "_type_", "_value")
 
     def __init__(self, name: str, type_: ParameterType | None = None, value: Any = None) -> None:
+        value = plain_value(value)
         if type_ is None:
             type_ = ParameterType.from_parameter_value(value)
         if not isinstance(type_, ParameterType):

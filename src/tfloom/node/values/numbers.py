@@ -15,6 +15,7 @@ __all__ = [
     "given_time",
     "no_time_of",
     "not_a_number",
+    "plain_value",
     "timeout_error",
     "to_nanoseconds",
     "too_long",
@@ -55,6 +56,16 @@ def duration_error(needed: str, given: object) -> TypeError:
     return TypeError(
         f"{needed}, got {given!r} of class {type(given).__name__}: write Duration(seconds={seconds})"
     )
+
+
+def plain_value(value: Any) -> Any:
+    """Return a number, text or array of numpy, or a list with such items, as Python has it; others unchanged."""
+    if hasattr(value, "dtype"):
+        return value.tolist()
+    if isinstance(value, (list, tuple)) and any(hasattr(item, "dtype") for item in value):
+        items = [plain_value(item) for item in value]
+        return items if isinstance(value, list) else tuple(items)
+    return value
 
 
 def to_nanoseconds(seconds: float) -> int:

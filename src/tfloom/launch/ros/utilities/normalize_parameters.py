@@ -21,6 +21,7 @@ from tfloom.launch.substitution import Substitution
 from tfloom.launch.substitutions.text_substitution import TextSubstitution
 from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions
+from tfloom.node.values.numbers import plain_value
 from tfloom.node.values.scalars import parse_scalar
 
 __all__ = ["normalize_parameter_dict", "normalize_parameters", "parameters_error"]
@@ -66,7 +67,8 @@ def _item_error(item: Any) -> TypeError | None:
 
 
 def _values_error(parameters: Mapping[Any, Any]) -> TypeError | None:
-    for name, value in parameters.items():
+    for name, given in parameters.items():
+        value = plain_value(given)
         if isinstance(value, Mapping):
             if (error := _values_error(value)) is not None:
                 return error
@@ -120,7 +122,8 @@ def _normalize_name(name: Any, prefix: Sequence[Substitution] | None) -> Paramet
     return (*prefix, TextSubstitution(text="."), *parts) if prefix else tuple(parts)
 
 
-def _normalize_value(name: Any, value: Any) -> ParameterValue:
+def _normalize_value(name: Any, given: Any) -> ParameterValue:
+    value = plain_value(given)
     if isinstance(value, str):
         # In quotes, if rcl's rules would read it as something else than this text.
         return (TextSubstitution(text=_as_yaml(value)),)
