@@ -35,6 +35,7 @@ collect_ignore = (
         "test_forms.py",
         "test_mesh_files.py",
         "test_view.py",
+        "test_hostile_view.py",
         "test_pages.py",
         "test_recorded.py",
         "test_browser.py",
@@ -194,3 +195,22 @@ def open_page() -> Iterator[Callable[[Viewer], Page]]:
 @pytest.fixture
 def page(viewer: Viewer, open_page: Callable[[Viewer], Page]) -> Page:
     return open_page(viewer)
+
+
+@pytest.fixture(scope="module")
+def scene_server() -> Iterator[Any]:
+    """Viser's server, which the tests of a file share."""
+    from tfloom.viewer.scene_server import SceneServer
+
+    made = SceneServer()
+    yield made
+    made.stop()
+
+
+@pytest.fixture
+def stage(scene_server: Any) -> Iterator[Any]:
+    """A view of transforms and messages that the test gives."""
+    from tests.viewer.stages import Stage
+
+    yield Stage(scene_server)
+    scene_server.scene.reset()

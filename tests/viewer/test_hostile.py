@@ -14,6 +14,7 @@ from tests.viewer.messages import cloud, header, marker, pose
 from tfloom.interfaces.geometry_msgs.msg import (
     Point,
     Point32,
+    PointStamped,
     Polygon,
     PolygonStamped,
     PoseArray,
@@ -57,6 +58,7 @@ MESSAGES: dict[str, Any] = {
     "/odom": Odometry(header=header(), pose=PoseWithCovariance(pose=pose(), covariance=[0.5] * 36)),
     "/map": OccupancyGrid(header=header(), info=INFO, data=[0, 50, 100, -1, 7, 8]),
     "/pose": PoseStamped(header=header(), pose=pose()),
+    "/point": PointStamped(header=header()),
     "/estimate": PoseWithCovarianceStamped(
         header=header(), pose=PoseWithCovariance(pose=pose(), covariance=np.eye(6).ravel())
     ),

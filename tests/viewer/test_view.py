@@ -2,126 +2,20 @@
 
 from __future__ import annotations
 
-import json
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import closing
-from types import SimpleNamespace
-from typing import Any
-
 import numpy as np
 import pytest
-from tests.tf2_tools.recordings import transform
 from tests.viewer.messages import header, marker, pose
+from tests.viewer.stages import Stage
 
 from tfloom.interfaces.geometry_msgs.msg import Point, PoseStamped
 from tfloom.interfaces.std_msgs.msg import String
-from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.interfaces.visualization_msgs.msg import Marker, MarkerArray
-from tfloom.rosidl import cdr
 from tfloom.tf2.buffer import Buffer
-from tfloom.tf2_tools.watch.recorded import observe_recorded
-from tfloom.tf2_tools.watch.sources import Still
-from tfloom.viewer.history import Entry, History
 from tfloom.viewer.layout.layout import Layout
-from tfloom.viewer.page_server import _json
-from tfloom.viewer.scene import Scene
-from tfloom.viewer.scene_server import SceneServer
 from tfloom.viewer.shapes import Ball, Box, Lines, Points, Shape
-from tfloom.viewer.view import View
 
 S = 1_000_000_000
 HERE = ((0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0))
-
-
-class KeptTopics:
-    """Topics whose messages the test adds."""
-
-    def __init__(self) -> None:
-        self.histories: dict[str, History] = {}
-        self.classes: dict[str, type[Any]] = {}
-
-    def add(self, topic: str, message: Any, stamp_ns: int = S) -> None:
-        self.classes[topic] = type(message)
-        self.history(topic).add(Entry(stamp_ns, cdr.encode(message)))
-
-    def history(self, topic: str) -> History:
-        return self.histories.setdefault(topic, History(60 * S))
-
-    def types(self) -> Mapping[str, str]:
-        return {topic: made._TYPE_NAME for topic, made in self.classes.items()}
-
-    def open(self, topic: str) -> tuple[History, Callable[[bytes], Any]]:
-        return self.history(topic), lambda data: cdr.decode(self.classes[topic], data)
-
-    def close(self, topic: str) -> None:
-        self.histories.pop(topic, None)
-
-    def poll(self) -> None:
-        pass
-
-
-class Stage:
-    """A view of transforms and topics that the test gives, and its scene."""
-
-    def __init__(self, server: SceneServer) -> None:
-        self.server = server
-        self.topics: Any = KeptTopics()
-        self.scene = Scene(server.scene, lambda _: None)
-        self.reports: list[str] = []
-        self.moves: list[Any] = []
-        self.view = self.view_of(Buffer())
-
-    def view_of(self, buffer: Buffer, **options: Any) -> View:
-        buffer.set_log_callback(None)
-        seen = observe_recorded(
-            [("/tf", stamp_ns, cdr.encode(TFMessage(transforms=[made]))) for stamp_ns, made in self.moves],
-            "a test",
-            buffer=buffer,
-        )
-        report = self.reports.append
-        return View(Still(seen, buffer), self.topics, self.scene, is_live=True, report=report, **options)
-
-    def move(self, parent: str, child: str, *xs: float) -> None:
-        """Let a frame be at each x in turn, a second apart."""
-        for second, x in enumerate(xs, 1):
-            self.moves.append((second * S, transform(parent, child, second * S, (x, 0.0, 0.0))))
-        self.view = self.view_of(Buffer())
-
-    def draw(self) -> dict[str, Any]:
-        """Draw twice, so that what is looked at seldom is seen, and return what pages get."""
-        for _ in range(2):
-            self.view._next_look_s = self.view._next_trail_s = self.view._next_diagnosis_s = 0.0
-            self.view.draw()
-        state: dict[str, Any] = json.loads(_json(self.view.snapshot()), parse_constant=pytest.fail)
-        return state
-
-    def node(self, name: str) -> Any:
-        return self.server.scene.get_handle_by_name(name)
-
-    def status(self, topic: str) -> str:
-        feed = self.view.feed(topic)
-        assert feed is not None
-        return feed.status
-
-    def drawn(self, topic: str) -> list[Any]:
-        """Return the nodes of a display that are in the scene."""
-        number = self.scene._display_numbers[topic]
-        nodes = (self.node(f"/displays/{number}/{index}") for index in range(20))
-        return [node for node in nodes if node is not None]
-
-
-@pytest.fixture(scope="module")
-def server() -> Iterator[SceneServer]:
-    made = SceneServer()
-    with closing(SimpleNamespace(close=made.stop)):
-        yield made
-
-
-@pytest.fixture
-def stage(server: SceneServer) -> Iterator[Stage]:
-    made = Stage(server)
-    yield made
-    server.scene.reset()
 
 
 # Transforms.
@@ -382,6 +276,6 @@ def test_frames_too_far_away_hide_what_is_in_them_alone(stage: Stage) -> None:
         stage.view.set_display(topic, on=True)
     stage.draw()
     assert stage.status("/here") == ""
-    assert "far is further than 1e+12 m from map" in stage.status("/there")
+    assert "further than 1e+12 m from map" in stage.status("/there")
     (there,) = stage.drawn("/there")
     assert not there.visible

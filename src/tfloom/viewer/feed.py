@@ -218,11 +218,12 @@ def pose_in(buffer: Buffer, fixed_frame: str, placed: Placed, held_ns: int | Non
         try:
             fixed_from_frame = buffer.lookup(fixed_frame, frame, view_ns)
         except TransformException:
+            # Nothing is published of the fixed frame, or of a world, and so everything in it is where it says.
             if frame != fixed_frame and not (frame == "world" and not buffer.has_frame("world")):
                 raise
-            # Nothing is published of the frame, and so everything in it is where it says.
-            return (placed.position, placed.rotation_xyzw), False
-    fixed_from_shape = fixed_from_frame.transform @ Transform(placed.position, placed.rotation_xyzw)
+    fixed_from_shape = Transform(placed.position, placed.rotation_xyzw)
+    if fixed_from_frame is not None:
+        fixed_from_shape = fixed_from_frame.transform @ fixed_from_shape
     if not all(abs(part) < MAX_COORDINATE_M for part in fixed_from_shape.translation):
-        raise DisplayError(f"{frame} is further than {MAX_COORDINATE_M:g} m from {fixed_frame}")
+        raise DisplayError(f"it is further than {MAX_COORDINATE_M:g} m from {fixed_frame}")
     return (fixed_from_shape.translation, fixed_from_shape.rotation_xyzw), is_exact

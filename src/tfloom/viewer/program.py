@@ -137,7 +137,8 @@ class Viewer:
         if command is CLOSED and self._live is not None:
             self._live.driving.forget(page)
             self._live.forms.forget(page)
-        if command.get("op") in AT_ONCE:
+        operation = command.get("op")  # of any type, because nothing of the command was checked yet
+        if isinstance(operation, str) and operation in AT_ONCE:
             self._do(page, command)
         elif command is CLOSED or self._commands.qsize() < MAX_COMMANDS:
             self._commands.put((page, command))

@@ -19,8 +19,8 @@ RED = np.array((255, 70, 70), np.uint8)
 def shapes_of_scan(message: Any) -> list[Placed]:
     """Return the points that a `sensor_msgs/msg/LaserScan` hit, by their intensities if it has these."""
     ranges = np.asarray(message.ranges, np.float64)[:MAX_BEAMS]
-    angles = message.angle_min + message.angle_increment * np.arange(len(ranges))
     with np.errstate(invalid="ignore", over="ignore"):
+        angles = message.angle_min + message.angle_increment * np.arange(len(ranges))
         positions = np.stack(
             [ranges * np.cos(angles), ranges * np.sin(angles), np.zeros(len(ranges))], axis=1
         )

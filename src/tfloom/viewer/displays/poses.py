@@ -28,6 +28,8 @@ VIOLET: Color = (200, 90, 255)
 COVARIANCE_OPACITY = 0.3
 MAX_SPEED = 30
 """Number of characters of a speed that are drawn."""
+MAX_VARIANCE_M2 = 1e12
+"""Least variance of a position that says nothing [m²]."""
 MAX_RADIUS_M = 1000.0
 """Radius of the largest ellipsoid of a covariance that is drawn [m]."""
 
@@ -41,7 +43,7 @@ def _arrow(pose: Any, header: Any, color: Color) -> Placed:
 def _ellipsoid(pose: Any, header: Any, covariance: Any) -> list[Placed]:
     """Return the ellipsoid of one standard deviation; none where the covariance is zero or no covariance."""
     matrix = np.asarray(covariance, np.float64).reshape(6, 6)[:3, :3]
-    if not (np.isfinite(matrix).all() and matrix.any()):
+    if not ((np.abs(matrix) < MAX_VARIANCE_M2).all() and matrix.any()):
         return []
     variances, directions = np.linalg.eigh((matrix + matrix.T) / 2.0)
     if variances[0] < -1e-6 * max(variances[2], 1.0):
