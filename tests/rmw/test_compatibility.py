@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 from itertools import product
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 
+from tfloom.rmw.base import EndpointInfo, NodeName, Topic
 from tfloom.rmw.compatibility import (
     QoSPolicyKind,
     best_available,
     incompatible_policies,
     is_best_available,
 )
+from tfloom.rmw.events import IncompatibleQoS
 from tfloom.rmw.qos import (
     BEST_AVAILABLE_NS,
     INFINITE_NS,
@@ -21,6 +25,7 @@ from tfloom.rmw.qos import (
     QoS,
     ReliabilityPolicy,
 )
+from tfloom.rmw.qos_mismatch import MAX_DIFFERENCES, mismatch_text
 
 STRONG = QoS(
     ReliabilityPolicy.RELIABLE,
@@ -102,3 +107,42 @@ def test_other_policies_are_unchanged() -> None:
     for qos in (STRONG, WEAK):
         assert not is_best_available(qos)
         assert best_available(qos, [WEAK, STRONG], is_writer=False) == qos
+
+
+BEST_VALUES = {
+    "reliability": ReliabilityPolicy.BEST_AVAILABLE,
+    "durability": DurabilityPolicy.BEST_AVAILABLE,
+    "deadline_ns": BEST_AVAILABLE_NS,
+    "liveliness": LivelinessPolicy.BEST_AVAILABLE,
+    "liveliness_lease_ns": BEST_AVAILABLE_NS,
+}
+
+
+@pytest.mark.parametrize("field", BEST_VALUES)
+def test_best_available_of_rmw_zenoh_is_compatible_with_each_policy(field: str) -> None:
+    weak = WEAK._replace(deadline_ns=10, liveliness_lease_ns=10) if field.endswith("_ns") else WEAK
+    for other in (STRONG, weak, WEAK._replace(**BEST_VALUES)):
+        mine = other._replace(**{field: BEST_VALUES[field]})
+        assert incompatible_policies(mine, other) == []
+        assert incompatible_policies(other, mine) == []
+
+
+def endpoint(number: int, name: str, *, is_writer: bool, qos: QoS) -> EndpointInfo:
+    topic = Topic("/chatter", "std_msgs/msg/String", "")
+    return EndpointInfo(topic, NodeName("/", name), is_writer, bytes([number]) * 16, qos)
+
+
+def test_warning_shows_names_as_data_and_few_of_many_peers() -> None:
+    peers = [
+        endpoint(number, f"n{number}\x1b[31m\nall is well", is_writer=True, qos=WEAK)
+        for number in range(1, 40)
+    ]
+    mine = endpoint(0, "mine", is_writer=False, qos=QoS())
+    graph: Any = SimpleNamespace(endpoints=lambda: [mine, *peers], delivers_incompatible=lambda: False)
+    status = IncompatibleQoS(1, 1, QoSPolicyKind.RELIABILITY)
+    text = mismatch_text(status, "/chatter", mine.gid, graph, is_publisher=False)
+    assert text.count("peer /n") == MAX_DIFFERENCES
+    assert text.endswith(f"; and {39 - MAX_DIFFERENCES} more)")
+    assert r"peer /n1\x1b[31m\x0aall is well" in text
+    peers[MAX_DIFFERENCES:] = []
+    assert "more" not in mismatch_text(status, "/chatter", mine.gid, graph, is_publisher=False)

@@ -6,6 +6,10 @@ from tfloom.rmw.base import EndpointInfo, Graph
 from tfloom.rmw.compatibility import incompatible_policies
 from tfloom.rmw.events import IncompatibleQoS
 from tfloom.rmw.qos import INFINITE_NS, QoS
+from tfloom.terminal_text import shown_part
+
+MAX_DIFFERENCES = 5
+"""How many differences of a topic's endpoints a warning has."""
 
 
 def mismatch_text(
@@ -39,12 +43,14 @@ def _both_sides(topic_name: str, gid: bytes, graph: Graph, is_publisher: bool) -
     mine = next((info for info in ends if info.gid == gid), None)
     peers = [info for info in ends if info.is_writer != is_publisher]
     texts = [text for peer in peers for text in _differences(mine, peer, is_publisher)] if mine else []
+    if (more := len(texts) - MAX_DIFFERENCES) > 0:
+        texts[MAX_DIFFERENCES:] = [f"and {more} more"]
     return f" ({'; '.join(texts)})" if texts else ""
 
 
 def _differences(mine: EndpointInfo, peer: EndpointInfo, is_publisher: bool) -> list[str]:
     writer, reader = (mine, peer) if is_publisher else (peer, mine)
-    whose = "an unknown node" if peer.node is None else peer.node.full
+    whose = "an unknown node" if peer.node is None else shown_part(peer.node.full)
     return [f"{text}, peer {whose}" for text in differences(writer, reader)]
 
 
