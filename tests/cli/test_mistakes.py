@@ -152,11 +152,6 @@ def test_a_space_that_is_missing_after_a_colon(
     assert told.endswith(f"\na space is missing after the colon: {pair}\n")
 
 
-def test_a_field_that_yaml_reads_as_a_value(capsys: pytest.CaptureFixture[str]) -> None:
-    told = fails(capsys, "service", "call", "/x", "turtlesim/srv/SetPen", "{r: 255, off: 1}")
-    assert told.endswith('\nYAML reads a bare off as False: write "off" with its quotes\n')
-
-
 @pytest.mark.parametrize("value", ["{linear: {q: 1}}", "{linear: a}", "{linear: {x: a:b}}", "[a]"])
 def test_other_mistakes_miss_no_space(value: str, capsys: pytest.CaptureFixture[str]) -> None:
     told = fails(capsys, "topic", "pub", "-1", "-w", "0", "/x", "geometry_msgs/msg/Twist", value)

@@ -34,6 +34,7 @@ MERGES = "\n".join(
         ("\n".join(["- &b [1]", *["- " * 99 + "*b"]]), "nested deeper than 100 levels", 2),
         ("a: 1\nb: &b [1, *b]", "the alias *b contains itself", 2),
         ("b: &b {<<: *b}", "the alias *b contains itself", 1),
+        ("- &b 1\n- &b [*b]", "the alias *b contains itself", 2),
     ],
 )
 def test_a_text_beyond_a_limit_is_refused(read: Any, text: str, problem: str, line: int) -> None:
@@ -56,6 +57,7 @@ def test_aliases_and_levels_within_the_limits_are_read() -> None:
         "c": {"d": 1},
         "e": {"d": 1},
     }
+    assert load("[&a 1, *a, &a [2], *a]") == [1, 1, [2], [2]]
     value = load("[" * (MAX_DEPTH - 1) + "1" + "]" * (MAX_DEPTH - 1))
     for _ in range(MAX_DEPTH - 1):
         (value,) = value

@@ -120,9 +120,8 @@ def test_random_texts_are_read_as_by_libyaml() -> None:
     read = refused = 0
     for _ in range(10_000):
         text = "".join(generator.choices(PIECES, k=generator.randint(1, 9)))
-        if re.search(
-            r":[],[{}]|\S\?", text
-        ):  # `{a:}` and `[a?]`, in which they differ, and tabs don't matter
+        # In `{a:}` and `[a?]` they differ without a tab, too, and an anchor that is there twice is read here.
+        if re.search(r":[],[{}]|\S\?", text) or text.count("&a") > 1:
             continue
         try:
             theirs = list(map(tree, yaml.compose_all(text, yaml.CSafeLoader)))

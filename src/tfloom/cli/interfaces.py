@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import chain
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -12,7 +12,9 @@ from tfloom.cli.errors import CommandError
 from tfloom.rosidl import cdr, registry
 from tfloom.rosidl.fill import Filler, StampSetter
 from tfloom.rosidl.message import Message
-from tfloom.rosidl.parse import ParseError
+from tfloom.rosidl.parse import ParseError, parse_type
+from tfloom.rosidl.spec import STRINGS, Type
+from tfloom.rosidl.written_values import PlainValue
 
 if TYPE_CHECKING:
     from tfloom.rmw.base import Participant
@@ -108,7 +110,7 @@ def yaml_documents(lines: Iterable[str]) -> Iterator[str]:
 
 
 def parse_yaml(text: str) -> dict[str, Any]:
-    """Return the fields in a YAML text.
+    """Return the fields in a YAML text, for `fill_message`: each value that is no text with how it is written.
 
     Raises:
         CommandError: it isn't YAML, or not a mapping of fields; the text has the position of the mistake.
@@ -116,12 +118,14 @@ def parse_yaml(text: str) -> dict[str, Any]:
     from tfloom.rosidl import user_yaml
 
     try:
-        values = user_yaml.load(text)
+        values = user_yaml.load_plain(text)
     except user_yaml.YamlLimitError as error:
         raise CommandError(f"The passed value can't be used: {error}:\n{error.snippet}") from None
     except user_yaml.YamlError as error:
         where = f"{error.place}:\n{error.snippet}" if error.place else ""
         raise CommandError(f"The passed value isn't YAML: {error.problem}{where}") from None
+    if isinstance(values, PlainValue):
+        values = values.value
     if values is None:
         return {}
     if not isinstance(values, dict):
@@ -134,6 +138,10 @@ def parse_yaml(text: str) -> dict[str, Any]:
 def fill_message(message: Message, values: dict[str, Any]) -> list[StampSetter]:
     """Set a message's fields; a header may be the word `auto`, a time the word `now`.
 
+    Args:
+        message: The message.
+        values: Its fields. Of a PlainValue, a text has what is written, as do names of fields: `off`.
+
     Returns:
         A function for each such word, to be called with the time of publishing.
 
@@ -142,15 +150,34 @@ def fill_message(message: Message, values: dict[str, Any]) -> list[StampSetter]:
     """
     filler = Filler(auto=True, now=True)
     try:
-        filler.fill(message, values)
+        filler.fill(message, _values_of_fields(values, message._FIELDS))
         set_stamps(filler.setters, time.time_ns())
         cdr.encode(message)
     except (AttributeError, TypeError, ValueError, AssertionError, OverflowError) as error:
         where = _fields_there_are(error) or _in_field(filler)
-        raise CommandError(
-            f"Failed to populate field: {error}{where}{_tight_colon(error)}{_bare_word(error)}"
-        ) from None
+        raise CommandError(f"Failed to populate field: {error}{where}{_tight_colon(error)}") from None
     return filler.setters
+
+
+def _values_of_fields(values: dict[Any, Any], fields: Mapping[str, str]) -> dict[Any, Any]:
+    names = {key: key.text if isinstance(key, PlainValue) else key for key in values}
+    types = {key: parse_type(fields[name]) if name in fields else None for key, name in names.items()}
+    return {names[key]: _value_of_field(value, types[key]) for key, value in values.items()}
+
+
+def _value_of_field(value: Any, type_: Type | None) -> Any:
+    """Return a value with what its PlainValues are in a field of this type; None: there is no such field."""
+    if isinstance(value, PlainValue):
+        is_text = type_ is not None and type_.base in STRINGS and not type_.shape
+        return value.text if is_text else value.value
+    if isinstance(value, list):
+        element = type_.element if type_ is not None and type_.shape else None
+        return [_value_of_field(item, element) for item in value]
+    if isinstance(value, dict):
+        is_message = type_ is not None and not type_.is_primitive and not type_.shape
+        fields = registry.get_message_class(type_.base)._FIELDS if is_message and type_ is not None else {}
+        return _values_of_fields(value, fields)
+    return value
 
 
 def set_stamps(setters: list[StampSetter], now_ns: int) -> None:
@@ -174,22 +201,6 @@ def _tight_colon(error: Exception) -> str:
         return _missing_space(error.name)
     in_place_of_fields = re.match(r"Value '(.*)' is expected to be a dictionary but is a str", str(error))
     return _missing_space(in_place_of_fields[1]) if in_place_of_fields else ""
-
-
-def _bare_word(error: Exception) -> str:
-    """Return a line on the quotes that a field's name needs which YAML reads as a value, as `off`."""
-    holder = getattr(error, "obj", None)
-    if (
-        not isinstance(error, AttributeError)
-        or not isinstance(holder, Message)
-        or isinstance(error.name, str)
-    ):
-        return ""
-    from tfloom.rosidl.user_yaml import load
-
-    fields = type(holder).get_fields_and_field_types()
-    bare = next((field for field in fields if load(field) == error.name), None)
-    return f'\nYAML reads a bare {bare} as {error.name}: write "{bare}" with its quotes' if bare else ""
 
 
 def _missing_space(text: Any) -> str:

@@ -130,6 +130,8 @@ def _convert(type_: Type, value: Any) -> Any:
         return _to_bool(value)
     if type_.base == "byte" and isinstance(value, bytes):
         return value
+    if type_.base == "byte" and isinstance(value, str) and len(value) == 1 and ord(value) < 256:
+        return value.encode("latin-1")  # as `message_to_yaml` writes it
     number = int(value)
     if isinstance(value, float) and number != value:
         raise ValueError(f"{value} is no whole number, and the field's type is {type_}")

@@ -18,10 +18,10 @@ from yaml.constructor import SafeConstructor
 from yaml.parser import Parser
 from yaml.resolver import Resolver
 
-from tfloom.rosidl.quoted_text import QuotedText
+from tfloom.rosidl.written_values import PlainValue, QuotedText
 from tfloom.rosidl.yaml_scanner import TabScanner
 
-__all__ = ["YamlError", "YamlLimitError", "compose_all", "load", "load_placed"]
+__all__ = ["YamlError", "YamlLimitError", "compose_all", "load", "load_placed", "load_plain"]
 
 _STRING_TAG = "tag:yaml.org,2002:str"
 """The tag of strings, `!!str` in a text."""
@@ -74,6 +74,7 @@ class _Loader(TabScanner, Parser, Composer, SafeConstructor, Resolver):
         self._total = 0
         self._copied = 0
         self.marks_quoted = False
+        self.marks_plain = False
         self.lines: dict[int, int] = {}  # of each mapping and list: its line from 1, by the id of its value
         self._measured: dict[str, tuple[int, int]] = {}  # of each complete anchor: its size and its levels
 
@@ -94,10 +95,12 @@ class _Loader(TabScanner, Parser, Composer, SafeConstructor, Resolver):
             node = super().compose_node(parent, index)
             self._count_alias(event.anchor, mark)
             return node
+        # An anchor may be there again, for what follows.
+        self.anchors.pop(event.anchor, None)
+        self._measured.pop(event.anchor, None)
         self._value_count += 1
         if self._max_values is not None and self._value_count > self._max_values:
             raise YamlLimitError(f"it has more than {self._max_values} keys and values", mark)
-        self.anchors.pop(event.anchor, None)  # an anchor may be there again, for what follows
         before, deepest = self._total, self._deepest
         self._total += 1 + len(getattr(event, "value", ""))
         self._enter(1, mark)
@@ -155,6 +158,9 @@ class _Loader(TabScanner, Parser, Composer, SafeConstructor, Resolver):
             ) from None
         if self.marks_quoted and isinstance(value, str) and node.style in ("'", '"'):
             return QuotedText(value)
+        if self.marks_plain and isinstance(node, yaml.ScalarNode) and not isinstance(value, str):
+            is_merge = node.tag == "tag:yaml.org,2002:merge"
+            return value if is_merge or node.style is not None else PlainValue(node.value, value)
         if isinstance(value, (dict, list)):
             self.lines[id(value)] = node.start_mark.line + 1
         return value
@@ -168,6 +174,16 @@ def load(text: str) -> Any:
         YamlLimitError: its aliases stand for too much, an alias contains itself, or it is nested too deep.
     """
     return _read(text, lambda loader: loader.get_single_data())
+
+
+def load_plain(text: str) -> Any:
+    """Return what `load` returns, with each scalar that is no text as a PlainValue."""
+
+    def read(loader: _Loader) -> Any:
+        loader.marks_plain = True
+        return loader.get_single_data()
+
+    return _read(text, read)
 
 
 def load_placed(

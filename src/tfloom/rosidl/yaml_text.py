@@ -41,7 +41,13 @@ def message_to_yaml(
     def represent_mapping(dumper: Dumper, mapping: OrderedDict[str, Any]) -> Any:
         return dumper.represent_mapping("tag:yaml.org,2002:map", list(mapping.items()), flow_style=False)
 
+    def represent_text(dumper: Dumper, text: str) -> Any:
+        # YAML takes these for line breaks, which only escapes keep in quotes.
+        is_changed = any(character in text for character in "\x85\u2028\u2029")
+        return dumper.represent_scalar("tag:yaml.org,2002:str", text, style='"' if is_changed else None)
+
     Dumper.add_representer(OrderedDict, represent_mapping)
+    Dumper.add_representer(str, represent_text)
     values = message_to_ordereddict(msg, truncate_length=truncate_length, no_arr=no_arr, no_str=no_str)
     text = yaml.dump(
         values, Dumper=Dumper, allow_unicode=True, width=sys.maxsize, default_flow_style=flow_style

@@ -10,7 +10,7 @@ from tfloom.launch.frontend.pairs import Pair, parse_pairs
 from tfloom.launch.frontend.type_utils import get_data_type_from_identifier
 from tfloom.launch.ros.parameter_descriptions import ParameterFile, ParameterValue
 from tfloom.launch.ros.utilities.parameter_text import untyped_items, untyped_value
-from tfloom.rosidl.quoted_text import QuotedText
+from tfloom.rosidl.written_values import QuotedText
 
 __all__ = ["parse_nested_parameters", "parse_parameters", "parse_remappings"]
 
