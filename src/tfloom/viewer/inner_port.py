@@ -113,15 +113,16 @@ class InnerPort:
         return connection
 
     def connect(self, timeout_s: float) -> socket.socket:
-        """Return a connection.
+        """Return a connection, which waits for as long as it takes.
 
         Raises:
-            OSError: it can't be made.
+            OSError: it can't be made in time.
         """
         connection = self.way_in()
         try:
             connection.settimeout(timeout_s)
             connection.connect(self.address)
+            connection.settimeout(None)
         except BaseException:
             connection.close()
             raise

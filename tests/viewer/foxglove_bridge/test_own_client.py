@@ -100,6 +100,7 @@ def test_own_client_connects_again(domain_id: int, node: Node, monkeypatch: pyte
         wait_until(lambda: own._is_subscribed)
         connection = own._connection
         assert connection is not None
+        assert connection.socket.gettimeout() is None, "it ends when nothing comes for a while"
         connection.socket.close()
         wait_until(lambda: own._connection not in {None, connection})
         node.create_publisher(String, "/later", 1)
