@@ -36,6 +36,7 @@ collect_ignore = (
         "test_mesh_files.py",
         "test_view.py",
         "test_hostile_view.py",
+        "test_second_lives.py",
         "test_pages.py",
         "test_recorded.py",
         "test_browser.py",

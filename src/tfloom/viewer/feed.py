@@ -160,7 +160,8 @@ class Feed:
         display = self.display
         assert display is not None  # noqa: S101  # for the type checker; the caller has asked
         entry = self._newest(buffer, fixed_frame, held_ns)
-        if entry == self._last:
+        # Of a topic that is read again, nothing has come yet.
+        if entry == self._last or (entry is None and held_ns is None):
             return
         display.clear()
         self._last, self._fault = entry, ""

@@ -1,0 +1,429 @@
+"""What parts of the viewer do after their first life: after `clear`, `close`, `suspend`, `remove` or `forget`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+from tests.conftest import wait_until
+from tests.viewer.conftest import Page
+from tests.viewer.messages import header, marker, pose
+from tests.viewer.stages import Stage
+
+from tfloom.interfaces.geometry_msgs.msg import PoseStamped
+from tfloom.interfaces.std_msgs.msg import Float64, String
+from tfloom.interfaces.visualization_msgs.msg import Marker
+from tfloom.rmw import local
+from tfloom.rmw.base import NodeName, Participant, Writer
+from tfloom.rmw.qos import DurabilityPolicy, QoS
+from tfloom.rmw.typed_names import topic_of
+from tfloom.rosidl import cdr
+from tfloom.viewer.feed import Feed
+from tfloom.viewer.frames import FramePoses
+from tfloom.viewer.history import Entry, History
+from tfloom.viewer.page_command import PageError
+from tfloom.viewer.plots.plots import Plots
+from tfloom.viewer.plots.series import Series
+from tfloom.viewer.program import Viewer
+from tfloom.viewer.shapes import Box, DisplayError
+from tfloom.viewer.topics import LiveTopics
+
+S = 1_000_000_000
+NODE = NodeName("/", "viewer")
+HERE = ((0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0))
+
+
+# History and series.
+
+
+def test_history_that_was_cleared_counts_from_nothing() -> None:
+    history = History(60 * S, max_bytes=100)
+    for second in range(1, 5):
+        history.add(Entry(second * S, bytes(20)))
+    assert (len(history), history.size) == (4, 80)
+    history.clear()
+    assert (len(history), history.size, history.newest(None), list(history.until(None))) == (0, 0, None, [])
+    for second in range(1, 5):
+        history.add(Entry(second * S, bytes(25)))
+    assert (len(history), history.size) == (4, 100)
+    history.add(Entry(5 * S, bytes(25)))
+    assert (len(history), history.size) == (4, 100)
+
+
+def test_history_of_a_clock_that_went_back_has_the_size_of_what_came_since() -> None:
+    history = History(5 * S, max_bytes=100)
+    for second in range(100, 104):
+        history.add(Entry(second * S, bytes(20)))
+    history.add(Entry(1 * S, bytes(30)))
+    assert (len(history), history.size) == (1, 30)
+    for second in (2, 3):
+        history.add(Entry(second * S, bytes(30)))
+    assert (len(history), history.size) == (3, 90)
+    assert history.newest(None) == Entry(3 * S, bytes(30))
+    history.add(Entry(4 * S, bytes(40)))
+    assert (len(history), history.size) == (3, 100)
+    history.add(Entry(9 * S, b""))
+    assert [entry.stamp_ns for entry in history.until(None)] == [4 * S, 9 * S]
+
+
+def test_first_message_after_a_latched_history_was_cleared_counts_for_the_time_before_it() -> None:
+    history = History(5 * S, is_latched=True)
+    history.add(Entry(100 * S, b"old"))
+    history.clear()
+    assert history.newest(1 * S) is None
+    history.add(Entry(50 * S, b"new"))
+    assert history.newest(1 * S) == Entry(50 * S, b"new")
+
+
+def test_series_that_was_cleared_counts_from_nothing() -> None:
+    series = Series(10 * S)
+    series.add(100 * S, 1.0)
+    series.clear()
+    assert (len(series), series.span, series.at(None), series.at(100 * S)) == (0, None, None, None)
+    assert series.reduced_points(0, 100 * S, 10) == ([], [])
+    series.add(5 * S, 2.0)
+    series.add(6 * S, 3.0)
+    assert (series.span, series.at(None), series.at(5 * S)) == ((5 * S, 6 * S), 3.0, 2.0)
+
+
+def test_series_of_a_clock_that_went_back_keeps_its_length() -> None:
+    series = Series(10 * S)
+    for second in range(100, 103):
+        series.add(second * S, float(second))
+    for second in range(200):
+        series.add(second * S // 2, float(second))
+    assert len(series) <= 64 + 21
+    assert series.at(None) == 199.0
+    assert series.span is not None
+    assert series.span[1] == 199 * S // 2
+
+
+# A display whose topic is read anew.
+
+
+def test_last_message_stays_until_the_first_one_of_the_second_life(stage: Stage) -> None:
+    stage.move("map", "a", 1.0, 2.0)
+    stage.topics.add("/pose", PoseStamped(header=header("map"), pose=pose(1.0)), 9 * S)
+    stage.view.set_display("/pose", on=True)
+    stage.draw()
+    (node,) = stage.drawn("/pose")
+    stage.view.suspend()
+    assert "/pose" not in stage.topics.histories
+    stage.view.resume()
+    stage.draw()
+    assert stage.drawn("/pose") == [node]
+    stage.topics.add("/pose", PoseStamped(header=header("map"), pose=pose(7.0)), 3 * S)
+    stage.draw()
+    assert [drawn.position[0] for drawn in stage.drawn("/pose")] == [7.0]
+
+
+def test_display_that_cant_be_read_again_is_shown_as_soon_as_it_can(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    stage.move("map", "a", 1.0, 2.0)
+    for topic in ("/one", "/two"):
+        stage.topics.add(topic, PoseStamped(header=header("map"), pose=pose()))
+        stage.view.set_display(topic, on=True)
+    stage.draw()
+    stage.view.suspend()
+    opened = stage.topics.open
+
+    def refuse(topic: str) -> Any:
+        if topic == "/one":
+            raise DisplayError("the wire refuses it")
+        return opened(topic)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(stage.topics, "open", refuse)
+        classes, stage.topics.classes = stage.topics.classes, {"/two": PoseStamped}
+        stage.view.resume()
+        assert stage.view.feed("/one") is None
+        stage.draw()
+        assert (len(stage.drawn("/one")), len(stage.drawn("/two"))) == (0, 1)
+    stage.topics.classes = classes
+    stage.topics.add("/one", PoseStamped(header=header("map"), pose=pose()))
+    stage.draw()
+    assert len(stage.drawn("/one")) == 1
+
+
+def test_display_that_is_switched_off_and_on_shows_nothing_of_before(stage: Stage) -> None:
+    stage.move("map", "a", 1.0, 2.0)
+    stage.topics.add("/markers", marker(Marker.CUBE, 1))
+    stage.view.set_display("/markers", on=True)
+    stage.draw()
+    assert len(stage.drawn("/markers")) == 1
+    for _ in range(2):  # off twice is off
+        stage.view.set_display("/markers", on=False)
+        assert stage.drawn("/markers") == []
+        assert stage.view.feed("/markers") is None
+        assert "/markers" not in stage.topics.histories
+    stage.view.set_display("/markers", on=True)
+    stage.view.set_display("/markers", on=True)  # on twice is on
+    stage.draw()
+    assert stage.drawn("/markers") == []
+    assert stage.status("/markers") == "no message at this time"
+    stage.topics.add("/markers", marker(Marker.CUBE, 2))
+    stage.draw()
+    assert len(stage.drawn("/markers")) == 1
+
+
+def test_topic_that_is_wanted_and_switched_off_is_not_shown_when_it_comes(stage: Stage) -> None:
+    stage.view.want("/pose", "a choice")
+    stage.view.set_display("/pose", on=False)
+    stage.topics.add("/pose", PoseStamped(header=header("map"), pose=pose()))
+    stage.draw()
+    assert stage.view.feed("/pose") is None
+
+
+def test_choice_of_a_display_ends_with_it(stage: Stage) -> None:
+    stage.view.want("/pose", "a choice")
+    stage.topics.add("/pose", PoseStamped(header=header("map"), pose=pose()))
+    stage.draw()
+    feed = stage.view.feed("/pose")
+    assert isinstance(feed, Feed)
+    assert feed.display is not None
+    assert feed.display.choice == "a choice"
+    stage.view.set_display("/pose", on=False)
+    stage.view.set_display("/pose", on=True)
+    again = stage.view.feed("/pose")
+    assert again is not None
+    assert again.display is not None
+    assert again.display.choice == ""
+
+
+# The scene.
+
+
+def frames(*names: str) -> FramePoses:
+    count = len(names)
+    turns = np.tile((0.0, 0.0, 0.0, 1.0), (count, 1))
+    parents = np.full(count, -1, np.int64)
+    if count > 1:
+        parents[1:] = 0
+    return FramePoses(list(names), np.arange(3.0 * count).reshape(count, 3), turns, parents)
+
+
+def test_frames_names_arrows_and_marks_come_again_after_they_were_gone(stage: Stage) -> None:
+    scene = stage.scene
+    for _ in range(3):
+        scene.draw_frames(frames("a", "b", "c"), {"c"}, with_names=True)
+        scene.draw_marks(np.ones((2, 3)))
+        scene.draw_selection([np.zeros(3), np.ones(3)])
+        assert len(stage.node("/frames/axes").batched_positions) == 2
+        assert len(stage.node("/frames/stale").points) == 3
+        assert len(stage.node("/frames/arrows").points) == 2
+        labels = [node for number in range(9) if (node := stage.node(f"/frames/names/{number}")) is not None]
+        assert sorted(label.text for label in labels) == ["a", "b", "c (stale)"]
+        assert len(stage.node("/marks").points) == 24
+        assert stage.node("/selection") is not None
+        scene.draw_frames(frames(), set(), with_names=True)
+        scene.draw_marks(np.empty((0, 3)))
+        scene.draw_selection([])
+        for name in ("/frames/axes", "/frames/stale", "/frames/arrows", "/marks", "/selection"):
+            assert stage.node(name) is None
+        assert not [number for number in range(9) if stage.node(f"/frames/names/{number}") is not None]
+    assert scene._name_count == 3  # nodes' names are used again
+
+
+def test_axes_of_another_length_are_other_nodes_at_the_same_places(stage: Stage) -> None:
+    scene = stage.scene
+    for length_m in (0.3, 1.0, 1.0, 0.3):
+        scene.draw_frames(frames("a", "b"), set(), with_names=False, axes_m=length_m)
+        assert stage.node("/frames/axes").axes_length == pytest.approx(length_m)
+        assert stage.node("/frames/arrows").head_length == pytest.approx(length_m / 5.0)
+        assert stage.node("/frames/axes").batched_positions.tolist() == [[0.0, 1.0, 2.0], [3.0, 4.0, 5.0]]
+
+
+def test_shape_that_was_hidden_or_taken_away_is_drawn_again(stage: Stage) -> None:
+    box = Box((1.0, 1.0, 1.0), (0, 0, 0))
+    draw = stage.scene.draw_display
+    for _ in range(2):
+        draw("/a", [(box, HERE), (box, None)])
+        shown, hidden = stage.drawn("/a")
+        assert (shown.visible, hidden.visible) == (True, False)
+        draw("/a", [(box, None), (box, HERE)])
+        assert (shown.visible, hidden.visible) == (False, True)
+        draw("/a", [])
+        assert stage.drawn("/a") == []
+
+
+def test_click_after_frames_are_gone_selects_none_of_them(stage: Stage) -> None:
+    clicked: list[str] = []
+    stage.scene._on_frame = clicked.append
+    stage.scene.draw_frames(frames("a", "b"), set(), with_names=False)
+    event = type("Event", (), {"instance_index": 1})()
+    stage.scene._clicked(event)
+    stage.scene.draw_frames(frames("c"), set(), with_names=False)
+    stage.scene._clicked(event)
+    assert clicked == ["b"]
+
+
+# Topics of a graph.
+
+
+@pytest.fixture
+def participant(domain_id: int) -> Iterator[Participant]:
+    made = local.open_participant(domain_id)
+    made.add_node(NODE)
+    yield made
+    made.close()
+
+
+def writer_of(
+    participant: Participant, topic: str, message_class: type[Any], *, latched: bool = False
+) -> Writer:
+    durability = DurabilityPolicy.TRANSIENT_LOCAL if latched else DurabilityPolicy.VOLATILE
+    return participant.create_writer(NODE, topic_of(message_class, topic), QoS(durability=durability))
+
+
+def readers_of(participant: Participant, topic: str) -> int:
+    ends = participant.graph.endpoints()
+    return sum(not end.is_writer and end.topic.name == topic for end in ends)
+
+
+def test_topic_that_was_closed_is_read_anew_and_nobody_reads_it_meanwhile(participant: Participant) -> None:
+    writer = writer_of(participant, "/text", String)
+    topics = LiveTopics(participant, NODE, 60 * S, lambda: 5 * S)
+    first, _ = topics.open("/text")
+    writer.write(cdr.encode(String(data="one")))
+    topics.poll()
+    assert first.newest(None) is not None
+    for _ in range(2):
+        topics.close("/text")
+        assert readers_of(participant, "/text") == 0
+    writer.write(cdr.encode(String(data="two")))
+    topics.poll()
+    second, decode = topics.open("/text")
+    assert readers_of(participant, "/text") == 1
+    topics.poll()
+    assert second.newest(None) is None
+    writer.write(cdr.encode(String(data="three")))
+    topics.poll()
+    newest = second.newest(None)
+    assert newest is not None
+    assert decode(newest.data).data == "three"
+    kept = first.newest(None)
+    assert kept is not None
+    assert decode(kept.data).data == "one"
+    topics.open("/text")  # again, without a close
+    assert readers_of(participant, "/text") == 1
+    topics.close_all()
+    assert readers_of(participant, "/text") == 0
+    topics.poll()
+
+
+def test_topic_whose_publisher_left_and_came_back_is_told_and_read(participant: Participant) -> None:
+    writer = writer_of(participant, "/text", String)
+    topics = LiveTopics(participant, NODE, 60 * S, lambda: 5 * S)
+    assert topics.types()["/text"] == "std_msgs/msg/String"
+    writer.close()
+    assert "/text" not in topics.types()
+    with pytest.raises(DisplayError, match="nobody publishes /text"):
+        topics.open("/text")
+    writer_of(participant, "/text", String)
+    assert topics.types()["/text"] == "std_msgs/msg/String"
+    topics.open("/text")
+    topics.close_all()
+
+
+# Plots.
+
+
+def test_plot_that_was_removed_or_suspended_is_read_again(participant: Participant) -> None:
+    writer = writer_of(participant, "/number", Float64)
+    now_ns = [1 * S]
+    topics = LiveTopics(participant, NODE, 60 * S, lambda: now_ns[0])
+    plots = Plots(topics, 60 * S)
+
+    def shown() -> list[Any]:
+        now_ns[0] += S
+        writer.write(cdr.encode(Float64(data=float(now_ns[0] // S))))
+        plots.look()
+        plots.poll()
+        return [plot["values"] for plot in plots.snapshot(None, None)]
+
+    plots.add("/number", "data")
+    assert (shown(), shown()) == ([[2.0]], [[2.0, 3.0]])
+    plots.suspend()
+    assert readers_of(participant, "/number") == 0
+    writer.write(cdr.encode(Float64(data=99.0)))
+    assert shown()[0][:2] == [2.0, 3.0]  # what was read stays; what came meanwhile is not read
+    assert readers_of(participant, "/number") == 1
+    assert 99.0 not in shown()[0]
+    plots.remove("/number", "data")
+    assert readers_of(participant, "/number") == 0
+    assert (plots.names(), plots.snapshot(None, None)) == ([], [])
+    plots.remove("/number", "data")
+    plots.poll()
+    plots.add("/number", "data")
+    assert readers_of(participant, "/number") == 1
+    assert len(shown()[0]) == 1
+    topics.close_all()
+
+
+def test_plot_of_a_topic_goes_on_while_another_one_of_it_is_removed(participant: Participant) -> None:
+    writer = writer_of(participant, "/pose", PoseStamped)
+    topics = LiveTopics(participant, NODE, 60 * S, lambda: 5 * S)
+    plots = Plots(topics, 60 * S)
+    for axis in "xy":
+        plots.add("/pose", f"pose.position.{axis}")
+    plots.remove("/pose", "pose.position.x")
+    writer.write(cdr.encode(PoseStamped(header=header(), pose=pose(1.0, 2.0))))
+    plots.poll()
+    assert [plot["values"] for plot in plots.snapshot(None, None)] == [[2.0]]
+    plots.remove("/pose", "pose.position.y")
+    assert readers_of(participant, "/pose") == 0
+    with pytest.raises(PageError, match="has no field nothing"):
+        plots.add("/pose", "nothing")
+    assert (plots.names(), readers_of(participant, "/pose")) == ([], 0)
+    topics.close_all()
+
+
+# Pages.
+
+
+def test_page_that_was_closed_leaves_nothing_and_the_next_one_gets_all(
+    viewer: Viewer, open_page: Callable[[Viewer], Page]
+) -> None:
+    first = open_page(viewer)
+    first.send(op="plot_fields", topic="/nothing")
+    viewer._queue_command(first.name, {"op": "place"})
+    wait_until(lambda: first.name in viewer._unplaced, what="the page without a place")
+    viewer._asked_fields[first.name] = "/nothing"
+    viewer._server._clients[first.name] = 77
+    first.socket.close()
+    wait_until(lambda: not viewer._is_open, what="the page's end")
+    wait_until(lambda: first.name not in viewer._unplaced, what="the end of its wait")
+    assert first.name not in viewer._asked_fields
+    assert first.name not in viewer._server._clients
+    assert viewer._server.camera(first.name) is None
+    viewer.pages.answer(first.name, {"done": "nobody gets this"})
+    second = open_page(viewer)
+    assert second.name != first.name
+    second.send(op="names", on=False)
+    second.wait_for(lambda: second.state["with_names"] is False)
+    assert second.answers == []
+
+
+def test_fault_is_told_again_to_pages_that_come_later(
+    viewer: Viewer, open_page: Callable[[Viewer], Page], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(viewer.view, "snapshot", lambda: 1 / 0)
+
+    def notes(page: Page) -> int:
+        return sum("ZeroDivisionError" in line["text"] for line in page.log)
+
+    from websockets.sync.client import connect
+
+    address = viewer.pages.address.replace("http://", "ws://") + "api"
+    for number in (1, 2):
+        with connect(address, max_size=None, proxy=None) as socket:
+            page = Page(socket)
+            page.wait_for(lambda page=page, number=number: notes(page) == number)
+        wait_until(lambda: not viewer._is_open, what="the page's end")
+    monkeypatch.undo()
+    again = open_page(viewer)
+    again.wait_for(lambda: again.log)
+    assert notes(again) == 2  # and not with each picture
