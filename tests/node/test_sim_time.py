@@ -11,10 +11,12 @@ import pytest
 from tests.conftest import wait_until
 
 from tfloom.interfaces.rosgraph_msgs.msg import Clock as ClockMessage
-from tfloom.node.clock.clock import ROSClock
+from tfloom.node.builtin import time_source
+from tfloom.node.clock.clock import Clock, ROSClock
 from tfloom.node.clock.time_jump import ClockChange, JumpThreshold, TimeJump
 from tfloom.node.context.context import Context
 from tfloom.node.executing.events_executor import EventsExecutor
+from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.parameters.parameter import Parameter
 from tfloom.node.values.clock_type import ClockType
@@ -179,3 +181,91 @@ def test_sleep_ends_when_the_clock_source_changes(simulation: Simulation, contex
     simulation.node.set_parameters([Parameter("use_sim_time", value=False)])
     thread.join(10)
     assert results == [False]
+
+
+class Silence:
+    """A node on simulated time that is spun until it has warned that /clock is silent."""
+
+    def __init__(
+        self, node: Node, executor: SingleThreadedExecutor, capfd: pytest.CaptureFixture[str]
+    ) -> None:
+        self.node = node
+        self._executor = executor
+        self._capfd = capfd
+        self._lines: list[str] = []
+        executor.add_node(node)
+
+    def spin_until(self, condition: Callable[[], object]) -> None:
+        wait_until(lambda: (self._executor.spin_once(timeout_sec=0.01), condition())[1])
+
+    def warnings(self) -> list[str]:
+        """Return the warnings that were logged so far."""
+        self._lines += self._capfd.readouterr().err.splitlines()
+        return [line for line in self._lines if "no time has come on /clock" in line]
+
+
+@pytest.fixture
+def silence(
+    make_node: Callable[..., Node],
+    context: Context,
+    monkeypatch: pytest.MonkeyPatch,
+    capfd: pytest.CaptureFixture[str],
+) -> Iterator[Silence]:
+    monkeypatch.setattr(time_source, "WARN_AFTER_S", 0.2)
+    with SingleThreadedExecutor(context=context) as executor:
+        yield Silence(make_node("simulated"), executor, capfd)
+
+
+def set_sim_time(node: Node, is_used: bool) -> None:
+    assert node.set_parameters([Parameter("use_sim_time", value=is_used)])[0].successful
+
+
+def test_a_silent_clock_is_warned_of_once(silence: Silence) -> None:
+    ticks: list[float] = []
+    silence.node.create_timer(
+        0.05, lambda: ticks.append(time.monotonic()), clock=Clock(clock_type=ClockType.STEADY_TIME)
+    )
+    silence.spin_until(lambda: len(ticks) > 8)
+    assert silence.warnings() == []  # without simulated time
+    set_sim_time(silence.node, True)
+    assert len(list(silence.node.timers)) == 1
+    silence.spin_until(silence.warnings)
+    (line,) = silence.warnings()
+    assert "[WARN]" in line
+    assert "[simulated]: use_sim_time is true" in line
+    assert "nothing publishes it" in line
+    ticks.clear()
+    silence.spin_until(lambda: len(ticks) > 8)
+    assert len(silence.warnings()) == 1
+    # The next time that it is set, the wait begins anew.
+    set_sim_time(silence.node, False)
+    set_sim_time(silence.node, True)
+    silence.spin_until(lambda: len(silence.warnings()) == 2)
+
+
+def test_a_clock_that_shows_time_is_not_warned_of(silence: Silence, make_node: Callable[..., Node]) -> None:
+    publisher = make_node("driver").create_publisher(ClockMessage, "/clock", 10)
+    set_sim_time(silence.node, True)
+    wait_until(lambda: publisher.get_subscription_count() == 1)
+    time.sleep(0.3)  # the time is over when the node is spun for the first time
+    publisher.publish(ClockMessage(clock=Time(seconds=5).to_msg()))
+    silence.spin_until(lambda: silence.node.get_clock().now().nanoseconds == 5 * 10**9)
+    end_s = time.monotonic() + 0.6
+    silence.spin_until(lambda: time.monotonic() > end_s)
+    assert silence.warnings() == []
+
+
+def test_publishers_that_send_no_time_are_counted(silence: Silence, make_node: Callable[..., Node]) -> None:
+    make_node("driver").create_publisher(ClockMessage, "/clock", 10)
+    set_sim_time(silence.node, True)
+    silence.spin_until(silence.warnings)
+    (line,) = silence.warnings()
+    assert "its publishers (1) have sent none" in line
+
+
+def test_a_node_that_ends_is_not_warned_of(silence: Silence, make_node: Callable[..., Node]) -> None:
+    set_sim_time(silence.node, True)
+    silence.node.destroy_node()
+    end_s = time.monotonic() + 0.4
+    silence.spin_until(lambda: time.monotonic() > end_s)
+    assert silence.warnings() == []

@@ -908,7 +908,7 @@ class NodeBase:
             qos_profile,
             callback_group or self.default_callback_group,
             executor=lambda: entities.executor,
-            start_timer=self.__start_internal_timer,
+            start_timer=self._start_internal_timer,
             introspection=self.__introspection(srv_type, name),
             logger=self.get_logger(),
         )
@@ -917,7 +917,8 @@ class NodeBase:
         entities.add(client.server_watch)
         return client
 
-    def __start_internal_timer(self, period_s: float, callback: Callable[[], None]) -> Timer:
+    def _start_internal_timer(self, period_s: float, callback: Callable[[], None]) -> Timer:
+        """Create a timer on the steady clock, for tfloom's own services of a node."""
         clock = Clock(clock_type=ClockType.STEADY_TIME)
         # Without a callback group, which distinguishes it from the program's timers.
         return self.__entities.add(

@@ -21,10 +21,13 @@ if TYPE_CHECKING:
     from tfloom.node.base.node_base import NodeBase
     from tfloom.node.clock.clock import Clock
     from tfloom.node.endpoints.subscription import Subscription
+    from tfloom.node.executing.timer import Timer
 
 __all__ = ["CLOCK_TOPIC", "USE_SIM_TIME_NAME", "TimeSource"]
 
 CLOCK_TOPIC = "/clock"
+WARN_AFTER_S = 5.0
+"""How long nothing may come on /clock before a warning [s]."""
 USE_SIM_TIME_NAME = "use_sim_time"
 
 
@@ -43,6 +46,10 @@ class TimeSource:
         self._last_time_set = Time(clock_type=ClockType.ROS_TIME)
         self._ros_time_is_active = False
         self._warning: ThrottledWarning | None = None
+        self._wait: Timer | None = None
+        """Runs until the first time has come."""
+        self._is_late = False
+        """Whether there is a publisher, and the time of a first wait is over."""
         if node is not None:
             self.attach_node(node)
 
@@ -111,6 +118,7 @@ class TimeSource:
             if self._warning is not None:
                 self._warning.log(f"Dropped a time on {CLOCK_TOPIC} that is before 0: {msg.clock.sec} s")
             return
+        self._end_wait()
         self._last_time_set = Time.from_msg(msg.clock)
         call_all(
             [partial(clock.set_ros_time_override, self._last_time_set) for clock in self._associated_clocks]
@@ -132,8 +140,35 @@ class TimeSource:
             self._clock_sub = self._node.create_subscription(
                 rosgraph_msg.Clock, CLOCK_TOPIC, self.clock_callback, qos
             )
+            self._is_late = False
+            self._wait = self._node._start_internal_timer(WARN_AFTER_S, self._on_silence)  # noqa: SLF001  # tfloom's own
+
+    def _on_silence(self) -> None:
+        """Warn, once, that there is no time; of a publisher that is there, only after a second period.
+
+        The node may have been spun late, and its first time may be about to be taken.
+        """
+        if self._node is None or self._clock_sub is None:
+            return
+        publishers = self._clock_sub.get_publisher_count()
+        if publishers and not self._is_late:
+            self._is_late = True
+            return
+        self._end_wait()
+        source = f"its publishers ({publishers}) have sent none" if publishers else "nothing publishes it"
+        self._node.get_logger().warning(
+            f"{USE_SIM_TIME_NAME} is true, and no time has come on {CLOCK_TOPIC}: {source}. The node's clock stands "
+            "still, and its timers wait. Start the simulator, or `ros2 bag play --clock`, or set "
+            f"{USE_SIM_TIME_NAME} to false"
+        )
+
+    def _end_wait(self) -> None:
+        if self._wait is not None and self._node is not None:
+            self._node.destroy_timer(self._wait)
+            self._wait = None
 
     def _unsubscribe(self) -> None:
+        self._end_wait()
         if self._node is not None and self._clock_sub is not None:
             self._node.destroy_subscription(self._clock_sub)
             self._clock_sub = None
