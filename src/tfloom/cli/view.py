@@ -150,21 +150,21 @@ def _set_by_signals() -> threading.Event:
 
     def end(*_: object) -> None:
         over.set()
-        if hasattr(signal, "setitimer"):
+        if sys.platform != "win32":
             signal.setitimer(signal.ITIMER_REAL, MAX_END_S)
 
     for name in ("SIGINT", "SIGTERM", "SIGHUP"):
         number = getattr(signal, name, None)
         if number is not None and signal.getsignal(number) is not signal.SIG_IGN:  # as by nohup
             signal.signal(number, end)
-    if hasattr(signal, "SIGALRM"):
+    if sys.platform != "win32":
         signal.signal(signal.SIGALRM, lambda *_: None)
     return over
 
 
 def _interrupt_by_alarm(viewer: Viewer) -> None:
     """Let the alarm end what is drawn."""
-    if hasattr(signal, "SIGALRM"):
+    if sys.platform != "win32":
         signal.signal(signal.SIGALRM, lambda *_: viewer.interrupt())
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import signal
+import sys
 import threading
 from contextlib import suppress
 from types import FrameType, TracebackType
@@ -39,20 +40,18 @@ class Velocities:
 
     def __enter__(self) -> Self:
         # Otherwise it would end the program at once. A program that ignores it, as by nohup, goes on to do so.
-        self._handles_hangup = (
-            hasattr(signal, "SIGHUP")
-            and threading.current_thread() is threading.main_thread()
-            and signal.getsignal(signal.SIGHUP) is signal.SIG_DFL
-        )
-        if self._handles_hangup:
-            signal.signal(signal.SIGHUP, _exit_on_signal)
+        self._handles_hangup = False
+        if sys.platform != "win32" and threading.current_thread() is threading.main_thread():
+            self._handles_hangup = signal.getsignal(signal.SIGHUP) is signal.SIG_DFL
+            if self._handles_hangup:
+                signal.signal(signal.SIGHUP, _exit_on_signal)
         return self
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         self.stop()
-        if self._handles_hangup:
+        if sys.platform != "win32" and self._handles_hangup:
             signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
     def publish(self, linear: float, angular: float) -> None:

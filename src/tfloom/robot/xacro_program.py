@@ -147,10 +147,11 @@ def _measured(xacro: Any) -> Callable[[Any, Any], Any]:
 def _with_memory(xacro: Any, max_bytes: int) -> Callable[..., Any]:
     """Return the library's function that expands a file, with a limit for the memory, where the system has one."""
     process: Callable[..., Any] = xacro.process_file
-    with contextlib.suppress(ImportError, OSError, ValueError):  # Windows; a lower limit of the user's
+    if sys.platform != "win32":
         import resource
 
-        resource.setrlimit(resource.RLIMIT_AS, (max_bytes, resource.getrlimit(resource.RLIMIT_AS)[1]))
+        with contextlib.suppress(OSError, ValueError):  # a lower limit of the user's
+            resource.setrlimit(resource.RLIMIT_AS, (max_bytes, resource.getrlimit(resource.RLIMIT_AS)[1]))
 
     def process_within_limits(*args: Any, **options: Any) -> Any:
         try:
