@@ -200,9 +200,11 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
         )
         subscriptions = (self._feedback, self._status)
         handlers = [handler for subscription in subscriptions for handler in subscription.event_handlers]
+        self.callback_group = callback_group or node.default_callback_group
+        """The group of the feedback's callbacks."""
         make_parts(
             self,
-            callback_group or node.default_callback_group,
+            self.callback_group,
             (self._send, self._result, self._cancel, *subscriptions, *handlers),
         )
 

@@ -198,9 +198,11 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         handlers = [
             handler for publisher in (self._feedback, self._status) for handler in publisher.event_handlers
         ]
+        self.callback_group = callback_group or node.default_callback_group
+        """The group of the callbacks, but for that of execution."""
         make_parts(
             self,
-            callback_group or node.default_callback_group,
+            self.callback_group,
             (*self._services, self._expiry, *handlers),
         )
 

@@ -292,7 +292,7 @@ class Executor(OfferedWork):
 
     def _note_begun(self) -> None:
         """Tell the threads that wait in a nested `spin_once` that a callback has begun, or a response was taken."""
-        self._running.begun_count += 1
+        self._running.note_begun()
         self._wake_followers()
 
     def _wake_followers(self) -> None:
@@ -552,7 +552,7 @@ class Executor(OfferedWork):
         self._context.check_not_from_parent_process("cannot spin")
         # The lock is reentrant, so a callback on the thread that spins may spin again.
         if self._try_to_spin():
-            return True
+            return not until_begun or self._still_waits()
         if not (self._is_spun_by_callback or self._running.is_this_thread()):
             raise RuntimeError("Executor is already spinning, on another thread")
         woken = threading.Event()
@@ -563,8 +563,6 @@ class Executor(OfferedWork):
                     return False
                 if not self._context.ok():
                     raise shutdown_exception()
-                # Compared with the last look of this callback, and not with this call: what the callback waits for may
-                # have come between its own look and this call.
                 if until_begun and self._running.has_begun_another():
                     return False
                 now_ns = time.monotonic_ns()
@@ -575,7 +573,17 @@ class Executor(OfferedWork):
                 woken.clear()
         finally:
             self._followers.remove(woken)
-        return True
+        return not until_begun or self._still_waits()
+
+    def _still_waits(self) -> bool:
+        """Return whether a callback that spins must wait; release the right to spin if another thread has begun one.
+
+        What the callback waits for may have come on that thread after its last look, and nothing else may come.
+        """
+        if not self._running.is_this_thread() or not self._running.has_begun_another():
+            return True
+        self._end_spin()
+        return False
 
     def _try_to_spin(self) -> bool:
         """Acquire the right to spin, unless another thread has it."""

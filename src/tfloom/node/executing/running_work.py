@@ -48,6 +48,13 @@ class RunningWork:
         """Return whether a callback of any executor runs on the calling thread."""
         return threading.get_ident() in _threads_of_all
 
+    def note_begun(self) -> None:
+        """Count a callback that begins, or a response; the thread that spins calls this."""
+        self.begun_count += 1
+        thread = threading.get_ident()
+        if thread in self._seen_counts:  # a callback that spins has begun this one itself
+            self._seen_counts[thread] = self.begun_count
+
     def has_begun_another(self) -> bool:
         """Return whether a callback has begun since this thread began its own, or called this and got True."""
         thread, begun_count = threading.get_ident(), self.begun_count
