@@ -15,6 +15,7 @@ from typing import Any
 import pytest
 
 from tfloom.interfaces.rcl_interfaces.msg import Log
+from tfloom.node import implementation
 from tfloom.node.clock.clock import Clock, ROSClock
 from tfloom.node.context.context import Context
 from tfloom.node.executing.executors import SingleThreadedExecutor
@@ -448,3 +449,12 @@ def test_lone_surrogates_are_logged_as_escapes(
     assert heard == ["a file name: \\udcff", "ü"]
     (path,) = log_folder.iterdir()
     assert [line.partition("]: ")[2] for line in path.read_text("utf-8").splitlines()] == heard
+
+
+def test_a_program_logs_by_the_compiled_module_s_name(capsys: Capture) -> None:
+    """As handlers of Python's logging do, which know the place already."""
+    logger = logging.get_logger("forwarded")
+    logger.set_level(LoggingSeverity.WARN)
+    for severity in (LoggingSeverity.INFO, LoggingSeverity.ERROR):
+        implementation.rclpy_logging_rcutils_log(severity, "forwarded", severity.name, "work", "work.py", 7)
+    assert [line.rpartition(" ")[2] for line in lines(capsys)] == ["ERROR"]

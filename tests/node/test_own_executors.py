@@ -386,6 +386,38 @@ def test_a_program_s_task_is_returned_until_it_is_run(executor: Executor) -> Non
     assert executor._tasks == {}
 
 
+def test_a_task_that_is_cancelled_unbegun_leaves_its_message(node: Node, executor: Executor) -> None:
+    heard: list[int] = []
+    subscription, _ = published(node, lambda msg: heard.append(msg.data), 10, range(1))
+    executor.add_node(node)
+    task_of(executor, subscription).cancel()
+    task_of(executor, subscription)()
+    assert heard == [0]
+
+
+def test_names_by_which_other_projects_cancel_tasks(executor: Executor) -> None:
+    async def wait() -> None:
+        await Future()
+
+    task = executor.create_task(wait())
+    executor.spin_once(timeout_sec=0)
+    called: list[Any] = []
+    task.add_done_callback(called.append)
+    assert task._pending()
+    with task._task_lock, task._lock:
+        task._handler.close()
+        task._cancelled = True
+    task._schedule_or_invoke_done_callbacks()
+    executor.spin_once(timeout_sec=WAIT_S)
+    assert called == [task]
+    assert not task._pending()
+    assert executor._tasks == {}
+    assert Future()._executor() is None
+    future = Future()
+    future._set_executor(executor)
+    assert future._executor() is executor
+
+
 class Counts(Waitable):
     """Is ready after each trigger of its guard condition."""
 
@@ -484,6 +516,7 @@ def test_a_group_knows_clients_and_actions(node: Node, executor: Executor) -> No
     executor.spin_until_future_complete(sent.result().get_result_async(), timeout_sec=WAIT_S)
     wait_until(lambda: executor.spin_once(timeout_sec=0.01) or waitable.executed)
     assert group.asked == members
+    assert action.callback_group is server.callback_group is group
     assert group.running == []
 
 

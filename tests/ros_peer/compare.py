@@ -2,7 +2,7 @@
 
 A kind is a file of `kinds/`, which both Pythons load, and which uses only ROS's names:
 
-- `draw(random) -> case` returns a case as JSON values;
+- `draw(random) -> case` returns a case as JSON values; or `EVERY` is a list of all cases, of which each number is one;
 - `run(case) -> answer` does what the case says and returns what came of it. An exception that it raises is an answer,
   too: its class is compared. Of a value of a class that JSON doesn't have, the class's name is compared as well;
 - `KNOWN`, if there are differences on purpose: by the id of a row of `docs/deviations.md`, a function that is given the
@@ -179,6 +179,9 @@ def compare(
 
 def drawn(kind: ModuleType, seed: int, number: int) -> Any:
     """Return a case by its number, as both sides read it."""
+    every = getattr(kind, "EVERY", None)
+    if every is not None:
+        return json.loads(json.dumps(every[number % len(every)]))
     return json.loads(json.dumps(kind.draw(random.Random(f"{seed}/{number}"))))
 
 

@@ -11,6 +11,8 @@ from tfloom.node.executing import event_types, guard_condition, timer
 from tfloom.node.executing.event_handler import UnsupportedEventTypeError, Watched, WatchedEvent
 from tfloom.node.executing.signals import SignalHandlerOptions
 from tfloom.node.executing.wait_set import WaitSet
+from tfloom.node.log import log_output
+from tfloom.node.log.logging_severity import LoggingSeverity
 from tfloom.node.log.throttled_warning import ThrottledWarning
 from tfloom.node.qos.qos import QoSCompatibility, QoSProfile
 from tfloom.node.values.clock_type import ClockType
@@ -57,6 +59,7 @@ __all__ = [
     "UnknownROSArgsError",
     "UnsupportedEventTypeError",
     "WaitSet",
+    "rclpy_logging_rcutils_log",
 ]
 
 
@@ -313,6 +316,21 @@ class Client(_WaitedEndpoint[Requester]):
         """Return the header of the oldest response, and the response; (None, None) if there is none."""
         incoming, response = self._take(pyresponse_type)
         return None if incoming is None else _service_info(incoming), response
+
+
+def rclpy_logging_rcutils_log(
+    severity: LoggingSeverity | int,
+    name: str,
+    message: str,
+    function_name: str,
+    file_name: str,
+    line_number: int,
+) -> None:
+    """Log a message of a place that the caller knows, if the logger `name` lets its severity through."""
+    if severity >= log_output.effective_level(name):
+        log_output.write(
+            log_output.Record(LoggingSeverity(severity), name, message, file_name, function_name, line_number)
+        )
 
 
 def _service_info(incoming: Any) -> ServiceInfo:

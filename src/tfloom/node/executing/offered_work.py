@@ -38,12 +38,12 @@ class _Offered:
     def task(self) -> Task[Any] | None:
         """Return the task if it may still begin."""
         task = self._task()
-        return None if task is None or self.has_begun() else task
+        return None if task is None or self.has_begun() or task.done() or task.cancelled() else task
 
     def has_begun(self) -> bool:
-        """Return whether the task has begun, or was cancelled."""
+        """Return whether the task has begun."""
         task = self._task()
-        return task is not None and (task.step_count != self._step_count or task.done() or task.cancelled())
+        return task is not None and task.step_count != self._step_count
 
 
 class OfferedWork(WorkQueue):
@@ -158,7 +158,7 @@ class OfferedWork(WorkQueue):
         return entity.run(taken)
 
     def _forget_begun(self) -> None:
-        """Forget the offered tasks that have begun, and look again at the entities of those that were dropped."""
+        """Forget the offered tasks that have begun, and look again at what the others were for that never will."""
         for token, offered in list(self._offered.items()):
             if offered.task() is None:
                 del self._offered[token]

@@ -34,6 +34,10 @@ def future_error(future: object) -> TypeError | None:
     return TypeError(f"spin_until_future_complete() needs a future, as `call_async` returns it, got {given}")
 
 
+def _no_executor() -> None:
+    """Stand for the weak reference to an executor where there is none."""
+
+
 class Future(Generic[T]):
     """The result of a call that isn't complete yet.
 
@@ -54,7 +58,7 @@ class Future(Generic[T]):
         self._resumers: list[Callable[[], None]] = []
         self._lock = threading.RLock()
         """Guards the outcome and the lists of callbacks; the outcome is read without it."""
-        self._executor: weakref.ref[TaskRunner] | None = None
+        self._executor: Callable[[], TaskRunner | None] = _no_executor
         self.set_executor(executor)
 
     def __repr__(self) -> str:
@@ -83,7 +87,11 @@ class Future(Generic[T]):
             if self._done or self._cancelled:
                 return
             self._cancelled = True
-        self._run_callbacks()
+        self._schedule_or_invoke_done_callbacks()
+
+    def _pending(self) -> bool:
+        """Return whether it is neither complete nor cancelled."""
+        return not self._done and not self._cancelled
 
     def cancelled(self) -> bool:
         """Return whether it was cancelled before it had a result."""
@@ -117,7 +125,7 @@ class Future(Generic[T]):
             self._result = result
             self._done = True
             self._cancelled = False
-        self._run_callbacks()
+        self._schedule_or_invoke_done_callbacks()
 
     def set_exception(self, exception: BaseException) -> None:
         """Complete the future with an exception, which `result` raises."""
@@ -126,7 +134,7 @@ class Future(Generic[T]):
             self._exception_fetched = False
             self._done = True
             self._cancelled = False
-        self._run_callbacks()
+        self._schedule_or_invoke_done_callbacks()
 
     def add_done_callback(self, callback: Callable[[Future[T]], Any]) -> None:
         """Call `callback(future)` when the future completes or is cancelled; at once if that has happened."""
@@ -158,9 +166,12 @@ class Future(Generic[T]):
 
     def set_executor(self, executor: TaskRunner | None) -> None:
         """Run callbacks as tasks of `executor`; None: at once, on the thread that completes the future."""
-        self._executor = None if executor is None else weakref.ref(executor)
+        self._executor = _no_executor if executor is None else weakref.ref(executor)
 
-    def _run_callbacks(self) -> None:
+    _set_executor = set_executor
+
+    # This one and others of the private names are rclpy's, because executors of other projects use them.
+    def _schedule_or_invoke_done_callbacks(self) -> None:
         # Taken out under the lock, so that each is called once; called without it, because a callback may wait for a
         # thread that uses this future.
         with self._lock:
@@ -173,7 +184,7 @@ class Future(Generic[T]):
                 self._run_callback(callback)
 
     def _run_callback(self, callback: Callable[[Future[T]], Any]) -> None:
-        executor = self._executor() if self._executor is not None else None
+        executor = self._executor()
         if executor is not None:
             executor.create_task(callback, self)
             return
@@ -197,12 +208,8 @@ class Task(Future[T]):
         executor: TaskRunner | None = None,
     ) -> None:
         super().__init__(executor=executor)
-        self._coroutine: Coroutine[Any, Any, T] | None = None
-        self._handler: Callable[..., Any] | None = None
-        if isinstance(handler, Coroutine):
-            self._coroutine = handler
-        else:
-            self._handler = handler
+        self._handler: Callable[..., Any] | Coroutine[Any, Any, T] | None = handler
+        """The function until it is called, and the coroutine."""
         self._args = tuple(args or ())
         self._kwargs = dict(kwargs or {})
         self._resume: Callable[[], None] | None = None
@@ -210,21 +217,21 @@ class Task(Future[T]):
         """Number of steps that have begun."""
         self.during_steps: AbstractContextManager[object] = nullcontext()
         """Entered while a step runs."""
-        self._step_lock = threading.Lock()
+        self._task_lock = threading.Lock()
         """Held by the thread that runs a step."""
 
     def __call__(self) -> None:
         """Run one step; do nothing if the task is done, cancelled, or running on another thread."""
         # A thread that finds the lock held may leave: after its step, the other one waits for what the coroutine
         # awaits, and is called back at once if that is complete.
-        if self._done or self._cancelled or not self._step_lock.acquire(blocking=False):
+        if self._done or self._cancelled or not self._task_lock.acquire(blocking=False):
             return
         try:
             self.step_count += 1
             with self.during_steps:
                 waits_for = self._step()
         finally:
-            self._step_lock.release()
+            self._task_lock.release()
         # Only after the release: the awaited future may be complete, or complete on another thread right now. The
         # thread that then runs the next step must find the lock free, or the task would never go on.
         if waits_for is not None:
@@ -240,7 +247,7 @@ class Task(Future[T]):
 
     def executing(self) -> bool:
         """Return whether a step is running."""
-        return self._step_lock.locked()
+        return self._task_lock.locked()
 
     def cancel(self) -> None:
         """Cancel the task; close a waiting coroutine."""
@@ -250,25 +257,25 @@ class Task(Future[T]):
     def abandon(self) -> None:
         """Stop running steps: close a waiting coroutine, and leave the future incomplete."""
         # Python can't close a coroutine that runs, and waiting for its step might wait for this very thread.
-        if self._step_lock.acquire(blocking=False):
+        if self._task_lock.acquire(blocking=False):
             try:
-                if self._coroutine is not None:
-                    self._coroutine.close()
+                if isinstance(self._handler, Coroutine):
+                    self._handler.close()
             finally:
-                self._step_lock.release()
+                self._task_lock.release()
 
     def _step(self) -> Future[Any] | None:
         """Run to the end or the next await; return the future awaited, None for any other awaitable."""
         try:
-            if self._coroutine is None and self._handler is not None:
+            if self._handler is not None and not isinstance(self._handler, Coroutine):
                 handler, self._handler = self._handler, None  # it is called in the first step alone
                 outcome = handler(*self._args, **self._kwargs)
                 if not isinstance(outcome, Coroutine):
                     self.set_result(outcome)
                     return None
-                self._coroutine = outcome
-            if self._coroutine is not None:
-                awaited = step(self._coroutine)
+                self._handler = outcome
+            if self._handler is not None:
+                awaited = step(self._handler)
                 return awaited if isinstance(awaited, Future) else None
         except StopIteration as end:
             self.set_result(end.value)

@@ -18,3 +18,4 @@ from tfloom.node.implementation import TimerCancelledError as TimerCancelledErro
 from tfloom.node.implementation import UnknownROSArgsError as UnknownROSArgsError
 from tfloom.node.implementation import UnsupportedEventTypeError as UnsupportedEventTypeError
 from tfloom.node.implementation import WaitSet as WaitSet
+from tfloom.node.implementation import rclpy_logging_rcutils_log as rclpy_logging_rcutils_log
