@@ -184,6 +184,20 @@ def test_session_that_can_not_be_closed_is_a_line(
     assert capfd.readouterr().err == line
 
 
+@pytest.mark.parametrize(("checks", "looks", "reports"), [(0, 0, 0), (1, 1, 1), (3, 3, 2)])
+def test_router_that_is_sought_in_vain_is_told_at_the_first_look_and_at_the_last(
+    checks: int, looks: int, reports: int
+) -> None:
+    done: list[str] = []
+    opened: Any = SimpleNamespace(
+        endpoints=["tcp/127.0.0.1:7447"], wait_for_router=lambda _: done.append("look")
+    )
+    meeting_point: Any = SimpleNamespace(report_silence=lambda: done.append("report"))
+    zenoh_session._look_for_router(opened, meeting_point, checks)
+    assert (done.count("look"), done.count("report")) == (looks, reports)
+    assert done[:2] == ["look", "report"][: 2 * looks]
+
+
 @pytest.mark.slow
 def test_program_ends_without_a_traceback_while_the_router_is_stopped(
     start_program: Callable[..., Program], domain_id: int, port: int, monkeypatch: pytest.MonkeyPatch
