@@ -90,6 +90,15 @@ def test_wait_lasts_while_announced_entities_are_missing_and_tells_if_they_never
     assert capsys.readouterr().err == ("" if changes_s else f"{graph.MISSING}\n")
 
 
+def test_who_looks_further_is_not_told(capsys: pytest.CaptureFixture[str]) -> None:
+    fake = FakeGraph()
+    fake.whole_from = 1
+    graph.wait_until_quiet(fake, 0.0, goes_on=True)
+    assert capsys.readouterr().err == ""
+    graph.wait_until_quiet(fake, 0.0)
+    assert capsys.readouterr().err == f"{graph.MISSING}\n"
+
+
 WAITING = "waiting for the nodes of 1 participant of Fast DDS, which lists them up to 3 s late\n"
 MISSING = "nodes may be missing: 2 participants of Fast DDS did not list them\n"
 

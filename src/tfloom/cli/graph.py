@@ -85,12 +85,13 @@ def settled_graph(most_s: float) -> Iterator[Graph]:
         yield participant.graph
 
 
-def wait_until_quiet(graph: Graph, most_s: float) -> None:
+def wait_until_quiet(graph: Graph, most_s: float, *, goes_on: bool = False) -> None:
     """Wait until the graph has not changed for `QUIET_S`: at least `MIN_WAIT_S`, at most `most_s` [s].
 
     It waits longer while announced entities are missing: up to `PATIENCE_S`, or up to `LATE_PEERS_S` and with a message
     on stderr where they are of Fast DDS. It also does if this process was scheduled late, up to `MAX_LATE_S`, because
-    the others may be late, too. Where something is missing after that, a message on stderr says so.
+    the others may be late, too. Where something is missing after that, a message on stderr says so, unless the graph is
+    looked at further (`goes_on`).
     """
     queue = ReadyQueue()
     start = time.monotonic()
@@ -118,7 +119,7 @@ def wait_until_quiet(graph: Graph, most_s: float) -> None:
                 if (is_whole := graph.is_whole()) or now >= min(until + patience_s, start + most_s):
                     if late:
                         _print_notice(f"nodes may be missing: {_participants(late)} did not list them")
-                    elif not is_whole:
+                    elif not (is_whole or goes_on):
                         _print_notice(MISSING)
                     return
                 until = now + LOOK_S

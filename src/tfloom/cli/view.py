@@ -205,7 +205,7 @@ def _open_viewer(args: argparse.Namespace) -> Iterator[Viewer]:
                 simulated=args.use_sim_time,
             ) as viewer,
         ):
-            wait_until_quiet(participant.graph, 1.0)
+            wait_until_quiet(participant.graph, 1.0, goes_on=True)
             yield viewer
         return
     from tfloom.bag.errors import BagError

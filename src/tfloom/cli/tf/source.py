@@ -107,7 +107,7 @@ def opened(name: str, args: argparse.Namespace, *, buffer: Buffer | None = None)
             LiveWatch(participant, node, buffer=buffer, topics=topics, simulated=args.use_sim_time)
         ) as watch,
     ):
-        graph.wait_until_quiet(participant.graph, args.spin_time)
+        graph.wait_until_quiet(participant.graph, args.spin_time, goes_on=True)
         wait_until_known(watch.now_ns)
         yield watch
 
