@@ -32,6 +32,7 @@ from tfloom.interfaces.sensor_msgs.msg import CameraInfo, Image, PointCloud2
 from tfloom.interfaces.std_msgs.msg import Int64
 from tfloom.interfaces.visualization_msgs.msg import Marker
 from tfloom.node.node import Node
+from tfloom.node.parameters.parameter import Parameter
 from tfloom.node.qos.qos import QoSProfile, ReliabilityPolicy
 from tfloom.rmw.errors import WireError
 from tfloom.tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
@@ -606,6 +607,45 @@ def test_parameters_are_read_and_set(spun: Node, page: Page) -> None:
     assert "did not set speed" in page.ask(
         "error", op="set_parameter", node="/feeder", name="speed", value="fast"
     )
+
+
+def test_what_the_page_shows_of_a_parameter_can_be_set_again(spun: Node, page: Page) -> None:
+    given = {
+        "text": "0888",
+        "word": "y",
+        "list": "[a]",
+        "no_text": "",
+        "texts": ["a, b", "", "1"],
+        "doubles": [math.inf, 1.0],
+        "no_doubles": [],
+    }
+    for name, value in given.items():
+        spun.declare_parameter(name, [0.5] if value == [] else value)
+    spun.set_parameters([Parameter("no_doubles", Parameter.Type.DOUBLE_ARRAY, [])])
+
+    def shown() -> dict[str, str]:
+        page.answers.clear()
+        page.send(op="parameters", node="/feeder")
+        page.wait_for(lambda: page.answers)
+        found = page.answers[0].get("parameters", {"values": []})
+        return {value["name"]: value["value"] for value in found["values"]}
+
+    wait_until(lambda: given.keys() <= shown().keys(), what="the parameters")
+    texts = shown()
+    others = {
+        "text": "x",
+        "word": "x",
+        "list": "x",
+        "no_text": "x",
+        "texts": ["x"],
+        "doubles": [2.0],
+        "no_doubles": [2.0],
+    }
+    spun.set_parameters([Parameter(name, value=value) for name, value in others.items()])
+    for name, value in given.items():
+        page.ask("done", op="set_parameter", node="/feeder", name=name, value=texts[name])
+        assert list(spun.get_parameter(name).value) == list(value)
+        assert spun.get_parameter(name).type_ is Parameter(name, value=others[name]).type_
 
 
 def test_tools_publish_what_was_dragged(spun: Node, viewer: Viewer) -> None:

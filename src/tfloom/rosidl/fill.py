@@ -43,7 +43,9 @@ def set_message_fields(
 class Filler:
     """Fills a message as `set_message_fields` does, and keeps the path of a field that a value did not fit."""
 
-    def __init__(self, *, auto: bool, now: bool) -> None:
+    def __init__(self, *, auto: bool, now: bool, numbers_are_texts: bool = False) -> None:
+        self._numbers_are_texts = numbers_are_texts
+        """Whether the text `7` is the byte 7, and not that of the character, as `message_to_yaml` writes it."""
         self.setters: list[StampSetter] = []
         self.path: list[str] = []
         """The path of the field that is being set, or that raised an error: `.poses`, `[1]`, `.header`."""
@@ -94,11 +96,17 @@ class Filler:
         elif type_.shape:
             setattr(msg, name, self._array(type_, value))
         elif type_.is_primitive:
-            setattr(msg, name, _convert(type_, value))
+            setattr(msg, name, self._primitive(type_, value))
         elif isinstance(value, Message):
             setattr(msg, name, value)
         else:
             self.fill(getattr(msg, name), value)
+
+    def _primitive(self, type_: Type, value: Any) -> Any:
+        is_byte = type_.base == "byte" and not self._numbers_are_texts
+        if is_byte and isinstance(value, str) and len(value) == 1 and ord(value) < 256:
+            return value.encode("latin-1")
+        return _convert(type_, value)
 
     def _array(self, type_: Type, values: Any) -> Any:
         if isinstance(values, (str, Mapping)) or not hasattr(values, "__iter__"):
@@ -110,7 +118,7 @@ class Filler:
     def _element(self, type_: Type, index: int, value: Any) -> Any:
         self.path.append(f"[{index}]")
         if type_.is_primitive:
-            element = _convert(type_, value)
+            element = self._primitive(type_, value)
         elif isinstance(value, Message):
             element = value
         else:
@@ -130,8 +138,6 @@ def _convert(type_: Type, value: Any) -> Any:
         return _to_bool(value)
     if type_.base == "byte" and isinstance(value, bytes):
         return value
-    if type_.base == "byte" and isinstance(value, str) and len(value) == 1 and ord(value) < 256:
-        return value.encode("latin-1")  # as `message_to_yaml` writes it
     number = int(value)
     if isinstance(value, float) and number != value:
         raise ValueError(f"{value} is no whole number, and the field's type is {type_}")

@@ -16,12 +16,12 @@ from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description_sources.sources import AnyLaunchDescriptionSource
 from tfloom.launch.ros.actions.node import Node
 from tfloom.launch.ros.actions.node_defaults import SetParameter
-from tfloom.launch.ros.parameter_descriptions import Parameter, ParameterValue
+from tfloom.launch.ros.parameter_descriptions import Parameter, ParameterFile, ParameterValue
 from tfloom.launch.ros.utilities.evaluate_parameters import evaluate_parameters
 from tfloom.launch.ros.utilities.normalize_parameters import normalize_parameters
 from tfloom.launch.ros.utilities.to_parameters_list import to_parameters_list
 from tfloom.launch.substitutions.variables import LaunchConfiguration
-from tfloom.node.values.scalars import parse_value
+from tfloom.node.values.scalars import parse_documents, parse_value
 
 Words = Callable[..., list[str]]
 STRINGS = [
@@ -261,3 +261,18 @@ def test_numbers_of_numpy_arrive_as_those_of_python(words: Words) -> None:
     assert {name: repr(found[name]) for name in expected} == {
         name: repr(value) for name, value in expected.items()
     }
+
+
+def test_a_file_with_substitutions_may_have_several_documents(words: Words, tmp_path: Path) -> None:
+    path = tmp_path / "p.yaml"
+    path.write_text(
+        "/**:\n  ros__parameters:\n    a: $(var given)\t# one\n---\n/**:\n  ros__parameters:\n    b: 2\n",
+        "utf-8",
+    )
+    file = ParameterFile(str(path), allow_substs=True)
+    lines = words(DeclareLaunchArgument("given", default_value="1e3"), node(parameters=[file]))
+    content = "\n".join(line.removeprefix("file ") for line in lines if line.startswith("file "))
+    assert [list(document.values()) for document in parse_documents(content)] == [
+        [{"ros__parameters": {"a": 1000.0}}],
+        [{"ros__parameters": {"b": 2}}],
+    ]

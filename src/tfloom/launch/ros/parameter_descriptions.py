@@ -237,14 +237,14 @@ def _file_with_substitutions(context: LaunchContext, path: Path) -> Path:
     from tfloom.launch.frontend.parse_substitution import parse_substitution
     from tfloom.launch.ros.temporary_files import write_temporary_file
     from tfloom.launch.substitution import SubstitutionFailure
-    from tfloom.rosidl.user_yaml import YamlError, load
+    from tfloom.rosidl.user_yaml import YamlError, compose_all
 
     try:
         text = perform_substitutions(context, parse_substitution(path.read_text("utf-8")))
     except SubstitutionFailure as error:
         raise SubstitutionFailure(f"{path}: {error}") from error
     try:
-        load(text)
+        compose_all(text)
     except YamlError as error:
         raise SubstitutionFailure(
             f"The substituted parameter file is not a valid yaml file: {path}: {error}"

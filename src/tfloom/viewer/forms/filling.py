@@ -37,7 +37,7 @@ def fill(message: Message, values: Any, now_ns: int) -> bytes:
     """
     if _count(message._TYPE_NAME) + _added(message._TYPE_NAME, values) > MAX_VALUES:
         raise PageError(f"a message from a form has at most {MAX_VALUES} values")
-    filler = Filler(auto=True, now=True)
+    filler = Filler(auto=True, now=True, numbers_are_texts=True)
     try:
         filler.fill(message, values)
         for set_stamp in filler.setters:
