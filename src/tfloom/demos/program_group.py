@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 ADDRESS = "Open "
 """What precedes the page's address in the output of `view`."""
+TELLS_ADDRESS = "See it in a browser: "
 END_GRACE_S = 3.0
 POLL_S = 0.05
 LOG_LINES = 40
@@ -79,6 +80,8 @@ class ProgramGroup:
         self._shown = frozenset(shown)
         self._lines: queue.SimpleQueue[str] = queue.SimpleQueue()
         self._programs: dict[str, Program] = {}
+        self._awaits_page = "view" in programs
+        """Whether the page's address is still to be printed: a demonstration doesn't end before."""
 
     def __enter__(self) -> Self:
         try:
@@ -105,7 +108,7 @@ class ProgramGroup:
         if not line.startswith(ADDRESS):
             return
         address = line.removeprefix(ADDRESS)
-        self._lines.put(f"See it in a browser: {address}")
+        self._lines.put(f"{TELLS_ADDRESS}{address}")
         if self._opens_page:
             import webbrowser
 
@@ -117,6 +120,7 @@ class ProgramGroup:
             line = self._lines.get(timeout=timeout_s)
             self._note(line)
             print(f"{line}\n", end="")  # in one piece, because Ctrl-C may come after any write
+            self._awaits_page &= not line.startswith(TELLS_ADDRESS)
             return line
         return ""
 

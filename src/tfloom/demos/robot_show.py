@@ -97,20 +97,23 @@ class RobotShow(ProgramGroup):
         """Print how far the robot is from where it is taken to be.
 
         Args:
-            seconds: Duration, extended until the mapper works; None: until interrupted.
+            seconds: Duration, extended until the mapper works and the page is there; None: until interrupted.
 
         Raises:
-            ShowError: a program ended unexpectedly, or the mapper did not work in time.
+            ShowError: a program ended unexpectedly, or the mapper or the page did not work in time.
         """
         started = time.monotonic()
         end = math.inf if seconds is None else started + seconds
-        while not self._works or time.monotonic() < end:
+        while not self._works or self._awaits_page or time.monotonic() < end:
             for name, program in self._programs.items():
                 if program.exit_code() is not None:
                     raise unexpected_end(name, program)
             self._print_line()
-            if not self._works and time.monotonic() > started + PATIENCE_S:
-                raise ShowError(f"the robot's pose was not corrected in {PATIENCE_S:.0f} s")
+            if time.monotonic() > started + PATIENCE_S:
+                if not self._works:
+                    raise ShowError(f"the robot's pose was not corrected in {PATIENCE_S:.0f} s")
+                if self._awaits_page:
+                    raise ShowError(f"the page was not there in {PATIENCE_S:.0f} s")
 
     def _note(self, line: str) -> None:
         self._works |= IS_CORRECTED in line

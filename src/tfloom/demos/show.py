@@ -72,20 +72,23 @@ class Show(ProgramGroup):
         """Print the output of tf2_echo, and draw the tree as soon as it is complete.
 
         Args:
-            seconds: Duration, extended until the tree is drawn; None: until interrupted.
+            seconds: Duration, extended until the tree is drawn and the page is there; None: until interrupted.
 
         Raises:
-            ShowError: a program ended unexpectedly, or the tree was not complete in time.
+            ShowError: a program ended unexpectedly, or the tree or the page was not there in time.
         """
         started = time.monotonic()
         end = math.inf if seconds is None else started + seconds
-        while not self._has_drawn or time.monotonic() < end:
+        while not self._has_drawn or self._awaits_page or time.monotonic() < end:
             self._check()
             line = self._print_line()
             if line.startswith("At time") and self._is_complete() and "view_frames" not in self._programs:
                 self._start("view_frames", VIEW_FRAMES)
-            if not self._has_drawn and time.monotonic() > started + PATIENCE_S:
-                raise ShowError(f"the turtle's frames could not be drawn in {PATIENCE_S:.0f} s")
+            if time.monotonic() > started + PATIENCE_S:
+                if not self._has_drawn:
+                    raise ShowError(f"the turtle's frames could not be drawn in {PATIENCE_S:.0f} s")
+                if self._awaits_page:
+                    raise ShowError(f"the page was not there in {PATIENCE_S:.0f} s")
 
     def _is_complete(self) -> bool:
         """Return whether the second turtle is in the tree, too."""
