@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+import random
 import shutil
 import signal
+import socket
 import ssl
 import subprocess
 from collections.abc import Callable
-from contextlib import closing
+from contextlib import ExitStack, closing
 from pathlib import Path
 from typing import Any
 
@@ -23,11 +25,12 @@ from tests.viewer.foxglove_bridge.clients import (
     port_of,
     spun_node,
 )
-from websockets.exceptions import InvalidMessage
+from websockets.exceptions import InvalidMessage, InvalidStatus
+from websockets.sync.client import connect
 
 from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.interfaces.rosgraph_msgs.msg import Clock
-from tfloom.interfaces.std_msgs.msg import String
+from tfloom.interfaces.std_msgs.msg import String, UInt8MultiArray
 from tfloom.interfaces.std_srvs.srv import SetBool
 from tfloom.node.node import Node
 from tfloom.rmw.backends import open_participant
@@ -211,17 +214,30 @@ def certificate(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
 
 
 def test_encrypted_connections(certificate: tuple[Path, Path], node: Node, start_bridge: StartBridge) -> None:
-    node.create_publisher(String, "/chatter", 1)
+    """What comes from other sites is refused there, too, and large messages pass whole."""
+    publisher = node.create_publisher(UInt8MultiArray, "/big", 1)
     files = f"certfile:={certificate[0]}", f"keyfile:={certificate[1]}"
     program, port = start_bridge("tls:=true", *files)
     assert "Server listening at wss://127.0.0.1:" in program.output
-    client = Client(port, ssl.create_default_context(cafile=str(certificate[0])))
-    with closing(client.socket):
-        client.wait_for(lambda: "/chatter" in client.channels)
-    with pytest.raises(InvalidMessage):  # plain text
-        Client(port)
-    program.signal(signal.SIGINT)
-    assert program.wait() == 0
+    trust = ssl.create_default_context(cafile=str(certificate[0]))
+    with ExitStack() as stack:
+        for _ in range(200):  # which begin no TLS
+            stack.enter_context(socket.create_connection(("127.0.0.1", port), timeout=30.0))
+        with pytest.raises(InvalidStatus, match="403"):
+            connect(f"wss://127.0.0.1:{port}", ssl=trust, origin="https://evil.example", proxy=None)  # type: ignore[arg-type]
+        client = Client(port, trust)
+        stack.enter_context(closing(client.socket))
+        client.subscribe("/big", 1)
+        wait_until(lambda: publisher.get_subscription_count() == 1)
+        data = cdr.encode(UInt8MultiArray(data=random.Random(1).randbytes(5_000_000)))
+        publisher.publish(data)
+        client.wait_for(lambda: client.messages, "the message")
+        assert client.messages == [(1, data)]
+        with pytest.raises(InvalidMessage):  # plain text
+            Client(port)
+        program.signal(signal.SIGINT)
+        assert program.wait() == 0
+    assert "Traceback" not in program.output
 
 
 def test_certificates_that_are_none_are_one_sentence(
@@ -290,7 +306,7 @@ def test_launch_file(node: Node, start_program: Callable[..., Program]) -> None:
     """With its parameters; topics that come later are shown although no /clock moves the simulated time."""
     program = start_program(
         *("ros2", "launch", "foxglove_bridge", "foxglove_bridge_launch.xml", "port:=0"),
-        *("topic_whitelist:=['/shown']", "use_sim_time:=true"),
+        *("topic_whitelist:=['/shown']", "use_sim_time:=true", "allowed_origins:=['https://viewer.example']"),
     )
     port = port_of(program)
     client = Client(port)
@@ -303,6 +319,10 @@ def test_launch_file(node: Node, start_program: Callable[..., Program]) -> None:
         client.send(op="getParameters", parameterNames=["/foxglove_bridge.asset_uri_allowlist"], id="one")
         (allowed,) = client.text("parameterValues", id="one")["parameters"]
         assert allowed["value"][0].startswith(r"^package://(?:[-\w%]+/)*[-\w%.]+\.(?:dae|")
+        client.send(op="getParameters", parameterNames=["/foxglove_bridge.allowed_origins"], id="two")
+        assert client.text("parameterValues", id="two")["parameters"][0]["value"] == [
+            "https://viewer.example"
+        ]
     program.signal(signal.SIGINT)
     assert program.wait() == 0
 
