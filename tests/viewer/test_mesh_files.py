@@ -158,7 +158,7 @@ def test_too_long_a_file_is_refused_also_one_that_tells_no_size(
     write_ball(tmp_path / "a.stl")
     (tmp_path / "status.stl").symlink_to("/proc/self/status")
     monkeypatch.setattr(mesh_files, "MAX_FILE_BYTES", 100)
-    assert "bytes, more than 100" in fault_of(f"file://{tmp_path}/a.stl")
+    assert "more than 100 bytes" in fault_of(f"file://{tmp_path}/a.stl")
     assert "more than 100 bytes" in fault_of(f"file://{tmp_path}/status.stl")
 
 

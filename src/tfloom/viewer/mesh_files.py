@@ -5,7 +5,6 @@ from __future__ import annotations
 import io
 import math
 import os
-import stat
 from collections.abc import Callable
 from importlib.util import find_spec
 from pathlib import Path
@@ -15,6 +14,7 @@ from xml.parsers.expat import ExpatError
 
 import numpy as np
 
+from tfloom.regular_files import open_regular, read_at_most
 from tfloom.viewer.shapes import Color, DisplayError, Model
 from tfloom.workspace.ament import PackageNotFoundError, get_package_share_path
 from tfloom.xml_parsers import make_parser
@@ -51,41 +51,26 @@ def read_model(uri: str, scale: tuple[float, float, float], color: Color | None 
         raise DisplayError(f"the scale of {uri} is not finite")
     path = _path(uri)
     try:
-        # Whoever writes the description may name a pipe or a device: neither opening nor reading one may wait.
-        file = open(path, "rb", buffering=0, opener=_open_without_waiting)  # noqa: SIM115  # it is closed below
+        with open_regular(path) as file:
+            status = os.fstat(file.fileno())
+            key = str(path), status.st_mtime_ns, status.st_size, color
+            return Model(_remembered(key, lambda: _glb(path, _content(file, uri), color)), scale)
     except (OSError, ValueError) as error:
         raise DisplayError(f"{uri} can't be read: {getattr(error, 'strerror', None) or error}") from None
-    with file:
-        status = os.fstat(file.fileno())
-        if not stat.S_ISREG(status.st_mode):
-            raise DisplayError(f"{uri} is not a regular file, but a folder, a pipe or a device")
-        if status.st_size > MAX_FILE_BYTES:
-            raise DisplayError(f"{uri} has {status.st_size} bytes, more than {MAX_FILE_BYTES}")
-        key = str(path), status.st_mtime_ns, status.st_size, color
-        return Model(_remembered(key, lambda: _glb(path, _content(file, uri), color)), scale)
-
-
-def _open_without_waiting(path: str, flags: int) -> int:
-    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOCTTY", 0))
 
 
 def _content(file: io.FileIO, uri: str) -> bytes:
-    """Return the bytes of a file, of which some have no size, as those of /proc.
+    """Return the bytes of a file.
 
     Raises:
-        DisplayError: it can't be read, or is too long.
+        DisplayError: there are too many.
+        OSError: it can't be read.
     """
-    parts: list[bytes] = []
-    left = MAX_FILE_BYTES + 1
-    try:
-        while left and (part := file.read(left)):
-            parts.append(part)
-            left -= len(part)
-    except OSError as error:
-        raise DisplayError(f"{uri} can't be read: {error.strerror or error}") from None
-    if not left:
+    size = os.fstat(file.fileno()).st_size
+    content = read_at_most(file, MAX_FILE_BYTES) if size <= MAX_FILE_BYTES else None
+    if content is None:
         raise DisplayError(f"{uri} has more than {MAX_FILE_BYTES} bytes")
-    return b"".join(parts)
+    return content
 
 
 def _remembered(key: _Key, make: Callable[[], bytes]) -> bytes:

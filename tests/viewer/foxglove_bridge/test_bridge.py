@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import base64
+import os
 import signal
 import sys
 import threading
@@ -305,6 +306,8 @@ def test_files_are_read_where_they_are_allowed(
     (share / "meshes" / "link 1.stl").write_bytes(b"solid")
     (tmp_path / "secret.stl").write_bytes(b"secret")
     (share / "secret.txt").write_bytes(b"secret")
+    os.mkfifo(share / "meshes" / "pipe.stl")
+    (share / "meshes" / "zero.stl").symlink_to("/dev/zero")
     monkeypatch.setattr(read_asset, "__defaults__", (lambda _: share,))
     with connected(domain_id) as client:
         uris = [
@@ -314,6 +317,8 @@ def test_files_are_read_where_they_are_allowed(
             "package://arm_description/secret.txt",
             f"file://{tmp_path}/secret.stl",
             "package://arm_description/meshes/none.stl",
+            "package://arm_description/meshes/pipe.stl",
+            "package://arm_description/meshes/zero.stl",
         ]
         for number, uri in enumerate(uris):
             client.send(op="fetchAsset", uri=uri, requestId=number)

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 from urllib.parse import unquote, urlsplit
 
+from tfloom.regular_files import open_regular, read_at_most
 from tfloom.workspace.ament import PackageNotFoundError, get_package_share_path
 
 if TYPE_CHECKING:
@@ -47,10 +48,12 @@ def read_asset(
                 raise AssetError(f"{uri} leads out of its package")
         else:
             raise AssetError(f"{uri} begins neither with package:// nor with file://")
-        if path.stat().st_size > MAX_FILE_BYTES:
-            raise AssetError(f"{uri} has more than {MAX_FILE_BYTES} bytes")
-        return path.read_bytes()
+        with open_regular(path) as file:
+            content = read_at_most(file, MAX_FILE_BYTES)
     except PackageNotFoundError:
         raise AssetError(f"there is no package '{parts.netloc}', which {uri} is in") from None
     except (OSError, ValueError) as error:
         raise AssetError(f"{uri} can't be read: {getattr(error, 'strerror', None) or error}") from None
+    if content is None:
+        raise AssetError(f"{uri} has more than {MAX_FILE_BYTES} bytes")
+    return content
