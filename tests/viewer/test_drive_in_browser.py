@@ -305,6 +305,15 @@ def test_touch_that_ends_in_either_way_lets_the_stick_go(driven: DrivenTab, kind
         assert driven.js("stick") == [0, 0]
 
 
+def test_finger_that_rests_on_the_stick_drives_on_and_a_menu_elsewhere_lets_go(driven: DrivenTab) -> None:
+    hold(driven, DrivenTab.touch_stick)
+    menu = "dispatchEvent(new MouseEvent('contextmenu', { bubbles: true, cancelable: true }))"
+    assert driven.js(f"$('stick').{menu}") is False  # no menu is shown
+    assert driven.js("stick") != [0, 0]
+    driven.js(f"document.body.{menu}")
+    expect_stopped(driven)
+
+
 def test_key_that_is_let_go_over_a_field_is_let_go(driven: DrivenTab) -> None:
     hold(driven, DrivenTab.hold_key)
     driven.js("openPanel('log'); $('log-node').focus()")

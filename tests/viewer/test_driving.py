@@ -20,6 +20,7 @@ from websockets.sync.client import connect
 from tfloom.interfaces.geometry_msgs.msg import Twist, TwistStamped
 from tfloom.node.node import Node
 from tfloom.viewer.driving import link
+from tfloom.viewer.driving.driver import SILENCE_S
 from tfloom.viewer.program import Viewer
 
 OpenPage = Callable[[Viewer], Page]
@@ -92,14 +93,22 @@ def test_robot_is_stopped_each_time_its_page_falls_silent_and_when_it_is_closed(
 def test_page_that_is_closed_right_after_its_wish_leaves_a_robot_that_stands(
     robot: Robot, viewer: Viewer, open_page: OpenPage
 ) -> None:
-    for _ in range(10):
+    moved = 0
+    for _ in range(100):
         page = open_page(viewer)
         page.wait_for(lambda page=page: can_drive(page))
         robot.velocities.clear()
         page.send(**MOVING)
         page.socket.close()
-        wait_until(lambda: robot.is_stopped, what="the stop")
-        assert robot.velocities in ([(2.0, -1.0), (0.0, 0.0)], [(0.0, 0.0)])
+        closed_s = time.monotonic()
+        # On a busy machine the wish may be too late to move anything.
+        wait_until(lambda closed_s=closed_s: robot.is_stopped or time.monotonic() > closed_s + 2 * SILENCE_S)
+        assert not robot.is_moved
+        assert robot.velocities in ([(2.0, -1.0), (0.0, 0.0)], [(0.0, 0.0)], [])
+        moved += len(robot.velocities) == 2
+        if moved == 5:
+            return
+    pytest.fail(f"the robot was moved {moved} times alone")
 
 
 @pytest.mark.timing

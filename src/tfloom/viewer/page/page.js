@@ -561,6 +561,8 @@ for (const name of ["pointerup", "pointercancel", "lostpointercapture"]) {
     drive();
   });
 }
+// A finger that rests on the stick is no wish for a menu, which would let the stick go.
+$("stick").addEventListener("contextmenu", (event) => { event.preventDefault(); event.stopPropagation(); });
 function followStick(event) {
   const box = $("stick").getBoundingClientRect();
   moveKnob((event.clientX - box.left - 70) / 45, (event.clientY - box.top - 70) / 45);
