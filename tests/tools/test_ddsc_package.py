@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib.util
 import os
 import re
+import shutil
 import subprocess
 import sys
 import zipfile
@@ -93,6 +94,47 @@ def test_stripped_library_is_smaller_and_works(backend: ModuleType, tmp_path: Pa
     assert stripped.stat().st_size <= library.stat().st_size
     code = "import sys; from tfloom._native import test_dds_library; test_dds_library(sys.argv[1])"
     subprocess.run([sys.executable, "-c", code, stripped], check=True, timeout=60)
+
+
+@pytest.mark.skipif(os.name != "posix", reason="the program is a script")
+@pytest.mark.parametrize(
+    ("library", "exit_code", "expected"),
+    [
+        (b"\x7fELF with symbols", 0, b"stripped \x7fELF with symbols"),
+        (b"\x7fELF of another kind", 1, b"\x7fELF of another kind"),
+        (b"MZ, a library of Windows", 0, b"MZ, a library of Windows"),
+    ],
+)
+def test_libraries_of_linux_alone_are_stripped_and_stay_whole_if_that_fails(
+    library: bytes,
+    exit_code: int,
+    expected: bytes,
+    backend: ModuleType,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    program = tmp_path / "strip"
+    program.write_text(
+        f'#!/bin/sh\n{{ printf "stripped "; cat "$2"; }} > "$2.new" && mv "$2.new" "$2"\nexit {exit_code}\n'
+    )
+    program.chmod(0o755)
+    monkeypatch.setattr(shutil, "which", lambda _: str(program))
+    assert backend.stripped(library) == expected
+    monkeypatch.setattr(shutil, "which", lambda _: None)
+    assert backend.stripped(library) == library
+
+
+def test_download_that_pip_calls_a_success_without_a_wheel_is_an_error(
+    backend: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def run(command: list[str], **_: object) -> subprocess.CompletedProcess[str]:
+        return subprocess.CompletedProcess(command, 0, "", "nothing to do")
+
+    monkeypatch.setattr(subprocess, "run", run)
+    with pytest.raises(backend.BuildError, match=r"no wheel of cyclonedds 11\.0\.1 came.*nothing to do"):
+        backend.download(tmp_path)
+    wheel = write_wheel(tmp_path, "any")
+    assert backend.download(tmp_path) == wheel
 
 
 def test_build_without_a_wheel_says_what_to_do(tmp_path: Path) -> None:
