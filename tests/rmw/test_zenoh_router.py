@@ -130,7 +130,7 @@ def test_wrong_arguments_are_one_line(tmp_path: Path, capfd: pytest.CaptureFixtu
     file.write_text('{mode: "peer"}')
     for words, printed in (
         (("-l", "nonsense"), 'Zenoh refuses listen/endpoints=["nonsense"]: Endpoints must be of the form'),
-        (("-l", "tcp/192.0.2.1:7447"), "the router can't listen on tcp/192.0.2.1:7447: "),
+        (("-l", "tcp/192.0.2.1:7447"), "the router can't listen on tcp/192.0.2.1:7447: Can not create a"),
         (("-c", "/no/such.json5"), "names /no/such.json5, which can't be read: No such file or directory"),
         (("-c", str(file)), 'the configuration has the mode "peer", a router needs "router"\n'),
     ):

@@ -15,6 +15,7 @@ from collections.abc import Callable, Iterator
 from contextlib import ExitStack, closing, contextmanager, suppress
 from itertools import pairwise
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -48,7 +49,7 @@ from tfloom.rmw.zenoh_endpoints import MAX_REPORTS, ZenohReader, _Lease
 from tfloom.rmw.zenoh_events import MIN_PERIOD_S, Timers
 from tfloom.rmw.zenoh_graph import ZenohGraph
 from tfloom.rmw.zenoh_library import signals_deferred
-from tfloom.rmw.zenoh_services import ZenohRequester, ZenohResponder
+from tfloom.rmw.zenoh_services import ServiceEndpoint, ZenohRequester, ZenohResponder
 from tfloom.rmw.zenoh_session import open_session
 from tfloom.rmw.zenoh_tokens import PREFIX, End, Kind, Token, data_key, gid_of, token_key
 
@@ -630,6 +631,20 @@ def test_alarm_of_a_program_is_deferred_too() -> None:
         assert reached
     finally:
         signal.signal(signal.SIGALRM, before)
+
+
+@pytest.mark.parametrize(("name", "is_endless"), [("/count/_action/get_result", True), ("/kill", False)])
+def test_results_of_actions_alone_are_awaited_without_an_end(
+    participant: Any, name: str, *, is_endless: bool
+) -> None:
+    options: dict[str, Any] = {}
+    session: Any = SimpleNamespace(declare_querier=lambda _key, **given: options.update(given) or "querier")
+    endpoint = ServiceEndpoint(GID, NODE, KILL._replace(name=name), QoS(), participant._timers)
+    client = ZenohRequester(endpoint, participant.graph, print)
+    assert client.declare(session, "key") == "querier"
+    assert options.get("timeout") == (zenoh_services.ENDLESS_S if is_endless else None)
+    assert options["target"] == zenoh.QueryTarget.ALL_COMPLETE
+    assert options["consolidation"] == zenoh.ConsolidationMode.NONE
 
 
 def test_request_waits_for_the_route(participant: Participant, domain_id: int, plain: Any) -> None:
