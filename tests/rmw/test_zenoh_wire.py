@@ -1254,6 +1254,27 @@ def test_a_graph_is_not_whole_while_the_router_is_silent(router: Router, deaf: Z
     wait_until(deaf.is_whole)
 
 
+def test_a_reply_counts_although_its_client_can_not_be_closed(
+    router: Router, deaf: ZenohGraph, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Zenoh gives up after some seconds where the router has been stopped meanwhile."""
+    closed: list[Any] = []
+
+    class Unclosable:
+        def __init__(self) -> None:
+            self.session = router.open()
+            self.liveliness = self.session.liveliness
+
+        def close(self) -> None:
+            self.session.close()
+            closed.append(self)
+            raise zenoh.ZError("close operation timed out!")
+
+    monkeypatch.setattr(deaf._announced, "_open_client", Unclosable)
+    wait_until(deaf.is_whole)
+    assert len(closed) == 1
+
+
 def test_a_graph_that_keeps_no_more_tokens_awaits_none(
     router: Router, deaf: ZenohGraph, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -11,7 +11,7 @@ import math
 import threading
 import time
 from collections.abc import Callable
-from contextlib import suppress
+from contextlib import closing, suppress
 from typing import Any
 
 from tfloom.rmw.zenoh_library import open_library
@@ -20,6 +20,8 @@ __all__ = ["AnnouncedTokens"]
 
 REPLY_S = 10.0
 """How long the router may take to reply with all its tokens [s]; a listing ends before."""
+END_S = 2.0
+"""How long the end waits for the session of the question, whose router may be stopped by then [s]."""
 AGAIN_S = 0.3
 """How long after a reply, or without one, the router is asked again [s]: tokens that are missing may have ended."""
 
@@ -75,7 +77,8 @@ class AnnouncedTokens:
                 keys.add(str(reply.ok.key_expr))
 
         try:
-            with self._open_client() as client:
+            # `with client` would make a panic of a close that times out.
+            with closing(self._open_client()) as client:
                 client.liveliness().get(
                     self._pattern,
                     zenoh.handlers.Callback(add, self._ended.set, indirect=False),
@@ -95,4 +98,4 @@ class AnnouncedTokens:
             self._ended.set()
             thread = self._thread
         if thread is not None and thread.is_alive():
-            thread.join()
+            thread.join(END_S)

@@ -17,7 +17,7 @@ import socket
 import sys
 import threading
 import time
-from contextlib import suppress
+from contextlib import closing, suppress
 from typing import Any
 
 from tfloom.rmw.errors import WireError
@@ -260,7 +260,7 @@ def _ask_to_give_way() -> bool:
         }
     )
     try:
-        with zenoh.open(config) as session:
+        with closing(zenoh.open(config)) as session:  # `with session` makes a panic of a close that times out
             end = time.monotonic() + ASK_TIMEOUT_S
             while True:
                 replies = session.get(
