@@ -38,6 +38,9 @@ def test_callback_of_parameters_that_returns_nothing_is_named(node: Node) -> Non
 
     node.declare_parameter("speed", 1.0)
     node.add_on_set_parameters_callback(cast("Any", without_a_return))
-    with pytest.raises(AttributeError, match=r"without_a_return.* SetParametersResult\(successful=True\)"):
-        node.set_parameters([Parameter("speed", value=2.0)])
+    with pytest.warns(
+        UserWarning, match=r"without_a_return.*: write return SetParametersResult\(successful=True\)"
+    ):
+        (result,) = node.set_parameters([Parameter("speed", value=2.0)])
+    assert result.reason == "Callback returned an invalid type"
     assert node.get_parameter("speed").value == 1.0

@@ -364,3 +364,12 @@ def test_a_program_chooses_names_of_its_own(
     assert node.heard == ["hello"]
     executor.remove_node(node)
     node.destroy_node()
+
+
+def test_rules_of_ros_1_act_for_a_node_with_a_warning(
+    local_context: Context, capfd: pytest.CaptureFixture[str]
+) -> None:
+    node = Node("nd", context=local_context, cli_args=["chat:=/x", "word"])
+    assert node.resolve_topic_name("chat") == "/x"
+    assert "[rcl]: Found remap rule 'chat:=/x'. This syntax is deprecated." in capfd.readouterr().err
+    node.destroy_node()

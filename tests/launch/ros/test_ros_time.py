@@ -85,3 +85,13 @@ def test_adapter_has_the_given_arguments() -> None:
         assert adapter.argv == ["--ros-args", "-r", "__ns:=/away"]
     finally:
         adapter.shutdown()
+
+
+def test_arguments_of_a_launch_are_no_rules_for_its_node() -> None:
+    words = ["__ns:=/mine", "speed:=fast", "--ros-args", "-r", "__node:=mine"]
+    context = LaunchContext(argv=words)
+    adapter = get_ros_adapter(context)
+    try:
+        assert get_ros_node(context).get_fully_qualified_name() == "/mine"
+    finally:
+        adapter.shutdown()

@@ -351,7 +351,8 @@ def _answer(callback: _SetCallback, parameters: list[Parameter]) -> rcl_msg.SetP
     name = getattr(callback, "__qualname__", repr(callback))
     warnings.warn(
         f"Callback returned an invalid type, it should return SetParametersResult: {name}, which was given to "
-        f"add_on_set_parameters_callback(), returned {given_text(result)}",
+        f"add_on_set_parameters_callback(), returned {given_text(result)}: "
+        "write return SetParametersResult(successful=True)",
         stacklevel=2,
     )
     return rcl_msg.SetParametersResult(successful=False, reason="Callback returned an invalid type")
