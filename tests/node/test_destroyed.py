@@ -224,6 +224,15 @@ def test_a_destroyed_node_still_answers(make_node: Make, what: str) -> None:
     assert ANSWERED[what](of) in (True, None)
 
 
+def test_a_destroyed_node_leaves_its_executor_and_still_names_it(make_node: Make) -> None:
+    node = make_node("handled")
+    with SingleThreadedExecutor(context=node.context) as executor:
+        executor.add_node(node)
+        node.destroy_node()
+        assert executor.get_nodes() == []
+        assert node.executor is executor
+
+
 def test_a_destroyed_node_creates_what_has_no_endpoint(make_node: Make) -> None:
     node = make_node("handled")
     node.destroy_node()

@@ -107,6 +107,8 @@ class ServerGoalHandle(Generic[GoalT, ResultT, FeedbackT]):
         if event is GoalEvent.CANCEL_GOAL:
             self.cancel_future.set_result(None)
 
+    _update_state = update  # rclpy's name, which programs that cancel a goal by themselves use
+
     def execute(
         self,
         execute_callback: Callable[

@@ -1127,7 +1127,10 @@ class NodeBase:
         entities.has_left = True
         self.__graph.leave()
         self.__parameter_event_publisher = None
-        self.executor = None
+        # `executor` still answers with the last one, as in rclpy.
+        last_executor = entities.last_executor
+        if last_executor is not None:
+            last_executor.remove_node(self)
         self.destroy_entities()
         entities.context.leave(entities.node_name)
 
