@@ -184,6 +184,22 @@ def test_session_that_can_not_be_closed_is_a_line(
     assert capfd.readouterr().err == line
 
 
+def test_wait_for_a_router_sleeps_between_its_looks(monkeypatch: pytest.MonkeyPatch) -> None:
+    done: list[str] = []
+    session = SimpleNamespace(info=SimpleNamespace(routers_zid=lambda: done.append("look")))
+
+    def sleep(seconds: float) -> None:
+        done.append("sleep")
+        time.sleep(seconds)
+
+    monkeypatch.setattr(zenoh_session, "time", SimpleNamespace(monotonic=time.monotonic, sleep=sleep))
+    opened = ZenohSession(session, None, None)
+    assert not opened.wait_for_router(0.05)
+    opened._is_closed = True
+    assert set(done[::2]) == {"look"}
+    assert set(done[1::2]) == {"sleep"}
+
+
 @pytest.mark.parametrize(("checks", "looks", "reports"), [(0, 0, 0), (1, 1, 1), (3, 3, 2)])
 def test_router_that_is_sought_in_vain_is_told_at_the_first_look_and_at_the_last(
     checks: int, looks: int, reports: int
