@@ -234,3 +234,17 @@ def test_cells_run_in_jupyters_kernel(bag: Path, tmp_path: Path, monkeypatch: py
     assert '<iframe src="http://127.0.0.1:' in html["view"]
     assert outputs["fetch"]["text"] == "200\n"
     assert outputs["without close"]["data"]["text/plain"] == "True"
+
+
+def test_page_without_a_thread_is_closed(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(_: threading.Thread) -> None:
+        raise RuntimeError("can't start new thread")
+
+    page = InlinePage(lambda *_: None, 100)
+    with monkeypatch.context() as patched:
+        patched.setattr(threading.Thread, "start", refuse)
+        with pytest.raises(RuntimeError, match="showing a page needs a thread: can't start new thread"):
+            page.start()
+    assert not page.is_open
+    assert page._repr_html_() == "&lt;tfloom view, closed&gt;"
+    page.close()

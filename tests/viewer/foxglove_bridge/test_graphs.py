@@ -39,7 +39,7 @@ from tfloom.rmw.qos import QoS
 from tfloom.rosidl import cdr
 from tfloom.rosidl.registry import get_message_class, get_service_class
 from tfloom.viewer.foxglove_bridge.complaints import MAX_IN_PERIOD, PERIOD_S, Complaints
-from tfloom.viewer.foxglove_bridge.settings import SettingsError
+from tfloom.viewer.foxglove_bridge.settings import CAPABILITIES, Settings, SettingsError
 
 pytestmark = pytest.mark.wire
 StartBridge = Callable[..., tuple[Program, int]]
@@ -262,6 +262,19 @@ def test_names_match_as_those_of_foxglove_bridge(domain_id: int, node: Node) -> 
             assert list(client.channels) == ["/Camera"]
     text = r"parameter topic_whitelist: '\(' is no"
     expect_refusal(domain_id, SettingsError, text, "topic_allowlist:=['(']")
+
+
+def test_defaults_of_the_documentation(node: Node) -> None:
+    settings = Settings(node)
+    assert (settings.port, settings.address, settings.tls) == (8765, "127.0.0.1", None)
+    assert settings.origins == {"https://app.foxglove.dev", "file://"}
+    assert all("/any/name" in names for names in (settings.topics, settings.services, settings.client_topics))
+    assert "/node.name" in settings.parameters
+    assert "/any/name" not in settings.best_effort_topics
+    assert (settings.min_depth, settings.max_depth, settings.backlog) == (1, 25, 128)
+    assert (settings.sysinfo_topic, settings.sysinfo_s) == ("", 0.5)
+    assert (settings.include_hidden, settings.skips_silent_nodes) == (False, True)
+    assert settings.capabilities == {*CAPABILITIES}
 
 
 def test_parameters_without_effect_are_said(domain_id: int, capfd: pytest.CaptureFixture[str]) -> None:
