@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import argparse
 import base64
+import errno
 import os
 import signal
+import socket
 import sys
 import threading
 from collections.abc import Callable
@@ -382,6 +384,32 @@ def test_server_that_leaves_during_a_call_ends_no_other_call(monkeypatch: pytest
     monkeypatch.setattr(calls, "_client", lambda call: clients[call.name])
     asked = [Call(SetBool, name, name) for name in clients]
     assert calls.call_all(asked, 5.0) == [None, None, "/there"]
+
+
+def test_program_that_can_not_serve_says_why_in_one_sentence(
+    domain_id: int, start_program: Callable[..., Program]
+) -> None:
+    assert domain_id
+    with socket.create_server(("127.0.0.1", 0)) as used:
+        port = used.getsockname()[1]
+        for parameter, text in (
+            (
+                f"port:={port}",
+                f"foxglove_bridge: can't listen at 127.0.0.1:{port}: {os.strerror(errno.EADDRINUSE)}",
+            ),
+            ("port:=70000", "foxglove_bridge: parameter port: 70000 is not from 0 to 65535"),
+            (
+                "allowed_origins:=['*']",
+                "foxglove_bridge: parameter allowed_origins: '*' is not a site as browsers",
+            ),
+        ):
+            program = start_program(
+                "tfloom", "run", "foxglove_bridge", "foxglove_bridge", "--ros-args", "-p", parameter
+            )
+            assert program.wait() == 1
+            assert program.lines[1:] == ["[ros2run]: Process exited with failure 1"]
+            assert program.lines[0].startswith(text)
+            assert "while" not in program.lines[0]
 
 
 def test_missing_extra_is_one_sentence() -> None:

@@ -111,7 +111,8 @@ class FoxgloveBridge(Node):
         try:
             listener = listen(settings.address, settings.port)
         except (OSError, UnicodeError) as error:
-            reason = getattr(error, "strerror", None) or error
+            # `create_server` adds the address to the system's words.
+            reason = (getattr(error, "strerror", None) or str(error)).partition(" (while")[0]
             raise BridgeError(f"can't listen at {settings.address}:{settings.port}: {reason}") from None
         inner = InnerPort()
         self._relay = Relay(listener, settings.tls, inner, self._refusal)
