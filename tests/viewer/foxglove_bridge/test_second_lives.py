@@ -201,6 +201,22 @@ def test_client_of_a_service_that_has_left_is_made_anew(domain_id: int, node: No
             wait_until(lambda: not calls._clients)
 
 
+def test_graph_that_does_not_change_is_looked_at_once(domain_id: int, node: Node) -> None:
+    with bridging(domain_id) as bridge:
+        graph = bridge._wire()[0].graph
+        for number in range(2):
+            publisher = node.create_publisher(String, "/chatter", 1)
+            wait_until(lambda: ("/chatter", String._TYPE_NAME) in bridge.channels._channels)
+            wait_until(lambda: bridge._seen_changes == graph.changes(), what=f"a quiet graph, round {number}")
+            node.destroy_publisher(publisher)
+            wait_until(lambda: ("/chatter", String._TYPE_NAME) not in bridge.channels._channels)
+        channels = bridge.channels
+    assert (channels._channels, channels._by_id) == ({}, {})
+    channels.close()  # does nothing more
+    channels.subscribe(1, 1)
+    channels.unsubscribe(1, 1)
+
+
 def test_nothing_is_published_by_the_own_client_after_its_end(domain_id: int) -> None:
     with bridging(domain_id) as bridge, closing(connect_to(bridge).socket):
         own = bridge.own_client
