@@ -56,7 +56,8 @@ def test_delay_longer_than_the_longest_wait(
     endless = call_after(10 * threading.TIMEOUT_MAX, lambda: called.append("endless"))
     for _ in range(2):  # at the first, the thread may be awake
         call_after(0.01, lambda: called.append("short"))
-        wait_until(lambda: called)
+        wait_until(lambda: "short" in called)
+        assert called == ["short"]
         called.clear()
     endless.cancel()
     assert broken == []
