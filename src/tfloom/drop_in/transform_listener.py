@@ -90,7 +90,7 @@ class TransformListener(ListenerBase):
         node: The node of rclpy.
         spin_thread: Whether to spin the node on a thread of the listener. Transforms of the own reader don't need it.
         qos: The requested QoS of /tf; None: reliable, volatile, depth 100.
-        static_qos: The requested QoS of /tf_static; None: reliable, transient local, depth 100.
+        static_qos: The requested QoS of /tf_static; None: reliable, transient local, and all messages are kept.
         tf_topic: Topic of the transforms that change.
         tf_static_topic: Topic of the static transforms.
         static_only: Whether to subscribe to /tf_static alone.
@@ -458,5 +458,5 @@ def _profile() -> Any:
 def _static_profile() -> Any:
     qos = real_ros.module("rclpy.qos")
     return qos.QoSProfile(
-        depth=DEPTH, durability=qos.DurabilityPolicy.TRANSIENT_LOCAL, history=qos.HistoryPolicy.KEEP_LAST
+        depth=DEPTH, durability=qos.DurabilityPolicy.TRANSIENT_LOCAL, history=qos.HistoryPolicy.KEEP_ALL
     )

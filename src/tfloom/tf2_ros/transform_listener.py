@@ -51,7 +51,7 @@ class TransformListener(ListenerBase):
         spin_thread: Whether to spin the node on a thread of the listener. The transforms don't need it. An exception of
             one of the node's callbacks is reported by `threading.excepthook`, and the thread goes on.
         qos: The requested QoS of /tf; None: reliable, volatile, depth 100.
-        static_qos: The requested QoS of /tf_static; None: reliable, transient local, depth 100.
+        static_qos: The requested QoS of /tf_static; None: reliable, transient local, and all messages are kept.
         tf_topic: Topic of the transforms that change.
         tf_static_topic: Topic of the static transforms.
         static_only: Whether to subscribe to /tf_static alone.
@@ -191,8 +191,10 @@ class StaticTransformListener(TransformListener):
 
 
 def _static_profile() -> QoSProfile:
+    # All are kept, because each publisher sends its edges once, to a late reader all at once, and there may be any
+    # number of publishers.
     return QoSProfile(
-        depth=DEPTH, durability=DurabilityPolicy.TRANSIENT_LOCAL, history=HistoryPolicy.KEEP_LAST
+        depth=DEPTH, durability=DurabilityPolicy.TRANSIENT_LOCAL, history=HistoryPolicy.KEEP_ALL
     )
 
 

@@ -14,7 +14,7 @@ from tfloom.node.context.utilities import remove_ros_args
 from tfloom.node.log.logging import get_logger
 from tfloom.node.node import Node
 from tfloom.node.program import run_program
-from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
+from tfloom.node.qos.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.time import Time
 from tfloom.tf2.errors import TransformException
@@ -122,7 +122,7 @@ class Monitor(Node):
         self._net = NetDelay()
         self._buffer = Buffer()
         self._listener = TransformListener(self._buffer, self) if pair is not None else None
-        static = QoSProfile(depth=DEPTH, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+        static = QoSProfile(history=HistoryPolicy.KEEP_ALL, durability=DurabilityPolicy.TRANSIENT_LOCAL)
         self.create_subscription(TFMessage, "/tf", self._on_transforms, QoSProfile(depth=DEPTH))
         self.create_subscription(TFMessage, "/tf_static", self._on_transforms, static)
 
