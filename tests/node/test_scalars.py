@@ -125,6 +125,7 @@ def test_yaml_has_rcls_value(text: str, value: Any) -> None:
         ("- 1\n-", "there is no value at line 2, column 2"),
         ("5\n---\n", "there is no value"),
         ("? [a]\n: 1", "a key is a list or a mapping at line 1, column 3"),
+        ("a:\n- b: 1\na:\n  c: 1", "'a' is a list of mappings, and is there twice"),
         ("<<: 5", "'<<' is there without a mapping at line 1, column 1"),
         ("<<: [{a: 1}, 5]", "'<<' is there without a mapping"),
     ],

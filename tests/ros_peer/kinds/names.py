@@ -213,7 +213,11 @@ def _is_length(case: Any, theirs: Any, ours: Any) -> bool:
 
 def _is_late(case: Any, theirs: Any, ours: Any) -> bool:
     classes = ("RCLInvalidROSArgsError", "InvalidServiceNameException", "InvalidNamespaceException")
-    return theirs == {"error": "RCLError"} and ours in [{"error": name} for name in classes]
+    if theirs == {"error": "RCLError"}:
+        return ours in [{"error": name} for name in classes]
+    rules = case[1] if case[0] in {"rules", "words"} else []
+    is_of_other = any("__ns:=" in rule and (rule.endswith("/") or len(rule) > 240) for rule in rules)
+    return is_of_other and ours == {"error": classes[0]}
 
 
 KNOWN = {"names-resolve-error": _is_resolved, "names-length-text": _is_length, "names-remap-late": _is_late}

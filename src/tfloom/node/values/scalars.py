@@ -185,6 +185,8 @@ def _merge_value(content: dict[str, Any], key: str, value: Any) -> None:
     if isinstance(value, dict) and isinstance(former_value, dict):
         for inner_key, inner in value.items():
             _merge_value(former_value, inner_key, inner)
+    elif isinstance(former_value, list) and any(isinstance(item, dict) for item in former_value):
+        raise ValueError(f"'{key}' is a list of mappings, and is there twice")
     else:
         content[key] = value
 
