@@ -27,6 +27,7 @@ from tfloom.node.node import Node
 from tfloom.rosidl import cdr
 from tfloom.rosidl.class_search import find_class
 from tfloom.rosidl.definition_files import interface_names
+from tfloom.viewer import recorded as recorded_module
 from tfloom.viewer.page_command import PageError
 from tfloom.viewer.plots import plots as plots_module
 from tfloom.viewer.plots import series as series_module
@@ -296,3 +297,19 @@ def test_each_message_of_a_recording_is_read_once(tmp_path: Path) -> None:
         while entries := list(follower.take()):
             read += [follower.decode(entry.data).data for entry in entries]
     assert read == [float(number) for number in range(400)]
+
+
+@pytest.mark.parametrize(("read_s", "count"), [(-1.0, 1), (1000.0, 1000)])
+def test_recording_is_read_a_part_at_a_time_or_all_if_that_is_quick(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, read_s: float, count: int
+) -> None:
+    monkeypatch.setattr(recorded_module, "READ_S", read_s)
+    folder = tmp_path / "recording"
+    with closing(BagWriter(folder)) as writer:
+        numbers = writer.add_topic(Topic("/number", "std_msgs/msg/Float64"))
+        for number in range(1000):
+            stamp_ns = START_NS + number * S
+            writer.push(numbers, cdr.encode(Float64(data=float(number))), stamp_ns, stamp_ns)
+    with open_bag(folder) as bag:
+        taken = len(list(RecordedTopics(bag).follow("/number").take()))
+    assert taken == 1000 if count == 1000 else 0 < taken <= 1000 // recorded_module.STEPS + 1

@@ -119,20 +119,25 @@ def test_last_message_stays_until_the_first_one_of_the_second_life(stage: Stage)
     assert [drawn.position[0] for drawn in stage.drawn("/pose")] == [7.0]
 
 
+@pytest.mark.parametrize("error", [DisplayError("the wire refuses it"), ZeroDivisionError("a fault")])
 def test_display_that_cant_be_read_again_is_shown_as_soon_as_it_can(
-    stage: Stage, monkeypatch: pytest.MonkeyPatch
+    stage: Stage, monkeypatch: pytest.MonkeyPatch, error: Exception
 ) -> None:
     stage.move("map", "a", 1.0, 2.0)
     for topic in ("/one", "/two"):
         stage.topics.add(topic, PoseStamped(header=header("map"), pose=pose()))
         stage.view.set_display(topic, on=True)
     stage.draw()
+    feed = stage.view.feed("/one")
+    assert feed is not None
+    assert feed.display is not None
+    feed.display.choice = "a choice"
     stage.view.suspend()
     opened = stage.topics.open
 
     def refuse(topic: str) -> Any:
         if topic == "/one":
-            raise DisplayError("the wire refuses it")
+            raise error
         return opened(topic)
 
     with monkeypatch.context() as patch:
@@ -146,6 +151,10 @@ def test_display_that_cant_be_read_again_is_shown_as_soon_as_it_can(
     stage.topics.add("/one", PoseStamped(header=header("map"), pose=pose()))
     stage.draw()
     assert len(stage.drawn("/one")) == 1
+    again = stage.view.feed("/one")
+    assert again is not None
+    assert again.display is not None
+    assert again.display.choice == "a choice"
 
 
 def test_display_that_is_switched_off_and_on_shows_nothing_of_before(stage: Stage) -> None:

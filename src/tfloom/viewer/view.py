@@ -324,7 +324,7 @@ class View:
         for topic, feed in list(self._feeds.items()):
             try:
                 feed.read(*self.topics.open(topic))
-            except DisplayError:  # noqa: PERF203  # the others are read
+            except Exception:  # noqa: BLE001, PERF203  # of one topic, which is tried again: the others are read
                 choice = "" if feed.display is None else feed.display.choice
                 self.set_display(topic, on=False)
                 self.want(topic, choice)
