@@ -19,8 +19,11 @@ from websockets.sync.client import connect
 
 from tfloom.interfaces.geometry_msgs.msg import Twist, TwistStamped
 from tfloom.node.node import Node
+from tfloom.rmw import local
 from tfloom.viewer.driving import link
 from tfloom.viewer.driving.driver import SILENCE_S
+from tfloom.viewer.live import live_viewer
+from tfloom.viewer.page_command import PageError
 from tfloom.viewer.program import Viewer
 
 OpenPage = Callable[[Viewer], Page]
@@ -150,8 +153,8 @@ def test_what_waited_while_the_server_was_held_up_moves_nothing(
 
     viewer.pages._loop.call_soon_threadsafe(hold_up)
     wait_until(held_up.is_set)
-    for _ in range(50):
-        page.send(**MOVING)
+    for _ in range(60):
+        page.send(**MOVING, padding="x" * 10_000)  # more than the server reads at once
     wait_until(lambda: robot.is_stopped, what="the stop, though the server does nothing")
     before = len(robot.velocities)
     page.answers.clear()
@@ -209,6 +212,19 @@ def test_nobody_drives_while_and_after_the_viewer_ends(
     wait_until(lambda: robot.is_stopped, what="the stop")
     assert page.ask("error", **MOVING) == "the viewer has ended"
     viewer._live.driving.close()
+
+
+def test_end_of_the_loop_ends_the_driver_before_the_pages_are_closed() -> None:
+    participant = local.open_participant(198)
+    try:
+        with live_viewer(participant, topics=("/tf", "/tf_static"), history_s=30.0) as viewer:
+            viewer._live.driving.open()
+            viewer.run(lambda: True)
+            with pytest.raises(PageError, match="the viewer has ended"):
+                viewer._live.driving.drive("a", "/cmd_vel", 1.0, 0.0)
+            assert not viewer._live.driving._thread.is_alive()
+    finally:
+        participant.close()
 
 
 def test_robot_with_stamped_velocities_is_driven(spun: Node, page: Page) -> None:
@@ -310,9 +326,6 @@ def test_driver_that_fails_is_told(
 
 
 def test_on_the_wire_within_a_process_a_thread_drives() -> None:
-    from tfloom.rmw import local
-    from tfloom.viewer.live import live_viewer
-
     participant = local.open_participant(199)
     said: list[Twist] = []
     try:

@@ -267,6 +267,9 @@ def test_velocity_at_a_rate_ends_with_zero(spun: Node, viewer: Viewer, page: Pag
         rate_hz=50.0,
     )
     wait_until(lambda: robot.is_moved, what="a velocity")
+    viewer._live.forms.leave_topics()  # of the last page, which was closed while this one was opened
+    count = len(robot.velocities)
+    wait_until(lambda: len(robot.velocities) > count + 10, what="further velocities")
     if end == "stop":
         page.send(op="cancel", key="1")
     elif end == "page":

@@ -394,11 +394,12 @@ def test_end_of_a_page_is_taken_among_too_many_commands(
 ) -> None:
     ended: list[str] = []
     monkeypatch.setattr(viewer._live.forms, "forget", ended.append)
+    monkeypatch.setattr(viewer._live.driving, "forget", lambda page: ended.append(f"drive {page}"))
     monkeypatch.setattr(program, "MAX_COMMANDS", 0)
     viewer._queue_command("a", {"op": "closed"})  # a page's own words
     viewer._queue_command("b", page_server.CLOSED)
     wait_until(lambda: ended, what="the page's end")
-    assert ended == ["b"]
+    assert ended == ["drive b", "b"]
 
 
 def test_reader_and_writer_that_the_wire_refuses_end_nothing(
