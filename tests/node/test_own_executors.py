@@ -155,6 +155,50 @@ def test_a_callback_on_a_thread_of_a_program_s_own_executor_may_wait(
     assert errors == []
 
 
+class KnowingExecutor(PoolExecutor):
+    """As programs write it that know all methods."""
+
+    def spin_once_until_future_complete(self, future: Future[Any], timeout_sec: Any = None) -> None:
+        future.add_done_callback(lambda _: self.wake())
+        try:
+            task, _, _ = self.wait_for_ready_callbacks(timeout_sec, None, future.done)
+        except (TimeoutException, ShutdownException, ConditionReachedException, ExternalShutdownException):
+            return
+        self.pool.submit(task)
+
+
+@pytest.mark.parametrize("kind", [PoolExecutor, KnowingExecutor])
+@pytest.mark.parametrize("timeout_s", [None, WAIT_S])
+def test_a_spin_until_a_future_is_done_runs_callbacks_where_the_program_s_class_does(
+    node: Node, context: Context, kind: type[PoolExecutor], timeout_s: float | None
+) -> None:
+    """Where this thread ran the task, nobody would receive what it waits for."""
+    executor = kind(context)
+    node.create_service(Trigger, "serve", lambda _, r: Trigger.Response(success=True))
+    client = node.create_client(Trigger, "serve")
+    assert client.wait_for_service(WAIT_S)
+
+    def work() -> bool:
+        responded = threading.Event()
+        future = client.call_async(Trigger.Request())
+        future.add_done_callback(lambda _: responded.set())
+        return responded.wait(WAIT_S / 2) and future.result().success
+
+    executor.add_node(node)
+    try:
+        for _ in range(2):
+            task = executor.create_task(work)
+            executor.spin_until_future_complete(task, timeout_sec=timeout_s)
+            assert task.done()
+            assert task.result()
+        start = time.monotonic()
+        executor.spin_until_future_complete(Future(), timeout_sec=0.02)
+        assert time.monotonic() - start < WAIT_S / 2
+    finally:
+        executor.shutdown(10)
+        executor.pool.shutdown(wait=True)
+
+
 def test_a_call_on_the_thread_that_spins_is_refused(node: Node, executor: Executor) -> None:
     """Where the program's executor runs its tasks in its loop, a call would wait for that loop."""
     client = node.create_client(Trigger, "inner")

@@ -55,6 +55,10 @@ ENDLESS_HINT = (
 )
 
 
+OWN_SPIN_S = 0.05
+"""The longest `spin_once` of a program's class between two looks at a future [s]."""
+
+
 class SpunNode(Protocol):
     """The methods of a node that an executor calls."""
 
@@ -465,11 +469,28 @@ class Executor(OfferedWork):
             if may_spin:
                 self._spin_until(future, end_ns, is_over)
 
-    def _spin_until(self, future: Future[Any], end_ns: int | None, is_over: Callable[[], bool]) -> None:  # noqa: ARG002  # for MultiThreadedExecutor
+    def _spin_until(self, future: Future[Any], end_ns: int | None, is_over: Callable[[], bool]) -> None:
+        own_spin_once = self._own_spin_once(future)
         while self._context.ok() and not self._is_shutdown and not is_over():
-            self._spin_once(end_ns, is_over)
+            if own_spin_once is None:
+                self._spin_once(end_ns, is_over)
+            else:
+                own_spin_once(None if end_ns is None else max(0, end_ns - time.monotonic_ns()) / S_TO_NS)
             if end_ns is not None and time.monotonic_ns() >= end_ns:
                 return
+
+    def _own_spin_once(self, future: Future[Any]) -> Callable[[float | None], None] | None:
+        """Return how the class of a program spins once, for at most some seconds; None if it leaves that to this class.
+
+        Its callbacks may run on threads of its own, and may wait there for what this thread receives.
+        """
+        own_class = type(self)
+        if own_class.spin_once_until_future_complete is not Executor.spin_once_until_future_complete:
+            return lambda left_s: self.spin_once_until_future_complete(future, left_s)
+        if own_class.spin_once is not Executor.spin_once:
+            # It doesn't know the future, which may be done without another callback.
+            return lambda left_s: self.spin_once(OWN_SPIN_S if left_s is None else min(left_s, OWN_SPIN_S))
+        return None
 
     def spin_once_until_future_complete(
         self, future: Future[Any], timeout_sec: float | TimeoutObject | None = None
