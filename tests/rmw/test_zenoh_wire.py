@@ -937,6 +937,17 @@ def test_incompatible_endpoints_are_told_and_pass_samples(participant: Participa
     assert reader.take_event(Event.MATCHED) == Matched(1, 0, 0, -1)
 
 
+def test_a_reader_hears_of_peers_after_another_one_of_its_topic_has_closed(participant: Any) -> None:
+    first, second = (participant.create_reader(NODE, TOPIC, QoS()) for _ in range(2))
+    first.close()
+    writer = participant.create_writer(NODE, TOPIC, QoS())
+    assert (second.matched_count(), writer.matched_count()) == (1, 1)
+    writer.close()
+    assert second.matched_count() == 0
+    second.close()
+    assert participant.graph._watchers == {}
+
+
 BEST_AVAILABLE = QoS(
     ReliabilityPolicy.BEST_AVAILABLE,
     DurabilityPolicy.BEST_AVAILABLE,
