@@ -56,7 +56,7 @@ def test_jump_callbacks_are_called_by_threshold() -> None:
         assert heard == [("pre", 0), ("ROS_TIME_NO_CHANGE", 2.0), ("pre", 0), ("ROS_TIME_NO_CHANGE", -1.0)]
         heard.clear()
         clock.set_ros_time_is_active(False)
-        assert heard[1][0] == ClockChange.ROS_TIME_DEACTIVATED.name
+        assert heard[1] == (ClockChange.ROS_TIME_DEACTIVATED.name, 0.0)
     heard.clear()
     clock.set_ros_time_is_active(True)
     assert not heard

@@ -165,7 +165,7 @@ def test_jump_callbacks_are_called_also_when_simulated_time_ends(simulation: Sim
         assert not clock.ros_time_is_active
         assert abs(clock.now().nanoseconds - time.time_ns()) < 5e9
         simulation.node.set_parameters([Parameter("use_sim_time", value=True)])
-        assert jumps[3][0] is ClockChange.ROS_TIME_ACTIVATED
+        assert jumps[3] == (ClockChange.ROS_TIME_ACTIVATED, 0.0)
     simulation.node.set_parameters([Parameter("use_sim_time", value=False)])
     assert len(jumps) == 4, "the handle is unregistered"
 

@@ -219,10 +219,8 @@ class ROSClock(Clock):
         with self._lock:
             if enabled == self._is_active:
                 return
-            before_ns = self.now_ns()
-            after_ns = self._override_ns if enabled else time.time_ns()
             kind = ClockChange.ROS_TIME_ACTIVATED if enabled else ClockChange.ROS_TIME_DEACTIVATED
-            jump = TimeJump(kind, Duration(nanoseconds=after_ns - before_ns))
+            jump = TimeJump(kind, Duration())
 
         def change() -> None:
             with self._lock:

@@ -66,7 +66,7 @@ class TimeJump:
 
     @property
     def delta(self) -> Duration:
-        """Size of the jump; negative for a jump backward."""
+        """Size of the jump; negative for a jump backward, 0 where the source has changed."""
         return self._delta
 
 
