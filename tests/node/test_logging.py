@@ -238,6 +238,20 @@ def test_a_place_whose_filters_change_raises(
             logger.info("x", **options)
 
 
+def test_a_call_below_the_level_does_not_count() -> None:
+    logger = logging.get_logger("below")
+
+    def log(severity: LoggingSeverity, **options: Any) -> bool:
+        return logger.log("x", severity, **options)
+
+    assert not log(LoggingSeverity.DEBUG, once=True)
+    assert not log(LoggingSeverity.DEBUG, no_such_option=True)
+    assert log(LoggingSeverity.INFO, skip_first=False, once=True)
+    assert not log(LoggingSeverity.INFO, once=True)  # `skip_first=False` is as none
+    with pytest.raises(TypeError, match="no_such_option"):
+        log(LoggingSeverity.INFO, no_such_option=True)
+
+
 def test_a_place_without_filters_may_change_its_severity() -> None:
     logger = logging.get_logger("x")
     assert all(logger.log("x", severity) for severity in (LoggingSeverity.INFO, LoggingSeverity.WARN))

@@ -128,7 +128,8 @@ class CallState:
             raise ValueError("Logger name cannot be changed between calls.")
         if _filters(options) != _filters(self._options):
             raise ValueError("Requested logging filters cannot be changed between calls.")
-        if any(options.get(parameter) != self._options.get(parameter) for parameter in _PARAMETERS):
+        # `once=False` is as no `once`.
+        if any((options.get(name) or None) != (self._options.get(name) or None) for name in _PARAMETERS):
             raise ValueError("Logging filter parameters cannot be changed between calls.")
 
     def lets_through(self) -> bool:

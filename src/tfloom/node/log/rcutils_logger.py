@@ -106,16 +106,16 @@ class RcutilsLogger:
     warn = warning
 
     def _log(self, message: object, severity: LoggingSeverity, options: dict[str, Any]) -> bool:
-        if severity < log_output.effective_level(self.name) and not options:
-            return False
+        if severity < log_output.effective_level(self.name):
+            return False  # and the place doesn't count as called
         frame = sys._getframe(2)  # noqa: SLF001  # the caller of info() and the like
         name = options.pop("name", self.name) if options else self.name
         if options:
+            if (error := options_error(options)) is not None:
+                raise error
             caller = CallerId(frame.f_code, frame.f_lineno, frame.f_lasti)
             state = self._states.get(caller)
             if state is None:
-                if (error := options_error(options)) is not None:
-                    raise error
                 place = place_of(caller, severity, name, options)
                 state = self._states[caller] = CallState(self._filters, place, options)
             else:
