@@ -160,8 +160,8 @@ def test_response_that_comes_too_late_is_nobodys(
     domain_id: int, node: Node, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The client of the service is kept for further calls, and with it what waits for responses."""
-    monkeypatch.setattr(services, "TIMEOUT_S", 0.3)
     go_on = threading.Event()
+    go_on.set()
     asked: list[bool] = []
 
     def switch(request: Any, response: Any) -> Any:
@@ -172,19 +172,23 @@ def test_response_that_comes_too_late_is_nobodys(
 
     node.create_service(SetBool, "/switch", switch)
     with connected(domain_id) as client:
-        client.call("/switch", 1, cdr.encode(SetBool.Request(data=True)))
-        failure = client.text("serviceCallFailure", callId=1)
-        assert "no response from /switch within 0.3 s" in failure["message"]
+        client.call("/switch", 0, cdr.encode(SetBool.Request(data=True)))
+        client.wait_for(lambda: client.responses, "the response to the first call")
         ((_, caller),) = client.bridge.calls._clients.items()
+        go_on.clear()
+        with monkeypatch.context() as patched:
+            patched.setattr(services, "TIMEOUT_S", 0.3)
+            client.call("/switch", 1, cdr.encode(SetBool.Request(data=True)))
+            failure = client.text("serviceCallFailure", callId=1)
+        assert "no response from /switch within 0.3 s" in failure["message"]
         assert caller._pending == {}
-        assert asked == [True]
-        monkeypatch.setattr(services, "TIMEOUT_S", 30.0)
+        wait_until(lambda: asked == [True, True])
         go_on.set()
         client.call("/switch", 2, cdr.encode(SetBool.Request(data=False)))
-        client.wait_for(lambda: client.responses, "the response to the second call")
-        assert set(client.responses) == {2}
+        client.wait_for(lambda: 2 in client.responses, "the response to the last call")
+        assert set(client.responses) == {0, 2}
         response = cdr.decode(SetBool.Response, client.responses[2][1])
-        assert (response.success, response.message) == (False, "number 2")
+        assert (response.success, response.message) == (False, "number 3")
         assert caller._pending == {}
 
 
