@@ -12,7 +12,7 @@ from contextlib import contextmanager, suppress
 from typing import Any
 
 import pytest
-from tests.conftest import Program, wait_until
+from tests.conftest import Program, python_with, wait_until
 from tests.viewer.conftest import Page, running
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
@@ -269,6 +269,21 @@ def test_driver_that_hangs_is_ended_with_the_viewer(
     driving.close()
     wait_until(lambda: process.poll() is not None, what="its end")
     assert process.returncode == -signal.SIGKILL
+
+
+def test_driver_that_its_wire_holds_up_ends_some_time_after_its_viewer(
+    domain_id: int, start_program: Callable[..., Program]
+) -> None:
+    stuck = (
+        "import time\nfrom tfloom.viewer.driving import process\n"
+        "process.run_driver = lambda *_: (print('stuck', flush=True), time.sleep(1000.0))\n"
+        "sys.exit(process.main(sys.argv[1:]))"
+    )
+    limit = {"tfloom.viewer.driving.process.MAX_END_S": 0.1}
+    program = start_program(sys.executable, *python_with(limit, stuck, str(domain_id), "driver"), stdin=-1)
+    program.wait_for("stuck")
+    program.process.stdin.close()
+    assert program.wait() == 1
 
 
 def test_driver_that_can_not_be_started_is_told_and_tried_again(

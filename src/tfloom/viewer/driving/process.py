@@ -12,6 +12,7 @@ import os
 import queue
 import signal
 import threading
+import time
 from contextlib import closing, suppress
 
 from tfloom.rmw.backends import open_participant
@@ -20,6 +21,8 @@ from tfloom.viewer.driving.driver import Driver, Wish, run_driver
 
 __all__ = ["main"]
 
+MAX_END_S = 5.0
+"""How long it has to stop everything and end when the viewer has ended [s]."""
 ENDS = ("SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT")
 """Signals that end it as the end of the viewer does: robots are stopped first."""
 
@@ -51,6 +54,8 @@ def _read(commands: queue.SimpleQueue[Wish | str | None]) -> None:
             command = json.loads(line)
             commands.put(command if isinstance(command, str) else Wish(*command))
     commands.put(None)
+    time.sleep(MAX_END_S)
+    os._exit(1)  # the wire has not let it end, and nobody else would
 
 
 def _refuse(page: str, reason: str) -> None:
