@@ -564,6 +564,33 @@ def test_a_group_knows_clients_and_actions(node: Node, executor: Executor) -> No
     assert group.running == []
 
 
+def test_what_a_group_of_the_program_refused_runs_when_it_is_free(node: Node, pool: PoolExecutor) -> None:
+    """On a thread of a pool, whose end wakes nothing else."""
+
+    class OneAtATime(Asked):
+        def can_execute(self, entity: Any) -> bool:
+            return not self.running
+
+        def beginning_execution(self, entity: Any) -> bool:
+            return self.can_execute(entity) and super().beginning_execution(entity)
+
+    group, begun, gate, ran = OneAtATime(), threading.Event(), threading.Event(), threading.Event()
+
+    def first() -> None:
+        begun.set()
+        assert gate.wait(WAIT_S)
+
+    one, two = (node.create_guard_condition(callback, group) for callback in (first, ran.set))
+    pool.add_node(node)
+    with spinning(pool):
+        one.trigger()
+        assert begun.wait(WAIT_S)
+        two.trigger()
+        wait_until(lambda: len(set(pool._unadmitted)) == 2)  # the first one may have more, too
+        gate.set()
+        assert ran.wait(WAIT_S)
+
+
 def test_a_group_forgets_members_that_are_gone(node: Node) -> None:
     group = MutuallyExclusiveCallbackGroup()
     kept = node.create_guard_condition(lambda: None, group)

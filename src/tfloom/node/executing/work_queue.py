@@ -330,6 +330,8 @@ class WorkQueue:
         if group is not None:
             group.ending_execution(member_of(group, entity))
             group.release_parked()
+            if self._unadmitted and type(group) not in GROUPS_FREED_ON_COMPLETION:
+                self.wake()  # this may be another thread, and the group may admit now what it has refused
 
 
 def member_of(group: CallbackGroup, entity: Entity) -> Any:
