@@ -95,6 +95,15 @@ def test_scan_whose_transform_stays_away_is_shown_all_the_same(buffer: Buffer) -
     assert scanner.shown() == (float(late), float(late))
 
 
+def test_scan_stays_where_its_frame_was_at_its_stamp(buffer: Buffer) -> None:
+    scanner = Scanner(buffer)
+    scanner.turn(0)
+    scanner.scan(0)
+    for number in range(1, 5):
+        scanner.turn(number)
+        assert scanner.shown() == (0.0, 0.0)
+
+
 def test_scan_in_the_fixed_frame_waits_for_nothing(buffer: Buffer) -> None:
     scanner = Scanner(buffer)
     scanner.turn(0)

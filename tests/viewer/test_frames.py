@@ -104,3 +104,9 @@ def test_long_trail_is_thinned_and_keeps_its_newest_point() -> None:
     trail = trail_of(buffer, "world", "base")
     assert len(trail) <= MAX_TRAIL_POINTS
     assert trail[-1, 0] == count - 1
+
+
+def test_frames_whose_parents_are_a_ring_end() -> None:
+    ring = {"a": "b", "b": "a", "c": "a"}
+    assert frames_behind(ring, {"b"}, "map", ["c", "map"]) == {"c"}
+    assert default_fixed_frame(ring) in ring

@@ -92,6 +92,15 @@ def test_collada_is_multiplied_by_its_unit_and_not_turned_by_its_up_axis(
     assert size_of(model.glb) == pytest.approx([factor, 2.0 * factor, 3.0 * factor])
 
 
+def test_mesh_has_the_colour_that_is_given(tmp_path: Path) -> None:
+    for name in ("a.stl", "a.glb"):
+        write_ball(tmp_path / name)
+        for color in ((255, 0, 0), (0, 0, 255)):
+            glb = read_model(f"file://{tmp_path}/{name}", ONE, color).glb
+            mesh: Any = trimesh.load(io.BytesIO(glb), file_type="glb", force="mesh")
+            assert mesh.visual.main_color.tolist() == [*color, 255]
+
+
 def test_collada_with_entities_is_refused(tmp_path: Path) -> None:
     bomb = '<!DOCTYPE a [<!ENTITY a "aaaaaaaaaa"><!ENTITY b "&a;&a;&a;">]>'
     (tmp_path / "a.dae").write_text(COLLADA.format(before=bomb, unit="", up="Z_UP"))
