@@ -21,6 +21,8 @@ SECONDS = 60.0
 STEPS = 20
 QUIET_S = 0.06
 """How long no callback has run when a spin ends [s]."""
+QUIET_ROUNDS = 8
+"""How many spins of each executor have run no callback when a spin ends: the machine may be busy for long."""
 MAX_SPIN_S = 5.0
 MATCH_S = 5.0
 
@@ -567,8 +569,13 @@ def drain(walk: Walk, until: Callable[[], bool] = lambda: True) -> list[str]:
     Return the names of what has run, and of what spins raised.
     """
     end_s = time.monotonic() + MAX_SPIN_S
-    quiet_since_s, count = time.monotonic(), len(walk.heard)
-    while time.monotonic() < end_s and (time.monotonic() < quiet_since_s + QUIET_S or not until()):
+    quiet_since_s, rounds, count = time.monotonic(), 0, len(walk.heard)
+
+    def is_quiet() -> bool:
+        return rounds >= QUIET_ROUNDS and time.monotonic() >= quiet_since_s + QUIET_S
+
+    while time.monotonic() < end_s and not (is_quiet() and until()):
+        rounds += 1
         for executor in walk.executors:
             if is_shut(executor):
                 continue
@@ -577,7 +584,7 @@ def drain(walk: Walk, until: Callable[[], bool] = lambda: True) -> list[str]:
             except Exception as error:  # noqa: BLE001
                 walk.hear(f"raised {type(error).__name__}")
         if len(walk.heard) != count:
-            quiet_since_s, count = time.monotonic(), len(walk.heard)
+            quiet_since_s, rounds, count = time.monotonic(), 0, len(walk.heard)
     heard, walk.heard = sorted(walk.heard), []
     return heard
 
