@@ -187,6 +187,9 @@ def test_arrays_are_converted_when_assigned() -> None:
     image = Image()
     image.data = np.arange(6, dtype=np.uint8).reshape(2, 3)
     assert image.data.tobytes() == bytes(range(6))
+    for number in (np.float64(1.0), np.array(1.0)):
+        with pytest.raises(TypeError):
+            joints.position = number
     with pytest.raises(TypeError):
         image.data = "abc"  # type: ignore[assignment]
 
