@@ -51,6 +51,7 @@ from tfloom.node.values.duration import Duration
 from tfloom.node.values.time import Time
 from tfloom.rmw import services
 from tfloom.rmw.base import RequestId
+from tfloom.rmw.zenoh_announced import AnnouncedTokens
 from tfloom.tf2_ros import deadlines
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.transform_listener import TransformListener
@@ -83,6 +84,7 @@ PLACES = {
     "node/executing/signals.py": ["postponed_interrupt"],
     "rmw/cyclone_threads.py": ["participant"],
     "rmw/services.py": ["held_requests", "late_response"],
+    "rmw/zenoh_announced.py": ["announced_tokens"],
     "rmw/zenoh_events.py": ["refused: tests/rmw/test_zenoh_wire.py, where the endpoint is not opened then"],
     "rmw/zenoh_feeder.py": ["refused: tests/rmw/test_zenoh_wire.py, where the reader isn't fed then"],
     "rmw/zenoh_meeting_point.py": ["refused: tests/rmw/test_zenoh_session.py, which closes the session then"],
@@ -94,6 +96,9 @@ PLACES = {
     "turtlesim/teleop_key.py": [TOLD],
     "viewer/foxglove_bridge/bridge.py": [
         "stopped by the caller: tests/viewer/foxglove_bridge/test_stuck_clients.py, which refuses the thread"
+    ],
+    "viewer/foxglove_bridge/relay.py": [
+        "the bridge doesn't start: tests/viewer/foxglove_bridge/test_relay.py, which refuses the thread"
     ],
     "viewer/foxglove_bridge/own_client.py": [
         "a warning: tests/viewer/foxglove_bridge/test_own_client.py, which refuses the thread"
@@ -355,6 +360,27 @@ def test_participant_without_a_thread(domain_id: int, tmp_path: Path) -> None:
 
 
 # Pages
+
+
+def test_announced_tokens_without_a_thread() -> None:
+    """A listing may lack something then; the router is asked when there is a thread."""
+    zenoh = pytest.importorskip("zenoh", reason="eclipse-zenoh is not installed")
+    asked = threading.Event()
+
+    def open_client() -> Any:
+        asked.set()
+        raise zenoh.ZError("no router")
+
+    tokens = AnnouncedTokens(open_client, "@ros2_lv/**")
+    with no_threads():
+        for _ in range(3):
+            assert not tokens.are_here(lambda _: False)
+    tokens.are_here(lambda _: False)
+    assert asked.wait(30)
+    tokens.close()
+    asked.clear()
+    assert not tokens.are_here(lambda _: False)
+    assert not asked.is_set()
 
 
 def test_page_server_without_a_thread() -> None:
