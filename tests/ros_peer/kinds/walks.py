@@ -932,17 +932,30 @@ def destroy_action_end(walk: Walk, a: int, b: int, *_: int) -> Any:
 # Differences on purpose
 
 
-def row_of(theirs: Any, ours: Any) -> str | None:
-    """Return the row of docs/deviations.md that explains the difference of a step's answers."""
+def row_of(theirs: Any, ours: Any, is_shut: bool) -> str | None:
+    """Return the row of docs/deviations.md that explains the difference of a step's answers.
+
+    Args:
+        theirs: The step and its answer, of the real rclpy.
+        ours: Of tfloom.
+        is_shut: Whether an executor was shut down before.
+    """
     if theirs[0] == "send_goal" and theirs[1] == "raised RCLError" and ours[1] == "raised InvalidHandle":
         return "node-destroyed-actions"
+    if is_shut and theirs[0] in {"future", "task"} and theirs[1] == "raised AttributeError":
+        return "node-shut-executor-task"
     return None
 
 
 def rows_of(theirs: Any, ours: Any) -> set[str | None]:
     if not (isinstance(theirs, list) and isinstance(ours, list)):
         return {None}
-    return {row_of(*step) for step in zip(theirs, ours, strict=True) if step[0] != step[1]}
+    shut_at = next((at for at, step in enumerate(theirs) if step[0] == "shutdown_executor"), len(theirs))
+    return {
+        row_of(*step, at > shut_at)
+        for at, step in enumerate(zip(theirs, ours, strict=True))
+        if step[0] != step[1]
+    }
 
 
 def explains(row: str, case: Any, theirs: Any, ours: Any) -> bool:
@@ -950,4 +963,6 @@ def explains(row: str, case: Any, theirs: Any, ours: Any) -> bool:
     return None not in found and row in found
 
 
-KNOWN = {row: functools.partial(explains, row) for row in ["node-destroyed-actions"]}
+KNOWN = {
+    row: functools.partial(explains, row) for row in ["node-destroyed-actions", "node-shut-executor-task"]
+}
