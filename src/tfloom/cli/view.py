@@ -151,7 +151,7 @@ def _set_by_signals() -> threading.Event:
     def end(*_: object) -> None:
         over.set()
         if sys.platform != "win32":
-            signal.setitimer(signal.ITIMER_REAL, MAX_END_S)
+            signal.setitimer(signal.ITIMER_REAL, MAX_END_S, MAX_END_S)
 
     for name in ("SIGINT", "SIGTERM", "SIGHUP"):
         number = getattr(signal, name, None)

@@ -160,8 +160,7 @@ class Viewer:
 
     def interrupt(self) -> None:
         """End what `run` does, however long that takes; in a handler of a signal, on the thread that runs."""
-        if self._is_at_work:
-            self._is_at_work = False
+        if self._is_at_work:  # until `run` has it: a library may catch any exception
             raise _InterruptedError
 
     def _draw_until(self, is_over: Callable[[], bool]) -> None:
