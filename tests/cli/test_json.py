@@ -79,7 +79,15 @@ WITHOUT = {
     "zenoh router": "routes until Ctrl-C",
     **dict.fromkeys(["topic bw", "topic delay", "topic hz"], "reports until Ctrl-C"),
     **dict.fromkeys(
-        ["daemon start", "daemon status", "daemon stop", "component standalone", "component types", "launch"],
+        [
+            "daemon start",
+            "daemon status",
+            "daemon stop",
+            "component standalone",
+            "component types",
+            "launch",
+            "security",
+        ],
         "prints a sentence",
     ),
     **dict.fromkeys(

@@ -70,7 +70,7 @@ def test_programs_end_without_traceback_when_stopped(
         assert "ignored" not in program.output
 
 
-def complaint(package: str, name: str, words: list[str], capsys: pytest.CaptureFixture[str]) -> str:
+def complaint(package: str, name: str, words: list[str], capfd: pytest.CaptureFixture[str]) -> str:
     """Return the output of a program that rejects its arguments."""
     before = signal.getsignal(signal.SIGTERM), sys.argv
     try:
@@ -78,15 +78,15 @@ def complaint(package: str, name: str, words: list[str], capsys: pytest.CaptureF
     finally:
         signal.signal(signal.SIGTERM, before[0])
         sys.argv = before[1]
-    printed = capsys.readouterr()
+    printed = capfd.readouterr()
     assert code not in {0, None}
     assert "Traceback" not in printed.err
     return printed.out + printed.err
 
 
 @pytest.mark.parametrize(("package", "name"), EVERY)
-def test_unknown_arguments_are_rejected(package: str, name: str, capsys: pytest.CaptureFixture[str]) -> None:
-    text = complaint(package, name, ["--such-nonsense", "x", "y", "z", "--ros-args", "-p", "a:=1"], capsys)
+def test_unknown_arguments_are_rejected(package: str, name: str, capfd: pytest.CaptureFixture[str]) -> None:
+    text = complaint(package, name, ["--such-nonsense", "x", "y", "z", "--ros-args", "-p", "a:=1"], capfd)
     assert "usage" in text.lower() or "--such-nonsense" in text
 
 
@@ -102,10 +102,10 @@ def test_unknown_arguments_are_rejected(package: str, name: str, capsys: pytest.
     ("package", "name"), [program for program in EVERY if program[1] != "xacro"]
 )  # it is no node
 def test_malformed_ros_arguments_are_rejected(
-    package: str, name: str, words: list[str], text: str, capsys: pytest.CaptureFixture[str]
+    package: str, name: str, words: list[str], text: str, capfd: pytest.CaptureFixture[str]
 ) -> None:
     own = RUNNING.get(name, ("", []))[1]
-    said = complaint(package, name, [*own, "--ros-args", *words], capsys)
+    said = complaint(package, name, [*own, "--ros-args", *words], capfd)
     assert text in said
     assert said.startswith(f"{name}: ")
     assert said.count("\n") == 1
@@ -145,11 +145,11 @@ def test_invalid_parameters_are_rejected(
     parameter: str,
     text: str,
     monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
+    capfd: pytest.CaptureFixture[str],
 ) -> None:
     monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
     own = RUNNING.get(name, ("", []))[1]
-    said = complaint(package, name, [*own, "--ros-args", "-p", parameter], capsys)
+    said = complaint(package, name, [*own, "--ros-args", "-p", parameter], capfd)
     (error,) = [line for line in said.splitlines() if line.startswith(f"{name}: ")]
     assert text in error
 

@@ -32,6 +32,7 @@ PRINTING = {
     "bag list": ("storage",),
     "daemon status": (),
     "daemon stop": (),
+    "security": (),
     "demo": ("--seconds", "0"),
     "interface proto": ("geometry_msgs/msg/Twist",),
     "interface show": ("geometry_msgs/msg/Twist",),

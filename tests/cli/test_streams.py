@@ -101,7 +101,7 @@ def test_parameters_of_a_file_for_another_node(node: None, tmp_path: Path) -> No
     assert run(*load) == (0, "Set parameter size successful\n", "")
     path.write_text("/**:\n  ros__parameters: {missing: 2}\n", "utf-8")
     code, out, err = run(*load)
-    assert (code, out) == (0, "")
+    assert (code, out) == (1, "")
     assert err.startswith("Set parameter missing failed: ")
 
 

@@ -168,7 +168,7 @@ def test_states_are_published_as_often_as_the_frequency_allows(start: Callable[.
     assert stage.children() == [["spin"], ["spin"]]
 
 
-@pytest.mark.parametrize("frequency", [1e-10, 1e-13, 5e-324])
+@pytest.mark.parametrize("frequency", [1e-10, 1e-13, 1e-300])
 def test_periods_longer_than_all_time_publish_nothing(start: Callable[..., Stage], frequency: float) -> None:
     stage = start(ARM, "-p", f"publish_frequency:={frequency!r}")
     assert stage.set("publish_frequency", 2 * frequency).successful

@@ -23,8 +23,8 @@ from tfloom.node.executing.task import Future, future_error
 from tfloom.node.executing.temporarily_added import TemporarilyAdded
 from tfloom.node.parameters.parameter import Parameter
 from tfloom.node.values.node_errors import executor_error, node_error
-from tfloom.node.values.numbers import timeout_error
 from tfloom.ros_environment import set_ros_environment
+from tfloom.seconds import timeout_error
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -10,7 +10,7 @@ from tfloom.node.executing.executor import executor_of
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.executing.task import Future
 from tfloom.node.qos.qos import QoSProfile
-from tfloom.node.values.numbers import checked_timeout
+from tfloom.seconds import checked_timeout
 
 if TYPE_CHECKING:
     from tfloom.node.node import Node

@@ -196,9 +196,10 @@ class RosGraph:
             if self._spins_until(lambda: matches, timeout_s):
                 return matches[0]
             reason = why_no_message(self.observer, subscription, msg_type, messages)
+            name = subscription.topic_name
         finally:
             self.observer.destroy_subscription(subscription)
-        raise NotSeenError(f"no message on {subscription.topic_name} within {timeout_s:g} s: {reason}")
+        raise NotSeenError(f"no message on {name} within {timeout_s:g} s: {reason}")
 
     def _subscribe(
         self,

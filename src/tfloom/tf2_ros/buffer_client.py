@@ -18,7 +18,7 @@ from tfloom.node.executing.task import Future
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.names import name_error
 from tfloom.node.values.node_errors import node_error
-from tfloom.node.values.numbers import checked_timeout
+from tfloom.seconds import checked_timeout
 from tfloom.tf2.errors import (
     ConnectivityException,
     ExtrapolationException,

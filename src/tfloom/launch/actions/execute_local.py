@@ -6,7 +6,7 @@ import os
 import signal
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from tfloom.launch.action import Action
 from tfloom.launch.actions.process_output import ProcessOutput
@@ -35,7 +35,7 @@ from tfloom.launch.utilities.type_utils import (
     normalize_typed_substitution,
     perform_typed_substitution,
 )
-from tfloom.node.values.numbers import checked_timeout
+from tfloom.seconds import checked_timeout
 
 if TYPE_CHECKING:
     import asyncio
@@ -75,6 +75,8 @@ class ExecuteLocal(Action):
 
     _blocks_signals = False
     """Whether the process starts with SIGINT and SIGTERM blocked, which it unblocks when it has its handlers."""
+
+    _other_names: ClassVar = {"respawn_delay": "_respawn_delay_s"}
 
     def __init__(
         self,

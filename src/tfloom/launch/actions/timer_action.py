@@ -19,7 +19,7 @@ from tfloom.launch.logging import get_logger
 from tfloom.launch.substitution import SomeSubstitutionsType
 from tfloom.launch.utilities.argument_errors import entities_error
 from tfloom.launch.utilities.type_utils import normalize_typed_substitution, perform_typed_substitution
-from tfloom.node.values.numbers import checked_timeout
+from tfloom.seconds import checked_timeout
 
 if TYPE_CHECKING:
     import asyncio

@@ -20,7 +20,7 @@ from tfloom.launch.utilities.type_utils import (
     normalize_typed_substitution,
     perform_typed_substitution,
 )
-from tfloom.node.values.numbers import plain_value
+from tfloom.seconds import plain_value
 
 __all__ = ["EvaluatedParameterValue", "Parameter", "ParameterFile", "ParameterValue"]
 

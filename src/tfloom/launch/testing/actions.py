@@ -16,7 +16,7 @@ from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.logging import get_logger
 from tfloom.launch.substitution import SomeSubstitutionsType
-from tfloom.node.values.numbers import checked_timeout
+from tfloom.seconds import checked_timeout
 
 __all__ = ["GTest", "PyTest", "ReadyToTest", "Test", "TestsCanBegin"]
 

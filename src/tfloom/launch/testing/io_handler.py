@@ -20,7 +20,7 @@ from tfloom.launch.testing.proc_lookup import (
     process_name,
 )
 from tfloom.launch.testing.text import Expected
-from tfloom.node.values.numbers import checked_timeout
+from tfloom.seconds import checked_timeout
 
 __all__ = ["ActiveIoHandler", "IoHandler"]
 

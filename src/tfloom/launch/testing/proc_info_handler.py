@@ -17,7 +17,7 @@ from tfloom.launch.testing.proc_lookup import (
     process_name,
     resolveProcesses,
 )
-from tfloom.node.values.numbers import checked_timeout
+from tfloom.seconds import checked_timeout
 
 __all__ = ["ActiveProcInfoHandler", "ProcInfoHandler"]
 

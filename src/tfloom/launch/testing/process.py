@@ -15,7 +15,7 @@ from tfloom.launch.testing.assert_output import text_of
 from tfloom.launch.testing.io_handler import ActiveIoHandler
 from tfloom.launch.testing.proc_info_handler import ActiveProcInfoHandler
 from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
-from tfloom.node.values.numbers import checked_timeout
+from tfloom.seconds import checked_timeout
 
 __all__ = ["ProcessProxy", "launch_process"]
 

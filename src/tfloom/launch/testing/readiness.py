@@ -11,7 +11,7 @@ from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.event_handlers import OnProcessIO
 from tfloom.launch.events.process import ProcessIO
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity, SomeEntitiesType
-from tfloom.node.values.numbers import checked_timeout
+from tfloom.seconds import checked_timeout
 
 __all__ = [
     "DEFAULT_TIMEOUT_S",

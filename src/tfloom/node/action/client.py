@@ -32,7 +32,6 @@ from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.names import name_error
 from tfloom.node.values.node_errors import node_error
-from tfloom.node.values.numbers import checked_timeout
 from tfloom.node.values.type_support import check_is_valid_action_type, wrong_fields
 from tfloom.rmw.action_names import (
     CANCEL_GOAL,
@@ -45,6 +44,7 @@ from tfloom.rmw.action_names import (
 )
 from tfloom.ros_guard import ros_repr
 from tfloom.rosidl.service import Action
+from tfloom.seconds import checked_timeout
 
 if TYPE_CHECKING:
     from typing_extensions import Self

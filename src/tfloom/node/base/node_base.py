@@ -43,7 +43,6 @@ from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.constants import INT64_MAX, S_TO_NS
 from tfloom.node.values.handle import Handle
 from tfloom.node.values.names import name_error
-from tfloom.node.values.numbers import checked_timeout, not_a_number, to_nanoseconds, too_long
 from tfloom.node.values.time import check_fits_stamp
 from tfloom.node.values.type_support import (
     check_is_valid_srv_type,
@@ -51,6 +50,7 @@ from tfloom.node.values.type_support import (
 )
 from tfloom.rmw.typed_names import service_of, topic_of
 from tfloom.rosidl.service import Service as ServiceType
+from tfloom.seconds import checked_timeout, not_a_number, to_nanoseconds, too_long
 
 if TYPE_CHECKING:
     from types import TracebackType

@@ -21,7 +21,7 @@ from tfloom.node.parameters.parameter import Parameter, ParameterType, parameter
 from tfloom.node.parameters.parameter_file import EVERY_NODE, read_parameter_file
 from tfloom.node.qos.qos import QoSProfile, qos_profile_parameter_events, qos_profile_services_default
 from tfloom.node.values.names import full_node_name
-from tfloom.node.values.numbers import checked_timeout
+from tfloom.seconds import checked_timeout
 
 if TYPE_CHECKING:
     from tfloom.node.base.node_base import NodeBase

@@ -16,9 +16,9 @@ from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.exceptions import NotInitializedException
 from tfloom.node.values.handle import Handle
-from tfloom.node.values.numbers import duration_error
 from tfloom.node.values.readable_clock import ReadableClock
 from tfloom.node.values.time import Time
+from tfloom.seconds import duration_error
 
 if TYPE_CHECKING:
     from types import TracebackType

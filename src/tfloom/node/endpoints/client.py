@@ -23,12 +23,12 @@ from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
 from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.exceptions import InvalidHandle, RCLError
-from tfloom.node.values.numbers import checked_timeout
 from tfloom.node.values.type_support import wrong_fields
 from tfloom.rmw.base import RequestId
 from tfloom.rmw.waiting import LOOK_AGAIN_S, wait_for_token, wait_until_ready
 from tfloom.rosidl import cdr
 from tfloom.rosidl.service import Service as ServiceType
+from tfloom.seconds import checked_timeout
 
 if TYPE_CHECKING:
     from tfloom.node.context.context import Context

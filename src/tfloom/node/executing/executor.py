@@ -28,8 +28,8 @@ from tfloom.node.values.callback_errors import report_exception
 from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.exceptions import ExternalShutdownException
 from tfloom.node.values.node_errors import node_error
-from tfloom.node.values.numbers import checked_timeout, timeout_error
 from tfloom.ros_guard import ros_repr
+from tfloom.seconds import checked_timeout, timeout_error
 
 if TYPE_CHECKING:
     from typing_extensions import Self

@@ -12,8 +12,8 @@ from tfloom.node.clock.time_jump import ANY_JUMP, SOURCE_CHANGES, TimeJump
 from tfloom.node.executing.entity import CallbackEntity
 from tfloom.node.values.constants import INT64_MAX
 from tfloom.node.values.exceptions import ROSInterruptException
-from tfloom.node.values.numbers import too_long
 from tfloom.ros_guard import ros_repr
+from tfloom.seconds import too_long
 
 if TYPE_CHECKING:
     from tfloom._native import ReadyQueue

@@ -15,8 +15,8 @@ from tfloom.node.parameters.parameter_file import (
     read_parameter_file,
 )
 from tfloom.node.values.names import full_node_name
-from tfloom.node.values.numbers import plain_value
 from tfloom.node.values.scalars import parse_value
+from tfloom.seconds import plain_value
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -6,7 +6,6 @@ from enum import Enum, IntEnum
 from typing import TYPE_CHECKING, Any
 
 from tfloom.node.values.duration import Duration
-from tfloom.node.values.numbers import duration_error
 from tfloom.rmw import qos as wire
 from tfloom.rmw.qos import (
     DurabilityPolicy,
@@ -17,6 +16,7 @@ from tfloom.rmw.qos import (
     ReliabilityPolicy,
 )
 from tfloom.ros_guard import ros_home
+from tfloom.seconds import duration_error
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping

@@ -67,12 +67,8 @@ def value_text(value: Any) -> str:
 
 
 def tree_text(tree: Mapping[str, Any]) -> str:
-    """Return a mapping, as that of a parameter file, as YAML in lines."""
-    return str(
-        yaml.dump(
-            _plain(tree), Dumper=_Dumper, default_flow_style=False, allow_unicode=True, width=sys.maxsize
-        )
-    )
+    """Return a mapping, as that of a parameter file, as YAML in lines of the length that `ros2 param dump` has."""
+    return str(yaml.dump(_plain(tree), Dumper=_Dumper, default_flow_style=False, allow_unicode=True))
 
 
 def _plain(value: Any) -> Any:

@@ -21,8 +21,8 @@ from tfloom.launch.substitution import Substitution
 from tfloom.launch.substitutions.text_substitution import TextSubstitution
 from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions
-from tfloom.node.values.numbers import plain_value
 from tfloom.node.values.scalars import parse_scalar
+from tfloom.seconds import plain_value
 
 __all__ = ["normalize_parameter_dict", "normalize_parameters", "parameters_error"]
 

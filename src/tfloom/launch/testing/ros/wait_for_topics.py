@@ -14,7 +14,7 @@ from tfloom.node.context.context import Context
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import QoSProfile
-from tfloom.node.values.numbers import checked_timeout
+from tfloom.seconds import checked_timeout
 
 __all__ = ["WaitForTopics"]
 

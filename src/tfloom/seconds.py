@@ -6,7 +6,6 @@ import math
 from typing import Any
 
 from tfloom.given_text import given_text
-from tfloom.node.values.constants import INT64_MAX, S_TO_NS
 
 __all__ = [
     "MAX_S",
@@ -21,7 +20,8 @@ __all__ = [
     "too_long",
 ]
 
-MAX_S = INT64_MAX / S_TO_NS
+_S_TO_NS = 1_000_000_000
+MAX_S = (2**63 - 1) / _S_TO_NS
 """As many seconds as 64 bits of nanoseconds hold."""
 
 
@@ -84,7 +84,7 @@ def to_nanoseconds(seconds: float) -> int:
         raise ValueError(not_a_number("seconds", number))  # noqa: TRY004, the reference's kind
     if not hasattr(number, "__float__"):  # a list, whose product would take all memory
         raise TypeError(not_a_number("seconds", number))
-    return int(number * S_TO_NS)
+    return int(number * _S_TO_NS)
 
 
 def timeout_error(call: str, timeout_sec: object) -> TypeError | ValueError | None:
