@@ -109,7 +109,7 @@ def test_messages_and_services_pass(
         environment = built.environment(vendor, domain_id)
         started.append(start_program(built.python(vendor), END, verb, env=environment))
     publisher, receiver = started
-    wait_until(lambda: receiver.process.poll() is not None, 60.0, "all messages and responses")
+    receiver.wait(60.0)
     lines = [line for line in receiver.lines if line.startswith(("message", "response"))]
     assert len(lines) == MESSAGES + 3, receiver.output
     assert all(line.endswith("True") for line in lines), lines
@@ -126,7 +126,7 @@ def test_a_command_prints_what_the_real_rclpy_publishes(
     words = ("-m", "tfloom.cli", "topic", "echo", "--once", *quality)
     topic = ("/topic_WStrings", "test_msgs/msg/WStrings")
     echo = start_program(sys.executable, *words, *topic, env=environment)
-    wait_until(lambda: echo.process.poll() is not None, 60.0, "a message")
+    assert echo.wait(60.0) == 0, echo.output
     assert "wstring_value: hällo ハ 93" in echo.lines, echo.output
     assert echo.lines[-1] == "---"
 
