@@ -29,7 +29,8 @@ PYTEST = ("-m", "pytest", "-p", "no:hypothesispytest")
 LONG_FILES = {
     *("test_address_sanitizer.py", "test_thread_sanitizer.py", "test_on_zenoh.py", "test_release.py"),
     *("test_installers.py", "test_pyinstaller.py", "test_workspace.py", "test_colcon.py"),
-    *("test_user_programs.py", "test_compilers.py", "test_site.py"),
+    *("test_user_programs.py", "test_compilers.py", "test_site.py", "test_rounds.py"),
+    *("test_browser.py", "test_drive_in_browser.py"),
 }
 """Files of both tiers that take longest; their tests run one after another."""
 DOMAIN_FIXTURES = {"domain_id", "module_domain_id"}
