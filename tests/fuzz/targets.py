@@ -231,7 +231,9 @@ def recorded_definitions(data: bytes) -> bool:
 def urdf(data: bytes) -> bool:
     """Read a robot's description, and compute where its links are."""
     try:
-        model = RobotModel.from_urdf(b"<" + data.lstrip()[1:])
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of what can be read, and is not as it should be
+            model = RobotModel.from_urdf(b"<" + data.lstrip()[1:])
     except UrdfError as error:
         return _refused(error, is_clear=error.line >= 1 and bool(error.reason.strip()))
     poses = model.forward([0.0] * len(model.variables))

@@ -16,6 +16,7 @@ from tfloom.interfaces.std_srvs.srv import Trigger
 from tfloom.node.action.client import ActionClient
 from tfloom.node.action.server import ActionServer
 from tfloom.node.clock.clock import Clock
+from tfloom.node.context.context import Context
 from tfloom.node.endpoints.client import Client
 from tfloom.node.endpoints.publisher import Publisher
 from tfloom.node.endpoints.service import Service
@@ -298,3 +299,14 @@ def test_a_goal_that_ends_after_its_node_is_no_error(make_node: Make) -> None:
         client.send_goal_async(Fibonacci.Goal())
         gate.set()
         wait_until(lambda: executor.spin_once(timeout_sec=0.01) or results)
+
+
+def test_what_is_created_after_the_end_is_destroyed_by_the_next_one(local_context: Context) -> None:
+    node = Node("again", context=local_context)
+    node.destroy_node()
+    guard = node.create_guard_condition(lambda: None)
+    guard.trigger()
+    node.destroy_node()
+    with pytest.raises(InvalidHandle):
+        guard.trigger()
+    node.destroy_node()

@@ -120,9 +120,6 @@ def test_service_endpoints_match_those_of_a_real_ros(
         if "services-history" in deviations and key[0] == "subscription":
             policies.remove("Policy.History.KeepLast(depth=10)")
             policies.append(f"Policy.History.KeepLast(depth={MIN_DEPTH})")
-        if "services-writers" in deviations and key[0] == "publication":
-            policies.remove("Policy.History.KeepLast(depth=10)")
-            policies.append("Policy.History.KeepAll")
         assert set(policies) <= set(got["qos"])
         (told,) = (policy for policy in got["qos"] if policy.startswith("Policy.Userdata"))
         prefix, server_id, rest = re.fullmatch(r"(.*serviceid=)([ 0-9a-f.]+)(;.*)", told).groups()

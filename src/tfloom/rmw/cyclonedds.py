@@ -246,7 +246,8 @@ class CycloneParticipant:
         self, key: str, asking: type[_End], answering: type[_End2], node: NodeName, service: Service, qos: QoS
     ) -> tuple[_End, _End2]:
         """Open the endpoints of a server or a client: for requests, and for responses."""
-        waiting, sending = waiting_qos(qos, is_client=key == CLIENT_KEY), sending_qos(qos)
+        is_client = key == CLIENT_KEY
+        waiting, sending = waiting_qos(qos, is_client=is_client), sending_qos(qos, is_client=is_client)
         identifier = end_id(self._native.gid, next(self._service_end_numbers))
         topic = response_topic(service)
         user_data = end_user_data(key, identifier, service.response_hash)

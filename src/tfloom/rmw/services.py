@@ -105,14 +105,15 @@ def waiting_qos(qos: QoS, *, is_client: bool) -> QoS:
     return qos
 
 
-def sending_qos(qos: QoS) -> QoS:
+def sending_qos(qos: QoS, *, is_client: bool) -> QoS:
     """Return the quality that the writer of a client or a server has.
 
     A writer that keeps the last samples alone can't send one again that a peer has not received: of a burst, more than
-    its depth may be on their way, and the system drops what a busy peer has no room for. So it keeps all until they are
-    acknowledged, and a write waits where too many are not.
+    its depth may be on their way, and the system drops what a busy peer has no room for. So a client keeps all requests
+    until they are acknowledged, and a write waits where too many are not. A server doesn't: responses go to all of its
+    clients, and one that is killed, and acknowledges nothing until its lease is over, would hold up all others.
     """
-    return qos._replace(history=HistoryPolicy.KEEP_ALL)
+    return qos._replace(history=HistoryPolicy.KEEP_ALL) if is_client else qos
 
 
 def _with_header(data: bytes, key: bytes, sequence_number: int) -> bytes:

@@ -1120,9 +1120,10 @@ class NodeBase:
         self.__entities.destroy_all()
 
     def destroy_node(self) -> None:
-        """Leave the executor and the graph, and destroy all that was created. Destroying again does nothing."""
+        """Leave the executor and the graph, and destroy all that was created, since a destruction before, too."""
         entities = self.__entities
         if entities.has_left:
+            self.destroy_entities()
             return
         entities.has_left = True
         self.__graph.leave()
