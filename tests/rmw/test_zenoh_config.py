@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -206,7 +207,11 @@ def test_overrides_come_last_and_wrong_ones_are_reported(
         ),
         (b"{mod: 1}", "unknown field `mod`"),
         (b"", "Empty config file"),
-        (b"{metadata: " + 3000 * b"[" + 3000 * b"]" + b"}", "maximum recursion depth exceeded"),
+        pytest.param(
+            b"{metadata: " + 3000 * b"[" + 3000 * b"]" + b"}",
+            "maximum recursion depth exceeded",
+            marks=pytest.mark.skipif(sys.version_info >= (3, 12), reason="its JSON is read as deep as this"),
+        ),
         (b"\xff", "isn't UTF-8 text"),
         (b" " * (zenoh_config.MAX_FILE_SIZE + 1), "is longer than 1048576 bytes"),
     ],

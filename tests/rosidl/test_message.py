@@ -229,7 +229,7 @@ def test_a_number_of_numpy_equals_what_is_received_of_it(number: type[np.generic
             assert received == message == cls(data=received.data), name
             assert (message != received) is False, name
             assert [cls(), received].index(message) == 1
-        else:
+        elif not (is_bool and hasattr(number, "__index__")):  # older numpy takes it for a number, and warns
             with pytest.raises(cdr.EncodeError):
                 cdr.encode(message)
         assert message != cls(data=number(0)), name
