@@ -32,7 +32,6 @@ PRINTING = {
     "bag list": ("storage",),
     "daemon status": (),
     "daemon stop": (),
-    "security": (),
     "demo": ("--seconds", "0"),
     "interface proto": ("geometry_msgs/msg/Twist",),
     "interface show": ("geometry_msgs/msg/Twist",),
@@ -81,6 +80,7 @@ SILENT = {
     "interface stubs": "no workspace with definitions is sourced, as it prints on stderr",
     "param delete": "turtlesim's parameters can't be deleted, as it prints on stderr",
     "launch": "prints on stderr",
+    "security": "prints on stderr",
     "pkg xml": "our own packages have no package.xml",
     "service echo": "turtlesim publishes no events",
     "tf plot": "there are no transforms, as it prints on stderr",
@@ -92,7 +92,7 @@ SILENT = {
 }
 """Verbs that print nothing on stdout here, each with its reason."""
 START = "import sys; from tfloom.cli import main; sys.stdin.read(1); sys.exit(main.main())"
-"""Waits for an octet of the input, so that the pipe is closed before the first line."""
+"""Waits for a byte of the input, so that the pipe is closed before the first line."""
 
 
 @pytest.fixture(scope="module", autouse=True)
