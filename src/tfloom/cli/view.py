@@ -123,8 +123,7 @@ def serve(args: argparse.Namespace, *, needs_terminal: bool) -> int:
     if not is_installed():
         raise CommandError(MISSING.format(name="`tfloom view`"))
     layout = None if args.config is None else read_config(args.config)
-    over = _set_by_signals()
-    with _open_viewer(args) as viewer:
+    with _set_by_signals() as over, _open_viewer(args) as viewer:
         _interrupt_by_alarm(viewer)
         viewer.layout_path = args.save_config
         if layout is not None:
@@ -144,14 +143,15 @@ def serve(args: argparse.Namespace, *, needs_terminal: bool) -> int:
     return 0
 
 
-def _set_by_signals() -> threading.Event:
-    """Return an event that Ctrl-C, SIGTERM and a terminal that is closed set; an alarm follows."""
+@contextmanager
+def _set_by_signals() -> Iterator[threading.Event]:
+    """Give an event that Ctrl-C, SIGTERM and a terminal that is closed set; alarms follow until the block ends."""
     over = threading.Event()
 
     def end(*_: object) -> None:
-        over.set()
-        if sys.platform != "win32":
+        if sys.platform != "win32" and not over.is_set():
             signal.setitimer(signal.ITIMER_REAL, MAX_END_S, MAX_END_S)
+        over.set()
 
     for name in ("SIGINT", "SIGTERM", "SIGHUP"):
         number = getattr(signal, name, None)
@@ -159,7 +159,13 @@ def _set_by_signals() -> threading.Event:
             signal.signal(number, end)
     if sys.platform != "win32":
         signal.signal(signal.SIGALRM, lambda *_: None)
-    return over
+    try:
+        yield over
+    finally:
+        over.set()
+        if sys.platform != "win32":
+            # The interpreter's exit restores the default action of an alarm, which kills the process.
+            signal.setitimer(signal.ITIMER_REAL, 0)
 
 
 def _interrupt_by_alarm(viewer: Viewer) -> None:
