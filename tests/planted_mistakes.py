@@ -18,6 +18,7 @@ import re
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -200,7 +201,7 @@ def native_mistakes(path: Path) -> Iterator[Mistake]:
 
 
 def answer_of_tests(mistake: Mistake, tests: tuple[str, ...]) -> str:
-    """Return whether the tests found a mistake, which stands in its file only while they run."""
+    """Return which test found a mistake, if one did; the mistake stands in its file only while they run."""
     source = mistake.path.read_text(encoding="utf-8")
     try:
         mistake.path.write_text(
@@ -208,33 +209,25 @@ def answer_of_tests(mistake: Mistake, tests: tuple[str, ...]) -> str:
         )
         if mistake.path.suffix == ".cpp" and compiled() != 0:
             return "not compiled"
-        options = (
-            "-x",
-            "-q",
-            "-m",
-            "not slow and not ros",
-            "-n",
-            "3",
-            "--dist",
-            "loadfile",
-            "-p",
-            "no:cacheprovider",
-        )
-        command = [sys.executable, "-m", "pytest", *options]
-        with subprocess.Popen(
-            [*command, *tests],
-            cwd=ROOT,
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
-            start_new_session=True,
-        ) as process:
+        options = ("-x", "-q", "-n", "3", "--dist", "loadfile", "-p", "no:cacheprovider")
+        command = [sys.executable, "-m", "pytest", *options, "-m", "not slow and not ros", *tests]
+        with (
+            tempfile.TemporaryFile("w+") as output,
+            subprocess.Popen(
+                command, cwd=ROOT, stdout=output, stderr=subprocess.DEVNULL, start_new_session=True
+            ) as process,
+        ):
             try:
-                return "found" if process.wait(MAX_TESTS_S) else "survived"
+                if process.wait(MAX_TESTS_S) == 0:
+                    return "survived"
             except subprocess.TimeoutExpired:
                 return "found: tests hang"
             finally:
                 if process.poll() is None:
                     os.killpg(process.pid, signal.SIGKILL)
+            output.seek(0)
+            finders = re.findall(r"^(?:FAILED|ERROR) (\S+)", output.read(), re.MULTILINE)
+            return f"found by {finders[0]}" if finders else "found"
     finally:
         mistake.path.write_text(source, encoding="utf-8")
         if mistake.path.suffix == ".cpp":

@@ -436,3 +436,71 @@ def test_fault_is_told_again_to_pages_that_come_later(
     again = open_page(viewer)
     again.wait_for(lambda: again.log)
     assert notes(again) == 2  # and not with each picture
+
+
+# A simulation that is reset.
+
+
+@pytest.mark.parametrize("looks", [True, False])
+def test_nothing_of_before_stays_when_a_simulation_is_reset(
+    looks: bool, stage: Stage, participant: Participant, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    now_ns = 50 * S
+    monkeypatch.setattr(stage, "topics", LiveTopics(participant, NODE, 60 * S, lambda: now_ns))
+    stage.move("map", "base", 1.0, 2.0)
+    view = stage.view
+    monkeypatch.setattr(view._source, "now_ns", lambda: now_ns, raising=False)
+    passing = writer_of(participant, "/passing", Marker)
+    kept = writer_of(participant, "/kept", Marker, latched=True)
+    number = writer_of(participant, "/number", Float64)
+    view.plots.add("/number", "data")
+    for topic in ("/passing", "/kept"):
+        view.set_display(topic, on=True)
+
+    def drawn() -> tuple[int, int]:
+        view.look_at_clock()
+        stage.draw()
+        return len(stage.drawn("/passing")), len(stage.drawn("/kept"))
+
+    def write(*writers: Writer) -> None:
+        for writer in writers:
+            writer.write(cdr.encode(marker(Marker.CUBE, header=header("map", 0))))
+
+    write(passing, kept)
+    number.write(cdr.encode(Float64(data=7.0)))
+    assert drawn() == (1, 1)
+    now_ns -= 50_000_000  # two messages of /clock that have overtaken each other
+    assert drawn() == (1, 1)
+    view.command({"op": "hold", "stamp_ns": str(2 * S)})
+    if not looks:
+        view.suspend()
+    now_ns = 1 * S
+    view.look_at_clock()
+    now_ns = 60 * S  # the new run goes further than the old one did
+    view.look_at_clock()
+    if not looks:
+        view.resume()
+    # What is kept for late subscriptions comes again.
+    assert drawn() == (0, 1)
+    assert stage.status("/passing") == "no message at this time"
+    assert view._held_ns is None
+    assert view.plots.snapshot(None, None)[0]["values"] == []
+    assert set(view.buffer.parents().values()) == {None}
+    write(passing)
+    assert drawn() == (1, 1)
+    view.topics.close("/kept")
+
+
+def test_scan_of_before_is_not_shown_after_a_reset(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
+    now_ns = 50 * S
+    stage.topics.add("/pose", PoseStamped(header=header("map", 50), pose=pose()), 50 * S)
+    monkeypatch.setattr(stage.view._source, "now_ns", lambda: now_ns, raising=False)
+    stage.view.set_display("/pose", on=True)
+    stage.view.look_at_clock()
+    stage.draw()
+    assert stage.drawn("/pose")
+    now_ns = 1 * S
+    stage.topics.histories.clear()  # what a wire has again: nothing
+    stage.view.look_at_clock()
+    stage.draw()
+    assert stage.drawn("/pose") == []

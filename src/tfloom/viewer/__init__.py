@@ -3,7 +3,7 @@
 - frames, history, replay, camera, playback, shapes: what is shown, without viser
 - displays/: from a message to shapes, a file for each kind
 - type_searches: types that have no definition here
-- feed, topics, recorded: a display and its messages, of a graph or of a recording
+- feed, topics, topic_reader, recorded: a display and its messages, of a graph or of a recording
 - view: what all pages share, and what follows of it
 - drawing, scene, scene_server, mesh_files: viser's scene and server
 - page_server, access, page_command: the server of our page

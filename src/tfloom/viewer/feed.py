@@ -13,6 +13,7 @@ from tfloom.tf2.transform import Transform
 from tfloom.viewer.displays.display import MAX_COORDINATE_M, shown_text
 from tfloom.viewer.displays.kinds import Kind, make_display
 from tfloom.viewer.fault_text import fault_text
+from tfloom.viewer.history import History
 from tfloom.viewer.replay import Replay, State
 from tfloom.viewer.shapes import DisplayError, Placed, Shape
 
@@ -68,6 +69,17 @@ class Feed:
         base = self._replay.base() if self._replay is not None else None
         self.messages, self.decode = messages, decode
         self._replay = self._new_replay(base)
+
+    def forget(self) -> None:
+        """Show nothing of the messages so far, and nothing until `read` is called."""
+        self._replay = None
+        self._last = self._failed_at = None
+        self.has_failed = False
+        self._fault = self._frame = ""
+        self.messages = History(0)
+        if self.display is not None:
+            self.display.clear()
+        self.status = "" if not self.kind.module else "no message yet"
 
     def _new_replay(self, base: State | None) -> Replay | None:
         """Return what gives the display all messages; None if it shows the last one alone."""

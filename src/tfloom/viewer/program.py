@@ -173,6 +173,7 @@ class Viewer:
             wait_s = max(0.0, next_draw_s - now_s) if has_pages else TICK_S
             if self._take_commands(wait_s):
                 next_state_s = 0.0
+            self._try("the clock can't be read", self.view.look_at_clock)
             now_s = time.monotonic()
             if not self._is_open or now_s < next_draw_s:
                 continue

@@ -6,28 +6,18 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Protocol
 
 from tfloom.rmw.errors import WireError
-from tfloom.rmw.qos import DurabilityPolicy, QoS, ReliabilityPolicy
 from tfloom.rosidl import cdr
 from tfloom.rosidl.class_search import UnknownTypeError, find_class_of_kind
 from tfloom.rosidl.message import Message
-from tfloom.viewer.displays.kinds import KEPT_TYPES
 from tfloom.viewer.history import Entry, History, Messages, header_stamp_ns
 from tfloom.viewer.shapes import DisplayError
+from tfloom.viewer.topic_reader import TopicReader, is_latched
 from tfloom.viewer.type_searches import TypeSearches
 
 if TYPE_CHECKING:
-    from tfloom.rmw.base import EndpointInfo, NodeName, Participant, Reader
+    from tfloom.rmw.base import EndpointInfo, NodeName, Participant
 
 __all__ = ["Follower", "LiveTopics", "Topics", "TypeNotYetKnownError", "begins_with_header"]
-
-DEPTH = 50
-"""Number of messages of a topic that wait between two pictures; older ones are dropped."""
-LATCHED_DEPTH = 100
-"""… of a topic whose publishers keep messages for late subscriptions."""
-KEPT_DEPTH = 2000
-"""… of a topic of which all messages matter: one that is dropped doesn't come again."""
-MAX_TAKEN = 200
-"""Number of messages of a topic that are taken for one picture."""
 
 
 class TypeNotYetKnownError(DisplayError):
@@ -89,10 +79,6 @@ class Topics(Protocol):
 class LiveTopics:
     """The topics of a graph. One thread may use it.
 
-    Readers are best effort, so that no publisher waits for the viewer. Those of topics whose publishers keep messages
-    for late subscriptions are not, because such a message is only sent to a reliable reader; nor are those of topics of
-    which all messages matter.
-
     Args:
         participant: The participant that reads.
         node: The node whose readers these are, which was added to the participant.
@@ -107,18 +93,25 @@ class LiveTopics:
         self._node = node
         self._history_ns = history_ns
         self._now_ns = now_ns
-        self._readers: dict[str, tuple[Reader, History, bool]] = {}
-        self._types: dict[str, str] = {}
+        self._readers: dict[str, tuple[TopicReader, History, bool]] = {}
+        self._publishers: dict[str, list[EndpointInfo]] = {}
+        """The publishers of each topic, as the graph was when it was read last."""
         self._changes = -1
         self._searches = TypeSearches(participant, node)
 
     def types(self) -> Mapping[str, str]:
         """Return the type of each topic that is published, by its name."""
+        return {topic: writers[-1].topic.type_name for topic, writers in self._read_graph().items()}
+
+    def _read_graph(self) -> Mapping[str, list[EndpointInfo]]:
         graph = self._participant.graph
         if (changes := graph.changes()) != self._changes:
             self._changes = changes
-            self._types = {end.topic.name: end.topic.type_name for end in graph.endpoints() if end.is_writer}
-        return self._types
+            self._publishers = {}
+            for end in graph.endpoints():
+                if end.is_writer:
+                    self._publishers.setdefault(end.topic.name, []).append(end)
+        return self._publishers
 
     def open(self, topic: str) -> tuple[Messages, Callable[[bytes], Any]]:
         """Begin to read a topic; return its messages, and the function that decodes one.
@@ -128,8 +121,8 @@ class LiveTopics:
         """
         self.close(topic)
         message_class = self.message_class(topic)
-        reader, is_latched = self._reader(topic)
-        history = History(self._history_ns, is_latched=is_latched)
+        reader = self._reader(topic)
+        history = History(self._history_ns, is_latched=any(map(is_latched, self._writers(topic))))
         self._readers[topic] = reader, history, begins_with_header(message_class)
         return history, lambda data: cdr.decode(message_class, data)
 
@@ -152,9 +145,12 @@ class LiveTopics:
             raise DisplayError(str(error)) from None
 
     def _writers(self, topic: str) -> list[EndpointInfo]:
-        ends = self._participant.graph.endpoints()
-        writers = [end for end in ends if end.is_writer and end.topic.name == topic]
-        if not writers:
+        """Return the publishers of a topic.
+
+        Raises:
+            DisplayError: there are none.
+        """
+        if not (writers := self._read_graph().get(topic)):
             raise DisplayError(f"nobody publishes {topic}")
         return writers
 
@@ -165,28 +161,17 @@ class LiveTopics:
             DisplayError: nobody publishes it, its type is unknown here, or the wire refuses a reader.
         """
         message_class = self.message_class(topic)
-        return _LiveFollower(self._reader(topic)[0], message_class, self._now_ns)
+        return _LiveFollower(self._reader(topic), message_class, self._now_ns)
 
-    def _reader(self, topic: str) -> tuple[Reader, bool]:
-        """Return a new reader of a topic, and whether its publishers keep messages for late subscriptions.
+    def _reader(self, topic: str) -> TopicReader:
+        """Return a new reader of a topic.
 
         Raises:
             DisplayError: nobody publishes it, or the wire refuses a reader.
         """
-        writers = self._writers(topic)
-        is_latched = any(end.qos.resolved().durability is DurabilityPolicy.TRANSIENT_LOCAL for end in writers)
-        do_all_matter = writers[0].topic.type_name in KEPT_TYPES
-        is_reliable = is_latched or (
-            do_all_matter
-            and all(end.qos.resolved().reliability is ReliabilityPolicy.RELIABLE for end in writers)
-        )
-        qos = QoS(
-            ReliabilityPolicy.RELIABLE if is_reliable else ReliabilityPolicy.BEST_EFFORT,
-            DurabilityPolicy.TRANSIENT_LOCAL if is_latched else DurabilityPolicy.VOLATILE,
-            depth=KEPT_DEPTH if do_all_matter else LATCHED_DEPTH if is_latched else DEPTH,
-        )
         try:
-            return self._participant.create_reader(self._node, writers[0].topic, qos), is_latched
+            self._writers(topic)
+            return TopicReader(self._participant, self._node, lambda: self._read_graph().get(topic, ()))
         except WireError as error:
             raise DisplayError(str(error)) from None
 
@@ -202,19 +187,24 @@ class LiveTopics:
         self._searches.close()
 
     def poll(self) -> None:
-        """Take what has come. Never waits."""
+        """Take what has come. Never waits.
+
+        Raises:
+            DisplayError: the wire refuses a reader of publishers that have come; the other messages are taken.
+        """
         self._searches.poll()
+        refusal = ""
         for reader, history, has_header in self._readers.values():
             for entry in _entries(reader, has_header, self._now_ns):
                 history.add(entry)
+            refusal = refusal or reader.refusal
+        if refusal:
+            raise DisplayError(refusal)
 
 
-def _entries(reader: Reader, has_header: bool, now_ns: Callable[[], int]) -> Iterable[Entry]:
+def _entries(reader: TopicReader, has_header: bool, now_ns: Callable[[], int]) -> Iterable[Entry]:
     """Yield the messages that a reader has; those without a stamp get the time of now [ns since epoch]."""
-    for _ in range(MAX_TAKEN):
-        sample = reader.take()
-        if sample is None:
-            return
+    for sample in reader.take():
         stamp_ns = header_stamp_ns(sample.data) if has_header else 0
         yield Entry(stamp_ns or now_ns(), sample.data)
 
@@ -222,7 +212,7 @@ def _entries(reader: Reader, has_header: bool, now_ns: Callable[[], int]) -> Ite
 class _LiveFollower:
     """Reads all messages of a topic of a graph."""
 
-    def __init__(self, reader: Reader, message_class: type[Message], now_ns: Callable[[], int]) -> None:
+    def __init__(self, reader: TopicReader, message_class: type[Message], now_ns: Callable[[], int]) -> None:
         self._reader = reader
         self._class = message_class
         self._now_ns = now_ns

@@ -63,6 +63,9 @@ MAX_DISPLAYS = 100
 MAX_ROWS = 1000
 """Number of rows of the tree that a page gets."""
 MAX_FINDINGS = 100
+RESET_NS = 100_000_000
+"""How far the time of a graph goes back when a simulation begins anew, at least: messages of /clock may overtake each
+other [ns]."""
 FAR_NOTE = f"further than {MAX_COORDINATE_M:g} m: not drawn"
 PLOT_POINTS = 300
 """Number of points of the plot of the selected frames."""
@@ -101,6 +104,9 @@ class View:
         self._is_live = is_live
         self._report = report
         self._chosen_frame = _sendable(fixed_frame)
+        self._now_ns = 0
+        """The graph's time when it was read last [ns since epoch]."""
+        self._is_suspended = False
         self._held_ns: int | None = None
         self._playback = None if is_live else Playback()
         self._selected: list[str] = []
@@ -315,12 +321,14 @@ class View:
 
     def suspend(self) -> None:
         """End reading topics, because nobody looks."""
+        self._is_suspended = True
         self.plots.suspend()
         for topic in self._feeds:
             self.topics.close(topic)
 
     def resume(self) -> None:
         """Read the topics of the displays again, and show what they have from now on."""
+        self._is_suspended = False
         for topic, feed in list(self._feeds.items()):
             try:
                 feed.read(*self.topics.open(topic))
@@ -328,6 +336,23 @@ class View:
                 choice = "" if feed.display is None else feed.display.choice
                 self.set_display(topic, on=False)
                 self.want(topic, choice)
+
+    def look_at_clock(self) -> None:
+        """Begin anew where the time of a graph has gone back, as a simulation's does that is reset.
+
+        What is shown belongs to the run before, and would stay, as newer than all that comes. Publishers that keep
+        messages for late subscriptions send them again. Called also while nobody looks.
+        """
+        before_ns, self._now_ns = self._now_ns, self._source.now_ns()
+        if not self._is_live or self._now_ns > before_ns - RESET_NS:
+            return
+        self._held_ns = None
+        self.buffer.clear()
+        self.plots.clear()
+        for feed in self._feeds.values():
+            feed.forget()
+        if not self._is_suspended:
+            self.resume()
 
     def _show_wanted(self) -> None:
         types = self.topics.types()

@@ -149,6 +149,11 @@ class Plots:
         for topic in list(self._followers):
             self._close(topic)
 
+    def clear(self) -> None:
+        """Drop all numbers."""
+        for plot in self._plots.values():
+            plot.series.clear()
+
     def poll(self) -> None:
         """Take what has come. Never waits."""
         for topic, follower in self._followers.items():
