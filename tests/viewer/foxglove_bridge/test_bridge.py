@@ -89,6 +89,23 @@ def test_each_client_gets_kept_messages_and_a_lost_one_is_forgotten(domain_id: i
         wait_until(lambda: publisher.get_subscription_count() == 0)
 
 
+@pytest.mark.parametrize(("publishers", "each"), [(200, 1), (1, 100)])
+def test_all_kept_messages_come_whatever_their_number(
+    publishers: int, each: int, domain_id: int, node: Node
+) -> None:
+    qos = QoSProfile(depth=each, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+    texts = [str(number) for number in range(publishers * each)]
+    for first in range(0, len(texts), each):
+        publisher = node.create_publisher(String, "/tf_static", qos)
+        for text in texts[first : first + each]:
+            publisher.publish(String(data=text))
+    with connected(domain_id) as client:
+        client.subscribe("/tf_static", 1)
+        client.wait_for(lambda: len(client.messages) >= len(texts), "the kept messages")
+        got = {cdr.decode(String, data).data for _, data in client.messages}
+        assert got == set(texts)
+
+
 def test_best_effort_publisher_that_comes_later_is_heard(domain_id: int, node: Node) -> None:
     reliable = node.create_publisher(String, "/mixed", 1)
     with connected(domain_id) as client:

@@ -24,6 +24,10 @@ MAX_CHANGES = 100
 """Number of channels that are opened or closed at once. Clients get a message for each, and the server closes the
 connections of clients for which too many messages wait."""
 
+KEPT_DEPTH = 1000
+"""Least depth of a subscription to publishers that keep messages for late ones, all of which come at once; those on DDS
+don't say how many they keep."""
+
 
 class Channels:
     """Keeps a channel for each topic and type. Used on the node's thread alone.
@@ -152,10 +156,11 @@ class _TopicChannel:
         ]
         requested = adapted([qos.as_stated() for qos in publishers])
         is_best_effort = self._topic in self._settings.best_effort_topics
-        depth = sum(max(1, qos.depth) for qos in publishers)
+        depth = max(sum(max(1, qos.depth) for qos in publishers), self._settings.min_depth)
+        is_kept = requested.durability is DurabilityPolicy.TRANSIENT_LOCAL
         return QoSProfile(
             history=HistoryPolicy.KEEP_LAST,
-            depth=min(max(depth, self._settings.min_depth), self._settings.max_depth),
+            depth=max(depth, KEPT_DEPTH) if is_kept else min(depth, self._settings.max_depth),
             reliability=ReliabilityPolicy.BEST_EFFORT if is_best_effort else requested.reliability,
             durability=requested.durability,
         )
