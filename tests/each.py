@@ -35,7 +35,7 @@ def for_each(
             for case in cases:
                 try:
                     test(case)
-                except (Exception, pytest.fail.Exception):  # noqa: BLE001, PERF203 reported below, with the others
+                except (Exception, pytest.fail.Exception):  # noqa: BLE001 reported below, with the others
                     failed.append((name(case), traceback.format_exc()))
             if failed:
                 shown = "\n".join(f"== {case}\n{text}" for case, text in failed[:SHOWN])

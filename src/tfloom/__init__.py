@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 __version__ = "0.1.0"
 __all__ = ["__version__", "use_ros_names", "view"]
 
-_ROS_NAMES = os.path.join(os.path.dirname(__file__), "ros_names")  # noqa: PTH118, PTH120 pathlib costs 5 ms
+_ROS_NAMES = os.path.join(os.path.dirname(__file__), "ros_names")
 
 
 def use_ros_names() -> None:

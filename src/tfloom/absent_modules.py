@@ -57,7 +57,7 @@ def _is_import() -> bool:
     Both call the same function of `importlib` with the same arguments, so only its caller tells them apart. Where a
     Python names these functions otherwise, the import fails with Python's own text.
     """
-    frame: FrameType | None = sys._getframe()  # noqa: SLF001  # inspect takes long to import
+    frame: FrameType | None = sys._getframe()  # inspect takes long to import
     while frame is not None and not _is_of_import_system(frame, "_find_spec"):
         frame = frame.f_back
     caller = frame and frame.f_back

@@ -20,6 +20,6 @@ def may_have_entry_points(group_name: str) -> bool:
                 try:
                     if section in path.read_bytes():
                         return True
-                except OSError:  # noqa: PERF203
+                except OSError:
                     continue
     return False

@@ -70,7 +70,7 @@ def _package_folder(package: str, kind: str) -> str | None:
     if not package.isidentifier():
         return None
     for prefix in os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep):
-        folder = os.path.join(prefix, "share", package)  # noqa: PTH118  # pathlib takes longer to import than all the rest
+        folder = os.path.join(prefix, "share", package)  # pathlib takes longer to import than all the rest
         if prefix and any(_holds_definitions(folder, name) for name in _KINDS if kind in ("", name)):
             return folder
     return None
@@ -78,7 +78,7 @@ def _package_folder(package: str, kind: str) -> str | None:
 
 def _holds_definitions(folder: str, kind: str) -> bool:
     try:
-        names = os.listdir(os.path.join(folder, kind))  # noqa: PTH118, PTH208  # as above
+        names = os.listdir(os.path.join(folder, kind))  # as above
     except OSError:
         return False
     return any(name.endswith((f".{kind}", ".idl")) for name in names)

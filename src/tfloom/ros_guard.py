@@ -7,7 +7,7 @@ import sys
 
 __all__ = ["claim", "is_elsewhere", "is_facade", "ros_class_repr", "ros_home", "ros_repr", "serves_rclpy"]
 
-_ROS_NAMES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "ros_names") + os.sep  # noqa: PTH100, PTH118, PTH120  # pathlib takes longer to import than all the rest here
+_ROS_NAMES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "ros_names") + os.sep
 
 
 _DROP_IN_LINE = "from tfloom.drop_in import Buffer, TransformListener"
@@ -49,7 +49,7 @@ def is_elsewhere(name: str) -> bool:
     if getattr(sys, "frozen", False) and _is_frozen_rclpy_ours():
         return False
     where = _origin(name)
-    return where is not None and not os.path.abspath(where).startswith(_ROS_NAMES)  # noqa: PTH100
+    return where is not None and not os.path.abspath(where).startswith(_ROS_NAMES)
 
 
 def serves_rclpy() -> bool:
@@ -57,7 +57,7 @@ def serves_rclpy() -> bool:
     if getattr(sys, "frozen", False):
         return _is_frozen_rclpy_ours()
     where = _origin("rclpy")
-    return where is not None and os.path.abspath(where).startswith(_ROS_NAMES)  # noqa: PTH100
+    return where is not None and os.path.abspath(where).startswith(_ROS_NAMES)
 
 
 def ros_home(module: str, own: str) -> str:
@@ -111,9 +111,9 @@ def is_facade(package: str, file: str) -> bool:
     if getattr(sys, "frozen", False):
         return _is_frozen_facade(package)
     where = _origin(package)
-    root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(file))))  # noqa: PTH100, PTH120
-    facade = os.path.join(root, "ros_names", package, "__init__.py")  # noqa: PTH118
-    return where is not None and os.path.abspath(where) == facade  # noqa: PTH100
+    root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(file))))
+    facade = os.path.join(root, "ros_names", package, "__init__.py")
+    return where is not None and os.path.abspath(where) == facade
 
 
 def _is_frozen_facade(package: str) -> bool:

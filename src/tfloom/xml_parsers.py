@@ -50,14 +50,14 @@ def readable(text: str | bytes) -> str | bytes:
     Raises:
         UnicodeError: the text is not in the encoding that it names.
     """
-    name = declared_encoding(text) if isinstance(text, bytes) else None
+    if isinstance(text, str):  # expat ignores the encoding that a text names
+        return text
+    name = declared_encoding(text)
     try:
         if name is None or codecs.lookup(name).name in {"utf-8", "utf-16"} or _has_single_bytes(name):
             return text
     except LookupError:  # expat names it
         return text
-    assert isinstance(text, bytes)  # noqa: S101  # a text names no encoding
-    # Of a text, expat ignores the encoding that it names.
     return text.decode(name)
 
 

@@ -86,7 +86,7 @@ class World:
         while self.context.ok() and not self.executor._is_shutdown:
             try:
                 self.executor.spin()
-            except Injected as error:  # noqa: PERF203
+            except Injected as error:
                 self.raised.append(error)
             except ExternalShutdownException:
                 return

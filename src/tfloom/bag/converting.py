@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import heapq
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import ExitStack
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -161,7 +161,10 @@ def _choice(values: Mapping[str, Any]) -> TopicChoice:
     Raises:
         re.error: an expression is invalid.
     """
-    names: Callable[[str], list[str]] = lambda key: [str(item) for item in values.get(key) or []]  # noqa: E731
+
+    def names(key: str) -> list[str]:
+        return [str(item) for item in values.get(key) or []]
+
     topics, types, services = names("topics"), names("topic_types"), names("services")
     regex = str(values.get("regex") or "")
     excluded = str(values.get("exclude_regex") or values.get("exclude") or "")

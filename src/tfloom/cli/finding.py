@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from enum import Enum
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 
@@ -21,8 +23,8 @@ class Finding(NamedTuple):
     summary: str
     advice: str = ""
     """The remedy; empty without one."""
-    details: dict[str, Any] = {}  # noqa: RUF012  # never changed
+    details: Mapping[str, Any] = MappingProxyType({})
 
     def as_dict(self) -> dict[str, Any]:
         """Return the finding as JSON values."""
-        return {**self._asdict(), "verdict": self.verdict.value.lower()}
+        return {**self._asdict(), "verdict": self.verdict.value.lower(), "details": dict(self.details)}

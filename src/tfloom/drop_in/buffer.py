@@ -90,7 +90,7 @@ class Buffer(tf2_ros_buffer.Buffer):
             for handle in self._jump_handles.values():
                 handle.unregister()
 
-    def time_jump_callback(self, time_jump: Any) -> None:  # noqa: ARG002, tf2's signature
+    def time_jump_callback(self, time_jump: Any) -> None:
         """Clear the buffer, after a jump backward in time."""
         real_ros.module("rclpy.logging").get_logger("tf2_buffer").warning(
             "Detected jump back in time. Clearing tf buffer."
@@ -118,11 +118,11 @@ class Buffer(tf2_ros_buffer.Buffer):
 
     if TYPE_CHECKING:  # Any, because the classes are those of whichever ROS is installed
 
-        def lookup_transform(  # noqa: D102
+        def lookup_transform(
             self, target_frame: str, source_frame: str, time: Any, timeout: Any = NO_WAIT
         ) -> Any: ...
 
-        def lookup_transform_full(  # noqa: D102
+        def lookup_transform_full(
             self,
             target_frame: str,
             target_time: Any,
@@ -132,11 +132,11 @@ class Buffer(tf2_ros_buffer.Buffer):
             timeout: Any = NO_WAIT,
         ) -> Any: ...
 
-        def wait_for_transform_async(  # noqa: D102
+        def wait_for_transform_async(
             self, target_frame: str, source_frame: str, time: Any, timeout: Any = None
         ) -> Any: ...
 
-        def wait_for_transform_full_async(  # noqa: D102
+        def wait_for_transform_full_async(
             self,
             target_frame: str,
             target_time: Any,
@@ -146,11 +146,11 @@ class Buffer(tf2_ros_buffer.Buffer):
             timeout: Any = None,
         ) -> Any: ...
 
-        async def lookup_transform_async(  # noqa: D102
+        async def lookup_transform_async(
             self, target_frame: str, source_frame: str, time: Any, timeout: Any = None
         ) -> Any: ...
 
-        async def lookup_transform_full_async(  # noqa: D102
+        async def lookup_transform_full_async(
             self,
             target_frame: str,
             target_time: Any,
@@ -167,10 +167,8 @@ class Buffer(tf2_ros_buffer.Buffer):
         clock_type = real_ros.module("rclpy.clock").ClockType.SYSTEM_TIME
         return real_ros.module("rclpy.time").Time(nanoseconds=stamp_ns, clock_type=clock_type)
 
-    lookupVelocityCore = _raises_theirs(tf2_ros_buffer.Buffer.lookupVelocityCore)  # noqa: N815, tf2_py's name
-    lookupVelocityFullCore = _raises_theirs(  # noqa: N815, tf2_py's name
-        tf2_ros_buffer.Buffer.lookupVelocityFullCore
-    )
+    lookupVelocityCore = _raises_theirs(tf2_ros_buffer.Buffer.lookupVelocityCore)
+    lookupVelocityFullCore = _raises_theirs(tf2_ros_buffer.Buffer.lookupVelocityFullCore)
     _chain = _raises_theirs(tf2_ros_buffer.Buffer._chain)  # noqa: SLF001, tf2_py's name
 
     def _message(self, stamped: Any) -> Any:

@@ -12,12 +12,12 @@ __all__ = ["StaticTransformListener", "TransformListener"]
 class TransformListener(transform_listener.TransformListener):
     """See `tfloom.tf2_ros.transform_listener`; `raw` has no effect, because each reader is tfloom's own."""
 
-    def __init__(self, buffer: Any, node: Any, *, raw: bool | None = None, **options: Any) -> None:  # noqa: ARG002
+    def __init__(self, buffer: Any, node: Any, *, raw: bool | None = None, **options: Any) -> None:
         super().__init__(buffer, node, **options)
 
 
 class StaticTransformListener(transform_listener.StaticTransformListener):
     """See `TransformListener`."""
 
-    def __init__(self, buffer: Any, node: Any, *, raw: bool | None = None, **options: Any) -> None:  # noqa: ARG002
+    def __init__(self, buffer: Any, node: Any, *, raw: bool | None = None, **options: Any) -> None:
         super().__init__(buffer, node, **options)

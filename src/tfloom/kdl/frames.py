@@ -7,11 +7,11 @@ by less than 1e-6 are equal, therefore they have no hash. Angles are in radians.
 from __future__ import annotations
 
 from tfloom._native import Frame, Rotation, Transform, Twist, Vector, Wrench
-from tfloom._native import kdl_add_delta as addDelta  # noqa: N812, PyKDL's names
+from tfloom._native import kdl_add_delta as addDelta
 from tfloom._native import kdl_diff as diff
 from tfloom._native import kdl_dot as dot
-from tfloom._native import kdl_equal as Equal  # noqa: N812
-from tfloom._native import kdl_set_to_zero as SetToZero  # noqa: N812
+from tfloom._native import kdl_equal as Equal
+from tfloom._native import kdl_set_to_zero as SetToZero
 
 __all__ = [
     "Equal",

@@ -209,7 +209,7 @@ class LaunchContext:
             try:
                 if handler.matches(event):
                     return True
-            except Exception as error:  # noqa: PERF203
+            except Exception as error:
                 if self.run_state.report is None:
                     raise
                 # The caller goes on: it prints what a process has written, for example.

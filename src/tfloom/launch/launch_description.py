@@ -104,7 +104,7 @@ class LaunchDescription(LaunchDescriptionEntity):
             self._entities, [], conditional_inclusion
         ):
             if argument.name not in declarations:
-                argument._conditionally_included = is_conditional  # noqa: SLF001  # the name that others read
+                argument._conditionally_included = is_conditional
                 declarations[argument.name] = argument, inclusions or None
         return list(declarations.values())
 

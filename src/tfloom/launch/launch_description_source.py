@@ -56,7 +56,7 @@ class LaunchDescriptionSource(HasPrivateNames):
         """Return the location, or None if it isn't known before the launch."""
         try:
             return perform_substitutions(LaunchContext(), self._location)
-        except Exception:  # noqa: BLE001  # any that a substitution raises without a context
+        except Exception:  # any that a substitution raises without a context
             return None
 
     def try_get_launch_description_without_context(self) -> LaunchDescription | None:
@@ -65,7 +65,7 @@ class LaunchDescriptionSource(HasPrivateNames):
             try:
                 location = perform_substitutions(LaunchContext(), self._location)
                 self._launch_description = self._get_launch_description(location)
-            except Exception as error:  # noqa: BLE001  # of a user's file
+            except Exception as error:  # of a user's file
                 get_logger("launch").debug(f"not known before the launch: {self.location}: {error}")
         return self._launch_description
 

@@ -172,7 +172,7 @@ class LaunchService(HasPrivateNames):
         for handler in tuple(self._state.handlers):
             try:
                 self._handle_by(handler, event)
-            except Exception as error:  # noqa: BLE001, PERF203  # of a user's description
+            except Exception as error:  # of a user's description
                 # The other handlers are called: at the shutdown, those that end the processes and the launch itself.
                 self._fail(error)
 

@@ -114,7 +114,7 @@ class StdoutHandler(_StreamHandler):
                     text,
                     is_droppable=lines is not None,
                 )
-        except Exception:  # noqa: BLE001  # as the base class does
+        except Exception:
             self.handleError(record)
 
     def _write(self, record: logging.LogRecord, stream: Any, descriptor: int, text: str) -> None:
@@ -127,10 +127,10 @@ class StdoutHandler(_StreamHandler):
             data = memoryview(text.encode(stream.encoding, stream.errors or "strict"))
             while data:  # a pipe may take a part only
                 data = data[os.write(descriptor, data) :]
-        except Exception:  # noqa: BLE001
+        except Exception:
             self.handleError(record)
 
-    def handleError(self, record: logging.LogRecord) -> None:  # noqa: N802  # of the base class
+    def handleError(self, record: logging.LogRecord) -> None:
         """Print one line on stderr, once, if stdout can't be written."""
         if not _is_file_error(self, "stdout"):
             super().handleError(record)
@@ -164,7 +164,7 @@ class FileHandler(logging.FileHandler):
                 self._write(record, text)
             else:
                 writer.put(lambda piece: self._write(record, piece), text, is_droppable=lines is not None)
-        except Exception:  # noqa: BLE001  # as the base class does
+        except Exception:
             self.handleError(record)
 
     def _write(self, record: logging.LogRecord, text: str) -> None:
@@ -173,10 +173,10 @@ class FileHandler(logging.FileHandler):
                 self.stream = self._open()
             self.stream.write(text)
             self.stream.flush()
-        except Exception:  # noqa: BLE001
+        except Exception:
             self.handleError(record)
 
-    def handleError(self, record: logging.LogRecord) -> None:  # noqa: N802  # of the base class
+    def handleError(self, record: logging.LogRecord) -> None:
         """Print one line on stderr, once, if the file can't be written."""
         if not _is_file_error(self, self.baseFilename):
             super().handleError(record)

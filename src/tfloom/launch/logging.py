@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from contextlib import suppress
 from datetime import datetime
 from pathlib import Path
-from typing import Any, Union
+from typing import Any, ClassVar, Union
 
 from tfloom.launch.log_handlers import BraceFormatter, FileHandler, StdoutHandler, close_handler
 from tfloom.terminal_text import report
@@ -52,14 +52,14 @@ MAX_FOLDERS = 1000
 class LaunchLogger(logging.Logger):
     """A logger of the launch, or of a process's output."""
 
-    all_loggers: dict[str, LaunchLogger] = {}  # noqa: RUF012  # by name, as a public attribute of the class
+    all_loggers: ClassVar[dict[str, LaunchLogger]] = {}
 
-    def setLevel(self, level: int | str) -> None:  # noqa: N802  # of the base class
+    def setLevel(self, level: int | str) -> None:
         """Set the level below which nothing is logged."""
         super().setLevel(level)
         self._cache.clear()  # type: ignore[attr-defined]  # the base class clears those of its own loggers only
 
-    def addHandler(self, hdlr: logging.Handler) -> None:  # noqa: N802  # of the base class
+    def addHandler(self, hdlr: logging.Handler) -> None:
         """Add a handler; those of `launch_config`, which each logger has from the start, write a record once."""
         self.handlers = [
             handler

@@ -33,17 +33,15 @@ class _FormatsByLogger(logging.Handler):
         formatters: dict[str, logging.Formatter] = self.__dict__.setdefault("formatters_by_logger", {})
         return formatters
 
-    def setFormatterFor(  # noqa: N802  # launch.logging's name
-        self, logger: logging.Logger, formatter: logging.Formatter
-    ) -> None:
+    def setFormatterFor(self, logger: logging.Logger, formatter: logging.Formatter) -> None:
         """Set the formatter of a logger's records."""
         self._formatters()[logger.name] = formatter
 
-    def unsetFormatterFor(self, logger: logging.Logger) -> None:  # noqa: N802  # launch.logging's name
+    def unsetFormatterFor(self, logger: logging.Logger) -> None:
         """Format a logger's records as those of others again."""
         self._formatters().pop(logger.name, None)
 
-    def getFormatterFor(self, logger: logging.Logger) -> logging.Formatter | None:  # noqa: N802  # launch.logging's name
+    def getFormatterFor(self, logger: logging.Logger) -> logging.Formatter | None:
         """Return the formatter of a logger's records, or that of all loggers."""
         return self._formatters().get(logger.name, self.formatter)
 

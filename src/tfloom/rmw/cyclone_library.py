@@ -81,7 +81,7 @@ def find_library() -> str:
         NoBackendError: there is none.
     """
     for _, path in candidates():
-        if os.path.isfile(path):  # noqa: PTH113  # importing pathlib would take longer than the rest of this module
+        if os.path.isfile(path):  # importing pathlib would take longer than the rest of this module
             return path
     raise NoBackendError(f"there is no DDS: {_how_to_install()}")
 
@@ -133,7 +133,7 @@ def open_copy() -> Library:
     original = open_library()
     # The descriptor stays open, so that a copy for a later fork has another name, by which dlopen distinguishes them.
     # The file's name holds the version where the library itself records none.
-    copy = os.memfd_create(os.path.basename(original.path))  # noqa: PTH119
+    copy = os.memfd_create(os.path.basename(original.path))
     with Path(original.path).open("rb") as library:
         while os.sendfile(copy, library.fileno(), None, 2**30):
             pass

@@ -30,7 +30,7 @@ def bound_udp_ports() -> set[int] | None:
     """Return the UDP ports of this machine that are bound; None on a system that doesn't tell."""
     try:
         ports = _ports(_SOCKETS)
-        if os.path.exists(_SOCKETS_OF_IPV6):  # noqa: PTH110  # see `_ports`; IPv6 may be off
+        if os.path.exists(_SOCKETS_OF_IPV6):  # see `_ports`; IPv6 may be off
             ports |= _ports(_SOCKETS_OF_IPV6)
     except (OSError, ValueError, IndexError):
         return None
@@ -49,7 +49,7 @@ def process_count(participants: Iterable[bytes]) -> int:
 def _ports(path: str) -> set[int]:
     """Return the local ports in one of the kernel's tables of UDP sockets: `sl: address:port …`, in hexadecimal."""
     # Each program on DDS reads a table as it starts, and importing pathlib would take longer than all of it.
-    with open(path, encoding="ascii") as table:  # noqa: PTH123
+    with open(path, encoding="ascii") as table:
         lines = table.readlines()[1:]
     return {int(line.split(maxsplit=2)[1].rpartition(":")[2], 16) for line in lines}
 

@@ -56,17 +56,17 @@ class LocalClients:
         """Return an empty text, because all peers use the same format."""
         return ""
 
-    def accepts(self, publisher_gid: bytes) -> bool:  # noqa: ARG002 - the same for all clients
+    def accepts(self, publisher_gid: bytes) -> bool:
         """Return True, because all peers use the same format."""
         return True
 
     def synchronise(self) -> None:
         """Do nothing, because a match is complete at once."""
 
-    def may_be_late(self, publisher_gid: bytes) -> bool:  # noqa: ARG002 - the same for all clients
+    def may_be_late(self, publisher_gid: bytes) -> bool:
         """Return False, because a client opens its reader first."""
         return False
 
-    def is_matched(self, key: bytes, publisher_gid: bytes) -> bool | None:  # noqa: ARG002 - the same for all clients
+    def is_matched(self, key: bytes, publisher_gid: bytes) -> bool | None:
         """Return True, because a client opens its reader first."""
         return True

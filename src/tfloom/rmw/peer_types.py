@@ -111,7 +111,8 @@ class TypeSearch:
 
     def _answer(self) -> str | None:
         """Make the classes from the answer; return why not, empty after success, None while there is no answer."""
-        assert self._asked is not None  # noqa: S101  # `step` has asked
+        if self._asked is None:  # `step` asks first
+            return None
         asked, node, hashes = self._asked
         try:
             response: GetTypeDescription_Response | None = asked.take()

@@ -335,7 +335,7 @@ def _yaml_values(text: str) -> Any:
 
 def _file_text(variable: str, path: str) -> str:
     try:
-        with open(path, "rb") as file:  # noqa: PTH123  # importing pathlib takes long
+        with open(path, "rb") as file:
             data = file.read(MAX_FILE_SIZE + 1)
         text = data.decode()
     except OSError as error:

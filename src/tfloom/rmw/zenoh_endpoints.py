@@ -280,7 +280,7 @@ class ZenohWriter(ZenohEndpoint):
         if self._lease is not None:
             self._lease.renew()
 
-    def wait_for_acks(self, timeout_ns: int) -> bool:  # noqa: ARG002 - nothing is acknowledged
+    def wait_for_acks(self, timeout_ns: int) -> bool:
         """Return True, because readers acknowledge nothing on this wire."""
         self._check_process()
         if self._is_closed:

@@ -66,7 +66,7 @@ def _state(pid: str) -> str:
 
 def _text(path: str) -> str:
     try:
-        with open(path, encoding="utf-8", errors="replace") as file:  # noqa: PTH123
+        with open(path, encoding="utf-8", errors="replace") as file:
             return file.read()
     except OSError:
         return ""
@@ -74,13 +74,13 @@ def _text(path: str) -> str:
 
 def _names_in(folder: str) -> list[str]:
     try:
-        return os.listdir(folder)  # noqa: PTH208
+        return os.listdir(folder)
     except OSError:
         return []
 
 
 def _link(path: str) -> str:
     try:
-        return os.readlink(path)  # noqa: PTH115
+        return os.readlink(path)
     except OSError:
         return ""

@@ -283,7 +283,7 @@ class ZenohRequester(_ServiceEnd):
         self,
         sequence_numbers: Iterable[int],
         *,
-        is_lost: bool = False,  # noqa: ARG002 - no request waits here for room
+        is_lost: bool = False,
     ) -> None:
         """Await no response to these requests any longer; one that comes nevertheless is the client's to drop."""
         with self._lock:

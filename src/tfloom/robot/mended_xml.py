@@ -93,7 +93,7 @@ def decoded(data: bytes, remarks: Remarks) -> str:
         try:
             codecs.lookup(encoding)
             return data.decode(encoding)
-        except UnicodeDecodeError as error:  # noqa: PERF203  # at most two
+        except UnicodeDecodeError as error:
             line = data.count(b"\n", 0, error.start) + 1
             octet = f"the octet {data[error.start]:#04x} is not text in {encoding}"
             remarks.add(line, f"{octet}: save the file as UTF-8", "encoding")

@@ -79,7 +79,8 @@ class _Builder:
     def read(self, text: str | bytes) -> Element:
         self._data = text.encode() if isinstance(text, str) else text
         self.parser.Parse(text, True)  # expat takes no keyword: this is all of the text
-        assert self.root is not None  # noqa: S101  # expat refuses a text without an element
+        if self.root is None:  # not reached: expat refuses a text without an element
+            raise UrdfError(1, "there is no element")
         return self.root
 
     def reason(self, error: expat.ExpatError) -> str:

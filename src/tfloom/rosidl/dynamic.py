@@ -96,7 +96,7 @@ def _define_all(home: Path, names: list[str]) -> tuple[dict[str, Any], dict[str,
     for name in before:
         try:
             classes[name] = load(name)
-        except ValueError as error:  # noqa: PERF203  # each has its own reason
+        except ValueError as error:  # each has its own reason
             failures[name] = error
     # A definition without a class must not stay: others would find it by name, and fail later and elsewhere.
     for name in failures.keys() & before.keys():

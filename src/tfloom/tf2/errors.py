@@ -30,7 +30,7 @@ __all__ = [
 ]
 
 
-class TransformException(Exception):  # noqa: N818, public names are tf2's
+class TransformException(Exception):
     """A transform is not available."""
 
     __module__ = "tf2"

@@ -71,7 +71,7 @@ class Buffer(BufferCore, BufferInterface):
                 threshold, post_callback=jump_callback(weakref.ref(self), weakref.ref(clock))
             )
 
-    def time_jump_callback(self, time_jump: TimeJump) -> None:  # noqa: ARG002, tf2's signature
+    def time_jump_callback(self, time_jump: TimeJump) -> None:
         """Clear the buffer, after a jump backward in time."""
         get_logger("tf2_buffer").warning("Detected jump back in time. Clearing tf buffer.")
         self.clear()

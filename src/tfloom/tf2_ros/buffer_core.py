@@ -138,7 +138,7 @@ class BufferCore(tf2_buffer.Buffer):
             raise TransformException(*error.args) from None
         return Time(nanoseconds=stamp, clock_type=ClockType.SYSTEM_TIME)
 
-    def lookupVelocityCore(  # noqa: N802, tf2_py's name
+    def lookupVelocityCore(
         self, tracking_frame: str, observation_frame: str, time: Any, averaging_interval: Any
     ) -> tuple[Triple, Triple]:
         """Return the linear and angular velocity of one frame in another, by tf2's formula; see `lookup_velocity`."""
@@ -146,7 +146,7 @@ class BufferCore(tf2_buffer.Buffer):
         twist = self.lookup_velocity(tracking_frame, observation_frame, time_ns(time), interval_s)
         return twist.linear, twist.angular
 
-    def lookupVelocityFullCore(  # noqa: N802, tf2_py's name
+    def lookupVelocityFullCore(
         self,
         tracking_frame: str,
         observation_frame: str,
@@ -181,13 +181,13 @@ class BufferCore(tf2_buffer.Buffer):
             other.pop()
         return chain + other
 
-    def _frameExists(self, frame_id: str) -> bool:  # noqa: N802, tf2_py's name
+    def _frameExists(self, frame_id: str) -> bool:
         return self.has_frame(frame_id)
 
-    def _getFrameStrings(self) -> list[str]:  # noqa: N802, tf2_py's name
+    def _getFrameStrings(self) -> list[str]:
         return self.frame_names()
 
-    def _allFramesAsDot(self, time: float = 0) -> str:  # noqa: N802, tf2_py's name
+    def _allFramesAsDot(self, time: float = 0) -> str:
         return self.all_frames_as_dot(float(time))
 
 

@@ -1,11 +1,10 @@
 """The interface of buffers: transform objects by the functions registered for their types."""
 
-# ruff: noqa: ARG002, an interface's methods don't use their arguments
 from __future__ import annotations
 
 from collections.abc import Callable, Collection
 from copy import deepcopy
-from typing import Any
+from typing import Any, ClassVar
 
 from tfloom.interfaces.std_msgs.msg import Header
 from tfloom.node.values.duration import Duration
@@ -45,7 +44,7 @@ CONVERSIONS = {
 """The types that `Buffer.transform` takes once a module is imported, by the module; for hints."""
 
 
-class TypeException(Exception):  # noqa: N818, tf2's name
+class TypeException(Exception):
     """No function is registered for a type."""
 
     __module__ = ros_home("tf2_ros.buffer_interface", __name__)
@@ -55,7 +54,7 @@ class TypeException(Exception):  # noqa: N818, tf2's name
         self.errstr = errstr
 
 
-class NotImplementedException(Exception):  # noqa: N818, tf2's name
+class NotImplementedException(Exception):
     """The buffer's class does not implement this query."""
 
     __module__ = ros_home("tf2_ros.buffer_interface", __name__)
@@ -182,7 +181,7 @@ class BufferInterface:
         return True
 
 
-def Stamped(obj: Any, stamp: Any, frame_id: str) -> Any:  # noqa: N802, tf2's name
+def Stamped(obj: Any, stamp: Any, frame_id: str) -> Any:
     """Set the header of `obj` to one with this stamp and frame, in place, and return `obj`."""
     message = stamp.to_msg() if isinstance(stamp, Time) else stamp
     obj.header = Header(frame_id=frame_id, stamp=message)
@@ -192,7 +191,7 @@ def Stamped(obj: Any, stamp: Any, frame_id: str) -> Any:  # noqa: N802, tf2's na
 class TransformRegistration:
     """The functions that transform objects, by type: one table for the whole process."""
 
-    _functions: dict[Any, Callable[..., Any]] = {}  # noqa: RUF012, shared by all instances
+    _functions: ClassVar[dict[Any, Callable[..., Any]]] = {}
 
     def print_me(self) -> None:
         """Print the registered functions, by the types that they transform."""
@@ -221,9 +220,9 @@ class TransformRegistration:
 class ConvertRegistration:
     """The functions that convert between types: one table for the whole process."""
 
-    _to_msg: dict[Any, Callable[[Any], Any]] = {}  # noqa: RUF012, shared by all instances
-    _from_msg: dict[Any, Callable[[Any], Any]] = {}  # noqa: RUF012
-    _convert: dict[tuple[Any, Any], Callable[[Any], Any]] = {}  # noqa: RUF012
+    _to_msg: ClassVar[dict[Any, Callable[[Any], Any]]] = {}
+    _from_msg: ClassVar[dict[Any, Callable[[Any], Any]]] = {}
+    _convert: ClassVar[dict[tuple[Any, Any], Callable[[Any], Any]]] = {}
 
     def add_from_msg(self, key: Any, callback: Callable[[Any], Any]) -> None:
         """Register `callback(message)` to make an object of the type `key`."""

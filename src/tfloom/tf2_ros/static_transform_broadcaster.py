@@ -59,4 +59,4 @@ class StaticTransformBroadcaster:
         self.net_message = TFMessage(transforms=list(by_child.values()))
         self.pub_tf.publish(self.net_message)
 
-    sendTransform = send_transform  # noqa: N815, tf2's name
+    sendTransform = send_transform

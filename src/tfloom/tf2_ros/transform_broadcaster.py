@@ -40,7 +40,7 @@ class TransformBroadcaster:
         """
         self.pub_tf.publish(TFMessage(transforms=as_list(transform)))
 
-    sendTransform = send_transform  # noqa: N815, tf2's name
+    sendTransform = send_transform
 
 
 def as_list(transform: TransformStamped | Iterable[TransformStamped]) -> list[TransformStamped]:

@@ -181,7 +181,7 @@ class Feed:
             return
         try:
             display.take(self.decode(entry.data), entry.stamp_ns)
-        except Exception as error:  # noqa: BLE001  # of one message: the next one may be good
+        except Exception as error:  # of one message: the next one may be good
             self._fault = fault_text(error)
 
     def _place(

@@ -168,7 +168,7 @@ class _HistoryLog:
     def add(self, logged: Logged) -> None:
         self._messages.append(logged)
 
-    def after(self, place: Place, stamp_ns: int | None) -> Iterator[Logged]:  # noqa: ARG002  # stamps are in no order
+    def after(self, place: Place, stamp_ns: int | None) -> Iterator[Logged]:  # stamps are in no order
         return iter(self._messages[self._index_after(place) :])
 
     def droppable(self) -> Place:

@@ -140,7 +140,7 @@ def _glb(path: Path, data: bytes, color: Color | None) -> bytes:
         if color is not None:
             mesh.visual = trimesh.visual.ColorVisuals(mesh, face_colors=[*color, 255])
         content = mesh.export(file_type="glb")
-    except Exception as error:  # noqa: BLE001  # each format's reader has its own errors
+    except Exception as error:  # each format's reader has its own errors
         raise DisplayError(f"{path.name} is not a mesh that can be read: {error}") from None
     return bytes(content)
 

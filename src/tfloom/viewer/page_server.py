@@ -311,8 +311,10 @@ class PageServer:
         return response
 
     async def _handle(self, connection: ServerConnection) -> None:
-        assert connection.request is not None  # noqa: S101  # the handshake is over
-        url = urlsplit(connection.request.path)
+        request = connection.request
+        if request is None:  # not reached: the handshake is over
+            return
+        url = urlsplit(request.path)
         with contextlib.suppress(ConnectionClosed):
             if url.path == "/api":
                 await self._handle_page(connection)

@@ -75,7 +75,7 @@ class Parameters:
                 answer(self._answer(command))
             except PageError as error:
                 answer({"error": shown_text(str(error), 500)})
-            except Exception as error:  # noqa: BLE001  # of one question: those after it are still answered
+            except Exception as error:  # of one question: those after it are still answered
                 answer({"error": shown_text(f"{type(error).__name__}: {error}", 500)})
 
     def _answer(self, command: Mapping[str, Any]) -> dict[str, Any]:

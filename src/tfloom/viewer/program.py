@@ -203,7 +203,7 @@ class Viewer:
         """Do a part; where that fails, tell the pages, which get the others."""
         try:
             do()
-        except Exception as error:  # noqa: BLE001  # whatever a message, a page or the wire makes it raise
+        except Exception as error:  # whatever a message, a page or the wire makes it raise
             self._note_once(f"{failure}: {fault_text(error)}")
 
     def _note_once(self, said: str) -> None:
@@ -253,7 +253,7 @@ class Viewer:
     def _do(self, page: str, command: Mapping[str, Any]) -> None:
         try:
             self._run_command(page, command)
-        except Exception as error:  # noqa: BLE001  # whatever a page asks for ends nothing but this command
+        except Exception as error:  # whatever a page asks for ends nothing but this command
             if page:
                 self.pages.answer(page, {"error": shown_text(fault_text(error), 500)})
 
@@ -389,7 +389,7 @@ class Viewer:
                 try:
                     made = entry, picture_of(decode(entry.data))
                     self._image_faults.pop(topic, None)
-                except Exception as error:  # noqa: BLE001  # of one image: the next one may be good
+                except Exception as error:  # of one image: the next one may be good
                     made = entry, None
                     self._image_faults[topic] = shown_text(fault_text(error))
                 self._images = {name: kept for name, kept in self._images.items() if name in self._entries}

@@ -132,7 +132,7 @@ class Replay:
             try:
                 cursor.display.take(self._decode(entry.data), entry.stamp_ns)
                 cursor.fault = ""
-            except Exception as error:  # noqa: BLE001  # of one message: the others are shown
+            except Exception as error:  # of one message: the others are shown
                 cursor.fault = fault_text(error)
             if cursor.skipped_ns == NEVER_NS and place > self._states[-1].place:
                 self._save(cursor, len(entry.data))

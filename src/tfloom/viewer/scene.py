@@ -226,7 +226,7 @@ class Scene:
             try:
                 now = self._drawn(f"/displays/{number}/{index}", now, shape)
                 now.place(pose)
-            except Exception as error:  # noqa: BLE001  # of one shape: the others are drawn
+            except Exception as error:  # of one shape: the others are drawn
                 if now is not None:
                     now.remove()
                 now = _Undrawable(shape, fault_text(error))

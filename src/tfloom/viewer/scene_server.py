@@ -131,7 +131,7 @@ def is_readable(data: bytes) -> bool:
         if isinstance(message, _messages.ViewerCameraMessage):
             aspect = message.image_width / message.image_height
             return is_usable(message.position, message.look_at, message.wxyz, message.fov, aspect)
-    except Exception:  # noqa: BLE001  # viser has no error of its own for what can't be read
+    except Exception:  # viser has no error of its own for what can't be read
         return False
     return True
 

@@ -96,7 +96,8 @@ class View:
         fixed_frame: str = "",
         report: Callable[[str], None] = lambda _: None,
     ) -> None:
-        assert source.buffer is not None  # noqa: S101  # the caller gives one
+        if source.buffer is None:
+            raise ValueError("a view is of a source with a buffer")
         self.buffer: Buffer = source.buffer
         self.topics = topics
         self._source = source
@@ -284,7 +285,7 @@ class View:
         for plot in layout.plots:
             try:
                 self.plots.add(plot.topic, plot.field, is_there=False)
-            except PageError as error:  # noqa: PERF203  # the others are plotted
+            except PageError as error:  # the others are plotted
                 _print_missing(f"{plot.field} of {plot.topic}", error)
 
     def placed(self, layout: Layout) -> ViewPoint | None:
@@ -332,7 +333,7 @@ class View:
         for topic, feed in list(self._feeds.items()):
             try:
                 feed.read(*self.topics.open(topic))
-            except Exception:  # noqa: BLE001, PERF203  # of one topic, which is tried again: the others are read
+            except Exception:  # of one topic, which is tried again: the others are read
                 choice = "" if feed.display is None else feed.display.choice
                 self.set_display(topic, on=False)
                 self.want(topic, choice)
@@ -401,7 +402,7 @@ class View:
             try:
                 fault = self._scene.draw_display(topic, feed.draw(self.buffer, fixed, held_ns, now_ns))
                 feed.status = feed.status or shown_text(fault)
-            except Exception as error:  # noqa: BLE001, PERF203  # of one display: the others are drawn
+            except Exception as error:  # of one display: the others are drawn
                 feed.fail(error)
                 self._try(f"{topic} can't be taken away", partial(self._scene.draw_display, topic, []))
 
@@ -409,7 +410,7 @@ class View:
         """Do a part. What it raises is reported, and ends no other part."""
         try:
             do()
-        except Exception as error:  # noqa: BLE001  # whatever a message, a page or a file makes it raise
+        except Exception as error:  # whatever a message, a page or a file makes it raise
             self._report(f"{failure}: {fault_text(error)}")
 
     def _draw_frames(self, fixed: str, held_ns: int | None) -> None:
@@ -538,7 +539,7 @@ class View:
             transform = self.buffer.lookup(first, second, LATEST if held_ns is None else held_ns)
             echo = transform_text(transform.stamp_ns, transform.translation, transform.rotation_xyzw)
             return {"frames": frames, "text": echo, "plot": self._plot(first, second)}
-        except Exception as error:  # noqa: BLE001  # of these frames: pages get the other panels
+        except Exception as error:  # of these frames: pages get the other panels
             return {"frames": frames, "text": shown_text(fault_text(error), 1000), "plot": None}
 
     def _plot(self, first: str, second: str) -> dict[str, Any] | None:

@@ -85,7 +85,7 @@ def _load(names: Iterable[str], left_out: list[str]) -> Iterable[spec.Interface]
         try:
             interface = sources.find_interface(name)
             check_references(interface)
-        except (LookupError, ValueError) as error:  # noqa: PERF203  # each has its own reason
+        except (LookupError, ValueError) as error:  # each has its own reason
             left_out.append(f"{name} is left out: {error}")
         else:
             yield interface

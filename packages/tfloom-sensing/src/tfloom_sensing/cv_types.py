@@ -25,7 +25,7 @@ def cv_type(depth: int, channels: int) -> int:
     return depth + (channels - 1 << _channels_shift())
 
 
-def getCvType(encoding: str) -> int:  # noqa: N802  # the reference's name
+def getCvType(encoding: str) -> int:
     """Return OpenCV's number for the pixels of an encoding: `cv2.CV_8UC3` for `bgr8`.
 
     Raises:
@@ -36,11 +36,11 @@ def getCvType(encoding: str) -> int:  # noqa: N802  # the reference's name
     return cv_type(DEPTHS[image_format.dtype.name], image_format.channels)
 
 
-def CV_MAT_CNWrap(i: int) -> int:  # noqa: N802  # the reference's name
+def CV_MAT_CNWrap(i: int) -> int:
     """Return the number of channels of a type."""
     return (i >> _channels_shift()) + 1
 
 
-def CV_MAT_DEPTHWrap(i: int) -> int:  # noqa: N802  # the reference's name
+def CV_MAT_DEPTHWrap(i: int) -> int:
     """Return the depth of a type."""
     return i & (1 << _channels_shift()) - 1

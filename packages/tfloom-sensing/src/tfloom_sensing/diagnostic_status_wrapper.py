@@ -20,7 +20,7 @@ class DiagnosticStatusWrapper(DiagnosticStatus):
         """Set level and message, given as two arguments or as those of another status."""
         self.level, self.message = _level_and_message(args)
 
-    def clearSummary(self) -> None:  # noqa: N802  # diagnostic_updater's name
+    def clearSummary(self) -> None:
         """Set the level OK and an empty message."""
         self.summary(DiagnosticStatus.OK, "")
 
@@ -28,7 +28,7 @@ class DiagnosticStatusWrapper(DiagnosticStatus):
     def mergeSummary(self, status: DiagnosticStatus, /) -> None: ...
     @overload
     def mergeSummary(self, lvl: bytes, msg: str, /) -> None: ...
-    def mergeSummary(self, *args: Any) -> None:  # noqa: N802  # diagnostic_updater's name
+    def mergeSummary(self, *args: Any) -> None:
         """Merge level and message, given as two arguments or as those of another status, into this status.
 
         The higher level wins. Messages of two levels that are both OK, or both not, are joined by `; `; else the

@@ -15,7 +15,7 @@ class DiagnosticTask:
     def __init__(self, name: str) -> None:
         self.name = name
 
-    def getName(self) -> str:  # noqa: N802  # diagnostic_updater's name
+    def getName(self) -> str:
         """Return the task's name."""
         return self.name
 
@@ -59,6 +59,6 @@ class CompositeDiagnosticTask(DiagnosticTask):
         stat.summary(combined)
         return stat
 
-    def addTask(self, t: DiagnosticTask) -> None:  # noqa: N802  # diagnostic_updater's name
+    def addTask(self, t: DiagnosticTask) -> None:
         """Add a task."""
         self.tasks.append(t)

@@ -53,7 +53,7 @@ class DiagnosticTaskVector:
         """Guards `tasks`, and is held while they run; a task may add and remove tasks."""
         self.tasks: list[DiagnosticTaskVector.DiagnosticTaskInternal] = []
 
-    def addedTaskCallback(self, task: DiagnosticTaskInternal) -> None:  # noqa: N802  # diagnostic_updater's name
+    def addedTaskCallback(self, task: DiagnosticTaskInternal) -> None:
         """Handle the addition of a task; a subclass overrides it."""
 
     @overload
@@ -78,7 +78,7 @@ class DiagnosticTaskVector:
             self.tasks.append(added)
             self.addedTaskCallback(added)
 
-    def removeByName(self, name: str) -> bool:  # noqa: N802  # diagnostic_updater's name
+    def removeByName(self, name: str) -> bool:
         """Remove the first task of a name, and return whether there was one."""
         with self.lock:
             for index, task in enumerate(self.tasks):
@@ -174,7 +174,7 @@ class Updater(DiagnosticTaskVector):
                 statuses.append(status)
         self.publish(statuses)
 
-    def setHardwareID(self, hwid: str) -> None:  # noqa: N802  # diagnostic_updater's name
+    def setHardwareID(self, hwid: str) -> None:
         """Set the hardware id of all statuses; `none` for a device without one."""
         self.hwid = hwid
 
@@ -195,9 +195,7 @@ class Updater(DiagnosticTaskVector):
         ]
         self.publisher.publish(message)
 
-    def addedTaskCallback(  # noqa: N802  # diagnostic_updater's name
-        self, task: DiagnosticTaskVector.DiagnosticTaskInternal
-    ) -> None:
+    def addedTaskCallback(self, task: DiagnosticTaskVector.DiagnosticTaskInternal) -> None:
         """Publish that the task's node is starting up."""
         status = DiagnosticStatusWrapper(name=task.name)
         status.summary(DiagnosticStatus.OK, "Node starting up")

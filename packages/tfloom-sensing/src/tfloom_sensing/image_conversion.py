@@ -19,7 +19,7 @@ _SCALE = 257
 """65535 / 255: from the range of 8 bits to that of 16."""
 
 
-def cvtColor2(m: Array, encoding_in: str, encoding_out: str) -> Array:  # noqa: N802  # the reference's name
+def cvtColor2(m: Array, encoding_in: str, encoding_out: str) -> Array:
     """Return an image in another encoding, as a new array.
 
     Colours are converted to colours, and other channels to as many channels. Between 8 and 16 bits, values are scaled

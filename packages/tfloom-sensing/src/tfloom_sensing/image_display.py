@@ -21,7 +21,7 @@ _BACKGROUND_LABEL = -1
 _BYTE = np.dtype(np.uint8)
 
 
-def cvtColorForDisplay(  # noqa: N802  # the reference's name
+def cvtColorForDisplay(
     source: Array,
     encoding_in: str,
     encoding_out: str,

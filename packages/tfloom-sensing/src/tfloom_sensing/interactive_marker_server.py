@@ -155,7 +155,7 @@ class InteractiveMarkerServer:
         if feedback_callback is not None:
             self.setCallback(marker.name, feedback_callback, feedback_type)
 
-    def setPose(self, name: str, pose: Pose, header: Header | None = None) -> bool:  # noqa: N802  # the reference's name
+    def setPose(self, name: str, pose: Pose, header: Header | None = None) -> bool:
         """Change the pose of a published marker, and return whether the marker exists.
 
         Args:
@@ -182,9 +182,7 @@ class InteractiveMarkerServer:
         update.int_marker.pose = pose
         update.int_marker.header = header
 
-    def doSetPose(  # noqa: N802  # the reference's name
-        self, update: UpdateContext | None, name: str, pose: Pose, header: Header
-    ) -> None:
+    def doSetPose(self, update: UpdateContext | None, name: str, pose: Pose, header: Header) -> None:
         """Record a new pose of a marker; the caller holds the lock.
 
         Args:
@@ -215,7 +213,7 @@ class InteractiveMarkerServer:
             for name in self.marker_contexts:
                 self._erase(name)
 
-    def setCallback(  # noqa: N802  # the reference's name
+    def setCallback(
         self,
         name: str,
         feedback_callback: Callback | None,
@@ -238,7 +236,7 @@ class InteractiveMarkerServer:
                 target.set_callback(feedback_callback, feedback_type)
             return bool(targets)
 
-    def applyChanges(self) -> None:  # noqa: N802  # the reference's name
+    def applyChanges(self) -> None:
         """Publish the changes since the last call, if any."""
         with self.mutex:
             if not self.pending_updates:
@@ -286,7 +284,7 @@ class InteractiveMarkerServer:
             marker.pose, marker.header = update.int_marker.pose, update.int_marker.header
             return marker
 
-    def processFeedback(self, feedback: InteractiveMarkerFeedback) -> None:  # noqa: N802  # the reference's name
+    def processFeedback(self, feedback: InteractiveMarkerFeedback) -> None:
         """Process feedback: change the marker's pose, call the callback, publish the changes."""
         with self.mutex:
             context = self.marker_contexts.get(feedback.marker_name)
@@ -319,7 +317,7 @@ class InteractiveMarkerServer:
         update.seq_num = self.seq_num
         self.update_pub.publish(update)
 
-    def getInteractiveMarkersCallback(  # noqa: N802  # the reference's name
+    def getInteractiveMarkersCallback(
         self,
         request: GetInteractiveMarkers.Request,  # noqa: ARG002  # it is empty
         response: GetInteractiveMarkers.Response,

@@ -70,9 +70,7 @@ class MenuHandler:
         above.append(handle)
         return handle
 
-    def doInsert(  # noqa: N802  # the reference's name
-        self, title: str, command_type: int, command: str, feedback_cb: Callback | None
-    ) -> int:
+    def doInsert(self, title: str, command_type: int, command: str, feedback_cb: Callback | None) -> int:
         """Create an entry outside of the menu, and return its handle."""
         handle = self.current_handle_
         self.current_handle_ += 1
@@ -81,26 +79,26 @@ class MenuHandler:
         entry.command, entry.command_type = command, command_type
         return handle
 
-    def setVisible(self, handle: int, visible: bool) -> bool:  # noqa: N802  # the reference's name
+    def setVisible(self, handle: int, visible: bool) -> bool:
         """Show or hide an entry and its descendants, and return whether the entry exists."""
         entry = self.entry_contexts_.get(handle)
         if entry is not None:
             entry.visible = visible
         return entry is not None
 
-    def setCheckState(self, handle: int, check_state: int) -> bool:  # noqa: N802  # the reference's name
+    def setCheckState(self, handle: int, check_state: int) -> bool:
         """Set an entry's box (`CHECKED`, `UNCHECKED`, `NO_CHECKBOX`), and return whether the entry exists."""
         entry = self.entry_contexts_.get(handle)
         if entry is not None:
             entry.check_state = check_state
         return entry is not None
 
-    def getCheckState(self, handle: int) -> int | None:  # noqa: N802  # the reference's name
+    def getCheckState(self, handle: int) -> int | None:
         """Return an entry's box; None if the entry does not exist."""
         entry = self.entry_contexts_.get(handle)
         return None if entry is None else entry.check_state
 
-    def getTitle(self, handle: int) -> str | None:  # noqa: N802  # the reference's name
+    def getTitle(self, handle: int) -> str | None:
         """Return an entry's text; None if the entry does not exist."""
         entry = self.entry_contexts_.get(handle)
         return None if entry is None else entry.title
@@ -124,20 +122,20 @@ class MenuHandler:
         self.managed_markers_.add(marker_name)
         return True
 
-    def reApply(self, server: InteractiveMarkerServer) -> bool:  # noqa: N802  # the reference's name
+    def reApply(self, server: InteractiveMarkerServer) -> bool:
         """Copy the current menu to all markers that have it, and return whether all still exist."""
         all_there = True
         for name in sorted(self.managed_markers_):
             all_there = self.apply(server, name) and all_there
         return all_there
 
-    def processFeedback(self, feedback: InteractiveMarkerFeedback) -> None:  # noqa: N802  # the reference's name
+    def processFeedback(self, feedback: InteractiveMarkerFeedback) -> None:
         """Call the callback of the selected entry."""
         entry = self.entry_contexts_.get(feedback.menu_entry_id)
         if entry is not None and entry.feedback_cb is not None:
             entry.feedback_cb(feedback)
 
-    def pushMenuEntries(  # noqa: N802  # the reference's name
+    def pushMenuEntries(
         self, handles_in: Iterable[int], entries_out: list[MenuEntry], parent_handle: int
     ) -> bool:
         """Append the visible entries of `handles_in` and their descendants as messages.
@@ -159,7 +157,7 @@ class MenuHandler:
                 return False
         return True
 
-    def makeEntry(self, context: EntryContext, handle: int, parent_handle: int) -> MenuEntry:  # noqa: N802  # the reference's name
+    def makeEntry(self, context: EntryContext, handle: int, parent_handle: int) -> MenuEntry:
         """Return an entry as a message."""
         return MenuEntry(
             id=handle,

@@ -70,13 +70,12 @@ class PlayedRequests:
         elif not self._requester.is_ready():
             self._warn(f"There is no server of '{self._service}'; requests to it are left out.")
         else:
-            self._send(cdr.encode(event.request[0]))
+            self._send(self._requester, cdr.encode(event.request[0]))
 
-    def _send(self, request: bytes) -> None:
-        assert self._requester is not None  # noqa: S101 - checked by the caller
+    def _send(self, requester: Requester, request: bytes) -> None:
         try:
-            self._requester.send(request)
-            while self._requester.take() is not None:
+            requester.send(request)
+            while requester.take() is not None:
                 pass
         except WireError as error:
             self._warn(f"A request to '{self._service}' can't be sent: {error}")

@@ -118,7 +118,7 @@ def _check_overlaps(spans: list[Span], limit: int) -> None:
         if one.offset + one.stored_size + INDEX_OF_CHUNK > other.offset:
             raise RecordError(f"the chunks at bytes {one.offset} and {other.offset} overlap")
     limits = [*(span.offset - INDEX_OF_CHUNK for span in in_file[1:]), limit]
-    for span, end in zip(in_file, limits):  # noqa: B905  # without chunks there is one limit too many
+    for span, end in zip(in_file, limits, strict=False):  # without chunks there is one limit too many
         begin = span.offset + span.stored_size
         offsets = span.index_offsets.values()
         if begin + span.index_length > end or (offsets and (min(offsets) < begin or max(offsets) >= end)):

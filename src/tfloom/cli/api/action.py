@@ -54,7 +54,7 @@ def get_action_names(*, node: GraphNode) -> list[str]:
     return [name for name, _ in get_action_names_and_types(node=node)]
 
 
-def action_name_completer(prefix: str, parsed_args: Any, **_: Any) -> list[str]:  # noqa: ARG001
+def action_name_completer(prefix: str, parsed_args: Any, **_: Any) -> list[str]:
     """Return the names of the actions on the graph."""
     with NodeStrategy(parsed_args) as node:
         return get_action_names(node=node)
@@ -75,7 +75,7 @@ class ActionTypeCompleter:
     def __init__(self, *, action_name_key: str | None = None) -> None:
         self.action_name_key = argument_key(action_name_key, "action_name")
 
-    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:  # noqa: ARG002
+    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:
         """Return the words that may follow on the command line."""
         with NodeStrategy(parsed_args) as node:
             actions = dict(get_action_names_and_types(node=node))
@@ -92,6 +92,6 @@ class ActionGoalPrototypeCompleter:
     def __init__(self, *, action_type_key: str | None = None) -> None:
         self.action_type_key = argument_key(action_type_key, "action_type")
 
-    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:  # noqa: ARG002
+    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:
         """Return a goal with its defaults."""
         return [message_to_yaml(get_action(getattr(parsed_args, self.action_type_key)).Goal())]

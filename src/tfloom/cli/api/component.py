@@ -83,7 +83,7 @@ def _service_name(container: str, service: str) -> str:
     return f"{full_name(container)}/{service}"
 
 
-def container_node_name_completer(prefix: str, parsed_args: Any, **_: Any) -> list[str]:  # noqa: ARG001
+def container_node_name_completer(prefix: str, parsed_args: Any, **_: Any) -> list[str]:
     """Return the full names of the containers on the graph."""
     with NodeStrategy(parsed_args) as node:
         containers = find_container_node_names(node=node, node_names=get_node_names(node=node))

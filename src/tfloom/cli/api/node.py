@@ -163,7 +163,7 @@ class NodeNameCompleter:
     def __init__(self, *, include_hidden_nodes_key: str | None = None) -> None:
         self.include_hidden_nodes_key = include_hidden_nodes_key
 
-    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:  # noqa: ARG002
+    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:
         """Return their full names."""
         key = argument_key(self.include_hidden_nodes_key, "include_hidden_nodes")
         with NodeStrategy(parsed_args) as node:

@@ -144,7 +144,7 @@ def _response(node: GraphNode, future: Future[Any], node_name: str) -> Any:
 class ParameterNameCompleter:
     """Lists the parameters of the node that a command line names."""
 
-    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:  # noqa: ARG002
+    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:
         """Return the words that may follow on the command line."""
         with DirectNode(parsed_args) as node:
             future = call_list_parameters(node=node, node_name=parsed_args.node_name)

@@ -22,7 +22,7 @@ __all__ = [
 ]
 
 
-class PackageNotFound(Exception):  # noqa: N818  # the reference's name
+class PackageNotFound(Exception):
     """There is no such package.
 
     Args:

@@ -24,7 +24,7 @@ __all__ = [
 ROS2RUN_MSG_PREFIX = "[ros2run]:"
 
 
-class MultipleExecutables(Exception):  # noqa: N818  # the reference's name
+class MultipleExecutables(Exception):
     """A package has several programs of one name.
 
     Args:
@@ -78,7 +78,7 @@ class ExecutableNameCompleter:
     def __init__(self, *, package_name_key: str | None = None) -> None:
         self.package_name_key = argument_key(package_name_key, "package_name")
 
-    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:  # noqa: ARG002
+    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:
         """Return their names.
 
         Raises:

@@ -78,7 +78,7 @@ class ServiceNameCompleter:
             include_hidden_services_key, "include_hidden_services"
         )
 
-    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:  # noqa: ARG002
+    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:
         """Return the words that may follow on the command line."""
         with NodeStrategy(parsed_args) as node:
             hidden = getattr(parsed_args, self.include_hidden_services_key, False)
@@ -95,7 +95,7 @@ class ServiceTypeCompleter:
     def __init__(self, *, service_name_key: str | None = None) -> None:
         self.service_name_key = argument_key(service_name_key, "service_name")
 
-    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:  # noqa: ARG002
+    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:
         """Return the words that may follow on the command line."""
         with NodeStrategy(parsed_args) as node:
             services = dict(get_service_names_and_types(node=node, include_hidden_services=True))
@@ -114,6 +114,6 @@ class ServicePrototypeCompleter:
     def __init__(self, *, service_type_key: str | None = None) -> None:
         self.service_type_key = argument_key(service_type_key, "service_type")
 
-    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:  # noqa: ARG002
+    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:
         """Return a request with its defaults."""
         return [message_to_yaml(get_service(getattr(parsed_args, self.service_type_key)).Request())]

@@ -211,7 +211,7 @@ class TopicNameCompleter:
     def __init__(self, *, include_hidden_topics_key: str | None = None) -> None:
         self.include_hidden_topics_key = include_hidden_topics_key
 
-    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:  # noqa: ARG002
+    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:
         """Return the words that may follow on the command line."""
         with NodeStrategy(parsed_args) as node:
             return get_topic_names(
@@ -232,7 +232,7 @@ class TopicTypeCompleter:
     def __init__(self, *, topic_name_key: str | None = None) -> None:
         self.topic_name_key = argument_key(topic_name_key, "topic_name")
 
-    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:  # noqa: ARG002
+    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:
         """Return the words that may follow on the command line."""
         with NodeStrategy(parsed_args) as node:
             types = _types(node, full_name(getattr(parsed_args, self.topic_name_key)), True)
@@ -249,6 +249,6 @@ class TopicMessagePrototypeCompleter:
     def __init__(self, *, topic_type_key: str | None = None) -> None:
         self.topic_type_key = argument_key(topic_type_key, "topic_type")
 
-    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:  # noqa: ARG002
+    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:
         """Return a message with its defaults."""
         return [message_to_yaml(get_message(getattr(parsed_args, self.topic_type_key))())]

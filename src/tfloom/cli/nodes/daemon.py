@@ -13,16 +13,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--no-daemon", action="store_true", help="accepted and not used: there is no daemon")
 
 
-def is_daemon_running(args: Any) -> bool:  # noqa: ARG001  # the reference's parameters
+def is_daemon_running(args: Any) -> bool:
     """Return whether a daemon runs: False."""
     return False
 
 
-def spawn_daemon(args: Any, timeout: float | None = None, debug: bool = False) -> bool:  # noqa: ARG001
+def spawn_daemon(args: Any, timeout: float | None = None, debug: bool = False) -> bool:
     """Return whether this call started a daemon: False."""
     return False
 
 
-def shutdown_daemon(args: Any, timeout: float | None = None) -> bool:  # noqa: ARG001
+def shutdown_daemon(args: Any, timeout: float | None = None) -> bool:
     """Return whether this call ended a daemon: False."""
     return False

@@ -26,7 +26,7 @@ _logger = logging.getLogger("ros2cli.plugin_system")
 _instances: dict[type[Any], Any] = {}
 
 
-class PluginException(Exception):  # noqa: N818  # the reference's name
+class PluginException(Exception):
     """An extension can't be used with this command."""
 
 

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 __all__ = ["add_installed_words", "add_subparsers", "add_subparsers_on_demand"]
 
-_Words: TypeAlias = "argparse._SubParsersAction[VerbParser]"  # noqa: SLF001  # what argparse returns
+_Words: TypeAlias = "argparse._SubParsersAction[VerbParser]"  # what argparse returns
 
 
 def add_installed_words(parser: VerbParser, words: _Words, group: str) -> Callable[[], None]:
@@ -52,7 +52,7 @@ def add_subparsers_on_demand(
     group_name: str,
     hide_extensions: Collection[str] | None = None,
     required: bool = True,
-    argv: Sequence[str] | None = None,  # noqa: ARG001  # in the reference for a look ahead; here each parser waits
+    argv: Sequence[str] | None = None,  # in the reference for a look ahead; here each parser waits
 ) -> _Words:
     """Add the extensions of a group as the words that follow a command; only the typed one is imported.
 
@@ -132,7 +132,7 @@ def _add_help_lines(words: _Words, entry_points: Sequence[EntryPoint]) -> None:
             continue
         # argparse adds it when the parser is created, which would import the extension for any other word, too. Nothing
         # public adds a line alone.
-        words._choices_actions.append(words._ChoicesPseudoAction(entry_point.name, (), summary))  # noqa: SLF001
+        words._choices_actions.append(words._ChoicesPseudoAction(entry_point.name, (), summary))
 
 
 def _load(entry_point: EntryPoint) -> Any:

@@ -34,7 +34,7 @@ class BuiltinVerb(VerbExtension):
         if module:  # of a verb of ours; a derived class has that of its base
             cls.MODULE = module
 
-    def add_arguments(self, parser: argparse.ArgumentParser, cli_name: str) -> None:  # noqa: ARG002
+    def add_arguments(self, parser: argparse.ArgumentParser, cli_name: str) -> None:
         """Add the verb's arguments to a parser."""
         import_module(self.MODULE).add_arguments(parser)
 
@@ -47,8 +47,8 @@ class BuiltinVerb(VerbExtension):
         parser = argparse.ArgumentParser(add_help=False)
         verb = import_module(self.MODULE)
         verb.add_arguments(parser)
-        optional = {action.dest: action.default for action in parser._actions if not action.required}  # noqa: SLF001
-        optional |= parser._defaults  # noqa: SLF001  # argparse has no other way to ask for what a parser gives
+        optional = {action.dest: action.default for action in parser._actions if not action.required}
+        optional |= parser._defaults  # argparse has no other way to ask for what a parser gives
         complete = argparse.Namespace(**{**_OF_COMMANDS, **optional, **vars(args)})
         try:
             code: int | None = verb.main(complete)

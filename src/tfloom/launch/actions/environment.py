@@ -133,7 +133,7 @@ class PushEnvironment(Action):
 
     def execute(self, context: LaunchContext) -> None:
         """Save a copy of the variables."""
-        context._push_environment()  # noqa: SLF001  # launch's name, which actions of others call
+        context._push_environment()
 
 
 class PopEnvironment(Action):
@@ -141,7 +141,7 @@ class PopEnvironment(Action):
 
     def execute(self, context: LaunchContext) -> None:
         """Restore the variables."""
-        context._pop_environment()  # noqa: SLF001  # launch's name, which actions of others call
+        context._pop_environment()
 
 
 @expose_action("reset_env")
@@ -150,4 +150,4 @@ class ResetEnvironment(ActionOfTexts):
 
     def execute(self, context: LaunchContext) -> None:
         """Restore the variables that the launch began with."""
-        context._reset_environment()  # noqa: SLF001  # launch's name, which actions of others call
+        context._reset_environment()

@@ -173,7 +173,7 @@ def _read_sets(text: str) -> list[dict[str, Any]]:
         if values is None:
             continue
         if not isinstance(values, dict):
-            raise ValueError(  # noqa: TRY004  # it is of a text
+            raise ValueError(
                 f"the values of a ForEach must be YAML mappings with semicolons between, as in {{name: a, id: 1}}, "
                 f"not '{part}'"
             )
@@ -202,10 +202,10 @@ class _Actions:
         variables = {ForEachVar.get_local_arg_name(name): str(value) for name, value in values.items()}
 
         def push(context: LaunchContext) -> None:
-            context._push_locals()  # noqa: SLF001  # launch's name, which actions of others call
+            context._push_locals()
             context.extend_locals(variables)
 
         def pop(context: LaunchContext) -> None:
-            context._pop_locals()  # noqa: SLF001  # launch's name, which actions of others call
+            context._pop_locals()
 
         return [OpaqueFunction(function=push), *self._make_actions(), OpaqueFunction(function=pop)]

@@ -146,7 +146,7 @@ class IncludeLaunchDescription(Action):
         given_names = [perform_some_substitutions(context, name) for name, _ in self.__launch_arguments]
         declarations = description.get_launch_arguments_with_include_launch_description_actions()
         for argument, inclusions in declarations:
-            is_optional = argument._conditionally_included  # noqa: SLF001  # launch's name
+            is_optional = argument._conditionally_included
             is_set = argument.name in context.launch_configurations
             if is_set or is_optional or argument.default_value is not None:
                 continue

@@ -74,7 +74,7 @@ class PushLaunchConfigurations(Action):
 
     def execute(self, context: LaunchContext) -> None:
         """Save a copy of the configurations."""
-        context._push_launch_configurations()  # noqa: SLF001  # launch's name, which actions of others call
+        context._push_launch_configurations()
 
 
 class PopLaunchConfigurations(Action):
@@ -82,7 +82,7 @@ class PopLaunchConfigurations(Action):
 
     def execute(self, context: LaunchContext) -> None:
         """Restore the configurations."""
-        context._pop_launch_configurations()  # noqa: SLF001  # launch's name, which actions of others call
+        context._pop_launch_configurations()
 
 
 def parse_kept(

@@ -33,7 +33,7 @@ def load_entry_points(group: str) -> dict[str, Any]:
     for entry_point in entry_points(group=group):
         try:
             loaded[entry_point.name] = entry_point.load()
-        except Exception as error:  # noqa: BLE001, PERF203  # of any package
+        except Exception as error:  # of any package
             what = f"the extension '{entry_point.name}' of {group} ({entry_point.value})"
             warnings.warn(f"Failed to load {what}: {type(error).__name__}: {error}", stacklevel=3)
     return loaded

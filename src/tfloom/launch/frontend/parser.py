@@ -204,9 +204,9 @@ class Parser:
         for parser in parsers or list(cls._parsers().values()):
             try:
                 return parser.load(file)
-            except (FileNotFoundError, IsADirectoryError, PermissionError):  # noqa: PERF203  # of a few parsers
+            except (FileNotFoundError, IsADirectoryError, PermissionError):
                 raise
-            except Exception as error:  # noqa: BLE001  # other packages' parsers raise what they like
+            except Exception as error:  # other packages' parsers raise what they like
                 failures.append(error)
                 if not isinstance(file, (str, os.PathLike)):
                     file.seek(0)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, List  # noqa: UP035  # programs compare with typing.List
+from typing import Any, List
 
 from tfloom.launch.frontend.entity import Entity
 from tfloom.launch.utilities.type_utils import is_typing_list
@@ -14,10 +14,10 @@ _TYPES: dict[str, Any] = {
     "bool": bool,
     "float": float,
     "int": int,
-    "list_of_str": List[str],  # noqa: UP006
-    "list_of_bool": List[bool],  # noqa: UP006
-    "list_of_float": List[float],  # noqa: UP006
-    "list_of_int": List[int],  # noqa: UP006
+    "list_of_str": List[str],
+    "list_of_bool": List[bool],
+    "list_of_float": List[float],
+    "list_of_int": List[int],
     "yaml": None,
 }
 

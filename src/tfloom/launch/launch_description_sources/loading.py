@@ -205,7 +205,7 @@ def _try_all(load_frontend: Callable[[str], LaunchDescription], path: str) -> La
     for loader in (load_frontend, get_launch_description_from_python_launch_file):
         try:
             return _load_file(loader, path)
-        except InvalidLaunchFileError as error:  # noqa: PERF203  # of two ways
+        except InvalidLaunchFileError as error:
             failures.append(error)
     extensions = ", ".join(
         f".{extension}" for extension in sorted(Parser.get_file_extensions_from_parsers() | {"py"})

@@ -113,10 +113,15 @@ class LocalProcess:
         return [pty.openpty(), pty.openpty()]
 
     @property
+    def _started(self) -> asyncio.SubprocessTransport:
+        if self._transport is None:
+            raise RuntimeError("the process has not been started")
+        return self._transport
+
+    @property
     def pid(self) -> int:
         """Process id, also that of its group."""
-        assert self._transport is not None  # noqa: S101  # after `start`
-        return self._transport.get_pid()
+        return self._started.get_pid()
 
     def send_signal(self, number: signal.Signals) -> None:
         """Send a signal to the process and to those of its group.
@@ -127,8 +132,7 @@ class LocalProcess:
         if sys.platform != "win32":
             os.killpg(self.pid, number)
         else:
-            assert self._transport is not None  # noqa: S101  # after `start`
-            self._transport.terminate()  # Windows sends no SIGINT to a process of another group
+            self._started.terminate()  # Windows sends no SIGINT to a process of another group
 
     def write(self, data: bytes) -> None:
         """Write to the process's stdin."""
@@ -150,11 +154,11 @@ class LocalProcess:
                 break
         for terminal in self._terminals:
             terminal.close()
-        assert self._transport is not None  # noqa: S101  # after `start`
-        code = self._transport.get_returncode()
+        transport = self._started
+        code = transport.get_returncode()
         # To close the pipes earlier would kill those to which it has passed its output on, by SIGPIPE. So this is at
         # once if all is silent, else when they have ended.
-        self._protocol.silent.add_done_callback(lambda _, close=self._transport.close: close())  # type: ignore[misc]
+        self._protocol.silent.add_done_callback(lambda _, close=transport.close: close())  # type: ignore[misc]
         return code if code is not None else 255
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, List, Union, cast  # noqa: UP035  # programs pass typing.List
+from typing import Any, List, Union, cast
 
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.substitution import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple, Substitution
@@ -70,7 +70,7 @@ class ParameterValue:
         """
         if self._value_type is None:
             self._evaluated = _perform_untyped(context, self._value)
-        elif self._value_type in (list[float], List[float]) and is_normalized_substitution(self._value):  # noqa: UP006
+        elif self._value_type in (list[float], List[float]) and is_normalized_substitution(self._value):
             self._evaluated = _perform_floats(context, self._value)
         else:
             self._evaluated = perform_typed_substitution(context, self._value, self._value_type)

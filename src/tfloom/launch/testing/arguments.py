@@ -29,7 +29,7 @@ def print_arguments_of_launch_description(*, launch_description: LaunchDescripti
     """Print the arguments that a description declares, with what each is for and its default."""
     print("Arguments (pass arguments as '<name>:=<value>'):")
     arguments = launch_description.get_launch_arguments()
-    conditional = [argument for argument in arguments if argument._conditionally_included]  # noqa: SLF001  # launch's own
+    conditional = [argument for argument in arguments if argument._conditionally_included]
     for argument in arguments:
         print(f"\n    '{argument.name}':{'*' if argument in conditional else ''}")
         print(f"        {argument.description}")

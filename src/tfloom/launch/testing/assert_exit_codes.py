@@ -42,7 +42,7 @@ class ProcInfo(Protocol):
     def __getitem__(self, key: ExecuteLocal | str) -> object: ...
 
 
-def assertExitCodes(  # noqa: N802  # launch_testing's name
+def assertExitCodes(
     proc_info: ProcInfo,
     allowable_exit_codes: Sequence[int] = _ALLOWED,
     process: Process = None,
@@ -68,7 +68,7 @@ def assertExitCodes(  # noqa: N802  # launch_testing's name
     ):
         event = proc_info[action]
         if not isinstance(event, ProcessExited):
-            raise AssertionError(f"Proc {process_name(action)} has not exited")  # noqa: TRY004  # of a test
+            raise AssertionError(f"Proc {process_name(action)} has not exited")  # of a test
         if event.returncode not in allowable_exit_codes:
             allowed = ", ".join(str(code) for code in allowable_exit_codes)
             raise AssertionError(

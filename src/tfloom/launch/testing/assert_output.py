@@ -23,7 +23,7 @@ class ProcOutput(Protocol):
     def __getitem__(self, key: ExecuteLocal | str) -> Sequence[ProcessIO]: ...
 
 
-def assertInStdout(  # noqa: N802  # launch_testing's name
+def assertInStdout(
     proc_output: ProcOutput,
     expected_output: Expected,
     process: Process,
@@ -46,7 +46,7 @@ def assertInStdout(  # noqa: N802  # launch_testing's name
     )
 
 
-def assertInStderr(  # noqa: N802  # launch_testing's name
+def assertInStderr(
     proc_output: ProcOutput,
     expected_output: Expected,
     process: Process,
@@ -69,7 +69,7 @@ def assertInStderr(  # noqa: N802  # launch_testing's name
     )
 
 
-def assertInStream(  # noqa: N802  # launch_testing's name
+def assertInStream(
     proc_output: ProcOutput,
     expected_output: Expected,
     process: Process,
@@ -122,7 +122,7 @@ def assertInStream(  # noqa: N802  # launch_testing's name
     )
 
 
-def assertDefaultStream() -> str:  # noqa: N802  # launch_testing's name
+def assertDefaultStream() -> str:
     """Return the stream that `assertInStream` searches without its argument `stream`."""
     return "stderr"
 

@@ -24,7 +24,7 @@ class SequentialTextChecker:
         self._output = "".join(output)
         self._at = 0  # after the last text that was found
 
-    def assertInStdout(self, msg: str) -> None:  # noqa: N802  # launch_testing's name
+    def assertInStdout(self, msg: str) -> None:
         """Assert that a text follows the ones that were found before.
 
         Raises:
@@ -39,7 +39,7 @@ class SequentialTextChecker:
             f"The output near the last matched line:\n{self.get_nearby_lines()}"
         )
 
-    def assertInText(self, msg: str) -> None:  # noqa: N802  # launch_testing's name
+    def assertInText(self, msg: str) -> None:
         """Assert that a text follows the ones that were found before, as `assertInStdout` does."""
         self.assertInStdout(msg)
 
@@ -50,7 +50,7 @@ class SequentialTextChecker:
 
 
 @contextmanager
-def assertSequentialStdout(  # noqa: N802  # launch_testing's name
+def assertSequentialStdout(
     proc_output: ProcOutput, process: Process, cmd_args: CmdArgs = None
 ) -> Iterator[SequentialTextChecker]:
     """Return a context manager that gives a checker of the order in a process's standard output.
@@ -66,5 +66,5 @@ def assertSequentialStdout(  # noqa: N802  # launch_testing's name
     """
     actions = resolveProcesses(proc_output, process=process, cmd_args=cmd_args, strict_proc_matching=True)
     if len(actions) > 1:
-        raise Exception("Found multiple processes: the order of one process is checked; name it")  # noqa: TRY002  # launch_testing's type
+        raise Exception("Found multiple processes: the order of one process is checked; name it")
     yield SequentialTextChecker([text_of(proc_output[actions[0]], "stdout")])

@@ -92,7 +92,7 @@ class ActiveIoHandler(ActiveRecord[ProcessIO, list[ProcessIO]]):
             self._handler.track(process_name)
             self._changed.notify_all()
 
-    def waitFor(  # noqa: N802  # launch_testing's name
+    def waitFor(
         self,
         expected_output: Expected,
         process: Process = None,
@@ -131,7 +131,7 @@ class ActiveIoHandler(ActiveRecord[ProcessIO, list[ProcessIO]]):
             return False
         return True
 
-    def assertWaitFor(  # noqa: N802  # launch_testing's name
+    def assertWaitFor(
         self,
         expected_output: Expected,
         process: Process = None,

@@ -12,7 +12,7 @@ from tfloom.launch.testing.test_result import FailResult, SkipResult
 __all__ = ["unittestCaseToXml", "unittestResultToXml", "unittestResultsToXml"]
 
 
-def unittestResultsToXml(  # noqa: N802  # launch_testing's name
+def unittestResultsToXml(
     *, name: str = "launch_test", test_results: Mapping[Any, unittest.TestResult] | None = None
 ) -> ET.ElementTree:
     """Return the document of several launches.
@@ -32,7 +32,7 @@ def unittestResultsToXml(  # noqa: N802  # launch_testing's name
     return ET.ElementTree(root)
 
 
-def unittestResultToXml(name: str, test_result: unittest.TestResult) -> ET.Element:  # noqa: N802  # launch_testing's name
+def unittestResultToXml(name: str, test_result: unittest.TestResult) -> ET.Element:
     """Return the element of one launch, with an element for each test.
 
     Args:
@@ -67,7 +67,7 @@ def unittestResultToXml(name: str, test_result: unittest.TestResult) -> ET.Eleme
     return suite
 
 
-def unittestCaseToXml(test_result: unittest.TestResult, test_case: unittest.TestCase) -> ET.Element:  # noqa: N802  # launch_testing's name
+def unittestCaseToXml(test_result: unittest.TestResult, test_case: unittest.TestCase) -> ET.Element:
     """Return the element of one test, with what it failed of or why it was skipped."""
     times: Mapping[Any, float] = getattr(test_result, "testTimes", {})
     name = getattr(test_case, "_testMethodName", None) or test_case.id()

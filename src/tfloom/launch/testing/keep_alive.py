@@ -25,7 +25,7 @@ class _KeepAlive(ExecuteProcess):
     _blocks_signals = True
 
 
-def KeepAliveProc() -> ExecuteProcess:  # noqa: N802  # launch_testing's name
+def KeepAliveProc() -> ExecuteProcess:
     """Return the action of a process that exits with 0 when the launch shuts down.
 
     A launch ends with its last process, and fails tests that still run. Where all processes under test end by

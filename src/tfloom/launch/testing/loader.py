@@ -176,7 +176,7 @@ class TestRun:
         return f"{self.name}[{', '.join(f'{name}={value}' for name, value in self.param_args.items())}]"
 
 
-def LoadTestsFromPythonModule(module: Any, *, name: str = "launch_tests") -> list[TestRun]:  # noqa: N802  # launch_testing's name
+def LoadTestsFromPythonModule(module: Any, *, name: str = "launch_tests") -> list[TestRun]:
     """Return the launches of a test file: one, or one for each set of arguments of `parametrize`.
 
     Args:
@@ -216,7 +216,7 @@ class PreShutdownTestLoader(unittest.TestLoader):
             and bool(getattr(member, "__post_shutdown_test__", False)) is self.is_post_shutdown
         ]
 
-    def loadTestsFromModule(self, module: Any, *args: Any, **kwargs: Any) -> unittest.TestSuite:  # noqa: N802  # unittest's name
+    def loadTestsFromModule(self, module: Any, *args: Any, **kwargs: Any) -> unittest.TestSuite:
         """Return the suite of these tests."""
         del args, kwargs
         return unittest.TestSuite(self.loadTestsFromTestCase(case) for case in self.cases_of(module))

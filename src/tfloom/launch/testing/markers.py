@@ -71,7 +71,7 @@ def _retrying_test(test: _Marked, times: int, delay_s: float | None) -> _Marked:
         for _ in range(times - 1):
             try:
                 return test(*args, **kwargs)
-            except AssertionError:  # noqa: PERF203  # it is the subject
+            except AssertionError:  # it is the subject
                 threading.Event().wait(delay_s)
         return test(*args, **kwargs)
 

@@ -71,7 +71,7 @@ class ActiveProcInfoHandler(ActiveRecord[Info, Info]):
         """The record itself, for the time when no process runs any more."""
         return self._handler
 
-    def assertWaitForShutdown(  # noqa: N802  # launch_testing's name
+    def assertWaitForShutdown(
         self, process: Process, cmd_args: CmdArgs = None, *, timeout: float | None = 10
     ) -> None:
         """Assert that a process exits in time.
@@ -86,7 +86,7 @@ class ActiveProcInfoHandler(ActiveRecord[Info, Info]):
         """
         self._wait(process, cmd_args, timeout, "exit", is_end=True)
 
-    def assertWaitForStartup(  # noqa: N802  # launch_testing's name
+    def assertWaitForStartup(
         self, process: Process, cmd_args: CmdArgs = None, *, timeout: float | None = 10
     ) -> None:
         """Assert that a process is started in time; one that has exited since then was.

@@ -28,7 +28,7 @@ CmdArgs = Sequence[str] | str | _NoCmdArgs | None
 """An argument, several that are all there, NO_CMD_ARGS, or None for any."""
 
 
-class NoMatchingProcessException(Exception):  # noqa: N818  # launch_testing's name
+class NoMatchingProcessException(Exception):
     """No process matches what was named."""
 
     __module__ = ros_home("launch_testing.util.proc_lookup", __name__)
@@ -41,7 +41,7 @@ class HasProcesses(Protocol):
         """Return the actions of the processes, each once."""
 
 
-def resolveProcesses(  # noqa: N802  # launch_testing's name
+def resolveProcesses(
     info_obj: HasProcesses,
     *,
     process: Process = None,
@@ -84,7 +84,7 @@ def resolveProcesses(  # noqa: N802  # launch_testing's name
             f"recorded are: {_names(recorded_actions)}"
         )
     if strict_proc_matching and len(matches) > 1:
-        raise Exception(  # noqa: TRY002  # launch_testing's type
+        raise Exception(
             f"Found multiple processes with '{process}' in their names: {_names(matches)}; "
             "name one of them, give cmd_args, or set strict_proc_matching=False"
         )

@@ -63,7 +63,7 @@ class ProcessProxy:
         """Exit code of the process; RuntimeError if it has not exited."""
         info = self._last_event()
         if not isinstance(info, ProcessExited):
-            raise RuntimeError("the process has no exit code, because it has not exited")  # noqa: TRY004  # of a state
+            raise RuntimeError("the process has no exit code, because it has not exited")  # of a state
         return info.returncode
 
     @property

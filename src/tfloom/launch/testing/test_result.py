@@ -24,7 +24,7 @@ class FailResult(unittest.TestResult):
         self.message = message
         self.details = details
 
-    def wasSuccessful(self) -> bool:  # noqa: N802  # unittest's name
+    def wasSuccessful(self) -> bool:
         """Return False, because the launch has failed as a whole."""
         return False
 
@@ -47,7 +47,7 @@ class SkipResult(unittest.TestResult):
         self.skipped = [(test, self.message) for test in self.testCases]
         self.testsRun = len(self.testCases)
 
-    def wasSuccessful(self) -> bool:  # noqa: N802  # unittest's name
+    def wasSuccessful(self) -> bool:
         """Return True, because a skipped launch is no failure."""
         return True
 
@@ -63,19 +63,19 @@ class TestResult(unittest.TextTestResult):
         self.testTimes: dict[unittest.TestCase, float] = {}
         """Times [s]."""
 
-    def startTest(self, test: unittest.TestCase) -> None:  # noqa: N802  # unittest's name
+    def startTest(self, test: unittest.TestCase) -> None:
         """Note the time at which a test starts."""
         self.testCases.append(test)
         self.testTimes[test] = -time.monotonic()
         super().startTest(test)
 
-    def stopTest(self, test: unittest.TestCase) -> None:  # noqa: N802  # unittest's name
+    def stopTest(self, test: unittest.TestCase) -> None:
         """Note how long a test took."""
         if test in self.testTimes:
             self.testTimes[test] += time.monotonic()
         super().stopTest(test)
 
-    def addSkip(self, test: unittest.TestCase, reason: str) -> None:  # noqa: N802  # unittest's name
+    def addSkip(self, test: unittest.TestCase, reason: str) -> None:
         """Note a test that was skipped, which Python 3.12.1 does not start."""
         if test not in self.testTimes:
             self.testCases.append(test)

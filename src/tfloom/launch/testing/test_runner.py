@@ -172,7 +172,7 @@ class _Launch:
                     self._proc_output,
                     {"launch_service": self._service},
                 )
-        except BaseException as error:  # noqa: BLE001  # it is raised on the thread of the launch
+        except BaseException as error:  # it is raised on the thread of the launch
             self._error = error
         finally:
             self._tests_are_done = self._is_ready

@@ -107,9 +107,7 @@ def _flat(expected: Expected) -> Iterator[str | re.Pattern[str]]:
         for part in expected:
             yield from _flat(part)
     else:
-        raise ValueError(  # noqa: TRY004  # launch_testing's type
-            f"a text, a pattern or a list of them is expected, and {expected!r} is none"
-        )
+        raise ValueError(f"a text, a pattern or a list of them is expected, and {expected!r} is none")
 
 
 def _expected_lines_of(expected: str | re.Pattern[str]) -> Sequence[str | re.Pattern[str]]:

@@ -32,7 +32,7 @@ def place_of_construction() -> str:
 
     To be called by its `__init__`, which those of derived classes call.
     """
-    frame: FrameType | None = sys._getframe(1)  # noqa: SLF001  # the only way, and a fast one
+    frame: FrameType | None = sys._getframe(1)  # the only way, and a fast one
     while frame is not None and frame.f_code.co_name == "__init__":
         frame = frame.f_back
     if frame is None or frame.f_code.co_filename.startswith(_OURS):

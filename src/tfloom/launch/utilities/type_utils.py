@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Sequence
-from typing import Any, List, Union  # noqa: UP035  # programs pass typing.List
+from typing import Any, List, Union
 
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.substitution import SomeSubstitutionsType, Substitution
@@ -47,7 +47,7 @@ __all__ = [
 ]
 
 ScalarTypesTuple = (int, float, bool, str)
-ListTypesTuple = (List[int], List[float], List[bool], List[str])  # noqa: UP006
+ListTypesTuple = (List[int], List[float], List[bool], List[str])
 AllowedTypesTuple = (*ScalarTypesTuple, *ListTypesTuple)
 
 FilePath = Union[str, bytes, "os.PathLike[str]"]

@@ -149,7 +149,7 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
         goal_service_qos_profile: QoSProfile = qos_profile_services_default,
         result_service_qos_profile: QoSProfile = qos_profile_services_default,
         cancel_service_qos_profile: QoSProfile = qos_profile_services_default,
-        feedback_sub_qos_profile: QoSProfile = QoSProfile(depth=10),  # noqa: B008  # never changed
+        feedback_sub_qos_profile: QoSProfile = QoSProfile(depth=10),  # never changed
         status_sub_qos_profile: QoSProfile = qos_profile_action_status_default,
     ) -> None:
         check_is_valid_action_type(action_type)

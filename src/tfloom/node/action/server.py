@@ -92,12 +92,12 @@ def default_handle_accepted_callback(goal_handle: ServerGoalHandle) -> None:
     goal_handle.execute()
 
 
-def default_goal_callback(goal_request: Any) -> GoalResponse:  # noqa: ARG001
+def default_goal_callback(goal_request: Any) -> GoalResponse:
     """Accept all goals."""
     return GoalResponse.ACCEPT
 
 
-def default_cancel_callback(cancel_request: Any) -> CancelResponse:  # noqa: ARG001
+def default_cancel_callback(cancel_request: Any) -> CancelResponse:
     """Reject all requests for cancellation."""
     return CancelResponse.REJECT
 
@@ -145,7 +145,7 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         goal_service_qos_profile: QoSProfile = qos_profile_services_default,
         result_service_qos_profile: QoSProfile = qos_profile_services_default,
         cancel_service_qos_profile: QoSProfile = qos_profile_services_default,
-        feedback_pub_qos_profile: QoSProfile = QoSProfile(depth=10),  # noqa: B008  # never changed
+        feedback_pub_qos_profile: QoSProfile = QoSProfile(depth=10),  # never changed
         status_pub_qos_profile: QoSProfile = qos_profile_action_status_default,
         result_timeout: float = 900,
         forget_sent_results: bool = False,
@@ -330,7 +330,7 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         for handle in goals:
             try:
                 answer = await await_or_execute(self._cancel_callback, handle)
-            except Exception as error:  # noqa: BLE001  # raised below; the others are asked, and the client gets a response
+            except Exception as error:  # raised below; the others are asked, and the client gets a response
                 raised.append(error)
                 continue
             if answer is not CancelResponse.ACCEPT:

@@ -1179,4 +1179,4 @@ def open_endpoint(
     Raises:
         InvalidHandle: the node was destroyed.
     """
-    return node._open_endpoint(endpoint, create)  # noqa: SLF001  # private, because programs derive from Node
+    return node._open_endpoint(endpoint, create)

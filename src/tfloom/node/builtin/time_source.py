@@ -107,7 +107,7 @@ class TimeSource:
             ValueError: it is not a ROS clock.
         """
         if not isinstance(clock, ROSClock):
-            raise ValueError("Only clocks with type ROS_TIME can be attached.")  # noqa: TRY004  # as in rclpy
+            raise ValueError("Only clocks with type ROS_TIME can be attached.")
         clock.set_ros_time_override(self._last_time_set)
         clock.set_ros_time_is_active(self._ros_time_is_active)
         self._associated_clocks.add(clock)
@@ -141,7 +141,7 @@ class TimeSource:
                 rosgraph_msg.Clock, CLOCK_TOPIC, self.clock_callback, qos
             )
             self._is_late = False
-            self._wait = self._node._start_internal_timer(WARN_AFTER_S, self._on_silence)  # noqa: SLF001  # tfloom's own
+            self._wait = self._node._start_internal_timer(WARN_AFTER_S, self._on_silence)
 
     def _on_silence(self) -> None:
         """Warn, once, that there is no time; of a publisher that is there, only after a second period.

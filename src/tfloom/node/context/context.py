@@ -445,7 +445,7 @@ def _set_up_logging(arguments: Arguments) -> None:
 def _call_hook(hook: Callable[[], Any]) -> None:
     try:
         hook()
-    except Exception as error:  # noqa: BLE001  # the other hooks must run too
+    except Exception as error:  # the other hooks must run too
         print_error(error)
 
 

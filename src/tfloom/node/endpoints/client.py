@@ -304,7 +304,7 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
                     continue
                 try:
                     number = self._endpoint.send(unsent.data)
-                except Exception as error:  # noqa: BLE001  # as `call_async` would have raised it
+                except Exception as error:  # as `call_async` would have raised it
                     failed.append((unsent, error))
                     continue
                 self._pending[number] = _Pending(unsent.future, servers)

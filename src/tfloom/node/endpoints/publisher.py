@@ -33,7 +33,7 @@ class Publisher(Endpoint["Writer"], Generic[MsgType]):
         msg_type: type[MsgType],
         topic: str,
         qos_profile: QoSProfile,
-        event_callbacks: None,  # noqa: ARG002  # the node creates the event handlers
+        event_callbacks: None,  # the node creates the event handlers
         callback_group: CallbackGroup,
         *,
         context: Context,
@@ -102,7 +102,7 @@ class Publisher(Endpoint["Writer"], Generic[MsgType]):
         """Assert that the publisher is alive; with AUTOMATIC liveliness the wire does this."""
         self.wire_endpoint.assert_liveliness()
 
-    def wait_for_all_acked(self, timeout: Duration = Duration(seconds=-1)) -> bool:  # noqa: B008  # immutable
+    def wait_for_all_acked(self, timeout: Duration = Duration(seconds=-1)) -> bool:
         """Wait until every connected reliable subscription has acknowledged all messages.
 
         Args:

@@ -55,7 +55,7 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
         callback_group: CallbackGroup,
         qos_profile: QoSProfile,
         raw: bool,
-        event_callbacks: None,  # noqa: ARG002  # the node creates the event handlers
+        event_callbacks: None,  # the node creates the event handlers
         *,
         logger: RcutilsLogger,
     ) -> None:

@@ -93,11 +93,11 @@ class CallbackGroup:
 class ReentrantCallbackGroup(CallbackGroup):
     """A group whose callbacks may run at any time, also several calls of one callback at the same time."""
 
-    def can_execute(self, entity: Any) -> bool:  # noqa: ARG002
+    def can_execute(self, entity: Any) -> bool:
         """Return True."""
         return True
 
-    def beginning_execution(self, entity: Any) -> bool:  # noqa: ARG002
+    def beginning_execution(self, entity: Any) -> bool:
         """Return True."""
         return True
 
@@ -118,7 +118,7 @@ class MutuallyExclusiveCallbackGroup(CallbackGroup):
         """Return whether the callback that runs is one of `entity`."""
         return self._active_entity is entity
 
-    def can_execute(self, entity: Any) -> bool:  # noqa: ARG002
+    def can_execute(self, entity: Any) -> bool:
         """Return whether no callback is running."""
         return self._active_entity is None
 

@@ -154,6 +154,6 @@ class CallbackEntity(Entity):
         """Stop posting the token."""
         self._queue = None
 
-    def run(self, taken: Any) -> Any:  # noqa: ARG002
+    def run(self, taken: Any) -> Any:
         """Call the callback."""
         return None if self.callback is None else self.callback()

@@ -164,7 +164,7 @@ class Executor(OfferedWork):
             if node in self._nodes:
                 return False
             self._nodes.append(node)
-        entities = node._enter_executor(self)  # noqa: SLF001  # private, because programs derive from Node
+        entities = node._enter_executor(self)
         self.add_entities(entities)
         return True
 
@@ -174,7 +174,7 @@ class Executor(OfferedWork):
             if node not in self._nodes:
                 return
             self._nodes.remove(node)
-        entities = node._leave_executor(self)  # noqa: SLF001  # private, because programs derive from Node
+        entities = node._leave_executor(self)
         self.remove_entities(entities)
 
     def get_nodes(self) -> list[SpunNode]:
@@ -439,9 +439,9 @@ class Executor(OfferedWork):
             while self._context.ok() and not self._is_shutdown:
                 try:
                     self.spin_once()
-                except ExternalShutdownException:  # noqa: PERF203
+                except ExternalShutdownException:
                     return
-                except Exception:  # noqa: BLE001  # of a program's callback
+                except Exception:  # of a program's callback
                     report_exception()
 
     def spin_once(self, timeout_sec: float | None = None) -> None:

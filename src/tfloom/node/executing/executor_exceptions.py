@@ -11,7 +11,7 @@ __all__ = [
     "TimeoutObject",
 ]
 
-# ruff: noqa: N818  # ROS's own names
+# ROS's own names
 
 
 class TimeoutException(Exception):

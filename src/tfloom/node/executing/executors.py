@@ -206,7 +206,7 @@ class MultiThreadedExecutor(Executor):
         self._has_thread = True
         try:
             self._run(work)
-        except BaseException as error:  # noqa: BLE001  # raised on the thread that spins
+        except BaseException as error:  # raised on the thread that spins
             self._errors.append(error)
         finally:
             self._in_pool.remove(work.entity)

@@ -24,7 +24,7 @@ class GuardCondition(CallbackEntity):
         self,
         callback: Callable[[], Any] | None,
         callback_group: CallbackGroup | None,
-        context: Context | None = None,  # noqa: ARG002  # shutdown wakes executors without it
+        context: Context | None = None,  # shutdown wakes executors without it
     ) -> None:
         self.callback = callback
         self.callback_group = callback_group

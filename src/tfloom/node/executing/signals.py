@@ -202,7 +202,7 @@ class _Probe:
     instructions = b""
 
     def __enter__(self) -> None:
-        frame = sys._getframe(1)  # noqa: SLF001  # inspect takes long to import
+        frame = sys._getframe(1)  # inspect takes long to import
         self.instructions = frame.f_code.co_code[frame.f_lasti - 2 : frame.f_lasti + 2]
 
     def __exit__(self, *_: object) -> None: ...

@@ -190,7 +190,7 @@ class Future(Generic[T]):
             return
         try:
             callback(self)
-        except Exception as error:  # noqa: BLE001  # the next callback must run, and the completing thread must continue
+        except Exception as error:  # the next callback must run, and the completing thread must continue
             print_error(error, "An exception was raised in a done callback of a future:")
 
 
@@ -279,7 +279,7 @@ class Task(Future[T]):
                 return awaited if isinstance(awaited, Future) else None
         except StopIteration as end:
             self.set_result(end.value)
-        except Exception as exc:  # noqa: BLE001  # the future raises it
+        except Exception as exc:  # the future raises it
             self.set_exception(exc)
         except (
             BaseException

@@ -54,7 +54,7 @@ class Timer(CallbackEntity):
         timer_period_ns: int,
         clock: Clock,
         *,
-        context: Context | None = None,  # noqa: ARG002
+        context: Context | None = None,
         autostart: bool = True,
     ) -> None:
         self._period_ns = _checked_period(timer_period_ns)

@@ -37,7 +37,7 @@ class WaitSet:
             context's handle.
     """
 
-    def __init__(self, *sizes: object) -> None:  # noqa: ARG002
+    def __init__(self, *sizes: object) -> None:
         self.clear_entities()
 
     def clear_entities(self) -> None:

@@ -97,7 +97,7 @@ class WaitableEntity(Entity):
 
     def run(self, taken: Any) -> Any:
         """Execute the data; the executor runs the coroutine."""
-        for future in self.waitable._futures:  # noqa: SLF001  # by rclpy's name, which programs append to
+        for future in self.waitable._futures:  # by rclpy's name, which programs append to
             future.set_executor(self._executor())
         return self.waitable.execute(*taken)
 

@@ -229,7 +229,7 @@ class WorkQueue:
         for index, token in enumerate(tokens):
             try:
                 self._take_responses(token)
-            except BaseException:  # noqa: PERF203  # of a callback for feedback; the rest is for the next spin
+            except BaseException:  # of a callback for feedback; the rest is for the next spin
                 for other in tokens[index + 1 :]:
                     self._queue.post(other)
                 raise

@@ -29,27 +29,27 @@ class TransitionCallbackReturn(IntEnum):
 class ManagedEntity:
     """Base of managed entities. Each transition calls a method with the state before it; by default, it succeeds."""
 
-    def on_configure(self, state: Any) -> TransitionCallbackReturn:  # noqa: ARG002
+    def on_configure(self, state: Any) -> TransitionCallbackReturn:
         """Prepare what the node needs to be activated; derived classes do it."""
         return TransitionCallbackReturn.SUCCESS
 
-    def on_cleanup(self, state: Any) -> TransitionCallbackReturn:  # noqa: ARG002
+    def on_cleanup(self, state: Any) -> TransitionCallbackReturn:
         """Undo `on_configure`."""
         return TransitionCallbackReturn.SUCCESS
 
-    def on_shutdown(self, state: Any) -> TransitionCallbackReturn:  # noqa: ARG002
+    def on_shutdown(self, state: Any) -> TransitionCallbackReturn:
         """Clean up before the finalized state."""
         return TransitionCallbackReturn.SUCCESS
 
-    def on_activate(self, state: Any) -> TransitionCallbackReturn:  # noqa: ARG002
+    def on_activate(self, state: Any) -> TransitionCallbackReturn:
         """Start working, at the transition to active."""
         return TransitionCallbackReturn.SUCCESS
 
-    def on_deactivate(self, state: Any) -> TransitionCallbackReturn:  # noqa: ARG002
+    def on_deactivate(self, state: Any) -> TransitionCallbackReturn:
         """Stop working, at the transition to inactive."""
         return TransitionCallbackReturn.SUCCESS
 
-    def on_error(self, state: Any) -> TransitionCallbackReturn:  # noqa: ARG002
+    def on_error(self, state: Any) -> TransitionCallbackReturn:
         """Clean up after an error; SUCCESS leads to unconfigured, any other result to finalized."""
         return TransitionCallbackReturn.SUCCESS
 
@@ -65,12 +65,12 @@ class SimpleManagedEntity(ManagedEntity):
         """Whether it is active."""
         return self._enabled
 
-    def on_activate(self, state: Any) -> TransitionCallbackReturn:  # noqa: ARG002
+    def on_activate(self, state: Any) -> TransitionCallbackReturn:
         """Start working, at the transition to active."""
         self._enabled = True
         return TransitionCallbackReturn.SUCCESS
 
-    def on_deactivate(self, state: Any) -> TransitionCallbackReturn:  # noqa: ARG002
+    def on_deactivate(self, state: Any) -> TransitionCallbackReturn:
         """Stop working, at the transition to inactive."""
         self._enabled = False
         return TransitionCallbackReturn.SUCCESS

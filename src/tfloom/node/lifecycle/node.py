@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from contextlib import suppress
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from tfloom.interfaces.lifecycle_msgs.msg import TransitionDescription, TransitionEvent
 from tfloom.interfaces.lifecycle_msgs.srv import (
@@ -80,7 +80,8 @@ class LifecycleNodeMixin(ManagedEntity):
 
     @property
     def __node(self) -> Node:
-        assert isinstance(self, Node)  # noqa: S101  # required by the class
+        if not isinstance(self, Node):
+            raise TypeError(f"{type(self).__name__} must derive from Node as well as from LifecycleNodeMixin")
         return self
 
     # Transition callbacks
@@ -124,8 +125,10 @@ class LifecycleNodeMixin(ManagedEntity):
 
     def create_lifecycle_publisher(self, *args: Any, **kwargs: Any) -> LifecyclePublisher[Any]:
         """Create a publisher that publishes while the node is active; see `Node.create_publisher`."""
-        publisher = self.__node.create_publisher(*args, **kwargs, publisher_class=LifecyclePublisher)
-        assert isinstance(publisher, LifecyclePublisher)  # noqa: S101  # required by the class
+        publisher = cast(
+            "LifecyclePublisher[Any]",
+            self.__node.create_publisher(*args, **kwargs, publisher_class=LifecyclePublisher),
+        )
         self.add_managed_entity(publisher)
         return publisher
 
@@ -174,7 +177,7 @@ class LifecycleNodeMixin(ManagedEntity):
     def __run_callback(self, previous: LifecycleState) -> TransitionCallbackReturn:
         try:
             return TransitionCallbackReturn(self.__callbacks[self._state_machine.state](previous))
-        except Exception as error:  # noqa: BLE001  # on_error follows
+        except Exception as error:  # on_error follows
             state = self._state_machine.state.label
             self.__node.get_logger().error(f"Error raised while {state}: {error}")
             print_error(error)
@@ -205,21 +208,21 @@ class LifecycleNodeMixin(ManagedEntity):
         response.success = self.__make_transition(step) is TransitionCallbackReturn.SUCCESS
         return response
 
-    def __on_get_state(self, request: Any, response: Any) -> Any:  # noqa: ARG002
+    def __on_get_state(self, request: Any, response: Any) -> Any:
         response.current_state = self._state_machine.state.to_msg()
         return response
 
-    def __on_get_available_states(self, request: Any, response: Any) -> Any:  # noqa: ARG002
+    def __on_get_available_states(self, request: Any, response: Any) -> Any:
         response.available_states = [state.to_msg() for state in STATES]
         return response
 
-    def __on_get_available_transitions(self, request: Any, response: Any) -> Any:  # noqa: ARG002
+    def __on_get_available_transitions(self, request: Any, response: Any) -> Any:
         response.available_transitions = [
             _transition_description(step) for step in self._state_machine.available()
         ]
         return response
 
-    def __on_get_transition_graph(self, request: Any, response: Any) -> Any:  # noqa: ARG002
+    def __on_get_transition_graph(self, request: Any, response: Any) -> Any:
         response.available_transitions = [_transition_description(step) for step in STEPS]
         return response
 

@@ -54,7 +54,7 @@ def clear_config() -> None:
     log_output.reset_levels()
 
 
-def set_logger_level(name: str, level: LoggingSeverity | int, detailed_error: bool = False) -> None:  # noqa: ARG001
+def set_logger_level(name: str, level: LoggingSeverity | int, detailed_error: bool = False) -> None:
     """Set the level of a logger; UNSET: the level of the nearest name above it that has one.
 
     Raises:

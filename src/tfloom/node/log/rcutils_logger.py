@@ -108,7 +108,7 @@ class RcutilsLogger:
     def _log(self, message: object, severity: LoggingSeverity, options: dict[str, Any]) -> bool:
         if severity < log_output.effective_level(self.name):
             return False  # and the place doesn't count as called
-        frame = sys._getframe(2)  # noqa: SLF001  # the caller of info() and the like
+        frame = sys._getframe(2)  # the caller of info() and the like
         name = options.pop("name", self.name) if options else self.name
         if options:
             if (error := options_error(options)) is not None:

@@ -31,7 +31,6 @@ __all__ = [
 ]
 
 # ROS's own names end in "Exception".
-# ruff: noqa: N818
 
 
 class ParameterException(Exception):

@@ -12,7 +12,6 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 # A malformed file raises ValueError, whichever Python type the value has.
-# ruff: noqa: TRY004
 
 __all__ = ["EVERY_NODE", "ParameterRule", "checked_value", "read_parameter_file"]
 

@@ -58,7 +58,7 @@ def qos_policy_name_from_kind(policy_kind: QoSPolicyKind | int) -> str:
     return QoSPolicyKind(policy_kind).name
 
 
-class InvalidQoSProfileException(Exception):  # noqa: N818  # ROS's name
+class InvalidQoSProfileException(Exception):
     """A profile with contradictory or missing settings."""
 
     __module__ = ros_home("rclpy.qos", __name__)

@@ -22,7 +22,7 @@ def call_all(calls: Iterable[Callable[[], object]]) -> None:
     for call in calls:
         try:
             call()
-        except Exception as error:  # noqa: BLE001, PERF203  # raised below
+        except Exception as error:  # raised below
             if first is None:
                 first = error
             else:

@@ -38,7 +38,7 @@ class Duration:
 
     def __init__(self, *, seconds: float = 0, nanoseconds: int = 0) -> None:
         if isinstance(seconds, str):
-            raise ValueError(f"Duration {not_a_number('seconds', seconds)}")  # noqa: TRY004, the reference's kind
+            raise ValueError(f"Duration {not_a_number('seconds', seconds)}")
         try:
             total = to_nanoseconds(seconds) + int(nanoseconds)
         except TypeError:

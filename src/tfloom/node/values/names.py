@@ -9,7 +9,6 @@ from contextlib import contextmanager
 from tfloom.ros_guard import ros_home
 
 # ROS's own names end in "Exception".
-# ruff: noqa: N818
 
 __all__ = [
     "HIDDEN_TOPIC_PREFIX",

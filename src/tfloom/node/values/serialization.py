@@ -25,7 +25,7 @@ def serialize_message(message: Message) -> bytes:
         given = given_text(message)
         meant = f": write {message.__name__}(…)" if isinstance(message, type) else ""
         needs = "a message, as String(data='hello')"
-        raise AttributeError(f"serialize_message() needs {needs}, got {given}{meant}")  # noqa: TRY004  # ROS's kind
+        raise AttributeError(f"serialize_message() needs {needs}, got {given}{meant}")  # ROS's kind
     return cdr.encode(message)
 
 

@@ -22,7 +22,7 @@ _STRING = "tag:yaml.org,2002:str"
 class _Dumper(yaml.SafeDumper):
     """Writes texts in quotes that rcl would read as another value, or that YAML would change."""
 
-    def ignore_aliases(self, data: Any) -> bool:  # noqa: ARG002  # of the base class
+    def ignore_aliases(self, data: Any) -> bool:
         """Return True, because rcl reads no aliases."""
         return True
 

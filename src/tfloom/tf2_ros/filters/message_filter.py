@@ -106,35 +106,35 @@ class MessageFilter(SimpleFilter):
         if f is not None:
             self.connectInput(f)
 
-    def connectInput(self, f: Any) -> None:  # noqa: N802, message_filters' name
+    def connectInput(self, f: Any) -> None:
         """Connect to an input filter."""
         self.incoming_connection = f.registerCallback(self.add)
 
-    def setTargetFrame(self, target_frame: str) -> None:  # noqa: N802, tf2_ros' name
+    def setTargetFrame(self, target_frame: str) -> None:
         """Set the frame that messages must be transformable into, starting with the next message."""
         self.setTargetFrames([target_frame])
 
-    def setTargetFrames(self, target_frames: Sequence[str]) -> None:  # noqa: N802, tf2_ros' name
+    def setTargetFrames(self, target_frames: Sequence[str]) -> None:
         """Set the frames that messages must be transformable into, starting with the next message."""
         self._targets = [frame.removeprefix("/") for frame in target_frames]
 
-    def getTargetFramesString(self) -> str:  # noqa: N802, tf2_ros' name
+    def getTargetFramesString(self) -> str:
         """Return the frames that messages must be transformable into, a space after each."""
         return "".join(f"{frame} " for frame in self._targets)
 
-    def setTolerance(self, tolerance: Any) -> None:  # noqa: N802, tf2_ros' name
+    def setTolerance(self, tolerance: Any) -> None:
         """Also require the transform at this duration after the stamp, starting with the next message."""
         self._tolerance_ns = duration_ns(tolerance)
 
-    def setQueueSize(self, new_queue_size: int) -> None:  # noqa: N802, tf2_ros' name
+    def setQueueSize(self, new_queue_size: int) -> None:
         """Set the most messages to hold; 0: no limit."""
         self._queue_size = new_queue_size
 
-    def getQueueSize(self) -> int:  # noqa: N802, tf2_ros' name
+    def getQueueSize(self) -> int:
         """Return the most messages that are held."""
         return self._queue_size
 
-    def registerFailureCallback(self, callback: Callable[[Any, FilterFailureReason], Any]) -> None:  # noqa: N802
+    def registerFailureCallback(self, callback: Callable[[Any, FilterFailureReason], Any]) -> None:
         """Register `callback(message, reason)` for each message that is dropped."""
         self._failure_callbacks.append(callback)
 
@@ -254,7 +254,7 @@ class MessageFilter(SimpleFilter):
         while self._calls:
             try:
                 self._calls.popleft()()
-            except BaseException:  # noqa: PERF203
+            except BaseException:
                 if self._calls and self._guard is not None:
                     self._guard.trigger()  # the other messages are passed on by the next spin
                 raise

@@ -55,7 +55,7 @@ class SimpleFilter:
     def __init__(self) -> None:
         self.callbacks: dict[int, tuple[Callable[..., Any], tuple[Any, ...]]] = {}
 
-    def registerCallback(self, cb: Callable[..., Any], *args: Any) -> int:  # noqa: N802, message_filters' name
+    def registerCallback(self, cb: Callable[..., Any], *args: Any) -> int:
         """Register `cb(*messages, *args)` and return its number; TypeError if it can't be called."""
         if not callable(cb):
             raise TypeError(f"registerCallback() needs a callback, {not_callable(cb)}")
@@ -63,11 +63,11 @@ class SimpleFilter:
         self.callbacks[number] = cb, args
         return number
 
-    def unregisterCallback(self, conn: int) -> None:  # noqa: N802, message_filters' name
+    def unregisterCallback(self, conn: int) -> None:
         """Remove a callback, by its number."""
         self.callbacks.pop(conn, None)
 
-    def signalMessage(self, *msg: Any) -> None:  # noqa: N802, message_filters' name
+    def signalMessage(self, *msg: Any) -> None:
         """Call all callbacks; if one raises, the others first."""
         call_all([partial(callback, *msg, *args) for callback, args in self.callbacks.values()])
 
@@ -153,7 +153,7 @@ class Subscriber(SimpleFilter):
         """Pass a message on."""
         self.signalMessage(msg)
 
-    def getTopic(self) -> str:  # noqa: N802, message_filters' name
+    def getTopic(self) -> str:
         """Return the topic's name as given."""
         return str(self.topic)
 
@@ -185,7 +185,7 @@ class Cache(SimpleFilter):
         self.allow_headerless = allow_headerless
         self.connectInput(f)
 
-    def connectInput(self, f: Any) -> None:  # noqa: N802, message_filters' name
+    def connectInput(self, f: Any) -> None:
         """Connect to an input filter."""
         if f is not None:
             self._clock = getattr(f, "_clock", None)
@@ -216,32 +216,32 @@ class Cache(SimpleFilter):
             self.cache_times.clear()
         super().clear_after_jump(jump)
 
-    def getInterval(self, from_stamp: Any, to_stamp: Any) -> list[Any]:  # noqa: N802, message_filters' name
+    def getInterval(self, from_stamp: Any, to_stamp: Any) -> list[Any]:
         """Return the messages from one time to another, both included, oldest first."""
         times = [time.nanoseconds for time in self.cache_times]
         return self.cache_msgs[
             bisect_left(times, from_stamp.nanoseconds) : bisect_right(times, to_stamp.nanoseconds)
         ]
 
-    def getElemAfterTime(self, stamp: Any) -> Any:  # noqa: N802, message_filters' name
+    def getElemAfterTime(self, stamp: Any) -> Any:
         """Return the oldest message at a time or after it, or None."""
         place = bisect_left([time.nanoseconds for time in self.cache_times], stamp.nanoseconds)
         return self.cache_msgs[place] if place < len(self.cache_msgs) else None
 
-    def getElemBeforeTime(self, stamp: Any) -> Any:  # noqa: N802, message_filters' name
+    def getElemBeforeTime(self, stamp: Any) -> Any:
         """Return the newest message at a time or before it, or None."""
         place = bisect_right([time.nanoseconds for time in self.cache_times], stamp.nanoseconds)
         return self.cache_msgs[place - 1] if place else None
 
-    def getLastestTime(self) -> Time | None:  # noqa: N802, message_filters' name, as it is spelt
+    def getLastestTime(self) -> Time | None:
         """Return the newest time, or None."""
         return self.cache_times[-1] if self.cache_times else None
 
-    def getOldestTime(self) -> Time | None:  # noqa: N802, message_filters' name
+    def getOldestTime(self) -> Time | None:
         """Return the oldest time, or None."""
         return self.cache_times[0] if self.cache_times else None
 
-    def getLast(self) -> Any:  # noqa: N802, message_filters' name
+    def getLast(self) -> Any:
         """Return the newest message, or None."""
         return self.cache_msgs[-1] if self.cache_msgs else None
 
@@ -261,7 +261,7 @@ class Chain(SimpleFilter):
         if message_filter is not None:
             self.connectInput(message_filter)
 
-    def connectInput(self, message_filter: Any) -> None:  # noqa: N802, message_filters' name
+    def connectInput(self, message_filter: Any) -> None:
         """Connect to an input filter.
 
         Raises:
@@ -286,7 +286,7 @@ class Chain(SimpleFilter):
             *super()._outputs(),
         ]
 
-    def addFilter(self, message_filter: Any) -> None:  # noqa: N802, message_filters' name
+    def addFilter(self, message_filter: Any) -> None:
         """Append a filter, which has `add` and `registerCallback`."""
         number = len(self._filters)
         if number > 0:
@@ -296,7 +296,7 @@ class Chain(SimpleFilter):
         self._filters[number] = message_filter
         self._output = message_filter.registerCallback(self.signalMessage)
 
-    def getFilter(self, index: int) -> Any:  # noqa: N802, message_filters' name
+    def getFilter(self, index: int) -> Any:
         """Return a filter by its index, from 0; KeyError if there is none."""
         return self._filters[index]
 
@@ -326,7 +326,7 @@ class TimeSynchronizer(SimpleFilter):
         self._jump: JumpBack | None = None
         self.connectInput(fs)
 
-    def connectInput(self, fs: Sequence[Any]) -> None:  # noqa: N802, message_filters' name
+    def connectInput(self, fs: Sequence[Any]) -> None:
         """Connect to these filters, in this order."""
         self.queues: list[dict[int, Any]] = [{} for _ in fs]
         clocks = (getattr(f, "_clock", None) for f in fs)
@@ -336,7 +336,7 @@ class TimeSynchronizer(SimpleFilter):
             for index, (f, queue) in enumerate(zip(fs, self.queues, strict=True))
         ]
 
-    def add(self, msg: Any, my_queue: dict[int, Any], my_queue_index: int | None = None) -> None:  # noqa: ARG002
+    def add(self, msg: Any, my_queue: dict[int, Any], my_queue_index: int | None = None) -> None:
         """Keep a message, and pass it on with those of the other filters that match it, if all have one."""
         stamp = _stamp(msg, self.allow_headerless, self._clock)
         if stamp is None:
@@ -364,7 +364,7 @@ class TimeSynchronizer(SimpleFilter):
                 queue.clear()
         super().clear_after_jump(jump)
 
-    def _match(self, own: dict[int, Any], stamp: int) -> tuple[int, ...] | None:  # noqa: ARG002
+    def _match(self, own: dict[int, Any], stamp: int) -> tuple[int, ...] | None:
         """Return the stamps in the queues of a set with a message of the queue `own`; None if there is no such set."""
         return (stamp,) * len(self.queues) if all(stamp in queue for queue in self.queues) else None
 

@@ -31,7 +31,7 @@ class LaserProjection:
         VIEWPOINT = 0x10
         DEFAULT = INTENSITY | INDEX
 
-    def projectLaser(  # noqa: N802  # laser_geometry's name
+    def projectLaser(
         self,
         scan_in: LaserScan,
         range_cutoff: float = -1.0,

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import NamedTuple
 
 from tfloom.tf2_tools.doctor.catalogue import KINDS, Kind
@@ -29,7 +31,7 @@ class Evidence(NamedTuple):
     """What was seen of one edge, publisher or topic."""
 
     text: str
-    figures: dict[str, Figure] = {}  # noqa: RUF012  # never changed
+    figures: Mapping[str, Figure] = MappingProxyType({})
 
 
 class Finding(NamedTuple):
@@ -38,9 +40,9 @@ class Finding(NamedTuple):
     code: str
     summary: str
     """A sentence without a full stop, with the names."""
-    sources: list[Source] = []  # noqa: RUF012  # never changed, like the next
-    frames: list[str] = []  # noqa: RUF012
-    evidence: list[Evidence] = []  # noqa: RUF012
+    sources: Sequence[Source] = ()
+    frames: Sequence[str] = ()
+    evidence: Sequence[Evidence] = ()
 
     @property
     def kind(self) -> Kind:
@@ -56,7 +58,7 @@ class Finding(NamedTuple):
             "summary": self.summary,
             "nodes": sorted({source.node for source in self.sources if source.node}),
             "sources": [source._asdict() for source in self.sources],
-            "frames": self.frames,
+            "frames": list(self.frames),
             "evidence": [{"text": evidence.text, **evidence.figures} for evidence in self.evidence],
             "mend": self.kind.mend,
         }

@@ -25,7 +25,7 @@ _ORDERS = (CONVENTIONAL[:4], (*CONVENTIONAL[:3], "base_footprint"))
 _BY_LETTERS = {name.replace("_", ""): name for name in CONVENTIONAL}
 
 
-def check_names(subject: Subject, limits: Limits) -> Iterator[Finding]:  # noqa: ARG001 - as all checks
+def check_names(subject: Subject, limits: Limits) -> Iterator[Finding]:
     """Yield the findings on names."""
     slashed = [
         (edge, evidence_of(edge, counted(edge.statistics.count, "time"), count=edge.statistics.count))

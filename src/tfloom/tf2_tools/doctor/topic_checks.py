@@ -15,7 +15,7 @@ from tfloom.tf2_tools.doctor.subject import Subject, listed, source_of
 TYPE = TFMessage._TYPE_NAME
 
 
-def check_topics(subject: Subject, limits: Limits) -> Iterator[Finding]:  # noqa: ARG001 - as all checks
+def check_topics(subject: Subject, limits: Limits) -> Iterator[Finding]:
     """Yield the findings on topics; on their endpoints only if the graph is known."""
     yield from _unreadable_messages(subject)
     yield from _other_types(subject)

@@ -20,7 +20,7 @@ from tfloom.tf2_tools.text.counts import counted
 from tfloom.tf2_tools.watch.model import Edge, Publisher, stored_name
 
 
-def check_tree(subject: Subject, limits: Limits) -> Iterator[Finding]:  # noqa: ARG001 - as all checks
+def check_tree(subject: Subject, limits: Limits) -> Iterator[Finding]:
     """Yield the findings on the tree."""
     if not (subject.seen.edges or subject.seen.unrecorded):
         yield _silence_finding(subject)

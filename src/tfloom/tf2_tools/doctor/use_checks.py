@@ -10,7 +10,7 @@ from tfloom.tf2_tools.doctor.subject import FrameUse, Subject
 from tfloom.tf2_tools.text.counts import counted
 
 
-def check_uses(subject: Subject, limits: Limits) -> Iterator[Finding]:  # noqa: ARG001 - as all checks
+def check_uses(subject: Subject, limits: Limits) -> Iterator[Finding]:
     """Yield the findings on frames that are named and that no transform holds."""
     yield from _unknown_frames(subject, "TF601", subject.headers, "is in the frame", "message")
     yield from _unknown_frames(subject, "TF602", subject.requests, "requests the frame", "request")

@@ -59,7 +59,7 @@ class CameraDisplay:
         self._picture: Picture | None = None
         self._shapes: list[Placed] | None = None
 
-    def take(self, message: Any, stamp_ns: int) -> None:  # noqa: ARG002  # the header's stamp counts
+    def take(self, message: Any, stamp_ns: int) -> None:  # the header's stamp counts
         """Take the calibration.
 
         Raises:
@@ -96,7 +96,7 @@ class CameraDisplay:
         except (DisplayError, DecodeError):
             return
 
-    def shapes(self, now_ns: int) -> list[Placed]:  # noqa: ARG002  # they stay until the next message
+    def shapes(self, now_ns: int) -> list[Placed]:  # they stay until the next message
         """Return the pyramid, and the image."""
         if self._message is None or self._lines is None:
             return []

@@ -88,7 +88,7 @@ class Latest:
         self._shapes_of = shapes_of
         self._shapes: list[Placed] = []
 
-    def take(self, message: Any, stamp_ns: int) -> None:  # noqa: ARG002  # the header's stamp counts
+    def take(self, message: Any, stamp_ns: int) -> None:  # the header's stamp counts
         """Take the only message that matters."""
         self._shapes = []
         self._shapes = self._shapes_of(message)
@@ -97,7 +97,7 @@ class Latest:
         """Forget the message."""
         self._shapes = []
 
-    def shapes(self, now_ns: int) -> list[Placed]:  # noqa: ARG002  # they stay until the next message
+    def shapes(self, now_ns: int) -> list[Placed]:  # they stay until the next message
         """Return the message's shapes."""
         return self._shapes
 

@@ -85,7 +85,7 @@ class MarkerDisplay:
                 self._markers.pop(key, None)
                 try:
                     self._markers[key] = _end_ns(marker, stamp_ns), shapes_of_marker(marker)
-                except Exception as error:  # noqa: BLE001  # of one marker: the others are shown
+                except Exception as error:  # of one marker: the others are shown
                     faults.append(_fault(key, fault_text(error)))
             else:
                 faults.append(f"there are more than {MAX_MARKERS} markers")

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from tfloom.robot.urdf_error import UrdfError
-from tfloom.robot.visuals import BallForm, BoxForm, CylinderForm, MeshForm, Visual, read_visuals
+from tfloom.robot.visuals import BallForm, BoxForm, CylinderForm, Visual, read_visuals
 from tfloom.viewer.fault_text import fault_text
 from tfloom.viewer.mesh_files import read_model
 from tfloom.viewer.shapes import Ball, Box, Cylinder, DisplayError, Placed, Shape
@@ -28,7 +28,7 @@ class RobotDisplay:
         self._text = ""
         self._shapes: list[Placed] = []
 
-    def take(self, message: Any, stamp_ns: int) -> None:  # noqa: ARG002  # a description holds at all times
+    def take(self, message: Any, stamp_ns: int) -> None:  # a description holds at all times
         """Take a description. What can be read of its meshes is shown, even where others can't.
 
         Raises:
@@ -45,7 +45,7 @@ class RobotDisplay:
         for visual in visuals[:MAX_VISUALS]:
             try:
                 self._shapes.extend(_placed(visual))
-            except Exception as error:  # noqa: BLE001, PERF203  # of one form: the others are shown
+            except Exception as error:  # of one form: the others are shown
                 faults.append(fault_text(error))
         if faults:
             raise DisplayError(faults[0] if len(faults) == 1 else f"{faults[0]} (and {len(faults) - 1} more)")
@@ -54,7 +54,7 @@ class RobotDisplay:
         """Forget the robot."""
         self._text, self._shapes = "", []
 
-    def shapes(self, now_ns: int) -> list[Placed]:  # noqa: ARG002  # a description holds at all times
+    def shapes(self, now_ns: int) -> list[Placed]:  # a description holds at all times
         """Return the shapes of the links."""
         return self._shapes
 
@@ -77,5 +77,4 @@ def _shape(visual: Visual) -> Shape:
         return Cylinder(form.radius, form.length, color, opacity)
     if isinstance(form, BallForm):
         return Ball((form.radius, form.radius, form.radius), color, opacity)
-    assert isinstance(form, MeshForm)  # noqa: S101  # there is no other form
     return read_model(form.uri, form.scale, color if visual.has_color else None)

@@ -108,7 +108,7 @@ class Driver:
             topic.pages.add(wish.page)
             topic.unused_s = math.inf
             self._write(topic, wish)
-        except Exception as error:  # noqa: BLE001  # of one page: the others are driven on
+        except Exception as error:  # of one page: the others are driven on
             self._refuse(wish.page, _reason(error))
 
     def forget(self, page: str) -> None:

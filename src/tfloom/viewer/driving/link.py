@@ -12,7 +12,7 @@ import threading
 import time
 from collections.abc import Callable
 from contextlib import suppress
-from typing import TYPE_CHECKING
+from typing import IO, TYPE_CHECKING, cast
 
 from tfloom.rmw.backends import implementation_identifier
 from tfloom.rmw.base import NodeName
@@ -302,8 +302,7 @@ class _Process:
 
     def _read(self, process: subprocess.Popen[bytes]) -> None:
         """Pass on what the process says, until it has ended."""
-        assert process.stdout is not None  # noqa: S101  # it is a pipe
-        with process.stdout as lines:
+        with cast("IO[bytes]", process.stdout) as lines:  # it is a pipe
             for line in lines:
                 page, reason = json.loads(line)
                 self._refuse(page, reason)

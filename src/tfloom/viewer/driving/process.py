@@ -39,7 +39,7 @@ def main(arguments: list[str]) -> int:
         with closing(open_participant(int(arguments[0]))) as participant:
             participant.add_node(node)
             run_driver(Driver(participant, node, _refuse), commands)
-    except Exception as error:  # noqa: BLE001  # nobody else would hear of it
+    except Exception as error:  # nobody else would hear of it
         _refuse("", f"nobody can drive: {error}")
         return 1
     return 0

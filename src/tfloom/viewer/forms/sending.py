@@ -186,7 +186,7 @@ class Sending:
             self._do(page, command, answer, reasons)
         except PageError as error:
             self._refuse(command, answer, str(error))
-        except Exception as error:  # noqa: BLE001  # of one form: those after it are still sent
+        except Exception as error:  # of one form: those after it are still sent
             self._refuse(command, answer, f"{type(error).__name__}: {error}")
 
     @staticmethod
@@ -223,7 +223,7 @@ class Sending:
                 return False
         except (PageError, ServiceRequestError) as error:
             tell("error", str(error))
-        except Exception as error:  # noqa: BLE001  # of one task: the others go on
+        except Exception as error:  # of one task: the others go on
             tell("error", f"{type(error).__name__}: {error}")
         task.close()
         return True

@@ -329,15 +329,15 @@ class _Listener(ServerListener):
 
     def on_get_parameters(
         self,
-        client: Client,  # noqa: ARG002  # the SDK's signature
+        client: Client,
         param_names: list[str],
-        request_id: str | None = None,  # noqa: ARG002
+        request_id: str | None = None,
     ) -> list[Parameter]:
         return self._bridge.parameters_of_nodes.get(param_names)
 
     def on_set_parameters(
         self,
-        client: Client,  # noqa: ARG002
+        client: Client,
         parameters: list[Parameter],
         request_id: str | None = None,
     ) -> list[Parameter]:

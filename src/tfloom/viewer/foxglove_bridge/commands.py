@@ -46,5 +46,5 @@ class Commands:
                 return
             try:
                 command()
-            except Exception as error:  # noqa: BLE001  # a client's request must not end the bridge
+            except Exception as error:  # a client's request must not end the bridge
                 self._node.get_logger().error(f"A client's request failed: {type(error).__name__}: {error}")

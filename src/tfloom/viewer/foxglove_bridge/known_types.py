@@ -26,7 +26,7 @@ class KnownTypes:
 
     def __init__(self, node: Node) -> None:
         self._logger = node.get_logger()
-        self._searches = TypeSearches(*node._wire())  # noqa: SLF001  # for tfloom's own nodes
+        self._searches = TypeSearches(*node._wire())  # for tfloom's own nodes
         self._unknown: dict[str, str] = {}
         """By type, why it has no class here; kept, because the nearest names of an unknown one take long to find."""
         self._warned: set[str] = set()

@@ -24,7 +24,7 @@ class QuotedPython(ShellExtensionPoint):
 
     PRIORITY = 10  # below those of all shells
 
-    def create_prefix_script(self, prefix_path: Path, merge_install: bool) -> list[Path]:  # noqa: ARG002, colcon's
+    def create_prefix_script(self, prefix_path: Path, merge_install: bool) -> list[Path]:
         """Correct the scripts of a workspace; return none, because none is added."""
         for path in (prefix_path / "local_setup.sh", prefix_path / "local_setup.bash"):
             text = path.read_text("utf-8") if path.is_file() else ""
@@ -32,6 +32,6 @@ class QuotedPython(ShellExtensionPoint):
                 write_file(path, text.replace(_UNQUOTED, _QUOTED))
         return []
 
-    def create_package_script(self, prefix_path: Path, pkg_name: str, hooks: Any) -> list[Path]:  # noqa: ARG002
+    def create_package_script(self, prefix_path: Path, pkg_name: str, hooks: Any) -> list[Path]:
         """Add no script of a package."""
         return []

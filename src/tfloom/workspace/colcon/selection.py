@@ -24,7 +24,7 @@ class Selection(PackageSelectionExtensionPoint):
 
     PRIORITY = 10  # after what the user selects
 
-    def select_packages(self, *, args: Any, decorators: list[PackageDecorator]) -> None:  # noqa: ARG002
+    def select_packages(self, *, args: Any, decorators: list[PackageDecorator]) -> None:
         """Leave one of the selected packages of each name, marked as broken if there are others."""
         notes = not has_real_ament_cmake()  # a real ROS has its own ways, as rosdep
         names = {decorator.descriptor.name for decorator in decorators}

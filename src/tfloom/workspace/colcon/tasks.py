@@ -139,7 +139,7 @@ class BrokenTask(Task):
         self._write_scripts(additional_hooks)
         return 1
 
-    async def test(self, *, additional_hooks: list[Any] | None = None) -> int:  # noqa: ARG002
+    async def test(self, *, additional_hooks: list[Any] | None = None) -> int:
         """Print the fault, and fail."""
         self._say(self.context.pkg.metadata[FAULT_KEY])
         return 1
@@ -150,7 +150,7 @@ class TestTask(Task):
 
     __test__ = False  # for pytest
 
-    async def test(self, *, additional_hooks: list[Any] | None = None) -> int:  # noqa: ARG002, PT028
+    async def test(self, *, additional_hooks: list[Any] | None = None) -> int:  # noqa: PT028
         """Run the tests; return 1, after a sentence, if that is impossible."""
         args = self.context.args
         try:

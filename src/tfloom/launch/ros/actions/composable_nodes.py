@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, List, Union  # noqa: UP035  # the type that `Entity.get_attr` takes for children
+from typing import TYPE_CHECKING, Any, List, Union  # the type that `Entity.get_attr` takes for children
 
 from tfloom.launch.action import Action
 from tfloom.launch.event_handlers import OnProcessStart
@@ -79,7 +79,7 @@ class LoadComposableNodes(Action):
         """Return the class, and the arguments that the element of a launch file gives its constructor."""
         _, kwargs = super().parse(entity, parser)
         kwargs["target_container"] = parser.parse_substitution(entity.get_attr("target"))
-        elements = entity.get_attr("composable_node", data_type=List[Entity])  # noqa: UP006
+        elements = entity.get_attr("composable_node", data_type=List[Entity])
         kwargs["composable_node_descriptions"] = parse_composable_nodes(elements, parser)
         return cls, kwargs
 
@@ -242,7 +242,7 @@ class ComposableNodeContainer(Node):
     ) -> tuple[type[Action], dict[str, Any]]:
         """Return the class, and the arguments that the element of a launch file gives its constructor."""
         _, kwargs = super().parse(entity, parser, ignore)
-        elements = entity.get_attr("composable_node", data_type=List[Entity], optional=True)  # noqa: UP006
+        elements = entity.get_attr("composable_node", data_type=List[Entity], optional=True)
         if elements is not None:
             kwargs["composable_node_descriptions"] = parse_composable_nodes(elements, parser)
         return cls, kwargs

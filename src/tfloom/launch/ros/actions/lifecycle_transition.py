@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from typing import Any, Union
+from typing import Any, ClassVar, Union
 
 from tfloom.launch.action import Action
 from tfloom.launch.actions.event_actions import EmitEvent
@@ -52,7 +52,7 @@ class LifecycleTransition(Action):
         ValueError: there are no nodes, or no transitions.
     """
 
-    transition_targets = {  # noqa: RUF012  # never changed
+    transition_targets: ClassVar = {
         1: {"start_state": "configuring", "goal_state": "inactive"},
         2: {"start_state": "cleaningup", "goal_state": "unconfigured"},
         3: {"start_state": "activating", "goal_state": "active"},

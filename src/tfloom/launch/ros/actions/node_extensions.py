@@ -89,7 +89,7 @@ def get_extensions(logger: Logger) -> dict[str, NodeActionExtension]:
     for entry_point in _entry_points():
         try:
             extension_class = entry_point.load()
-        except Exception as error:  # noqa: BLE001  # a program's own code
+        except Exception as error:  # a program's own code
             logger.warning("Failed to load entry point '%s': %r", entry_point.name, error)
             continue
         extension_class.NAME = entry_point.name

@@ -43,7 +43,7 @@ class OnStateTransition(EventHandler):
         **kwargs: Any,
     ) -> None:
         if not isinstance(target_lifecycle_node, (LifecycleNode, type(None))):
-            raise RuntimeError("OnStateTransition requires a 'LifecycleNode' action as the target")  # noqa: TRY004  # the type that programs catch
+            raise RuntimeError("OnStateTransition requires a 'LifecycleNode' action as the target")
         self._target = target_lifecycle_node
         self._labels = {"transition": transition, "start_state": start_state, "goal_state": goal_state}
         self._custom_matcher = matcher

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, ClassVar
 
 from tfloom.launch.event import Event
 
@@ -68,7 +68,7 @@ class ChangeState(Event):
 
     name = "launch_ros.events.lifecycle.ChangeState"
 
-    valid_states = {  # noqa: RUF012  # never changed
+    valid_states: ClassVar = {
         0: "unknown",
         1: "unconfigured",
         2: "inactive",
@@ -83,7 +83,7 @@ class ChangeState(Event):
     }
     """Names of the states of lifecycle_msgs/msg/State."""
 
-    valid_transitions = {  # noqa: RUF012  # never changed
+    valid_transitions: ClassVar = {
         0: "create",
         1: "configure",
         2: "cleanup",

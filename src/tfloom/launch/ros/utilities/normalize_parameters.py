@@ -148,7 +148,7 @@ def _normalize_array(name: Any, array: Sequence[Any]) -> ParameterValue:
     """Return an array of one type, or the substitutions that are concatenated, or those of each item."""
     for item in array:
         if isinstance(item, Mapping):
-            raise RuntimeError(f"Failed to handle type {item}: it is an item of the parameter {name!r}")  # noqa: TRY004  # the reference's type
+            raise RuntimeError(f"Failed to handle type {item}: it is an item of the parameter {name!r}")
         ensure_argument_type(
             item, (float, int, str, bool, Substitution, Sequence), "subvalue", "normalize_parameters"
         )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from contextlib import suppress
-from typing import Any, List  # noqa: UP035  # the type that `Entity.get_attr` takes for children
+from typing import Any, List  # the type that `Entity.get_attr` takes for children
 
 from tfloom.launch.frontend.entity import Entity, ParsesActions
 from tfloom.launch.frontend.pairs import Pair, parse_pairs
@@ -14,7 +14,7 @@ from tfloom.rosidl.written_values import QuotedText
 
 __all__ = ["parse_nested_parameters", "parse_parameters", "parse_remappings"]
 
-_Elements = List[Entity]  # noqa: UP006
+_Elements = List[Entity]
 
 
 def parse_remappings(entity: Entity, parser: ParsesActions) -> list[Pair] | None:
@@ -86,7 +86,7 @@ def _parse_values(elements: list[Entity], parser: ParsesActions) -> dict[Any, An
 
 def _value(element: Entity, data_type: Any) -> Any:
     """Return the attribute `value`; without a type, its text, or the texts that `value-sep` separates."""
-    for kind in (str, List[str]) if data_type is None else ():  # noqa: UP006  # as programs write types
+    for kind in (str, List[str]) if data_type is None else ():
         with suppress(TypeError):  # it is of YAML, and a number or a list of them
             return element.get_attr("value", data_type=kind, optional=True)
     return element.get_attr("value", data_type=data_type, optional=True)

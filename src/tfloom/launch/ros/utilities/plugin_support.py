@@ -7,7 +7,7 @@ from tfloom.ros_guard import ros_home
 __all__ = ["PluginException", "get_upper_bound_caret_version", "satisfies_version"]
 
 
-class PluginException(Exception):  # noqa: N818  # the name that extensions catch
+class PluginException(Exception):  # the name that extensions catch
     """An extension can't be used."""
 
     __module__ = ros_home("launch_ros.utilities.plugin_support", __name__)

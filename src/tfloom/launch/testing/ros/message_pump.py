@@ -43,14 +43,14 @@ class MessagePump:
         if self._thread.ident is not None:  # else it was not started
             self._thread.join(timeout=5.0)
         if self._thread.is_alive():
-            raise Exception("Timed out waiting for message pump to stop")  # noqa: TRY002  # launch_testing_ros's type
+            raise Exception("Timed out waiting for message pump to stop")
         self._executor.shutdown()
 
     def _run(self) -> None:
         while not self._is_to_end.is_set():
             try:
                 self._executor.spin_once(timeout_sec=1.0)
-            except ExternalShutdownException:  # noqa: PERF203
+            except ExternalShutdownException:
                 return
-            except Exception:  # noqa: BLE001  # of one of the test's callbacks; the others go on
+            except Exception:  # of one of the test's callbacks; the others go on
                 report_exception()
