@@ -65,8 +65,8 @@ DOORS = {
     "pandas": ("tf2/trajectory.py",),
     "lz4": ("bag/reading/compression.py",),
     "zstandard": ("bag/reading/compression.py",),
-    "zenoh": ("rmw/zenoh",),
-    "xxhash": ("rmw/zenoh",),
+    "zenoh": ("rmw/zenoh/",),
+    "xxhash": ("rmw/zenoh/",),
     "PyInstaller": ("pyinstaller/",),
     "xacro": ("robot/xacro_program.py",),
     "pytest": ("launch/testing/", "testing/plugin.py"),
@@ -360,7 +360,7 @@ def files_are_written_whole(house: Path) -> list[str]:
 
 
 REQUESTERS = {
-    "rmw/service_request.py",
+    "rmw/shared/service_request.py",
     "node/base/node_base.py",
     "node/implementation.py",
     "bag/playing/played_requests.py",  # sends what was recorded, and awaits no response
@@ -379,7 +379,7 @@ def services_are_asked_in_one_way(house: Path) -> list[str]:
         text = path.read_text("utf-8")
         lines = [text.count("\n", 0, match.start()) + 1 for match in opens.finditer(text)]
         violations += [
-            f"{place}:{line} opens a client of a wire; use rmw/service_request.py" for line in lines
+            f"{place}:{line} opens a client of a wire; use rmw/shared/service_request.py" for line in lines
         ]
     return violations
 
@@ -407,40 +407,48 @@ def no_users_code_under_a_lock(house: Path) -> list[str]:
     Such a function may write, match or close on the same wire, which would wait for the lock for ever. A name stands
     for each function that has it, in the file of the call and in those of rmw/ that this file imports.
     """
-    trees = {path.stem: ast.parse(path.read_text("utf-8")) for path in sorted((house / "rmw").glob("*.py"))}
-    seen = {stem: {stem} for stem in trees}
+    rmw = house / "rmw"
+    trees = {
+        path.relative_to(rmw).with_suffix("").as_posix(): ast.parse(path.read_text("utf-8"))
+        for path in sorted(rmw.rglob("*.py"))
+    }
+    seen = {file: {file} for file in trees}
     for statement in imports(house):
         if statement.importer.startswith("tfloom.rmw.") and statement.imported.startswith("tfloom.rmw."):
-            seen.setdefault(statement.importer.split(".")[2], set()).add(statement.imported.split(".")[2])
+            importer, imported = (
+                name.removeprefix("tfloom.rmw.").replace(".", "/")
+                for name in (statement.importer, statement.imported)
+            )
+            seen.setdefault(importer, set()).add(imported)
     ways: dict[tuple[str, str], str] = {}
 
-    def way(stem: str, name: str) -> str:
+    def way(file: str, name: str) -> str:
         """Return how a call of `name` in a file calls out, empty if it doesn't."""
         if name in CALLS_OUT:
             return name
-        return next((ways[other, name] for other in sorted(seen[stem]) if (other, name) in ways), "")
+        return next((ways[other, name] for other in sorted(seen[file]) if (other, name) in ways), "")
 
     functions = [
-        (stem, node.name, _called(node))
-        for stem, tree in trees.items()
+        (file, node.name, _called(node))
+        for file, tree in trees.items()
         for node in ast.walk(tree)
         if isinstance(node, ast.FunctionDef)
     ]
     size = -1
     while size < len(ways):  # until no further function is known to call out
         size = len(ways)
-        for stem, function, calls in functions:
-            reached = [call_path for name, _ in calls if (call_path := way(stem, name))]
+        for file, function, calls in functions:
+            reached = [call_path for name, _ in calls if (call_path := way(file, name))]
             if reached:
-                ways.setdefault((stem, function), f"{function}, {reached[0]}")
+                ways.setdefault((file, function), f"{function}, {reached[0]}")
     return [
-        f"rmw/{stem}.py:{line} calls {call_path} under a lock"
-        for stem, tree in trees.items()
+        f"rmw/{file}.py:{line} calls {call_path} under a lock"
+        for file, tree in trees.items()
         for node in ast.walk(tree)
         if isinstance(node, ast.With)
         and any(ast.unparse(item.context_expr).endswith("lock") for item in node.items)
         for name, line in _called(node)
-        if (call_path := way(stem, name))
+        if (call_path := way(file, name))
     ]
 
 

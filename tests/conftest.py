@@ -18,8 +18,8 @@ import pytest
 
 from tfloom.node.context.context import Context
 from tfloom.node.node import Node
-from tfloom.rmw.cyclone_library import find_library
-from tfloom.rmw.cyclone_ports import bound_indices
+from tfloom.rmw.cyclone.library import find_library
+from tfloom.rmw.cyclone.ports import bound_indices
 from tfloom.rmw.errors import NoBackendError
 from tfloom.testing import domains
 
@@ -264,7 +264,7 @@ def _domains_of_the_process() -> Iterator[None]:
     A failure's traceback may hold a node until the garbage collector runs, and a later test must not discover it.
     """
     yield
-    if (wire := sys.modules.get("tfloom.rmw.local")) is not None:
+    if (wire := sys.modules.get("tfloom.rmw.local.wire")) is not None:
         with wire._domains_lock:
             wire._domains.clear()
 

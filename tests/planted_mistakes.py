@@ -43,10 +43,10 @@ ROOMS = {
         ("tests/viewer",),
     ),
     "foxglove_bridge": Room(("src/tfloom/viewer/foxglove_bridge/*.py",), ("tests/viewer/foxglove_bridge",)),
-    "zenoh": Room(("src/tfloom/rmw/zenoh*.py",), ("tests/rmw", "tests/node/wire")),
+    "zenoh": Room(("src/tfloom/rmw/zenoh/*.py",), ("tests/rmw", "tests/node/wire")),
     "services": Room(
         (
-            "src/tfloom/rmw/*services.py",
+            "src/tfloom/rmw/**/*services.py",
             "src/tfloom/node/endpoints/client.py",
             "src/tfloom/node/endpoints/service.py",
         ),

@@ -218,16 +218,16 @@ VIOLATIONS: list[tuple[Rule, dict[str, str], list[str]]] = [
             "cli/x.py": "participant.create_requester(node, service, qos)\n",
         },
         [
-            f"{place} opens a client of a wire; use rmw/service_request.py"
+            f"{place} opens a client of a wire; use rmw/shared/service_request.py"
             for place in ("cli/x.py:1", "viewer/x.py:2")
         ],
     ),
     (
         architecture.no_users_code_under_a_lock,
         {
-            "rmw/ends.py": "def give(sink):\n    sink.push()\ndef other():\n    give(sink)\n",
+            "rmw/local/ends.py": "def give(sink):\n    sink.push()\ndef other():\n    give(sink)\n",
             "rmw/x.py": (
-                "from tfloom.rmw.ends import give\n"
+                "from tfloom.rmw.local.ends import give\n"
                 "def deliver(self):\n    give(self.sink)\n"
                 "def write(self):\n    with self._lock:\n"
                 "        later = lambda: give(self.sink)\n        self.deliver()\n"

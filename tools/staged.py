@@ -29,7 +29,7 @@ def stage_dds(folder: Path) -> Path:
     Raises:
         FileNotFoundError: there is no libddsc.
     """
-    from tfloom.rmw.cyclone_library import find_library
+    from tfloom.rmw.cyclone.library import find_library
     from tfloom.rmw.errors import NoBackendError
 
     try:

@@ -21,7 +21,7 @@ from tools.staged import stage, stage_dds
 
 from benchmarks.domain import DOMAIN_ID
 from tfloom.drop_in import real_ros
-from tfloom.rmw.cyclone_config import configuration
+from tfloom.rmw.cyclone.config import configuration
 
 ROOT = Path(__file__).parents[2]
 CASES = ((1, 1000), (50, 100))

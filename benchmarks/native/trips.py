@@ -24,8 +24,8 @@ class End:
 
     def __init__(self, domain_id: int, sends: str, receives: str) -> None:
         from tfloom._native import ReadyQueue
-        from tfloom.rmw import cyclonedds
         from tfloom.rmw.base import NodeName, Topic
+        from tfloom.rmw.cyclone import wire as cyclonedds
         from tfloom.rmw.qos import QoS
 
         self._participant = cyclonedds.open_participant(domain_id)

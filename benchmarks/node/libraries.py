@@ -12,7 +12,7 @@ from statistics import median
 
 from benchmarks.node import listener, round_trip
 from tfloom._native import open_dds_library
-from tfloom.rmw.cyclone_library import VARIABLE, candidates
+from tfloom.rmw.cyclone.library import VARIABLE, candidates
 
 TURNS = 3
 LISTENED = ((50, 100), (1, 1000))

@@ -184,8 +184,8 @@ def compile_bare_reader(folder: str, optimise: str = "-O2") -> str | None:
 
 
 def run_bare_reader(program: str) -> Taken:
-    from tfloom.rmw.cyclone_config import configuration
-    from tfloom.rmw.cyclone_library import find_library
+    from tfloom.rmw.cyclone.config import configuration
+    from tfloom.rmw.cyclone.library import find_library
 
     arguments = [find_library(), str(DOMAIN_ID), configuration(), str(WARM_UP_S), str(MEASURED_S)]
     printed = subprocess.run([program, *arguments], capture_output=True, text=True, check=True).stdout

@@ -55,7 +55,7 @@ def start(role: str, *arguments: object, api: str = "tfloom") -> subprocess.Pope
         )
     environment = os.environ | {"ROS_DOMAIN_ID": str(DOMAIN_ID)}
     if api == "cyclonedds":  # each tfloom configures the library itself
-        from tfloom.rmw.cyclone_config import configuration
+        from tfloom.rmw.cyclone.config import configuration
 
         environment["CYCLONEDDS_URI"] = configuration()
     environment.pop("PYTHONDONTWRITEBYTECODE", None)  # use cached bytecode, as a user does

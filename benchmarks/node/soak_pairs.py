@@ -80,7 +80,7 @@ def by_library(pairs: int, domain_id: int) -> float:
     import zenoh
     import zenoh.ext as extension
 
-    from tfloom.rmw.zenoh_config import session_configuration
+    from tfloom.rmw.zenoh.config import session_configuration
 
     with zenoh.open(session_configuration()) as session:
         key = f"{domain_id}/latched/std_msgs::msg::dds_::String_/RIHS01_0"

@@ -17,7 +17,7 @@ from time import perf_counter_ns
 from benchmarks.domain import DOMAIN_ID
 from benchmarks.node import round_trip
 from benchmarks.node.processes import wait_for
-from tfloom.rmw.cyclone_config import configuration
+from tfloom.rmw.cyclone.config import configuration
 
 PAYLOAD_SIZE = 1000
 WARM_UP = 200
@@ -29,7 +29,7 @@ def tfloom_ends(there: str, back: str) -> tuple[Callable[[bytes], None], Callabl
     """Return a function that sends on `there`, and one that waits for a sample on `back`."""
     from tfloom._native import ReadyQueue
     from tfloom.rmw.base import NodeName, Topic
-    from tfloom.rmw.cyclonedds import open_participant
+    from tfloom.rmw.cyclone.wire import open_participant
     from tfloom.rmw.qos import QoS
 
     participant, node = open_participant(DOMAIN_ID), NodeName("/", "bench")

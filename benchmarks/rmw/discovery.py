@@ -116,7 +116,7 @@ def work(number: int, own: int, total: int, timeout_s: int) -> None:
     if os.environ["RMW_IMPLEMENTATION"] == WIRES["zenoh"]:
         import zenoh  # noqa: F401
     else:
-        import tfloom.rmw.cyclonedds  # noqa: F401
+        import tfloom.rmw.cyclone.wire  # noqa: F401
     print("loaded", flush=True)
     sys.stdin.readline()
     cpu_s, start = time.process_time(), time.monotonic()

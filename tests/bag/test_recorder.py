@@ -32,9 +32,9 @@ from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
 from tfloom.node.values.time import Time
-from tfloom.rmw import local
 from tfloom.rmw.base import NodeName, Topic
 from tfloom.rmw.events import Count, Event
+from tfloom.rmw.local import wire as local
 from tfloom.rmw.qos import PROFILES, HistoryPolicy, QoS, ReliabilityPolicy
 from tfloom.rmw.qos import DurabilityPolicy as Durability
 

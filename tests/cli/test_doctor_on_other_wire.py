@@ -10,8 +10,8 @@ from tests.zenoh_ports import NEEDS_ZENOH, use_port_of
 
 from tfloom.cli.finding import Verdict
 from tfloom.cli.other_wire import check_other_wire
-from tfloom.rmw import cyclone_ports
-from tfloom.rmw.cyclone_config import discovery_port
+from tfloom.rmw.cyclone import ports as cyclone_ports
+from tfloom.rmw.cyclone.config import discovery_port
 
 pytestmark = NEEDS_ZENOH
 TALKER = ("tfloom", "run", "demo_nodes_py", "talker")

@@ -21,7 +21,7 @@ from tfloom.interfaces.turtlesim.msg import Pose
 from tfloom.rmw.base import NodeName, Sample
 from tfloom.rmw.events import Count, Event
 from tfloom.rmw.qos import DurabilityPolicy, QoS
-from tfloom.rmw.typed_names import topic_of
+from tfloom.rmw.shared.typed_names import topic_of
 from tfloom.rosidl import cdr
 
 POSE = "{x: 5.544444561004639, y: 5.544444561004639}"
@@ -282,7 +282,7 @@ def test_lost_messages_are_reported(
 ) -> None:
     assert "echo-lost-messages" in deviations
     monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
-    monkeypatch.setattr("tfloom.rmw.local.LocalParticipant.create_reader", lambda *_: LossyReader())
+    monkeypatch.setattr("tfloom.rmw.local.wire.LocalParticipant.create_reader", lambda *_: LossyReader())
     words = ["topic", "echo", "/x", "turtlesim/msg/Pose", "--csv", "--timeout", "3", "--qos-depth", "5"]
     assert cli.main([*words, *flags]) == 0
     out, err = capsys.readouterr()

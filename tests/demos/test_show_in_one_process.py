@@ -21,7 +21,7 @@ from tfloom.cli.main import main
 from tfloom.demos.show import Show, ShowError
 from tfloom.demos.threads import WINDOWLESS_PROGRAMS, ThreadProgram, thread_starter
 from tfloom.node.context.utilities import get_default_context
-from tfloom.rmw.cyclone_library import Library
+from tfloom.rmw.cyclone.library import Library
 
 CHOSEN = (
     "RMW_IMPLEMENTATION is tfloom_local, a wire within one process, so all programs run within this process, "
@@ -44,7 +44,7 @@ def without_library(monkeypatch: pytest.MonkeyPatch) -> dict[str, object]:
     """Return the constants of a module with which no libddsc is found."""
     monkeypatch.delenv("RMW_IMPLEMENTATION", raising=False)
     monkeypatch.delenv("TFLOOM_LIBDDSC", raising=False)
-    module = "tfloom.rmw.cyclone_library"
+    module = "tfloom.rmw.cyclone.library"
     return {f"{module}._PACKAGES": (), f"{module}._SYSTEM_FOLDERS": (), f"{module}._ROS_FOLDER": ""}
 
 
@@ -214,7 +214,7 @@ def test_end_is_as_requested(
 def test_processes_are_used_if_the_library_is_installed(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("RMW_IMPLEMENTATION", raising=False)
     library = Library("libddsc.so", "0.10.5", "the system")
-    monkeypatch.setattr("tfloom.rmw.cyclone_library.open_library", lambda: library)
+    monkeypatch.setattr("tfloom.rmw.cyclone.library.open_library", lambda: library)
     assert describe_wire() == ("They meet over DDS, by libddsc 0.10.5 of the system.", True)
     monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
     assert describe_wire() == (CHOSEN, False)

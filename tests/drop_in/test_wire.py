@@ -128,7 +128,9 @@ def test_without_the_dds_library_it_is_a_raw_subscription(
 ) -> None:
     publish("rclpy", real_ros, start_program, domain_id)
     # The system may have a library of its own.
-    hidden = "from tfloom.rmw import cyclone_library\ncyclone_library._SYSTEM_FOLDERS = ()\n"
+    hidden = (
+        "from tfloom.rmw.cyclone import library as cyclone_library\ncyclone_library._SYSTEM_FOLDERS = ()\n"
+    )
     (tmp_path / "sitecustomize.py").write_text(hidden)
     listener = listen(domain_id, paths=[tmp_path, site_without_dds])
     listener.ready('"there is no DDS: install one with')

@@ -16,10 +16,10 @@ from tests.zenoh_ports import hold_zenoh_port
 
 from tfloom.cli.finding import Verdict
 from tfloom.cli.zenoh_health import check_router
-from tfloom.rmw import zenoh_config
 from tfloom.rmw.errors import WireError
-from tfloom.rmw.zenoh_config import SESSION_VARIABLE, session_configuration
-from tfloom.rmw.zenoh_session import open_session
+from tfloom.rmw.zenoh import config as zenoh_config
+from tfloom.rmw.zenoh.config import SESSION_VARIABLE, session_configuration
+from tfloom.rmw.zenoh.session import open_session
 
 zenoh = pytest.importorskip("zenoh", reason="eclipse-zenoh is not installed: pip install 'tfloom[zenoh]'")
 

@@ -46,7 +46,7 @@ WRITERS = {
     "launch/testing/launch_test.py": OF_A_COMMAND,
     "node/log/log_file.py": "log_of_a_node",
     "regular_files.py": "- opens to read",
-    "rmw/cyclone_library.py": "- a file in memory",
+    "rmw/cyclone/library.py": "- a file in memory",
     "rosidl/generate.py": OF_A_BUILD,
     "tf2/frozen.py": OF_THE_CALLER,
     "tf2/trajectory.py": OF_THE_CALLER,

@@ -51,7 +51,7 @@ from tfloom.node.values.duration import Duration
 from tfloom.node.values.time import Time
 from tfloom.rmw import services
 from tfloom.rmw.base import RequestId
-from tfloom.rmw.zenoh_announced import AnnouncedTokens
+from tfloom.rmw.zenoh.announced import AnnouncedTokens
 from tfloom.tf2_ros import deadlines
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.transform_listener import TransformListener
@@ -82,13 +82,13 @@ PLACES = {
     "node/context/context.py": ["shutdown_hooks"],
     "node/executing/executors.py": ["pool"],
     "node/executing/signals.py": ["postponed_interrupt"],
-    "rmw/cyclone_threads.py": ["participant"],
+    "rmw/cyclone/threads.py": ["participant"],
     "rmw/services.py": ["held_requests", "late_response"],
-    "rmw/zenoh_announced.py": ["announced_tokens"],
-    "rmw/zenoh_events.py": ["refused: tests/rmw/test_zenoh_wire.py, where the endpoint is not opened then"],
-    "rmw/zenoh_feeder.py": ["refused: tests/rmw/test_zenoh_wire.py, where the reader isn't fed then"],
-    "rmw/zenoh_meeting_point.py": ["refused: tests/rmw/test_zenoh_session.py, which closes the session then"],
-    "rmw/zenoh_session.py": [
+    "rmw/zenoh/announced.py": ["announced_tokens"],
+    "rmw/zenoh/events.py": ["refused: tests/rmw/test_zenoh_wire.py, where the endpoint is not opened then"],
+    "rmw/zenoh/feeder.py": ["refused: tests/rmw/test_zenoh_wire.py, where the reader isn't fed then"],
+    "rmw/zenoh/meeting_point.py": ["refused: tests/rmw/test_zenoh_session.py, which closes the session then"],
+    "rmw/zenoh/session.py": [
         "refused: tests/rmw/test_zenoh_session.py, which closes the session nevertheless"
     ],
     "tf2_ros/deadlines.py": ["deadline"],

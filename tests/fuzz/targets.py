@@ -21,8 +21,8 @@ from tfloom.interfaces.nav_msgs.msg import OccupancyGrid
 from tfloom.interfaces.sensor_msgs.msg import JointState
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.interfaces.type_description_interfaces.msg import TypeDescription
-from tfloom.rmw import node_lists
-from tfloom.rmw.cyclone_graph import CycloneGraph
+from tfloom.rmw.cyclone import discovery_info
+from tfloom.rmw.cyclone.graph import CycloneGraph
 from tfloom.robot.model import RobotModel
 from tfloom.robot.robot_transforms import RobotTransforms
 from tfloom.robot.urdf import UrdfError, parse_urdf
@@ -124,10 +124,10 @@ def graph(data: bytes) -> bool:
     for name, _ in view.enclaves:
         assert name.full.startswith(("/", "")), name
     try:
-        owner, nodes = node_lists.decode(node_list)
-    except node_lists.NodeListError:
+        owner, nodes = discovery_info.decode(node_list)
+    except discovery_info.NodeListError:
         return False
-    assert node_lists.decode(node_lists.encode(owner, nodes)) == (owner, nodes)
+    assert discovery_info.decode(discovery_info.encode(owner, nodes)) == (owner, nodes)
     return True
 
 

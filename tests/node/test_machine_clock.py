@@ -14,7 +14,7 @@ from tfloom.node.log import log_output
 from tfloom.node.node import Node
 from tfloom.node.values import readable_clock
 from tfloom.node.values.exceptions import RCLError
-from tfloom.rmw import cyclonedds
+from tfloom.rmw.cyclone import wire as cyclonedds
 from tfloom.rmw.errors import WireError
 
 IN_2040_NS = 2_208_988_801_000_000_000

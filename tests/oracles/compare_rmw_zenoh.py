@@ -26,8 +26,8 @@ import zenoh
 from tfloom.interfaces.example_interfaces.srv import AddTwoInts
 from tfloom.rmw.base import NodeName
 from tfloom.rmw.qos import QoS
-from tfloom.rmw.zenoh_attachment import pack, unpack
-from tfloom.rmw.zenoh_tokens import End, Kind, Token, data_key, gid_of, parse_token, token_key, token_pattern
+from tfloom.rmw.zenoh.attachment import pack, unpack
+from tfloom.rmw.zenoh.tokens import End, Kind, Token, data_key, gid_of, parse_token, token_key, token_pattern
 from tfloom.rosidl.cdr import encode
 
 if TYPE_CHECKING:

@@ -17,11 +17,11 @@ from tests.conftest import Program, wait_until
 from tests.zenoh_ports import NEEDS_ZENOH, use_port_of
 
 from tfloom.rmw.base import NodeName, Participant, Reader, Topic
-from tfloom.rmw.cyclonedds import open_participant
+from tfloom.rmw.cyclone.wire import open_participant
 
 PROGRAMS = Path(__file__).parent / "programs"
 NODES = NodeName("/", "client"), NodeName("/a", "server")
-WIRES = {"local": "local", "cyclonedds": "cyclonedds", "zenoh": "zenoh_wire"}
+WIRES = {"local": "local", "cyclonedds": "cyclone", "zenoh": "zenoh"}
 
 Wires = tuple[Participant, Participant]
 
@@ -137,7 +137,7 @@ def start_peer(domain_id: int, start_program: Callable[..., Any]) -> Iterator[Ca
 )
 def wires(request: pytest.FixtureRequest, domain_id: int) -> Iterator[Wires]:
     """Yield two participants that discover each other, each with a node of `NODES`, on each wire."""
-    module = import_module(f"tfloom.rmw.{WIRES[request.param]}")
+    module = import_module(f"tfloom.rmw.{WIRES[request.param]}.wire")
     with use_port_of(domain_id):
         here, there = module.open_participant(domain_id), module.open_participant(domain_id)
         here.add_node(NODES[0])

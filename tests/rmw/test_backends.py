@@ -9,7 +9,8 @@ from types import SimpleNamespace
 
 import pytest
 
-from tfloom.rmw import backends, cyclone_library
+from tfloom.rmw import backends
+from tfloom.rmw.cyclone import library as cyclone_library
 from tfloom.rmw.errors import ConfigurationError, NoBackendError
 
 

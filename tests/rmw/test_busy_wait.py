@@ -10,8 +10,8 @@ from statistics import median
 import pytest
 
 from tfloom._native import ReadyQueue
-from tfloom.rmw import cyclonedds
 from tfloom.rmw.base import NodeName, Topic, Writer
+from tfloom.rmw.cyclone import wire as cyclonedds
 from tfloom.rmw.qos import QoS
 
 pytestmark = [

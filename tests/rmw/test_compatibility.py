@@ -25,7 +25,7 @@ from tfloom.rmw.qos import (
     QoS,
     ReliabilityPolicy,
 )
-from tfloom.rmw.qos_mismatch import MAX_DIFFERENCES, mismatch_text
+from tfloom.rmw.shared.qos_mismatch import MAX_DIFFERENCES, mismatch_text
 
 STRONG = QoS(
     ReliabilityPolicy.RELIABLE,

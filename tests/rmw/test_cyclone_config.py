@@ -7,8 +7,9 @@ from xml.etree import ElementTree as ET
 
 import pytest
 
-from tfloom.rmw import cyclone_config, cyclonedds
-from tfloom.rmw.cyclone_config import (
+from tfloom.rmw.cyclone import config as cyclone_config
+from tfloom.rmw.cyclone import wire as cyclonedds
+from tfloom.rmw.cyclone.config import (
     RANGES,
     configuration,
     configuration_for,
@@ -251,7 +252,8 @@ def test_uri_rejected_by_cyclone_is_named_in_the_error(domain_id, monkeypatch, c
 
 FULL_DOMAIN = """
 import os
-from tfloom.rmw import cyclone_config, cyclonedds
+from tfloom.rmw.cyclone import config as cyclone_config
+from tfloom.rmw.cyclone import wire as cyclonedds
 from tfloom.rmw.errors import WireError
 
 cyclone_config.LOCAL_PARTICIPANTS = 1

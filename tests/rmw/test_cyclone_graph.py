@@ -23,12 +23,12 @@ from tfloom._native import (
     dds_read_versions,
     dds_version,
 )
-from tfloom.rmw import node_lists
 from tfloom.rmw.base import NodeName, Service, Topic
-from tfloom.rmw.cyclone_config import configuration
-from tfloom.rmw.cyclone_graph import CycloneGraph
-from tfloom.rmw.cyclone_library import find_library
-from tfloom.rmw.cyclonedds import open_participant
+from tfloom.rmw.cyclone import discovery_info
+from tfloom.rmw.cyclone.config import configuration
+from tfloom.rmw.cyclone.graph import CycloneGraph
+from tfloom.rmw.cyclone.library import find_library
+from tfloom.rmw.cyclone.wire import open_participant
 from tfloom.rmw.qos import (
     INFINITE_NS,
     DurabilityPolicy,
@@ -216,10 +216,10 @@ def test_invalid_node_list_does_not_hide_others(
 ) -> None:
     bare = DdsParticipant(find_library(), domain_id, configuration(), b"")
     qos = QoS(durability=TRANSIENT_LOCAL, depth=1)
-    writer = DdsWriter(bare, node_lists.TOPIC_NAME, type_to_dds(node_lists.TYPE_NAME), qos, b"")
+    writer = DdsWriter(bare, discovery_info.TOPIC_NAME, type_to_dds(discovery_info.TYPE_NAME), qos, b"")
     wait_until(writer.matched_count)
     writer.write(junk[:4] + bare.gid + junk[20:] if len(junk) > 20 else junk)
-    told = node_lists.encode(bare.gid, [node_lists.NodeEnds(NodeName("/", "good"), [], [])])
+    told = discovery_info.encode(bare.gid, [discovery_info.NodeEnds(NodeName("/", "good"), [], [])])
     assert participant.graph.nodes() == [node]
     writer.write(told)
     wait_until(lambda: participant.graph.nodes() == [NodeName("/", "good"), node])
@@ -249,9 +249,9 @@ def test_range_off_discovers_nothing_and_is_not_discovered(
 
 PARTICIPANT, WRITER, OTHER = (bytes([number]) * 16 for number in (1, 2, 3))
 QUALITY = (1, 1, 1, 1, 0, 0, 1, 0)
-LIST = node_lists.encode(PARTICIPANT, [node_lists.NodeEnds(NodeName("/", "a"), [], [WRITER])])
+LIST = discovery_info.encode(PARTICIPANT, [discovery_info.NodeEnds(NodeName("/", "a"), [], [WRITER])])
 
-NO_NODES = node_lists.encode(PARTICIPANT, [])
+NO_NODES = discovery_info.encode(PARTICIPANT, [])
 
 
 def writer_on(topic: bytes, quality: tuple[int, ...] = QUALITY) -> tuple[object, ...]:
@@ -330,7 +330,7 @@ FAST, OTHER_FAST, FAST_END = (b"\x01\x0f" + bytes([number]) * 14 for number in (
 def test_participants_of_fast_dds_are_late_until_their_lists_and_ends_arrive(
     participant: bytes, user_data: bytes, ends: list[bytes], has_list: bool, late: int
 ) -> None:
-    told = node_lists.encode(participant, [node_lists.NodeEnds(NodeName("/", "a"), ends, [])])
+    told = discovery_info.encode(participant, [discovery_info.NodeEnds(NodeName("/", "a"), ends, [])])
     known = [(participant, user_data, told if has_list else b""), (OTHER_FAST, b"enclave=/;", NO_NODES)]
     graph = graph_of((known, []))
     assert len(graph._read(1).late) == late

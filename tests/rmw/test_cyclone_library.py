@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 
 from tfloom._native import DdsParticipant
-from tfloom.rmw import cyclone_library
-from tfloom.rmw.cyclone_library import VARIABLE, candidates, find_library, open_library
+from tfloom.rmw.cyclone import library as cyclone_library
+from tfloom.rmw.cyclone.library import VARIABLE, candidates, find_library, open_library
 from tfloom.rmw.errors import NoBackendError
 
 

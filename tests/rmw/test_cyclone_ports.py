@@ -10,11 +10,11 @@ from pathlib import Path
 
 import pytest
 
-from tfloom.rmw import cyclone_ports
 from tfloom.rmw.base import NodeName
-from tfloom.rmw.cyclone_config import discovery_port
-from tfloom.rmw.cyclone_ports import bound_indices, process_count
-from tfloom.rmw.cyclonedds import open_participant
+from tfloom.rmw.cyclone import ports as cyclone_ports
+from tfloom.rmw.cyclone.config import discovery_port
+from tfloom.rmw.cyclone.ports import bound_indices, process_count
+from tfloom.rmw.cyclone.wire import open_participant
 
 CROWD = Path(__file__).parent / "programs" / "crowd.py"
 linux = pytest.mark.skipif(sys.platform != "linux", reason="bound ports are read from /proc/net/udp")

@@ -12,7 +12,7 @@ from tests.rmw.conftest import Peer, peers
 
 from tfloom._native import ReadyQueue, SampleQueue
 from tfloom.rmw.base import NodeName, Participant, Topic
-from tfloom.rmw.cyclonedds import open_participant
+from tfloom.rmw.cyclone.wire import open_participant
 from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoS, ReliabilityPolicy
 
 HEADER = b"\0\1\0\0"
@@ -265,7 +265,7 @@ def test_bytes_that_are_not_little_endian_cdr_are_rejected(participant, node, to
 
 
 def test_participant_that_announces_itself_at_a_period_of_its_own(domain_id, start_program) -> None:
-    code = "from tfloom.rmw.cyclonedds import open_participant as o; o(%d, announce_s=0.5).close(); print('open')"
+    code = "from tfloom.rmw.cyclone.wire import open_participant as o; o(%d, announce_s=0.5).close(); print('open')"
     program = start_program("python", "-c", code % domain_id)
     assert program.wait() == 0, program.output
     assert program.output == "open"

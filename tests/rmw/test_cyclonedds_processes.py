@@ -12,7 +12,7 @@ from tests.rmw.conftest import outputs_by_end
 
 from tfloom._native import ReadyQueue, SampleQueue
 from tfloom.rmw.base import NodeName
-from tfloom.rmw.cyclonedds import open_participant
+from tfloom.rmw.cyclone.wire import open_participant
 from tfloom.rmw.qos import DurabilityPolicy, QoS, ReliabilityPolicy
 
 needs_fork = pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork")
@@ -147,7 +147,7 @@ def test_idle_process_uses_no_cpu_time(participant, start_peer, node, topic, wai
 IMPORTS = """
 import gc, sys
 from tfloom._native import ReadyQueue, SampleQueue
-from tfloom.rmw import cyclonedds
+from tfloom.rmw.cyclone import wire as cyclonedds
 from tfloom.rmw.backends import open_participant
 from tfloom.rmw.base import NodeName, Topic
 from tfloom.rmw.qos import QoS

@@ -10,10 +10,11 @@ from typing import Any
 import pytest
 
 from tfloom._native import ReadyQueue
-from tfloom.rmw import cyclonedds, local
 from tfloom.rmw.base import NodeName, Participant
+from tfloom.rmw.cyclone import wire as cyclonedds
 from tfloom.rmw.errors import ClosedError, UnsupportedEventError
 from tfloom.rmw.events import Count, Event, IncompatibleQoS, LivelinessChanged, Matched
+from tfloom.rmw.local import wire as local
 from tfloom.rmw.qos import (
     DurabilityPolicy,
     HistoryPolicy,

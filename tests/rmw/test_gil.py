@@ -56,8 +56,8 @@ faulthandler.dump_traceback_later(20, exit=True)
 from tfloom._native import DdsParticipant, DdsReader, DdsWriter
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
-from tfloom.rmw.cyclone_config import configuration
-from tfloom.rmw.cyclone_library import find_library
+from tfloom.rmw.cyclone.config import configuration
+from tfloom.rmw.cyclone.library import find_library
 from tfloom.rmw.qos import DurabilityPolicy, QoS
 from tfloom.rosidl.cdr import encode
 from tfloom.tf2.buffer import Buffer

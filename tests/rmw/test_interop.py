@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from tfloom.rmw.cyclone_config import configuration
+from tfloom.rmw.cyclone.config import configuration
 from tfloom.rmw.qos import DurabilityPolicy, QoS
 
 pytestmark = pytest.mark.skipif(

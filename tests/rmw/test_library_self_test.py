@@ -13,9 +13,10 @@ import pytest
 from tests.conftest import run_to_end
 
 from tfloom import _native
-from tfloom.rmw import cyclone_library, cyclonedds
 from tfloom.rmw.base import NodeName, Participant, Reader, Topic
-from tfloom.rmw.cyclone_library import find_library, open_library
+from tfloom.rmw.cyclone import library as cyclone_library
+from tfloom.rmw.cyclone import wire as cyclonedds
+from tfloom.rmw.cyclone.library import find_library, open_library
 from tfloom.rmw.errors import NoBackendError
 from tfloom.rmw.qos import QoS
 

@@ -9,7 +9,7 @@ import pytest
 
 from tfloom._native import ReadyQueue, SampleQueue
 from tfloom.rmw.base import NodeName, Topic
-from tfloom.rmw.local import LocalParticipant, LocalReader, open_participant
+from tfloom.rmw.local.wire import LocalParticipant, LocalReader, open_participant
 from tfloom.rmw.qos import DurabilityPolicy, QoS
 
 TOPIC = Topic("/chatter", "std_msgs/msg/String", "RIHS01_" + "0" * 64)

@@ -16,9 +16,9 @@ from pathlib import Path
 import pytest
 from tests.conftest import run_to_end
 
-from tfloom.rmw import cyclonedds
-from tfloom.rmw.cyclone_config import configuration
-from tfloom.rmw.cyclone_library import find_library
+from tfloom.rmw.cyclone import wire as cyclonedds
+from tfloom.rmw.cyclone.config import configuration
+from tfloom.rmw.cyclone.library import find_library
 
 SO_BINDTOIFINDEX = 62
 REFUSING = Path(__file__).parent / "libraries" / "refusing_kernel.c"

@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 from tests.conftest import run_to_end
 
-from tfloom.rmw.cyclone_config import configuration_for
+from tfloom.rmw.cyclone.config import configuration_for
 
 INJECT = Path(__file__).parent / "programs" / "inject.py"
 OURS, THEIRS = "10.77.0.1", "10.77.0.2"

@@ -14,7 +14,7 @@ from tfloom._native import ReadyQueue
 from tfloom.rmw.errors import ClosedError
 from tfloom.rmw.events import Event, Matched
 from tfloom.rmw.qos import QoS
-from tfloom.rmw.zenoh_wire import ZenohParticipant
+from tfloom.rmw.zenoh.wire import ZenohParticipant
 
 HERE, THERE = NODES
 LIVES = 3
@@ -139,7 +139,7 @@ def test_the_next_node_of_a_name_is_on_the_graph_once(wires: Wires) -> None:
 def test_a_participant_follows_one_that_was_closed(
     wires: Wires, domain_id: int, request: pytest.FixtureRequest
 ) -> None:
-    module = import_module(f"tfloom.rmw.{WIRES[request.node.callspec.params['wires']]}")
+    module = import_module(f"tfloom.rmw.{WIRES[request.node.callspec.params['wires']]}.wire")
     here = wires[0].create_reader(HERE, TOPIC, QoS())
     guest = THERE._replace(name="guest")
 

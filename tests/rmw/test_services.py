@@ -12,11 +12,13 @@ import pytest
 from tests.rmw.conftest import NODES, Wires
 
 from tfloom._native import DdsParticipant, DdsReader, DdsWriter, ReadyQueue
-from tfloom.rmw import cyclone_services, cyclonedds, services
+from tfloom.rmw import services
 from tfloom.rmw.base import NodeName, Participant, RequestId, Sample, Service, Topic
-from tfloom.rmw.cyclone_config import configuration
-from tfloom.rmw.cyclone_library import find_library
-from tfloom.rmw.cyclone_services import CycloneClients, CycloneServers, Vendors, end_id
+from tfloom.rmw.cyclone import services as cyclone_services
+from tfloom.rmw.cyclone import wire as cyclonedds
+from tfloom.rmw.cyclone.config import configuration
+from tfloom.rmw.cyclone.library import find_library
+from tfloom.rmw.cyclone.services import CycloneClients, CycloneServers, Vendors, end_id
 from tfloom.rmw.errors import ClosedError, ForeignPeerError
 from tfloom.rmw.qos import HistoryPolicy, QoS
 from tfloom.rmw.services import HeaderRequester, HeaderResponder, RequestsInFlight

@@ -104,7 +104,7 @@ def test_incompatible_qualities_are_matched_where_samples_pass(wires: Wires, tak
 def test_domains_are_apart(
     wires: Wires, domain_id: int, request: pytest.FixtureRequest, take_data: TakeData
 ) -> None:
-    module = import_module(f"tfloom.rmw.{WIRES[request.node.callspec.params['wires']]}")
+    module = import_module(f"tfloom.rmw.{WIRES[request.node.callspec.params['wires']]}.wire")
     elsewhere = module.open_participant(domain_id + 100)
     try:
         elsewhere.add_node(HERE)

@@ -9,8 +9,8 @@ import pytest
 from tfloom._native import ReadyQueue
 from tfloom.rmw.base import EndpointInfo, NodeName, Topic
 from tfloom.rmw.errors import WireError
-from tfloom.rmw.peer_types import MAX_NODES, TypeSearch
 from tfloom.rmw.qos import QoS
+from tfloom.rmw.shared.peer_types import MAX_NODES, TypeSearch
 
 HASH = f"RIHS01_{64 * '0'}"
 PLAN = "secret_msgs/msg/Plan"

@@ -10,10 +10,10 @@ from collections.abc import Iterator
 import pytest
 
 from tfloom._native import ReadyQueue
-from tfloom.rmw import local
 from tfloom.rmw.base import NodeName, Participant, Service
+from tfloom.rmw.local import wire as local
 from tfloom.rmw.qos import QoS
-from tfloom.rmw.waiting import wait_for_token, wait_until_ready
+from tfloom.rmw.shared.waiting import wait_for_token, wait_until_ready
 
 KILL = Service("/kill", "turtlesim/srv/Kill")
 NODE = NodeName("/", "node")

@@ -16,7 +16,7 @@ pytest.importorskip("zenoh", reason="eclipse-zenoh is not installed: pip install
 from tests.oracles import compare_rmw_zenoh
 
 from tfloom.rmw.topic_names import type_to_dds
-from tfloom.rmw.zenoh_tokens import parse_token, token_key
+from tfloom.rmw.zenoh.tokens import parse_token, token_key
 
 RECORDED = (Path(__file__).parents[1] / "golden" / "zenoh_tokens.txt").read_text("utf-8").splitlines()
 SHORT = re.compile(r"…/0/\d+/(?P<kind>\w\w)/…/(?P<name>/\S+) (?P<type>\S+) (?P<qos>\S+)")
@@ -70,10 +70,10 @@ def test_the_script_says_same_for_the_same_program(
     ("planted", "difference"),
     [
         (
-            "zenoh_endpoints.pack = lambda number, gid: zenoh_attachment.pack(number, bytes(16))",
+            "endpoints.pack = lambda number, gid: attachment.pack(number, bytes(16))",
             "a gid of no token",
         ),
-        ("zenoh_tokens.DEFAULT_DEPTH = 10", "std_msgs::msg::dds_::String_/RIHS01_"),
+        ("tokens.DEFAULT_DEPTH = 10", "std_msgs::msg::dds_::String_/RIHS01_"),
     ],
     ids=["attachment", "token"],
 )
@@ -85,7 +85,7 @@ def test_the_script_names_a_difference(
     tmp_path: Path,
 ) -> None:
     """The program in the place of the stock one runs on a tfloom with a mistake."""
-    code = f"from tfloom.rmw import zenoh_attachment, zenoh_endpoints, zenoh_tokens\n{planted}\n"
+    code = f"from tfloom.rmw.zenoh import attachment, endpoints, tokens\n{planted}\n"
     (tmp_path / "sitecustomize.py").write_text(code, "utf-8")
     setup = tmp_path / "setup.bash"
     setup.write_text(f"export PYTHONPATH={shlex.quote(str(tmp_path))}\n", "utf-8")

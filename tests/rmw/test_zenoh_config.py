@@ -11,8 +11,8 @@ from typing import Any
 import pytest
 from tests.zenoh_ports import hold_zenoh_port
 
-from tfloom.rmw import zenoh_config
 from tfloom.rmw.errors import ConfigurationError
+from tfloom.rmw.zenoh import config as zenoh_config
 
 pytest.importorskip("zenoh", reason="eclipse-zenoh is not installed: pip install 'tfloom[zenoh]'")
 

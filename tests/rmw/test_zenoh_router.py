@@ -16,17 +16,17 @@ from tests.conftest import Program, wait_until
 from tests.zenoh_ports import hold_zenoh_port
 
 from tfloom.cli.main import main
-from tfloom.rmw import zenoh_meeting_point
-from tfloom.rmw.zenoh_config import (
+from tfloom.rmw.zenoh import meeting_point as zenoh_meeting_point
+from tfloom.rmw.zenoh.config import (
     default_configuration,
     router_configuration,
     router_settings,
     session_configuration,
 )
-from tfloom.rmw.zenoh_links import unlinked_endpoints
-from tfloom.rmw.zenoh_meeting_point import LINK_GAP_S, MeetingPoint, open_lone_router
-from tfloom.rmw.zenoh_router import open_router, open_where_free
-from tfloom.rmw.zenoh_session import open_session
+from tfloom.rmw.zenoh.links import unlinked_endpoints
+from tfloom.rmw.zenoh.meeting_point import LINK_GAP_S, MeetingPoint, open_lone_router
+from tfloom.rmw.zenoh.router import open_router, open_where_free
+from tfloom.rmw.zenoh.session import open_session
 
 zenoh = pytest.importorskip("zenoh", reason="eclipse-zenoh is not installed: pip install 'tfloom[zenoh]'")
 

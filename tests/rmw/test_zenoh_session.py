@@ -24,11 +24,13 @@ from tfloom.cli import health
 from tfloom.cli.finding import Verdict
 from tfloom.cli.health import check_round_trip
 from tfloom.cli.zenoh_health import check_router
-from tfloom.rmw import zenoh_meeting_point, zenoh_router, zenoh_session
 from tfloom.rmw.errors import ClosedError, ConfigurationError, WireError
-from tfloom.rmw.zenoh_config import meeting_point_configuration, router_configuration
-from tfloom.rmw.zenoh_meeting_point import MeetingPoint
-from tfloom.rmw.zenoh_session import ZenohSession, open_session
+from tfloom.rmw.zenoh import meeting_point as zenoh_meeting_point
+from tfloom.rmw.zenoh import router as zenoh_router
+from tfloom.rmw.zenoh import session as zenoh_session
+from tfloom.rmw.zenoh.config import meeting_point_configuration, router_configuration
+from tfloom.rmw.zenoh.meeting_point import MeetingPoint
+from tfloom.rmw.zenoh.session import ZenohSession, open_session
 
 zenoh = pytest.importorskip("zenoh", reason="eclipse-zenoh is not installed: pip install 'tfloom[zenoh]'")
 
@@ -519,8 +521,8 @@ def test_a_forked_child_is_refused_and_ends() -> None:
     code = """
 import os, sys
 from tfloom.rmw.errors import ForkedError
-from tfloom.rmw.zenoh_config import meeting_point_configuration
-from tfloom.rmw.zenoh_session import ZenohSession, open_session
+from tfloom.rmw.zenoh.config import meeting_point_configuration
+from tfloom.rmw.zenoh.session import ZenohSession, open_session
 opened = open_session()
 child = os.fork()
 if child == 0:
@@ -556,8 +558,8 @@ import signal, sys, threading, time
 from contextlib import suppress
 import zenoh
 from tfloom.rmw.errors import ClosedError
-from tfloom.rmw.zenoh_config import meeting_point_configuration
-from tfloom.rmw.zenoh_session import ZenohSession, open_session
+from tfloom.rmw.zenoh.config import meeting_point_configuration
+from tfloom.rmw.zenoh.session import ZenohSession, open_session
 """
 NEVER_CLOSES = """
 opened = open_session()

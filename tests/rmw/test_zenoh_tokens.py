@@ -9,7 +9,6 @@ from pathlib import Path
 import pytest
 from tests.zenoh_ports import NEEDS_ZENOH
 
-from tfloom.rmw import zenoh_attachment
 from tfloom.rmw.base import NodeName
 from tfloom.rmw.qos import (
     INFINITE_NS,
@@ -19,7 +18,8 @@ from tfloom.rmw.qos import (
     QoS,
     ReliabilityPolicy,
 )
-from tfloom.rmw.zenoh_tokens import (
+from tfloom.rmw.zenoh import attachment as zenoh_attachment
+from tfloom.rmw.zenoh.tokens import (
     End,
     Kind,
     Token,

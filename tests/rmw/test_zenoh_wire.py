@@ -24,14 +24,6 @@ from tests.rmw.conftest import Peer, outputs_by_end
 from tests.zenoh_ports import use_port_of
 
 from tfloom._native import ReadyQueue, SampleQueue
-from tfloom.rmw import (
-    zenoh_announced,
-    zenoh_attachment,
-    zenoh_config,
-    zenoh_graph,
-    zenoh_library,
-    zenoh_services,
-)
 from tfloom.rmw.base import NodeName, Participant, Reader, Requester, Sample, Service, Topic
 from tfloom.rmw.endpoint_events import READER_EVENTS, EndpointEvents
 from tfloom.rmw.errors import ClosedError, ForeignPeerError, NoBackendError, WireError
@@ -45,13 +37,19 @@ from tfloom.rmw.qos import (
     QoS,
     ReliabilityPolicy,
 )
-from tfloom.rmw.zenoh_endpoints import MAX_REPORTS, ZenohReader, _Lease
-from tfloom.rmw.zenoh_events import MIN_PERIOD_S, Timers
-from tfloom.rmw.zenoh_graph import ZenohGraph
-from tfloom.rmw.zenoh_library import signals_deferred
-from tfloom.rmw.zenoh_services import ServiceEndpoint, ZenohRequester, ZenohResponder
-from tfloom.rmw.zenoh_session import open_session
-from tfloom.rmw.zenoh_tokens import PREFIX, End, Kind, Token, data_key, gid_of, token_key
+from tfloom.rmw.zenoh import announced as zenoh_announced
+from tfloom.rmw.zenoh import attachment as zenoh_attachment
+from tfloom.rmw.zenoh import config as zenoh_config
+from tfloom.rmw.zenoh import graph as zenoh_graph
+from tfloom.rmw.zenoh import library as zenoh_library
+from tfloom.rmw.zenoh import services as zenoh_services
+from tfloom.rmw.zenoh.endpoints import MAX_REPORTS, ZenohReader, _Lease
+from tfloom.rmw.zenoh.events import MIN_PERIOD_S, Timers
+from tfloom.rmw.zenoh.graph import ZenohGraph
+from tfloom.rmw.zenoh.library import signals_deferred
+from tfloom.rmw.zenoh.services import ServiceEndpoint, ZenohRequester, ZenohResponder
+from tfloom.rmw.zenoh.session import open_session
+from tfloom.rmw.zenoh.tokens import PREFIX, End, Kind, Token, data_key, gid_of, token_key
 
 zenoh = pytest.importorskip("zenoh", reason="eclipse-zenoh is not installed: pip install 'tfloom[zenoh]'")
 
@@ -75,7 +73,7 @@ def zenoh_environment(domain_id: int, monkeypatch: pytest.MonkeyPatch) -> Iterat
 
 @pytest.fixture
 def participant(zenoh_environment: None, domain_id: int) -> Iterator[Participant]:
-    from tfloom.rmw.zenoh_wire import open_participant
+    from tfloom.rmw.zenoh.wire import open_participant
 
     participant = open_participant(domain_id)
     participant.add_node(NODE)
@@ -473,7 +471,7 @@ def test_signal_within_a_callback_of_zenoh_reaches_the_program(
     domain_id: int, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str], number: int
 ) -> None:
     """Zenoh tells of an own token on the thread that declares it, and would print the handler's exception and go on."""
-    from tfloom.rmw.zenoh_wire import open_participant
+    from tfloom.rmw.zenoh.wire import open_participant
 
     told: list[str] = []
 
@@ -1143,7 +1141,7 @@ def test_lost_samples_are_counted_by_the_gaps_of_each_writer(
 
 
 def test_a_flood_of_unknown_writers_takes_bounded_memory() -> None:
-    from tfloom.rmw.zenoh_events import MAX_WRITERS, LostSamples
+    from tfloom.rmw.zenoh.events import MAX_WRITERS, LostSamples
 
     lost = LostSamples()
     for number in range(3 * MAX_WRITERS):
@@ -1321,7 +1319,7 @@ def test_a_graph_that_closes_while_its_router_is_asked_leaves_no_thread(
 def test_the_owner_of_the_router_awaits_nobody_and_others_await_it(
     participant: Participant, domain_id: int
 ) -> None:
-    from tfloom.rmw.zenoh_wire import open_participant
+    from tfloom.rmw.zenoh.wire import open_participant
 
     assert participant.graph.is_whole()
     other = open_participant(domain_id)
@@ -1452,7 +1450,7 @@ def test_samples_and_the_graph_come_back_after_a_routers_death(
 ) -> None:
     """Clients of one router, which have no link of their own: all that passes between them passes through it."""
 
-    from tfloom.rmw.zenoh_wire import open_participant
+    from tfloom.rmw.zenoh.wire import open_participant
 
     port = os.environ["TFLOOM_ZENOH_PORT"]
     router = start_program("tfloom", "zenoh", "router")
@@ -1490,7 +1488,7 @@ import rclpy, zenoh
 from rclpy.node import Node
 from example_interfaces.srv import AddTwoInts
 from std_msgs.msg import String
-from tfloom.rmw import zenoh_wire
+from tfloom.rmw.zenoh import wire as zenoh_wire
 """
 NODE_THAT_HEARS = """
 rclpy.init(args=[])
@@ -1701,7 +1699,7 @@ def test_without_xxhash_the_error_says_what_to_install(
 
 
 def test_no_thread_of_python_is_left(domain_id: int) -> None:
-    from tfloom.rmw.zenoh_wire import open_participant
+    from tfloom.rmw.zenoh.wire import open_participant
 
     before = set(threading.enumerate())
     participant = open_participant(domain_id)
@@ -1753,7 +1751,7 @@ node.create_service(AddTwoInts, "add", print)
 client.wait_for_service(20)
 
 def trace(frame, event, argument):
-    if frame.f_code.co_name == "send" and frame.f_code.co_filename.endswith("zenoh_services.py"):
+    if frame.f_code.co_name == "send" and frame.f_code.co_filename.endswith("zenoh/services.py"):
         sys.settrace(None)
         signal.raise_signal(signal.SIGINT)
 

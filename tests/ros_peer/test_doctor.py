@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from tests.conftest import run_to_end
 
-from tfloom.rmw.cyclone_library import open_library
+from tfloom.rmw.cyclone.library import open_library
 
 from .conftest import OURS, THEIRS, StartEnd
 

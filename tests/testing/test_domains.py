@@ -7,7 +7,7 @@ import sys
 import pytest
 from tests.conftest import run_to_end
 
-from tfloom.rmw import cyclonedds
+from tfloom.rmw.cyclone import wire as cyclonedds
 from tfloom.testing.domains import held_locks, hold_domain
 
 

@@ -158,7 +158,7 @@ def test_a_shut_down_context_ends_a_wait(ros_graph: RosGraph, ros_context: Conte
 @pytest.mark.ros_wire("dds")
 @pytest.mark.wire
 def test_over_dds(ros_graph: RosGraph, wait_for_message: Callable[..., Any], ros_domain: int) -> None:
-    from tfloom.rmw import cyclonedds
+    from tfloom.rmw.cyclone import wire as cyclonedds
 
     ros_graph.add(Counter())
     assert wait_for_message(Int32, "numbers", where=lambda number: number.data > 3).data > 3

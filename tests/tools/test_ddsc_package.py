@@ -17,7 +17,7 @@ from packaging.requirements import Requirement
 from tests.conftest import run_to_end
 from tools.set_up import dependencies_of, read_project
 
-from tfloom.rmw.cyclone_library import find_library
+from tfloom.rmw.cyclone.library import find_library
 
 ROOT = Path(__file__).parents[2]
 PACKAGE = ROOT / "packages" / "tfloom-ddsc"

@@ -311,7 +311,7 @@ def test_advice_for_a_python_without_a_wheel_is_what_is_run() -> None:
     command = platforms.WHEEL_OF_ANOTHER_PYTHON
     assert command.replace("DIR", "/tmp/cyclonedds") in platforms.other_wheel()
     assert command in (platforms.ROOT / "docs" / "platforms.md").read_text("utf-8")
-    source = (platforms.ROOT / "src" / "tfloom" / "rmw" / "cyclone_library.py").read_text("utf-8")
+    source = (platforms.ROOT / "src" / "tfloom" / "rmw" / "cyclone" / "library.py").read_text("utf-8")
     assert command in re.sub(r'"\s+f?"', "", source)
 
 

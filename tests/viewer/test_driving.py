@@ -19,7 +19,7 @@ from websockets.sync.client import connect
 
 from tfloom.interfaces.geometry_msgs.msg import Twist, TwistStamped
 from tfloom.node.node import Node
-from tfloom.rmw import local
+from tfloom.rmw.local import wire as local
 from tfloom.viewer.driving import link
 from tfloom.viewer.driving.driver import SILENCE_S
 from tfloom.viewer.live import live_viewer

@@ -29,12 +29,12 @@ from tfloom.node.action.server import ActionServer, CancelResponse, GoalResponse
 from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
-from tfloom.rmw import peer_types
 from tfloom.rmw.backends import open_participant
 from tfloom.rmw.base import NodeName, Topic
 from tfloom.rmw.errors import WireError
 from tfloom.rmw.qos import QoS
-from tfloom.rmw.service_request import ServiceRequest
+from tfloom.rmw.shared import peer_types
+from tfloom.rmw.shared.service_request import ServiceRequest
 from tfloom.rosidl.class_search import find_class
 from tfloom.rosidl.definition_files import interface_names
 from tfloom.viewer.forms import asking, filling, publishing, sending, type_form

@@ -15,10 +15,10 @@ from tests.viewer.stages import Stage
 from tfloom.interfaces.geometry_msgs.msg import PoseStamped
 from tfloom.interfaces.std_msgs.msg import Float64, String
 from tfloom.interfaces.visualization_msgs.msg import Marker
-from tfloom.rmw import local
 from tfloom.rmw.base import NodeName, Participant, Writer
+from tfloom.rmw.local import wire as local
 from tfloom.rmw.qos import DurabilityPolicy, QoS
-from tfloom.rmw.typed_names import topic_of
+from tfloom.rmw.shared.typed_names import topic_of
 from tfloom.rosidl import cdr
 from tfloom.viewer.feed import Feed
 from tfloom.viewer.frames import FramePoses

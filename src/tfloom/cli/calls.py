@@ -14,7 +14,7 @@ from tfloom.cli.errors import CommandError
 from tfloom.cli.names import did_you_mean
 from tfloom.rmw.action_names import SEND_GOAL
 from tfloom.rmw.base import NodeName, Participant
-from tfloom.rmw.service_request import ServiceRequest, ServiceRequestError
+from tfloom.rmw.shared.service_request import ServiceRequest, ServiceRequestError
 from tfloom.rosidl import cdr
 
 T = TypeVar("T")

@@ -102,7 +102,7 @@ def describe_end(requested_s: float | None, *, opens_page: bool) -> tuple[float 
 
 def describe_wire() -> tuple[str, bool]:
     """Return a line on the wire of the demonstration, and whether processes can communicate over it."""
-    from tfloom.rmw.cyclone_library import open_library
+    from tfloom.rmw.cyclone.library import open_library
     from tfloom.rmw.errors import NoBackendError
 
     if os.environ.get("RMW_IMPLEMENTATION") == "tfloom_local":

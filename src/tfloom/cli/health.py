@@ -54,7 +54,7 @@ def check_wire() -> Finding:
     try:
         name = implementation_identifier()
         if name == DEFAULT:
-            from tfloom.rmw.cyclone_library import open_library
+            from tfloom.rmw.cyclone.library import open_library
 
             library = open_library()
             details["library"], details["library version"] = library.path, library.version or "unknown"
@@ -65,7 +65,7 @@ def check_wire() -> Finding:
         elif name == WIRE:
             from importlib.metadata import version
 
-            from tfloom.rmw.zenoh_library import open_library as open_zenoh
+            from tfloom.rmw.zenoh.library import open_library as open_zenoh
 
             open_zenoh()
             details["library version"] = version("eclipse-zenoh")
@@ -86,7 +86,7 @@ def check_wire() -> Finding:
 def check_domain() -> Finding:
     """Check ROS_DOMAIN_ID and the discovery range."""
     from tfloom.rmw.backends import domain_id_from_environment
-    from tfloom.rmw.cyclone_config import (
+    from tfloom.rmw.cyclone.config import (
         configuration,
         discovery_range,
         look_up_peers,
@@ -181,7 +181,7 @@ def check_network() -> Finding:
 def _requested_range() -> str:
     """Return the discovery range; empty where it is invalid, which another check reports, or has no effect."""
     from tfloom.rmw.backends import DEFAULT, implementation_identifier
-    from tfloom.rmw.cyclone_config import discovery_range
+    from tfloom.rmw.cyclone.config import discovery_range
 
     try:
         ruled = not os.environ.get("CYCLONEDDS_URI") and implementation_identifier() == DEFAULT
@@ -196,7 +196,7 @@ def _needs_multicast() -> bool:
 
 def _used_interface(interfaces: list[Interface]) -> str:
     """Return a text with the interface that the wire uses; empty if it is unknown."""
-    from tfloom.rmw.cyclone_config import why_peers_are_ignored
+    from tfloom.rmw.cyclone.config import why_peers_are_ignored
 
     if _requested_range() == "OFF":
         return "; DDS uses none"
@@ -256,7 +256,7 @@ def _interfaces() -> Iterator[Interface]:
 def check_reach() -> Finding:
     """Check from where the sockets of the wire can be reached, and whether that is protected."""
     from tfloom.rmw.backends import DEFAULT, domain_id_from_environment, implementation_identifier
-    from tfloom.rmw.cyclone_config import is_security_requested
+    from tfloom.rmw.cyclone.config import is_security_requested
 
     details = {"ROS_SECURITY_ENABLE": os.environ.get("ROS_SECURITY_ENABLE", "not set")}
     try:
@@ -287,7 +287,7 @@ def _opened_ports(domain: int) -> str:
     Raises:
         ConfigurationError: ROS_AUTOMATIC_DISCOVERY_RANGE isn't one of the ranges.
     """
-    from tfloom.rmw.cyclone_config import discovery_range, is_local
+    from tfloom.rmw.cyclone.config import discovery_range, is_local
 
     if os.environ.get("CYCLONEDDS_URI"):
         return "CYCLONEDDS_URI opens the UDP ports of its configuration"
@@ -308,7 +308,7 @@ def _unbound_ports(domain: int) -> str:
     Raises:
         WireError: the domain can't be joined.
     """
-    from tfloom.rmw.cyclonedds import CycloneParticipant
+    from tfloom.rmw.cyclone.wire import CycloneParticipant
 
     participant = CycloneParticipant(domain, "/")
     failure = participant.loopback_failure
@@ -331,7 +331,7 @@ def check_round_trip() -> Finding:
     from tfloom.rmw.backends import open_participant
     from tfloom.rmw.base import NodeName
     from tfloom.rmw.qos import QoS
-    from tfloom.rmw.typed_names import topic_of
+    from tfloom.rmw.shared.typed_names import topic_of
 
     node, topic = NodeName("/", "_tfloom_doctor"), topic_of(Empty, "/_tfloom_doctor")
     start = time.monotonic()

@@ -18,8 +18,8 @@ from tfloom.rmw.base import EndpointInfo, Graph, NodeName, Participant, Reader, 
 from tfloom.rmw.errors import UnsupportedEventError
 from tfloom.rmw.events import Count, Event, IncompatibleQoS
 from tfloom.rmw.qos import QoS
-from tfloom.rmw.typed_names import topic_of
-from tfloom.rmw.waiting import wait_for_token
+from tfloom.rmw.shared.typed_names import topic_of
+from tfloom.rmw.shared.waiting import wait_for_token
 from tfloom.rosidl import cdr
 from tfloom.rosidl.message import Message
 
@@ -193,7 +193,7 @@ def warn_of_mismatch(end: Reader | Writer, graph: Graph, name: str, *, is_publis
     """Print a warning on stderr if a new peer is incompatible with `end`."""
     status = end.take_event(Event.INCOMPATIBLE_QOS)
     if isinstance(status, IncompatibleQoS):
-        from tfloom.rmw.qos_mismatch import mismatch_text
+        from tfloom.rmw.shared.qos_mismatch import mismatch_text
 
         print(
             f"WARNING: {mismatch_text(status, name, end.gid, graph, is_publisher=is_publisher)}",

@@ -27,8 +27,8 @@ def check_other_wire() -> Finding:
 
 def _zenoh_beside_dds() -> Finding:
     from tfloom.rmw.backends import DEFAULT, implementation_identifier
-    from tfloom.rmw.zenoh_config import port
-    from tfloom.rmw.zenoh_port import find_port_owner
+    from tfloom.rmw.zenoh.config import port
+    from tfloom.rmw.zenoh.port_holder import find_port_owner
 
     if implementation_identifier() != DEFAULT:
         return Finding(Verdict.OK, "programs are heard in one process alone")
@@ -47,8 +47,8 @@ def _zenoh_beside_dds() -> Finding:
 
 def _dds_beside_zenoh() -> Finding:
     from tfloom.rmw.backends import domain_id_from_environment
-    from tfloom.rmw.cyclone_config import discovery_port, local_participants
-    from tfloom.rmw.cyclone_ports import bound_udp_ports
+    from tfloom.rmw.cyclone.config import discovery_port, local_participants
+    from tfloom.rmw.cyclone.ports import bound_udp_ports
 
     domain = domain_id_from_environment()
     bound = bound_udp_ports()

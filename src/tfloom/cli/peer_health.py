@@ -25,8 +25,8 @@ def check_peers() -> Finding:
     """Check what passes between this process and each participant on the domain: on DDS, by its vendor."""
     from tfloom._native import dds_read_versions
     from tfloom.cli.graph import joined_participant, wait_until_quiet
-    from tfloom.rmw.cyclone_library import open_library
-    from tfloom.rmw.cyclone_services import start_translation
+    from tfloom.rmw.cyclone.library import open_library
+    from tfloom.rmw.cyclone.services import start_translation
 
     is_zenoh = is_zenoh_selected()
     if not is_zenoh:
@@ -81,8 +81,8 @@ def what_passes(gid: bytes, untranslated: str) -> tuple[str, bool]:
         gid: The participant's.
         untranslated: Why services of Fast DDS are not translated; empty if they are.
     """
-    from tfloom.rmw.cyclone_graph import FAST_DDS
-    from tfloom.rmw.cyclone_services import CYCLONE_VENDOR
+    from tfloom.rmw.cyclone.graph import FAST_DDS
+    from tfloom.rmw.cyclone.services import CYCLONE_VENDOR
 
     if gid.startswith(CYCLONE_VENDOR):
         return "header in the message; all passes", True

@@ -7,8 +7,8 @@ from contextlib import contextmanager
 
 from tfloom.cli import graph
 from tfloom.cli.listen import cli_node, shown_node
-from tfloom.rmw import peer_types
 from tfloom.rmw.base import Graph, Participant
+from tfloom.rmw.shared import peer_types
 
 DISCOVERY_S = 0.5
 """How long to wait at most for discovery [s]."""

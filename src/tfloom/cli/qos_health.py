@@ -47,7 +47,7 @@ def check_qos() -> Finding:
 
 
 def _apart(topic: str, writers: list[EndpointInfo], readers: list[EndpointInfo]) -> Iterator[str]:
-    from tfloom.rmw.qos_mismatch import differences
+    from tfloom.rmw.shared.qos_mismatch import differences
 
     for writer in writers:
         for reader in readers:

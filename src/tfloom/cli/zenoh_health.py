@@ -27,7 +27,7 @@ def is_zenoh_selected() -> bool:
 
 def check_router() -> Finding:
     """Check which router a program of this environment is linked to, by which transport, and if it is none, why."""
-    from tfloom.rmw import zenoh_config as settings
+    from tfloom.rmw.zenoh import config as settings
 
     names = (
         settings.SESSION_VARIABLE,
@@ -54,11 +54,11 @@ def check_router() -> Finding:
 def _linked(config: Any, details: dict[str, Any]) -> Finding:
     from contextlib import closing
 
-    from tfloom.rmw.zenoh_config import needs_meeting_point, port, reason_of
-    from tfloom.rmw.zenoh_library import open_library
-    from tfloom.rmw.zenoh_links import why_no_link, why_no_links
-    from tfloom.rmw.zenoh_port import find_port_owner
-    from tfloom.rmw.zenoh_session import ZenohSession
+    from tfloom.rmw.zenoh.config import needs_meeting_point, port, reason_of
+    from tfloom.rmw.zenoh.library import open_library
+    from tfloom.rmw.zenoh.links import why_no_link, why_no_links
+    from tfloom.rmw.zenoh.port_holder import find_port_owner
+    from tfloom.rmw.zenoh.session import ZenohSession
 
     zenoh = open_library()
     is_own = needs_meeting_point(config)
@@ -93,7 +93,7 @@ def check_zenoh_reach(details: dict[str, Any]) -> Finding:
     Raises:
         WireError: the configuration is invalid.
     """
-    from tfloom.rmw.zenoh_config import endpoints_of, session_configuration
+    from tfloom.rmw.zenoh.config import endpoints_of, session_configuration
 
     endpoints = endpoints_of(session_configuration(), "listen/endpoints")
     details["listens at"] = ", ".join(endpoints) or "nothing"

@@ -15,8 +15,8 @@ from typing import TYPE_CHECKING, Any, Protocol
 from tfloom.drop_in import real_ros
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.rmw.base import NodeName, Topic
-from tfloom.rmw.cyclone_config import is_security_requested
-from tfloom.rmw.cyclone_library import find_library
+from tfloom.rmw.cyclone.config import is_security_requested
+from tfloom.rmw.cyclone.library import find_library
 from tfloom.rmw.errors import ConfigurationError, NoBackendError
 from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoS, ReliabilityPolicy
 
@@ -122,7 +122,7 @@ class OwnReaders:
     """
 
     def __init__(self, node: Any) -> None:
-        from tfloom.rmw.cyclonedds import open_participant
+        from tfloom.rmw.cyclone.wire import open_participant
 
         self._domain_id = node.context.get_domain_id()
         self._readers: list[OwnReader] = []

@@ -29,7 +29,7 @@ from tfloom.node.values.type_support import (
 )
 from tfloom.rmw.base import Reader, Requester, Responder
 from tfloom.rmw.events import AT_FIRST, Status
-from tfloom.rmw.typed_names import service_of, topic_of
+from tfloom.rmw.shared.typed_names import service_of, topic_of
 from tfloom.rosidl import cdr
 
 if TYPE_CHECKING:

@@ -6,8 +6,8 @@ from pathlib import Path
 
 from PyInstaller.utils.hooks import collect_data_files, collect_submodules
 
-from tfloom.rmw import cyclone_library
-from tfloom.rmw.cyclone_library import find_library
+from tfloom.rmw.cyclone import library as cyclone_library
+from tfloom.rmw.cyclone.library import find_library
 from tfloom.rmw.errors import NoBackendError
 
 # RMW_IMPLEMENTATION names a module of rmw/, a type's name one of interfaces/, a façade's deferred names those of node/.

@@ -2,12 +2,9 @@
 
 - base: the interface of the wires
 - backends: the table of wires, by the value of RMW_IMPLEMENTATION
-- local*: the wire inside the process
-- cyclone*: the wire on libddsc
-- zenoh*: the wire on eclipse-zenoh, from `zenoh_wire`; its configuration and its routers
-- services, events, endpoint_events, qos, compatibility: what the wires share
-- callback_files: where Ctrl-C waits
-- forks: what a forked process has inherited
-- service_request: a request of a service, in steps; peer_types: types that other nodes describe
-- waiting, typed_names, action_names, endpoint_text, qos_mismatch: what nodes and commands share
+- local/, cyclone/, zenoh/: the wires: inside the process, on libddsc, on eclipse-zenoh; each begins at its `wire`
+- services, events, endpoint_events, qos, compatibility, topic_names, action_names, errors: what the wires share
+- uninterrupted_files: where Ctrl-C waits
+- forks: what a forked process has inherited;  machine_clock: a clock whose time doesn't fit into a message
+- shared/: what nodes and commands share
 """

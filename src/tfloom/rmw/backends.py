@@ -14,15 +14,15 @@ if TYPE_CHECKING:
     from tfloom.rmw.base import Participant
 
 BACKENDS = {
-    "rmw_cyclonedds_cpp": "tfloom.rmw.cyclonedds",
-    "rmw_zenoh_cpp": "tfloom.rmw.zenoh_wire",
-    "tfloom_local": "tfloom.rmw.local",
+    "rmw_cyclonedds_cpp": "tfloom.rmw.cyclone.wire",
+    "rmw_zenoh_cpp": "tfloom.rmw.zenoh.wire",
+    "tfloom_local": "tfloom.rmw.local.wire",
 }
 """ROS's name of each wire, and the module that implements it."""
 
 LIBRARIES = {
-    "rmw_cyclonedds_cpp": "tfloom.rmw.cyclone_library",
-    "rmw_zenoh_cpp": "tfloom.rmw.zenoh_library",
+    "rmw_cyclonedds_cpp": "tfloom.rmw.cyclone.library",
+    "rmw_zenoh_cpp": "tfloom.rmw.zenoh.library",
 }
 """The module whose `find_library` locates the library of a wire; other wires need none."""
 
@@ -94,7 +94,7 @@ def _default() -> str:
 
 def _untranslated() -> str:
     """Return why services don't pass with Fast DDS, as far as it is known before the wire's library is loaded."""
-    from tfloom.rmw.cyclone_services import TRANSLATION_VARIABLE
+    from tfloom.rmw.cyclone.services import TRANSLATION_VARIABLE
 
     if os.environ.get(TRANSLATION_VARIABLE) == "0":
         return f"{TRANSLATION_VARIABLE} is 0"

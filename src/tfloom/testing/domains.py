@@ -69,7 +69,7 @@ def _lock_a_domain(domains: Sequence[int], timeout_s: float) -> Iterator[tuple[i
 
 
 def _expect_nobody_left(domain: int) -> None:
-    wire = sys.modules.get("tfloom.rmw.cyclonedds")
+    wire = sys.modules.get("tfloom.rmw.cyclone.wire")
     if wire is None or not wire.is_joined(domain):
         return
     gc.collect()

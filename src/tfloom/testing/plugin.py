@@ -76,7 +76,7 @@ def _expect_own_rclpy() -> None:
 
 
 def _expect_dds() -> None:
-    from tfloom.rmw.cyclone_library import find_library
+    from tfloom.rmw.cyclone.library import find_library
     from tfloom.rmw.errors import NoBackendError
 
     try:

@@ -12,7 +12,7 @@ from tfloom.interfaces.rcl_interfaces import srv
 from tfloom.interfaces.rcl_interfaces.msg import Parameter
 from tfloom.node.parameters.parameter import ParameterType, get_parameter_value, parameter_value_to_python
 from tfloom.node.values.value_text import value_text as _value_text
-from tfloom.rmw.service_request import ServiceRequest, ServiceRequestError
+from tfloom.rmw.shared.service_request import ServiceRequest, ServiceRequestError
 from tfloom.rosidl import cdr
 from tfloom.viewer.displays.display import shown_text
 from tfloom.viewer.page_command import PageError, text

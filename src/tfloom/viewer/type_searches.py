@@ -6,7 +6,7 @@ import time
 from typing import TYPE_CHECKING, NamedTuple
 
 from tfloom._native import ReadyQueue
-from tfloom.rmw.peer_types import TypeSearch
+from tfloom.rmw.shared.peer_types import TypeSearch
 
 if TYPE_CHECKING:
     from tfloom.rmw.base import NodeName, Participant

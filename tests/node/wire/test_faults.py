@@ -16,7 +16,7 @@ from tfloom.node.node import Node
 from tfloom.node.qos.qos import HistoryPolicy, QoSProfile
 from tfloom.node.values.duration import Duration
 from tfloom.rmw.base import NodeName, Topic
-from tfloom.rmw.cyclonedds import open_participant
+from tfloom.rmw.cyclone.wire import open_participant
 from tfloom.rmw.errors import WireError
 from tfloom.rmw.qos import QoS
 from tfloom.rosidl import cdr
@@ -121,7 +121,7 @@ def test_five_hundred_topics_in_one_process(node: Node, start: Start) -> None:
 def test_full_domain_gives_one_error_message(
     domain_id: int, monkeypatch: pytest.MonkeyPatch, start_program: Callable[..., Program], tmp_path: Path
 ) -> None:
-    from tfloom.rmw.cyclone_config import configuration
+    from tfloom.rmw.cyclone.config import configuration
 
     text = configuration()
     limit = "<MaxAutoParticipantIndex>"

@@ -21,7 +21,7 @@ from tfloom.node.endpoints.service_introspection import ServiceIntrospectionStat
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
-from tfloom.rmw import cyclone_services
+from tfloom.rmw.cyclone import services as cyclone_services
 from tfloom.rmw.errors import ForeignPeerError
 
 Start = Callable[..., Program]

@@ -12,9 +12,9 @@ import signal
 import sys
 import time
 
-from tfloom.rmw.cyclone_config import local_participants
-from tfloom.rmw.cyclone_ports import bound_indices
-from tfloom.rmw.cyclonedds import open_participant
+from tfloom.rmw.cyclone.config import local_participants
+from tfloom.rmw.cyclone.ports import bound_indices
+from tfloom.rmw.cyclone.wire import open_participant
 from tfloom.rmw.errors import WireError
 
 PR_SET_PDEATHSIG = 1

@@ -18,7 +18,7 @@ from itertools import pairwise
 
 import zenoh
 
-from tfloom.rmw.zenoh_session import open_session
+from tfloom.rmw.zenoh.session import open_session
 
 name, *commands = sys.argv[1:]
 members: set[str] = set()

@@ -11,10 +11,10 @@ import pytest
 from tests.tf2_tools.recordings import recorded, transform
 
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
-from tfloom.rmw import local
 from tfloom.rmw.base import NodeName, Participant, Writer
+from tfloom.rmw.local import wire as local
 from tfloom.rmw.qos import QoS, ReliabilityPolicy
-from tfloom.rmw.typed_names import topic_of
+from tfloom.rmw.shared.typed_names import topic_of
 from tfloom.tf2.buffer import Buffer
 from tfloom.tf2_tools.explanation.advice import advise
 from tfloom.tf2_tools.explanation.lookup import Lookup, Outcome, look_up

@@ -12,11 +12,11 @@ from tests.tf2_tools.recordings import recorded, transform
 from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.interfaces.rosgraph_msgs.msg import Clock
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
-from tfloom.rmw import local
 from tfloom.rmw.backends import open_participant
 from tfloom.rmw.base import NodeName, Participant, Writer
+from tfloom.rmw.local import wire as local
 from tfloom.rmw.qos import DurabilityPolicy, QoS, ReliabilityPolicy
-from tfloom.rmw.typed_names import topic_of
+from tfloom.rmw.shared.typed_names import topic_of
 from tfloom.rosidl import cdr
 from tfloom.tf2.buffer import Buffer
 from tfloom.tf2_tools.top.rows import Health, Rates, rows_of

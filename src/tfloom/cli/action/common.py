@@ -8,7 +8,7 @@ from tfloom.cli import graph
 from tfloom.cli.names import did_you_mean, full_topic_name
 from tfloom.rmw.action_names import SEND_GOAL, SEND_GOAL_TYPE
 from tfloom.rmw.base import Graph
-from tfloom.rmw.endpoint_text import UNKNOWN_NODE
+from tfloom.rmw.shared.endpoint_text import UNKNOWN_NODE
 
 
 class ActionEnd(NamedTuple):

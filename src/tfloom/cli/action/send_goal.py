@@ -25,7 +25,7 @@ from tfloom.rmw.action_names import (
 )
 from tfloom.rmw.base import NodeName, Participant, Reader
 from tfloom.rmw.qos import QoS
-from tfloom.rmw.typed_names import topic_of
+from tfloom.rmw.shared.typed_names import topic_of
 from tfloom.rosidl.yaml_text import message_to_yaml
 
 CANCEL_TIMEOUT_S = 5.0

@@ -8,7 +8,7 @@ import os
 import socket
 
 from tfloom.cli.errors import CommandError
-from tfloom.rmw.cyclone_config import DEFAULT_RANGE
+from tfloom.rmw.cyclone.config import DEFAULT_RANGE
 
 GROUP = "225.0.0.1"
 PORT = 49150

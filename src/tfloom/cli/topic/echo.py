@@ -18,7 +18,7 @@ from tfloom.cli.selection import field_picker, message_filter
 from tfloom.rmw.base import Participant, Sample
 from tfloom.rmw.events import Count
 from tfloom.rmw.qos import QoS, ReliabilityPolicy
-from tfloom.rmw.typed_names import topic_of
+from tfloom.rmw.shared.typed_names import topic_of
 from tfloom.rosidl.message import Message
 
 SENSOR_DATA = QoS(reliability=ReliabilityPolicy.BEST_EFFORT, depth=5)

@@ -9,7 +9,7 @@ from tfloom.cli.errors import CommandError
 from tfloom.cli.listing import print_json
 from tfloom.cli.names import did_you_mean, full_topic_name
 from tfloom.rmw.base import EndpointInfo
-from tfloom.rmw.endpoint_text import UNKNOWN_NODE, endpoint_text, policy_texts
+from tfloom.rmw.shared.endpoint_text import UNKNOWN_NODE, endpoint_text, policy_texts
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -39,8 +39,8 @@ def main(args: argparse.Namespace) -> int:
     """Route until Ctrl-C; return the exit code."""
     import os
 
-    from tfloom.rmw.zenoh_config import ROUTER_VARIABLE, endpoints_of, mode_of, router_configuration
-    from tfloom.rmw.zenoh_meeting_point import open_lone_router
+    from tfloom.rmw.zenoh.config import ROUTER_VARIABLE, endpoints_of, mode_of, router_configuration
+    from tfloom.rmw.zenoh.meeting_point import open_lone_router
 
     if args.config:
         os.environ[ROUTER_VARIABLE] = args.config
@@ -72,7 +72,7 @@ def _watch_links(session: Any, config: Any) -> NoReturn:
     Raises:
         KeyboardInterrupt: Ctrl-C.
     """
-    from tfloom.rmw.zenoh_links import unlinked_endpoints, why_no_link
+    from tfloom.rmw.zenoh.links import unlinked_endpoints, why_no_link
 
     lacking_since_s: dict[str, float] = {}
     told: set[str] = set()

@@ -48,7 +48,7 @@ from tfloom.node.values.type_support import (
     check_is_valid_srv_type,
     msg_type_error,
 )
-from tfloom.rmw.typed_names import service_of, topic_of
+from tfloom.rmw.shared.typed_names import service_of, topic_of
 from tfloom.rosidl.service import Service as ServiceType
 from tfloom.seconds import checked_timeout, not_a_number, to_nanoseconds, too_long
 

@@ -14,7 +14,7 @@ from tfloom.node.qos.qos import qos_profile_rosout_default
 from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.time import check_fits_stamp
 from tfloom.rmw.errors import ClosedError
-from tfloom.rmw.typed_names import topic_of
+from tfloom.rmw.shared.typed_names import topic_of
 from tfloom.rosidl import cdr
 
 if TYPE_CHECKING:

@@ -25,7 +25,7 @@ from tfloom.node.values.duration import Duration
 from tfloom.node.values.exceptions import InvalidHandle, RCLError
 from tfloom.node.values.type_support import wrong_fields
 from tfloom.rmw.base import RequestId
-from tfloom.rmw.waiting import LOOK_AGAIN_S, wait_for_token, wait_until_ready
+from tfloom.rmw.shared.waiting import LOOK_AGAIN_S, wait_for_token, wait_until_ready
 from tfloom.rosidl import cdr
 from tfloom.rosidl.service import Service as ServiceType
 from tfloom.seconds import checked_timeout

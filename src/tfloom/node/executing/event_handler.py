@@ -12,7 +12,7 @@ from tfloom.node.values.exceptions import InvalidHandle
 from tfloom.node.values.handle import Handle, unwrap_handle
 from tfloom.rmw.errors import UnsupportedEventError
 from tfloom.rmw.events import Count, Event, IncompatibleQoS, LivelinessChanged, Matched, Status
-from tfloom.rmw.qos_mismatch import mismatch_text
+from tfloom.rmw.shared.qos_mismatch import mismatch_text
 
 if TYPE_CHECKING:
     from types import TracebackType

@@ -23,7 +23,7 @@ from tfloom.node.context.postponed_interrupt import postponed
 from tfloom.node.executing.guard_condition import GuardCondition
 from tfloom.node.values.exceptions import ExternalShutdownException
 from tfloom.node.values.handle import unwrap_handle
-from tfloom.rmw.callback_files import callback_files
+from tfloom.rmw.uninterrupted_files import uninterrupted_files
 
 __all__ = [
     "SignalHandlerGuardCondition",
@@ -188,7 +188,7 @@ def _may_interrupt(frame: FrameType | None) -> bool:
         file = code.co_filename
         if (
             file in _uninterruptible_files
-            or file in callback_files
+            or file in uninterrupted_files
             or code.co_name in _uninterruptible_functions
         ):
             return False

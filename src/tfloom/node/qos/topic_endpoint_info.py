@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from tfloom.node.qos.qos import QoSProfile, qos_profile_unknown
 from tfloom.node.values.type_hash import TypeHash
 from tfloom.rmw.base import NodeName
-from tfloom.rmw.endpoint_text import UNKNOWN_NODE, endpoint_text
+from tfloom.rmw.shared.endpoint_text import UNKNOWN_NODE, endpoint_text
 from tfloom.ros_guard import ros_repr
 
 if TYPE_CHECKING:

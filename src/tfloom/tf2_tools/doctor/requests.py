@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tfloom.rmw.base import Sample
-from tfloom.rmw.cyclone_graph import FAST_DDS
+from tfloom.rmw.cyclone.graph import FAST_DDS
 from tfloom.rosidl import cdr
 
 _ENCAPSULATION_SIZE = 4

@@ -16,7 +16,7 @@ from typing import IO, TYPE_CHECKING, cast
 
 from tfloom.rmw.backends import implementation_identifier
 from tfloom.rmw.base import NodeName
-from tfloom.rmw.local import LocalParticipant
+from tfloom.rmw.local.wire import LocalParticipant
 from tfloom.viewer.driving.driver import TWIST_TYPES, Driver, Wish, run_driver
 from tfloom.viewer.page_command import PageError
 

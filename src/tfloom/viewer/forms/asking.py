@@ -19,8 +19,8 @@ from tfloom.rmw.action_names import (
     new_goal_id,
 )
 from tfloom.rmw.qos import QoS
-from tfloom.rmw.service_request import ServiceRequest, ServiceRequestError
-from tfloom.rmw.typed_names import topic_of
+from tfloom.rmw.shared.service_request import ServiceRequest, ServiceRequestError
+from tfloom.rmw.shared.typed_names import topic_of
 from tfloom.rosidl import cdr
 from tfloom.rosidl.yaml_text import message_to_yaml
 from tfloom.viewer.forms.task import Task

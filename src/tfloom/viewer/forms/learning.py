@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from tfloom.viewer.forms.task import Task
 
 if TYPE_CHECKING:
-    from tfloom.rmw.peer_types import TypeSearch
+    from tfloom.rmw.shared.peer_types import TypeSearch
 
 __all__ = ["Learning"]
 

@@ -8,10 +8,10 @@ from contextlib import suppress
 from typing import Any
 
 from tfloom.rmw.errors import ClosedError
-from tfloom.rmw.zenoh_graph import Peer, ZenohGraph
-from tfloom.rmw.zenoh_library import signals_deferred
-from tfloom.rmw.zenoh_session import refuse_fork
-from tfloom.rmw.zenoh_tokens import Kind
+from tfloom.rmw.zenoh.graph import Peer, ZenohGraph
+from tfloom.rmw.zenoh.library import signals_deferred
+from tfloom.rmw.zenoh.session import refuse_fork
+from tfloom.rmw.zenoh.tokens import Kind
 
 __all__ = ["ZenohEnd", "end_declarations"]
 
@@ -54,11 +54,11 @@ class ZenohEnd:
         self._declarations = list(declarations)
 
     def add_peer(self, peer: Peer) -> Callable[[], None] | None:
-        """Note a peer; see `zenoh_graph.Watcher`."""
+        """Note a peer; see `graph.Watcher`."""
         raise NotImplementedError
 
     def remove_peer(self, peer: Peer) -> Callable[[], None] | None:
-        """Note a peer that has left; see `zenoh_graph.Watcher`."""
+        """Note a peer that has left; see `graph.Watcher`."""
         raise NotImplementedError
 
     def _check_process(self) -> None:

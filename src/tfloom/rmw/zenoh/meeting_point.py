@@ -21,16 +21,16 @@ from contextlib import closing, suppress
 from typing import Any
 
 from tfloom.rmw.errors import WireError
-from tfloom.rmw.zenoh_config import (
+from tfloom.rmw.zenoh.config import (
     default_configuration,
     endpoints_of,
     meeting_point_configuration,
     port,
     session_settings,
 )
-from tfloom.rmw.zenoh_library import open_library
-from tfloom.rmw.zenoh_port import find_port_owner
-from tfloom.rmw.zenoh_router import open_router, open_where_free
+from tfloom.rmw.zenoh.library import open_library
+from tfloom.rmw.zenoh.port_holder import find_port_owner
+from tfloom.rmw.zenoh.router import open_router, open_where_free
 
 __all__ = ["MeetingPoint", "open_lone_router"]
 

@@ -12,7 +12,7 @@ import weakref
 from typing import Any, NoReturn
 
 from tfloom.rmw.errors import ClosedError, ForkedError, WireError
-from tfloom.rmw.zenoh_config import (
+from tfloom.rmw.zenoh.config import (
     endpoints_of,
     mode_of,
     needs_meeting_point,
@@ -20,9 +20,9 @@ from tfloom.rmw.zenoh_config import (
     router_checks,
     session_configuration,
 )
-from tfloom.rmw.zenoh_library import open_library, signals_deferred
-from tfloom.rmw.zenoh_links import why_no_links
-from tfloom.rmw.zenoh_meeting_point import MeetingPoint
+from tfloom.rmw.zenoh.library import open_library, signals_deferred
+from tfloom.rmw.zenoh.links import why_no_links
+from tfloom.rmw.zenoh.meeting_point import MeetingPoint
 
 __all__ = ["FORK_ADVICE", "ZenohSession", "open_session", "refuse_fork"]
 

@@ -13,12 +13,12 @@ from typing import Any, Protocol
 
 from tfloom._native import ReadyQueue
 from tfloom.rmw.base import EndpointInfo, NodeName, ParticipantInfo, ServiceEndInfo, Topic
-from tfloom.rmw.callback_files import callback_files
 from tfloom.rmw.topic_names import type_to_dds
-from tfloom.rmw.zenoh_announced import AnnouncedTokens
-from tfloom.rmw.zenoh_library import open_library, signals_deferred
-from tfloom.rmw.zenoh_session import refuse_fork
-from tfloom.rmw.zenoh_tokens import PREFIX, End, Kind, Token, TokenError, gid_of, parse_token, token_pattern
+from tfloom.rmw.uninterrupted_files import uninterrupted_files
+from tfloom.rmw.zenoh.announced import AnnouncedTokens
+from tfloom.rmw.zenoh.library import open_library, signals_deferred
+from tfloom.rmw.zenoh.session import refuse_fork
+from tfloom.rmw.zenoh.tokens import PREFIX, End, Kind, Token, TokenError, gid_of, parse_token, token_pattern
 from tfloom.terminal_text import shown_part
 
 __all__ = ["Peer", "Watcher", "ZenohGraph", "peer_name"]
@@ -327,4 +327,4 @@ def _gid_of_session(zid: str) -> bytes:
         return zid.encode()[:16].ljust(16, b"\0")
 
 
-callback_files.add(ZenohGraph.add_own.__code__.co_filename)
+uninterrupted_files.add(ZenohGraph.add_own.__code__.co_filename)

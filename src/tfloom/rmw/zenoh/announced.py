@@ -14,7 +14,7 @@ from collections.abc import Callable
 from contextlib import closing, suppress
 from typing import Any
 
-from tfloom.rmw.zenoh_library import open_library
+from tfloom.rmw.zenoh.library import open_library
 
 __all__ = ["AnnouncedTokens"]
 

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tfloom.rmw.base import NodeName
-from tfloom.rmw.node_lists import NodeEnds, NodeListError, decode, encode
+from tfloom.rmw.cyclone.discovery_info import NodeEnds, NodeListError, decode, encode
 
 GOLDEN = json.loads((Path(__file__).parents[1] / "golden" / "wire_jazzy_cyclonedds.json").read_text("utf-8"))
 RECORDED = [bytes.fromhex(text) for text in GOLDEN["ros_discovery_info_cdr"]]

@@ -1,6 +1,6 @@
 """The wire of rmw_zenoh: topics, services and the graph over eclipse-zenoh.
 
-Keys and tokens are in `zenoh_tokens`, the session in `zenoh_session`. Nothing here holds a lock during a call of Zenoh:
+Keys and tokens are in `tokens`, the session in `session`. Nothing here holds a lock during a call of Zenoh:
 own tokens, samples and requests arrive within it.
 """
 
@@ -17,15 +17,15 @@ from tfloom.rmw.compatibility import chosen_qos
 from tfloom.rmw.errors import ClosedError, WireError
 from tfloom.rmw.forks import forbid_children
 from tfloom.rmw.qos import QoS
-from tfloom.rmw.zenoh_config import reason_of
-from tfloom.rmw.zenoh_end import end_declarations
-from tfloom.rmw.zenoh_endpoints import ZenohReader, ZenohWriter
-from tfloom.rmw.zenoh_events import Timers
-from tfloom.rmw.zenoh_graph import ZenohGraph
-from tfloom.rmw.zenoh_library import open_library, signals_deferred
-from tfloom.rmw.zenoh_services import ServiceEndpoint, ZenohRequester, ZenohResponder
-from tfloom.rmw.zenoh_session import FORK_ADVICE, ZenohSession, open_session, refuse_fork
-from tfloom.rmw.zenoh_tokens import End, Kind, Token, data_key, gid_of, token_key, wire_qos
+from tfloom.rmw.zenoh.config import reason_of
+from tfloom.rmw.zenoh.end import end_declarations
+from tfloom.rmw.zenoh.endpoints import ZenohReader, ZenohWriter
+from tfloom.rmw.zenoh.events import Timers
+from tfloom.rmw.zenoh.graph import ZenohGraph
+from tfloom.rmw.zenoh.library import open_library, signals_deferred
+from tfloom.rmw.zenoh.services import ServiceEndpoint, ZenohRequester, ZenohResponder
+from tfloom.rmw.zenoh.session import FORK_ADVICE, ZenohSession, open_session, refuse_fork
+from tfloom.rmw.zenoh.tokens import End, Kind, Token, data_key, gid_of, token_key, wire_qos
 
 _TopicEnd = TypeVar("_TopicEnd", ZenohWriter, ZenohReader)
 _ServiceEnd = TypeVar("_ServiceEnd", ZenohRequester, ZenohResponder)

@@ -9,7 +9,7 @@ from tfloom._native import ReadyQueue
 from tfloom.interfaces.type_description_interfaces.srv import GetTypeDescription, GetTypeDescription_Response
 from tfloom.rmw.base import Graph, NodeName, Participant
 from tfloom.rmw.errors import WireError
-from tfloom.rmw.service_request import ServiceRequest, ServiceRequestError
+from tfloom.rmw.shared.service_request import ServiceRequest, ServiceRequestError
 from tfloom.rmw.topic_names import type_from_dds
 from tfloom.rosidl import cdr
 from tfloom.rosidl.described import ANNOUNCED, ANNOUNCED_WITH_SERVICES, DescriptionError, define_described

@@ -16,7 +16,6 @@ from typing import Any
 
 from tfloom._native import ReadyQueue, Sink
 from tfloom.rmw.base import EndpointInfo, Sample
-from tfloom.rmw.callback_files import callback_files
 from tfloom.rmw.compatibility import incompatible_policies
 from tfloom.rmw.endpoint_events import READER_EVENTS, WRITER_EVENTS, EndpointEvents
 from tfloom.rmw.errors import ClosedError, WireError
@@ -28,14 +27,15 @@ from tfloom.rmw.qos import (
     LivelinessPolicy,
     ReliabilityPolicy,
 )
-from tfloom.rmw.zenoh_attachment import pack, unpack
-from tfloom.rmw.zenoh_config import reason_of
-from tfloom.rmw.zenoh_end import ZenohEnd
-from tfloom.rmw.zenoh_events import LostSamples, Timers
-from tfloom.rmw.zenoh_feeder import Feeder
-from tfloom.rmw.zenoh_graph import Peer, ZenohGraph, peer_name
-from tfloom.rmw.zenoh_library import open_library, signals_deferred
-from tfloom.rmw.zenoh_tokens import Kind
+from tfloom.rmw.uninterrupted_files import uninterrupted_files
+from tfloom.rmw.zenoh.attachment import pack, unpack
+from tfloom.rmw.zenoh.config import reason_of
+from tfloom.rmw.zenoh.end import ZenohEnd
+from tfloom.rmw.zenoh.events import LostSamples, Timers
+from tfloom.rmw.zenoh.feeder import Feeder
+from tfloom.rmw.zenoh.graph import Peer, ZenohGraph, peer_name
+from tfloom.rmw.zenoh.library import open_library, signals_deferred
+from tfloom.rmw.zenoh.tokens import Kind
 from tfloom.terminal_text import report, shown_part
 
 __all__ = ["ZenohEndpoint", "ZenohReader", "ZenohWriter"]
@@ -637,4 +637,4 @@ class _OwnLease(_Lease):
             self._events.count(Event.LIVELINESS_LOST)
 
 
-callback_files.add(ZenohReader.take.__code__.co_filename)
+uninterrupted_files.add(ZenohReader.take.__code__.co_filename)

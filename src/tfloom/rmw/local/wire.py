@@ -21,8 +21,8 @@ from tfloom.rmw.base import (
 )
 from tfloom.rmw.compatibility import chosen_qos
 from tfloom.rmw.errors import ClosedError
-from tfloom.rmw.local_endpoints import LocalReader, LocalWriter
-from tfloom.rmw.local_services import LocalClients, LocalServers
+from tfloom.rmw.local.endpoints import LocalReader, LocalWriter
+from tfloom.rmw.local.services import LocalClients, LocalServers
 from tfloom.rmw.qos import QoS
 from tfloom.rmw.services import HeaderRequester, HeaderResponder, waiting_qos
 from tfloom.rmw.topic_names import (

@@ -16,8 +16,8 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from tfloom._native import dds_inline_client, dds_knows_address, intercept_dds_packets
-from tfloom.rmw.cyclone_endpoints import CycloneReader, CycloneWriter
-from tfloom.rmw.cyclone_graph import FAST_DDS
+from tfloom.rmw.cyclone.endpoints import CycloneReader, CycloneWriter
+from tfloom.rmw.cyclone.graph import FAST_DDS
 from tfloom.rmw.topic_names import key_values
 from tfloom.terminal_text import shown_part
 

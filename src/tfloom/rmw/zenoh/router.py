@@ -8,9 +8,9 @@ from __future__ import annotations
 from typing import Any
 
 from tfloom.rmw.errors import WireError
-from tfloom.rmw.zenoh_config import endpoints_of, reason_of
-from tfloom.rmw.zenoh_library import open_library
-from tfloom.rmw.zenoh_port import find_port_owner
+from tfloom.rmw.zenoh.config import endpoints_of, reason_of
+from tfloom.rmw.zenoh.library import open_library
+from tfloom.rmw.zenoh.port_holder import find_port_owner
 
 __all__ = ["RouterError", "open_router", "open_where_free"]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Set as AbstractSet
 
-from tfloom.rmw.local_endpoints import LocalReader, LocalWriter
+from tfloom.rmw.local.endpoints import LocalReader, LocalWriter
 
 
 class LocalServers:

@@ -16,13 +16,14 @@ from typing import TypeVar, cast
 from weakref import WeakSet, WeakValueDictionary
 
 from tfloom._native import DdsParticipant, DdsWriter
-from tfloom.rmw import cyclone_config, node_lists
 from tfloom.rmw.base import NodeName, Participant, Service, Topic
 from tfloom.rmw.compatibility import chosen_qos
-from tfloom.rmw.cyclone_endpoints import CycloneEndpoint, CycloneReader, CycloneWriter
-from tfloom.rmw.cyclone_graph import NODE_LIST_USER_DATA, CycloneGraph
-from tfloom.rmw.cyclone_library import Library, open_copy, open_library
-from tfloom.rmw.cyclone_services import (
+from tfloom.rmw.cyclone import config as cyclone_config
+from tfloom.rmw.cyclone import discovery_info
+from tfloom.rmw.cyclone.endpoints import CycloneEndpoint, CycloneReader, CycloneWriter
+from tfloom.rmw.cyclone.graph import NODE_LIST_USER_DATA, CycloneGraph
+from tfloom.rmw.cyclone.library import Library, open_copy, open_library
+from tfloom.rmw.cyclone.services import (
     CLIENT_KEY,
     SERVER_KEY,
     CycloneClients,
@@ -32,7 +33,7 @@ from tfloom.rmw.cyclone_services import (
     end_user_data,
     start_translation,
 )
-from tfloom.rmw.cyclone_threads import check_threads
+from tfloom.rmw.cyclone.threads import check_threads
 from tfloom.rmw.errors import ClosedError, WireError
 from tfloom.rmw.forks import Inherited, refuse
 from tfloom.rmw.machine_clock import describe_machine_clock
@@ -65,7 +66,7 @@ def open_participant(domain_id: int, enclave: str = "/", announce_s: float | Non
     Args:
         domain_id: 0 to 232.
         enclave: Security enclave to announce.
-        announce_s: See `cyclone_config.configuration`; of the process's first participant on a domain.
+        announce_s: See `config.configuration`; of the process's first participant on a domain.
 
     Raises:
         NoBackendError: there is no libddsc that can be used; see `open_library`.
@@ -168,8 +169,8 @@ class CycloneParticipant:
             self.graph = CycloneGraph(self._native, domain_id)
             self._node_list_writer = DdsWriter(
                 self._native,
-                node_lists.TOPIC_NAME,
-                type_to_dds(node_lists.TYPE_NAME),
+                discovery_info.TOPIC_NAME,
+                type_to_dds(discovery_info.TYPE_NAME),
                 _WRITE_LAST,
                 NODE_LIST_USER_DATA,
             )
@@ -314,14 +315,14 @@ class CycloneParticipant:
     def _publish_nodes(self) -> None:
         """Publish the node list: this participant's nodes, and the endpoints of each."""
         # The caller holds the lock, so that lists leave in the order of the changes: a reader keeps the last one only.
-        nodes = {node: node_lists.NodeEnds(node, [], []) for node in self._nodes}
+        nodes = {node: discovery_info.NodeEnds(node, [], []) for node in self._nodes}
         # An endpoint whose node has been removed is on no list.
         for end, node in self._node_by_end.items():
             if entry := nodes.get(node):
                 gids = entry.writer_gids if isinstance(end, CycloneWriter) else entry.reader_gids
                 gids.append(end.gid)
         self._node_list_writer.write(
-            node_lists.encode(self._native.gid, [nodes[node] for node in self._nodes])
+            discovery_info.encode(self._native.gid, [nodes[node] for node in self._nodes])
         )
 
     def close(self) -> None:

@@ -6,7 +6,7 @@ import json
 import socket
 from typing import Any
 
-from tfloom.rmw.zenoh_config import endpoints_of
+from tfloom.rmw.zenoh.config import endpoints_of
 
 __all__ = ["unlinked_endpoints", "why_no_link", "why_no_links"]
 

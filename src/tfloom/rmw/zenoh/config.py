@@ -16,9 +16,9 @@ import sys
 from collections.abc import Mapping
 from typing import Any
 
-from tfloom.rmw.cyclone_config import discovery_range, lease_s, why_peers_are_ignored
+from tfloom.rmw.cyclone.config import discovery_range, lease_s, why_peers_are_ignored
 from tfloom.rmw.errors import ConfigurationError
-from tfloom.rmw.zenoh_library import open_library
+from tfloom.rmw.zenoh.library import open_library
 
 __all__ = [
     "CHECKS_VARIABLE",

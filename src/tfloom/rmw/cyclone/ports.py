@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable
 
-from tfloom.rmw.cyclone_config import discovery_port, discovery_range, local_participants
+from tfloom.rmw.cyclone.config import discovery_port, discovery_range, local_participants
 
 _SOCKETS = "/proc/net/udp"
 _SOCKETS_OF_IPV6 = "/proc/net/udp6"

@@ -5,7 +5,7 @@ A KeyboardInterrupt is not raised there, but as soon as they have returned: see 
 
 from __future__ import annotations
 
-__all__ = ["callback_files"]
+__all__ = ["uninterrupted_files"]
 
-callback_files: set[str] = set()
+uninterrupted_files: set[str] = set()
 """Named as in code objects; the modules add themselves."""

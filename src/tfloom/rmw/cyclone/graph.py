@@ -7,9 +7,9 @@ from collections.abc import Callable
 from typing import Any, NamedTuple, cast
 
 from tfloom._native import DdsGraph, DdsParticipant, ReadyQueue
-from tfloom.rmw import node_lists
 from tfloom.rmw.base import EndpointInfo, NodeName, ParticipantInfo, ServiceEndInfo, Topic
-from tfloom.rmw.cyclone_ports import bound_indices, process_count
+from tfloom.rmw.cyclone import discovery_info
+from tfloom.rmw.cyclone.ports import bound_indices, process_count
 from tfloom.rmw.forks import Inherited
 from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoS, ReliabilityPolicy
 from tfloom.rmw.topic_names import (
@@ -23,7 +23,7 @@ from tfloom.rmw.topic_names import (
 FAST_DDS = bytes([1, 0x0F])
 """The vendor of Fast DDS: the first bytes of the gids of its participants and endpoints."""
 
-NODE_LIST_USER_DATA = f"typehash={node_lists.TYPE_HASH};".encode()
+NODE_LIST_USER_DATA = f"typehash={discovery_info.TYPE_HASH};".encode()
 
 _READ_ALL = QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL, history=HistoryPolicy.KEEP_ALL)
 
@@ -59,8 +59,8 @@ class CycloneGraph:
         self._own_gid = participant.gid
         self._native = DdsGraph(
             participant,
-            node_lists.TOPIC_NAME,
-            type_to_dds(node_lists.TYPE_NAME),
+            discovery_info.TOPIC_NAME,
+            type_to_dds(discovery_info.TYPE_NAME),
             _READ_ALL,
             NODE_LIST_USER_DATA,
         )
@@ -206,13 +206,13 @@ def _endpoint(announced: tuple[Any, ...], node: NodeName | None) -> _Endpoint:
     return _Endpoint(announced, raw, None, service_end)
 
 
-def _decoded(node_list: bytes) -> list[node_lists.NodeEnds]:
+def _decoded(node_list: bytes) -> list[discovery_info.NodeEnds]:
     """Return the nodes in a list from the wire; empty before the first list, or for one that can't be decoded."""
     if not node_list:
         return []
     try:
-        return node_lists.decode(node_list)[1]
-    except node_lists.NodeListError:
+        return discovery_info.decode(node_list)[1]
+    except discovery_info.NodeListError:
         return []
 
 

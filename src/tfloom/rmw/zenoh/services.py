@@ -12,18 +12,18 @@ from typing import Any, NamedTuple
 from tfloom._native import ReadyQueue
 from tfloom.rmw.action_names import GET_RESULT
 from tfloom.rmw.base import NodeName, Request, RequestId, Response, Service
-from tfloom.rmw.callback_files import callback_files
 from tfloom.rmw.errors import ForeignPeerError, WireError
 from tfloom.rmw.qos import QoS
 from tfloom.rmw.services import waiting_qos
-from tfloom.rmw.zenoh_attachment import pack, unpack
-from tfloom.rmw.zenoh_config import reason_of
-from tfloom.rmw.zenoh_end import ZenohEnd
-from tfloom.rmw.zenoh_endpoints import HEADER_SIZE
-from tfloom.rmw.zenoh_events import Timers
-from tfloom.rmw.zenoh_graph import Peer, ZenohGraph, peer_name
-from tfloom.rmw.zenoh_library import open_library, signals_deferred
-from tfloom.rmw.zenoh_tokens import Kind
+from tfloom.rmw.uninterrupted_files import uninterrupted_files
+from tfloom.rmw.zenoh.attachment import pack, unpack
+from tfloom.rmw.zenoh.config import reason_of
+from tfloom.rmw.zenoh.end import ZenohEnd
+from tfloom.rmw.zenoh.endpoints import HEADER_SIZE
+from tfloom.rmw.zenoh.events import Timers
+from tfloom.rmw.zenoh.graph import Peer, ZenohGraph, peer_name
+from tfloom.rmw.zenoh.library import open_library, signals_deferred
+from tfloom.rmw.zenoh.tokens import Kind
 from tfloom.terminal_text import shown_part
 
 __all__ = ["ServiceEndpoint", "ZenohRequester", "ZenohResponder"]
@@ -480,4 +480,4 @@ class ZenohResponder(_ServiceEnd):
                 query.drop()
 
 
-callback_files.add(ZenohRequester.take.__code__.co_filename)
+uninterrupted_files.add(ZenohRequester.take.__code__.co_filename)
