@@ -47,9 +47,14 @@ def test_startup_log_matches_the_reference(
 @pytest.mark.timing
 def test_poses_are_published(stage: Any) -> None:
     poses = poses_of(stage)
-    started = time.monotonic()
-    stage.spin_until(lambda: len(poses) >= 63)
-    assert time.monotonic() - started == pytest.approx(1.0, abs=0.3), "62.5 poses a second"
+    durations_s: list[float] = []
+    while not durations_s or (
+        min(durations_s) > 1.1 and len(durations_s) < 10
+    ):  # a busy machine makes it longer
+        started, first = time.monotonic(), len(poses)
+        stage.spin_until(lambda first=first: len(poses) >= first + 63)
+        durations_s.append(time.monotonic() - started)
+    assert min(durations_s) == pytest.approx(1.0, abs=0.2), "62.5 poses a second"
     # The output of the reference's `ros2 topic echo --once /turtle1/pose`.
     expected = Pose(x=5.544444561004639, y=5.544444561004639)
     assert poses[0] == expected
