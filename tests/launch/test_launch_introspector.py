@@ -8,6 +8,7 @@ from tfloom.launch.action import Action
 from tfloom.launch.actions.event_actions import EmitEvent, RegisterEventHandler
 from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.actions.log import LogInfo, LogWarning
+from tfloom.launch.actions.timer_action import TimerAction
 from tfloom.launch.event_handlers import OnProcessExit
 from tfloom.launch.events.shutdown import Shutdown
 from tfloom.launch.launch_description import LaunchDescription
@@ -92,3 +93,17 @@ def test_description_begins_with_its_repr() -> None:
 def test_substitutions_are_joined() -> None:
     assert format_substitutions("a") == "'a'"
     assert format_substitutions(["a", LaunchConfiguration("b")]) == "'a' + LaunchConfig('b')"
+
+
+def test_timers_describe_their_period() -> None:
+    from tfloom.launch.ros.actions.ros_timer import ROSTimer
+
+    action = LogInfo(msg="x")
+    timer = TimerAction(period=2, actions=[action])
+    assert timer.describe() == "TimerAction(period=2.0, actions=<actions>)"
+    assert timer.describe_sub_entities() == []
+    assert timer.describe_conditional_sub_entities() == [
+        ("2.0 seconds pass without being canceled", [action])
+    ]
+    by_ros = ROSTimer(period=LaunchConfiguration("p"), actions=[action])
+    assert by_ros.describe() == "ROSTimer(period=LaunchConfig('p'), actions=<actions>)"

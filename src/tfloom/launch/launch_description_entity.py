@@ -39,6 +39,9 @@ class LaunchDescriptionEntity(HasPrivateNames):
         """Do what the entity stands for, and return the entities to visit next, at once and in their order."""
         return None
 
+    def end_visit(self, context: LaunchContext) -> None:
+        """Do what follows the visit of the entities that `visit` has returned; derived classes override it."""
+
     def get_asyncio_future(self) -> Future[Any] | None:
         """Return a future that is done when the entity has ended; None if it ends with its visit."""
         return None

@@ -9,7 +9,8 @@ import pytest
 from tfloom.launch.actions.declare_launch_argument import DeclareLaunchArgument
 from tfloom.launch.actions.group_action import GroupAction
 from tfloom.launch.actions.include_launch_description import IncludeLaunchDescription
-from tfloom.launch.actions.launch_configurations import ResetLaunchConfigurations
+from tfloom.launch.actions.launch_configurations import ResetLaunchConfigurations, SetLaunchConfiguration
+from tfloom.launch.actions.opaque import OpaqueFunction
 from tfloom.launch.circular_includes import CircularIncludeError
 from tfloom.launch.conditions import IfCondition
 from tfloom.launch.launch_context import LaunchContext
@@ -169,3 +170,47 @@ def test_a_path_may_have_substitutions(tmp_path: Path) -> None:
     visit_all_entities_and_collect_futures(include, context)
     assert context.launch_configurations["seen"] == "yes"
     assert include.launch_description_source.location == str(tmp_path / "a.launch.xml")
+
+
+def test_a_visit_returns_the_arguments_and_the_description_alone() -> None:
+    description = LaunchDescription()
+    plain = IncludeLaunchDescription(LaunchDescriptionSource(description, "x"))
+    assert plain.visit(LaunchContext()) == [description]
+    given = IncludeLaunchDescription(LaunchDescriptionSource(description, "x"), launch_arguments=[("a", "b")])
+    settings, *rest = given.visit(LaunchContext()) or []
+    assert type(settings) is SetLaunchConfiguration
+    assert rest == [description]
+    assert given.execute(LaunchContext())[1:] == [description]
+
+
+def test_the_place_of_the_file_returns_after_each_visit_of_one_action() -> None:
+    places: list[object] = []
+
+    def note(context: LaunchContext) -> None:
+        places.append(context.get_locals_as_dict().get("current_launch_file_directory"))
+
+    wanted = LaunchConfiguration("wanted")
+    inner = LaunchDescriptionSource(LaunchDescription([OpaqueFunction(function=note)]), "inner")
+    include = IncludeLaunchDescription(inner, condition=IfCondition(wanted))
+    outer = LaunchDescription()
+    for value in ("true", "false", "true"):
+        outer.add_action(SetLaunchConfiguration("wanted", value))
+        outer.add_action(include)
+        outer.add_action(OpaqueFunction(function=note))
+    context = LaunchContext()
+    top = IncludeLaunchDescription(LaunchDescriptionSource(outer, "outer"))
+    visit_all_entities_and_collect_futures(top, context)
+    note(context)
+    assert places == ["inner", "outer", "outer", "inner", "outer", None]
+
+
+def test_the_place_of_the_file_is_that_of_the_next_visit_after_one_that_failed() -> None:
+    failing = IncludeLaunchDescription(source(DeclareLaunchArgument("need")))
+    context = LaunchContext()
+    with pytest.raises(RuntimeError):
+        visit_all_entities_and_collect_futures(failing, context)
+    context = LaunchContext()
+    context.launch_configurations["need"] = "1"
+    context.extend_locals({"current_launch_file_path": "/a/b", "current_launch_file_directory": "/a"})
+    visit_all_entities_and_collect_futures(failing, context)
+    assert context.get_locals_as_dict()["current_launch_file_directory"] == "/a"

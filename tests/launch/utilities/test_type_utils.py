@@ -192,3 +192,36 @@ def test_the_result_of_substitutions_is_checked() -> None:
 def test_a_list_of_several_types_is_refused_when_it_is_given(value: list) -> None:
     with pytest.raises(TypeError, match="are of several types"):
         normalize_typed_substitution(value, None)
+
+
+@pytest.mark.parametrize("value", ["a", "12", b"a", 1, None, object(), {"a": 1}])
+@pytest.mark.parametrize("data_type", [None, int, str])
+def test_what_is_no_list_of_texts_is_an_error_of_both_kinds(value: Any, data_type: Any) -> None:
+    """Both, because a program may catch the one of a wrong class or the one of a text that can't be read."""
+    for kind in (TypeError, ValueError):
+        with pytest.raises(kind, match="a list of texts is expected"):
+            coerce_list(value, data_type)
+        with pytest.raises(kind, match="a text is expected"):
+            coerce_list(["1", b"2"], data_type)  # type: ignore[list-item]
+        if not isinstance(value, str):
+            with pytest.raises(kind, match="a text is expected"):
+                coerce_to_type(value, data_type)
+
+
+@pytest.mark.parametrize(
+    ("value", "data_type"),
+    [
+        (object(), int),
+        (object, int),
+        ("1", int),
+        (1, float),
+        ([1, 2], int),
+        (["1", 2], List[int]),  # noqa: UP006
+        ([1, 2.5], None),
+        (None, None),
+    ],
+)
+def test_a_value_of_another_type_is_refused_when_it_is_performed(value: Any, data_type: Any) -> None:
+    for kind in (TypeError, ValueError):
+        with pytest.raises(kind, match="Expected an output of type"):
+            perform_typed_substitution(LaunchContext(), value, data_type)

@@ -10,7 +10,6 @@ from typing import Any
 
 from tfloom.launch.action import Action
 from tfloom.launch.actions.launch_configurations import SetLaunchConfiguration
-from tfloom.launch.actions.opaque import OpaqueFunction
 from tfloom.launch.circular_includes import refuse_circle
 from tfloom.launch.frontend.entity import Entity, ParsesActions
 from tfloom.launch.frontend.expose import expose_action
@@ -69,6 +68,8 @@ class IncludeLaunchDescription(Action):
                 "launch_arguments is a dictionary: give its items, `launch_arguments={...}.items()`"
             )
         self.__launch_arguments = tuple(launch_arguments or ())
+        self._outer_places: list[dict[str, Any]] = []
+        """For each visit that has not ended: the place of the file that includes, once it is another one."""
 
     @classmethod
     def parse(
@@ -111,8 +112,17 @@ class IncludeLaunchDescription(Action):
         description = self.__launch_description_source.try_get_launch_description_without_context()
         return [] if description is None else [description]
 
+    def visit(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
+        """Execute the action if its condition holds."""
+        self._outer_places.append({})
+        try:
+            return super().visit(context)
+        except BaseException:
+            self._outer_places.pop()
+            raise
+
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity]:
-        """Load the description, and return it between the settings of its arguments and the return to this file.
+        """Load the description, and return it after the settings of its arguments.
 
         Raises:
             RuntimeError: an argument that the description declares has no value.
@@ -127,19 +137,20 @@ class IncludeLaunchDescription(Action):
         if is_file:
             refuse_circle(context, path)
         context.extend_locals({_FILE: path, _FOLDER: str(Path(path).parent) if is_file else location})
+        if self._outer_places:  # else `execute` was called without a visit
+            self._outer_places[-1] = {name: before.get(name) for name in (_FILE, _FOLDER)}
         self._check_arguments(context, description)
-
-        def return_to_this_file(context: LaunchContext) -> None:
-            for name in (_FILE, _FOLDER):
-                context.remove_local(name)
-                if name in before:
-                    context.extend_locals({name: before[name]})
-
         return [
             *(SetLaunchConfiguration(name, value) for name, value in self.__launch_arguments),
             description,
-            OpaqueFunction(function=return_to_this_file),
         ]
+
+    def end_visit(self, context: LaunchContext) -> None:
+        """Return to the place of the file that includes."""
+        for name, value in self._outer_places.pop().items():
+            context.remove_local(name)
+            if value is not None:
+                context.extend_locals({name: value})
 
     def _check_arguments(self, context: LaunchContext, description: LaunchDescription) -> None:
         """Raise RuntimeError if an argument that is certainly used has no value; others may fail when they are used."""

@@ -16,7 +16,7 @@ from tfloom.launch.frontend.expose import expose_action
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.logging import get_logger
-from tfloom.launch.substitution import SomeSubstitutionsType
+from tfloom.launch.substitution import SomeSubstitutionsType, described
 from tfloom.launch.utilities.argument_errors import entities_error
 from tfloom.launch.utilities.type_utils import normalize_typed_substitution, perform_typed_substitution
 from tfloom.seconds import checked_timeout
@@ -83,6 +83,13 @@ class TimerAction(Action):
         """Actions that are executed then."""
         return self._actions
 
+    def describe(self) -> str:
+        """Return the class's name with the period."""
+        return f"{type(self).__name__}(period={self._described_period()}, actions=<actions>)"
+
+    def _described_period(self) -> str:
+        return described(self._period) if isinstance(self._period, list) else str(self._period)
+
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
         """Return nothing, because the actions may never be executed: see `describe_conditional_sub_entities`."""
         return []
@@ -91,7 +98,8 @@ class TimerAction(Action):
         self,
     ) -> list[tuple[str, Iterable[LaunchDescriptionEntity]]]:
         """Return the actions, which are executed after the period unless the timer is canceled."""
-        return [*super().describe_conditional_sub_entities(), ("After the period", self._actions)]
+        after = f"{self._described_period()} seconds pass without being canceled"
+        return [*super().describe_conditional_sub_entities(), (after, self._actions)]
 
     def cancel(self) -> None:
         """End the wait, if it lasts, and execute nothing."""

@@ -69,6 +69,11 @@ NormalizedScalarType = Union[list[Substitution], int, float, bool, str]
 NormalizedSequenceType = list[NormalizedScalarType]
 NormalizedValueType = Any
 
+
+class NotConvertibleError(TypeError, ValueError):
+    """A value of a class that can't be converted; also a ValueError, because callers catch that for bad texts."""
+
+
 MAX_SHOWN = 500
 """Characters of a value that the text of an error has."""
 
@@ -162,7 +167,10 @@ def coerce_to_type(value: str, data_type: Any = None, *, can_be_str: bool = Fals
 
     Raises:
         ValueError: the text is no value of the type.
+        TypeError: `value` is not a text; it is a ValueError, too.
     """
+    if not isinstance(value, str):
+        raise NotConvertibleError(f"a text is expected, not '{type(value)}' ({value!r})")
     if data_type is str:
         return value
     try:
@@ -245,7 +253,10 @@ def coerce_list(value: list[str], data_type: Any = None, *, can_be_str: bool = F
 
     Raises:
         ValueError: a text is no value of the type, or they stand for values of several types.
+        TypeError: `value` is not a list, or has items that are not texts; it is a ValueError, too.
     """
+    if not isinstance(value, (list, tuple)):
+        raise NotConvertibleError(f"a list of texts is expected, not '{type(value)}' ({value!r})")
     items = [coerce_to_type(text, data_type, can_be_str=can_be_str) for text in value]
     # Each text alone may stand for another type, as in "1", "a".
     if not is_instance_of(items, None if data_type is None else list[data_type], can_be_str=can_be_str):
@@ -339,13 +350,12 @@ def perform_typed_substitution(context: LaunchContext, value: Any, data_type: An
 
     Raises:
         ValueError: a substitution's text is no value of the type.
+        TypeError: a value that is no substitution has another type; it is a ValueError, too.
     """
     if is_normalized_substitution(value):
         return coerce_to_type(perform_substitutions(context, value), data_type)
-    if isinstance(value, list):
+    if isinstance(value, list) and any(is_normalized_substitution(item) for item in value):
         scalar = extract_type(data_type)[0] if data_type is not None else None
-        if not any(is_normalized_substitution(item) for item in value):
-            return value
         items = [
             coerce_to_type(perform_substitutions(context, item), scalar)
             if is_normalized_substitution(item)
@@ -357,5 +367,7 @@ def perform_typed_substitution(context: LaunchContext, value: Any, data_type: An
             raise ValueError(f"the items of {items} are not all of one type: {data_type or 'any'}")
         return items
     if not is_instance_of(value, data_type):
-        raise ValueError(f"Expected an output of type '{data_type}', got '{type(value)}' ({value!r})")
+        raise NotConvertibleError(
+            f"Expected an output of type '{data_type}', got '{type(value)}' ({value!r})"
+        )
     return value

@@ -35,6 +35,7 @@ def visit_all_entities(
         yield entity, future
     for next_entity in following or ():
         yield from visit_all_entities(next_entity, context)
+    entity.end_visit(context)
 
 
 def visit_all_entities_and_collect_futures(
