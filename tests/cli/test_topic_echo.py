@@ -160,6 +160,29 @@ def test_field_path_with_an_index_selects_an_element(camera: None) -> None:
     assert wrong.text.endswith("there are: stamp, frame_id")
 
 
+@pytest.mark.parametrize(
+    "path", ["/", "transforms/header", "[0]", "[a]", "transforms[x]", "not a field", "-1"]
+)
+def test_a_field_path_of_another_form_is_a_field_that_no_message_has(path: str, camera: None) -> None:
+    refused = transcript.run_here("topic", "echo", "--once", "/tf_static", f"--field={path}")
+    assert (refused.exit_code, refused.text.splitlines()) == (
+        1,
+        [f"Invalid field '{path}': 'TFMessage' object has no attribute '{path}'", "there are: transforms"],
+    )
+
+
+@pytest.mark.parametrize("path", ["", ".", ".."])
+def test_a_field_path_without_a_name_is_refused_at_once(path: str) -> None:
+    refused = transcript.run_here("topic", "echo", "/nothing", "std_msgs/msg/String", "--field", path)
+    assert refused.exit_code == 1
+    assert refused.text.splitlines()[0] == f"Invalid field value '{path}'"
+
+
+def test_points_around_a_field_path_are_no_part_of_it(camera: None) -> None:
+    words = ("topic", "echo", "--once", "/tf_static", "--field", ".transforms[0]..header.stamp.")
+    assert transcript.run_here(*words).text == "sec: 1795257442\nnanosec: 127281577\n---"
+
+
 def test_csv_and_json_are_printed(camera: None) -> None:
     words = ("topic", "echo", "--once", "/tf_static")
     message = json.loads(transcript.run_here(*words, "--json").text)

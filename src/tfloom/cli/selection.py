@@ -51,20 +51,31 @@ def field_picker(paths: Sequence[str]) -> Callable[[Message], Any]:
 
 
 def _one_field_picker(path: str) -> Callable[[Message], Any]:
-    if not re.fullmatch(r"[A-Za-z_]\w*(\[-?\d+\])*(\.[A-Za-z_]\w*(\[-?\d+\])*)*", path):
-        raise CommandError(f"--field is like header.stamp or transforms[0].header, not '{path}'")
-    steps = re.findall(r"\w+|\[-?\d+\]", path)
+    parts = [part for part in path.split(".") if part]
+    if not parts:
+        raise CommandError(
+            f"Invalid field value '{path}'\n--field is like header.stamp or transforms[0].header"
+        )
+    steps = [step for part in parts for step in _steps(part)]
 
     def pick(message: Message) -> Any:
         value: Any = message
         try:
             for step in steps:
-                value = value[int(step[1:-1])] if step.startswith("[") else _field(value, step)
+                value = value[step] if isinstance(step, int) else _field(value, step)
         except (AttributeError, IndexError, TypeError) as error:
             raise CommandError(f"Invalid field '{path}': {error}{_there_are(value)}") from None
         return value
 
     return pick
+
+
+def _steps(part: str) -> list[str | int]:
+    """Return a name and its indices, of `a[0]`; what has another form is a name that no field has."""
+    if not re.fullmatch(r"\w+(\[-?\d+\])*", part):
+        return [part]
+    name, *indices = re.findall(r"\w+|-\d+", part)
+    return [name, *map(int, indices)]
 
 
 def _field(value: Any, name: str) -> Any:
