@@ -547,3 +547,57 @@ def test_a_script_runs_whose_interpreter_has_a_space_in_its_path(
     assert (
         "[program-2] ran by-name" in launch(ExecuteProcess(cmd=["program", "by-name"], output="screen")).lines
     )
+
+
+SLOW_MODULE = """
+import time
+print("imports", flush=True)
+try:
+    time.sleep(60)
+except KeyboardInterrupt:
+    if {converts}:
+        raise ImportError("interrupted")
+    raise
+"""
+
+
+def interrupt_at(line: str, program: ExecuteProcess) -> RegisterEventHandler:
+    return RegisterEventHandler(
+        OnProcessIO(
+            target_action=program,
+            on_stdout=lambda event: Shutdown() if line.encode() in event.text else None,
+        )
+    )
+
+
+@pytest.mark.parametrize("converts", [False, True])
+def test_a_program_that_is_interrupted_while_it_imports_shows_no_traceback(
+    launch: Launch, tmp_path: Path, converts: bool
+) -> None:
+    (tmp_path / "slow_module.py").write_text(SLOW_MODULE.format(converts=converts))
+    (tmp_path / "program.py").write_text("import slow_module\n")
+    program = ExecuteProcess(
+        cmd=[sys.executable, str(tmp_path / "program.py")], name="python", output="screen"
+    )
+    screen = "\n".join(launch(program, interrupt_at("imports", program)).lines)
+    assert "imports" in screen
+    assert "Traceback" not in screen
+    assert program.return_code == (1 if converts else -signal.SIGINT)
+
+
+def test_a_program_that_is_interrupted_at_work_shows_where(launch: Launch) -> None:
+    program = python("import time\nprint('works', flush=True)\ntime.sleep(60)")
+    screen = "\n".join(launch(program, interrupt_at("works", program)).lines)
+    assert "KeyboardInterrupt" in screen
+    assert program.return_code == -signal.SIGINT
+
+
+@pytest.mark.parametrize("_round", range(5))
+def test_an_interpreter_that_starts_is_interrupted_when_it_has_started(launch: Launch, _round: int) -> None:
+    """Otherwise Python prints `Fatal Python error`, because the interrupt comes while it imports `site`."""
+    program = python("import json, decimal, asyncio, http.client")
+    ends = RegisterEventHandler(OnProcessStart(target_action=program, on_start=[Shutdown()]))
+    screen = "\n".join(launch(ends, program).lines)
+    assert "sending signal 'SIGINT'" in screen
+    assert "Fatal Python error" not in screen
+    assert "Traceback" not in screen

@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -221,3 +222,28 @@ def test_a_command_that_fails_says_why(robot: Path, context: LaunchContext) -> N
     with pytest.raises(SubstitutionFailure, match=r"No such file or directory: .*nothere\.xacro") as raised:
         Command(f"xacro '{robot.with_name('nothere.xacro')}'").perform(context)
     assert "Traceback" not in str(raised.value)
+
+
+def test_the_command_of_the_library_names_a_file_that_is_absent(robot: Path, tmp_path: Path) -> None:
+    """It uses `xml.parsers` without importing it, so that each error before it has parsed a file was another one."""
+    program = Path(sys.executable).with_name("xacro")
+    run = partial(subprocess.run, capture_output=True, text=True, check=False)
+    absent = run([program, tmp_path / "absent.xacro"])
+    assert absent.returncode == xacro_program.FAILED
+    assert absent.stderr.startswith(f"error: No such file or directory: {tmp_path / 'absent.xacro'}")
+    expanded = run([program, robot])
+    assert expanded.returncode == 0
+    assert parse_urdf(expanded.stdout).name == "r"
+    with pytest.raises(SubstitutionFailure, match="No such file or directory"):
+        Command(["xacro ", str(tmp_path / "absent.xacro")]).perform(LaunchContext())
+    ours = run([sys.executable, "-m", "tfloom", *XACRO[1:], tmp_path / "absent.xacro"])
+    assert ours.returncode != 0
+    assert "No such file or directory" in ours.stderr
+    assert "AttributeError" not in absent.stderr + ours.stderr
+
+
+def test_other_programs_load_no_parser(tmp_path: Path) -> None:
+    program = tmp_path / "other"
+    program.write_text("import sys; print('xml' in sys.modules)")
+    ran = subprocess.run([sys.executable, program], capture_output=True, text=True, check=True)
+    assert ran.stdout == "False\n"

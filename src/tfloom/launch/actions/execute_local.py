@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import os
 import signal
+import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
+from tfloom.interrupted_imports import LAUNCHED
 from tfloom.launch.action import Action
 from tfloom.launch.actions.process_output import ProcessOutput
 from tfloom.launch.conditions import evaluate_condition_expression
@@ -45,6 +47,12 @@ if TYPE_CHECKING:
 # asyncio and psutil are imported when a process runs, because `--show-args` takes less time than their import.
 
 __all__ = ["ExecuteLocal"]
+
+MAX_START_S = 2.0
+"""How long SIGINT waits for the start of an interpreter [s]."""
+
+START_POLL_S = 0.02
+"""Time between two questions whether it still starts [s]."""
 
 OnExit = SomeEntitiesType | Callable[[Any, LaunchContext], SomeEntitiesType | None]
 
@@ -104,6 +112,7 @@ class ExecuteLocal(Action):
         # The attributes have double underscores upstream, too; programs set this one.
         self.__emulate_tty = emulate_tty
         self._has_terminals = self._has_shell = False
+        self._max_start_s = MAX_START_S
         destination = os.environ.get("OVERRIDE_LAUNCH_PROCESS_OUTPUT", output)
         self._given_output = (
             destination if isinstance(destination, dict) else normalize_to_list_of_substitutions(destination)
@@ -283,9 +292,10 @@ class ExecuteLocal(Action):
         name, cmd = str(executable.final_name), executable.final_cmd or []
         logger = get_logger(name)
         environment = {
-            "PYTHONUNBUFFERED": "1",
+            "PYTHONUNBUFFERED": "1",  # else a pipe delays what is printed
             **(executable.final_env or {}),
-        }  # else a pipe delays what is printed
+            LAUNCHED: "1",
+        }
         if self._log_cmd:
             logger.info("process details: cmd='%s', cwd='%s'", " ".join(cmd), executable.final_cwd)
         guard = guard_of(context)
@@ -312,6 +322,7 @@ class ExecuteLocal(Action):
         # environment, which holds the launch's id.
         guard.add(process.pid)
         self._process = process
+        self._started_s = time.monotonic()
         self._details = {**(self._planned or {}), "pid": process.pid}
         logger.info("process started with pid [%d]", process.pid)
         await context.emit_event(ProcessStarted(**self._details))
@@ -321,7 +332,7 @@ class ExecuteLocal(Action):
         if self._shutdown_future is not None and self._shutdown_future.done():
             # The end was asked for while `start` waited. `_shut_down` had no process then: it has set the timers of
             # SIGTERM and SIGKILL, and left SIGINT to this line.
-            self._send_signal(signal.SIGINT)
+            self._interrupt()
         code = await process.wait()
         # From here on the system may give the process id to another process. The guard is told, and without
         # `_process` no timer and no event sends a signal.
@@ -379,11 +390,25 @@ class ExecuteLocal(Action):
         # Both timers start now, the second one with the sum of the times. They run also while there is no process yet,
         # and `_clean_up` cancels them after its end.
         end_s, before = 0.0, "SIGINT"
+        self._max_start_s = min([MAX_START_S, *(seconds / 2 for _, seconds in timeouts.values())])
         for number, (text, seconds) in timeouts.items():
             end_s += seconds
             self._escalation.append(loop.call_later(end_s, self._escalate, text, before, number))
             before = number
         if self._process is not None:
+            self._interrupt()
+
+    def _interrupt(self) -> None:
+        """Send SIGINT, once the interpreter of the process has started.
+
+        Python prints `Fatal Python error`, and a traceback of its own modules, when an interrupt reaches it earlier.
+        """
+        process, completed = self._process, self._completed_future
+        if process is None or completed is None:
+            return
+        if time.monotonic() < self._started_s + self._max_start_s and process.is_starting():
+            self._escalation.append(completed.get_loop().call_later(START_POLL_S, self._interrupt))
+        else:
             self._send_signal(signal.SIGINT)
 
     def _escalate(self, seconds: str, before: str, number: str) -> None:

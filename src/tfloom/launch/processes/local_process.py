@@ -29,6 +29,9 @@ POLL_S = 0.01
 MAX_PAUSES = 20
 """Pauses after the end of a process, between which the rest of its output is read, in parts."""
 
+START_CPU_S = 0.1
+"""What a process has computed by the time that its interpreter has started [s]; Python takes a third of it."""
+
 OUTPUT_S = 0.5
 """Time to wait for the rest of the output after the end: a process that inherited the pipe may hold it open."""
 
@@ -122,6 +125,19 @@ class LocalProcess:
     def pid(self) -> int:
         """Process id, also that of its group."""
         return self._started.get_pid()
+
+    def is_starting(self) -> bool:
+        """Return whether its interpreter may still be starting: it has computed little, and doesn't wait."""
+        import psutil
+
+        try:
+            process = psutil.Process(self.pid)
+            times = process.cpu_times()
+            return bool(
+                times.user + times.system < START_CPU_S and process.status() != psutil.STATUS_SLEEPING
+            )
+        except psutil.Error:  # it has ended, or belongs to another user
+            return False
 
     def send_signal(self, number: signal.Signals) -> None:
         """Send a signal to the process and to those of its group.
