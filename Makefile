@@ -11,7 +11,7 @@ set_up = @$(PYTHON) -c 'import sys; v = sys.version_info; \
 	sys.exit(v < (3, 10) and "set-up: tfloom needs Python 3.10 or newer, and $(PYTHON) is %d.%d: make PYTHON=python3.12 …" % v[:2])' \
 	&& $(PYTHON) tools/set_up.py --venv "$(VENV)" $(KEEP) $(SET_UP)
 
-.PHONY: setup demo test test-slow test-ros test-all check stub facades ros-peer bench docs matrix platforms wheels dist licenses clean
+.PHONY: setup demo test test-slow test-ros test-all check stub generated ros-peer bench docs matrix platforms wheels dist licenses clean
 
 setup:
 	$(set_up) check
@@ -55,11 +55,9 @@ stub:
 	"$(BIN)/python" -m nanobind.stubgen -m tfloom._native -q \
 		-p native/bindings/stub_patterns.txt -o src/tfloom/_native.pyi
 
-# Generate the façades in src/tfloom/ros_names, after a change in tools/facades, or of a name that a room has for them.
-facades:
+# Generate what is not in git: the classes of messages, the façades, the manifests. Each target here does so, too.
+generated:
 	$(set_up) demo
-	"$(BIN)/python" -m tools.facades
-	"$(BIN)/python" -m tools.manifests
 
 # Install the real rclpy, on Fast DDS, in build/ros-peer: the peer of tests and benchmarks.
 ros-peer:

@@ -338,11 +338,10 @@ def one_door_for_reading_yaml(house: Path) -> list[str]:
 FILE_WRITERS = {
     "whole_files.py",
     "node/log/log_file.py",
-    "rosidl/generate.py",
     "bag/writing/compression.py",  # files that grow for as long as a recording lasts
     "bag/writing/sqlite_file.py",
 }
-"""What may open a file to write: the writer of whole files, the log, and the generator of checked-in sources."""
+"""What may open a file to write: the writer of whole files, and the log."""
 
 
 def files_are_written_whole(house: Path) -> list[str]:

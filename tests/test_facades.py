@@ -18,11 +18,10 @@ from pathlib import Path
 import pytest
 from tests.conftest import run_to_end
 from tools.facades import rooms
-from tools.facades.generate import HOMES_PATH, Generator, generate_all
+from tools.facades.generate import Generator
 from tools.facades.table import Facade, Package, TableError, read_table
 
 from tfloom.rosidl.class_modules import DefinitionModule
-from tfloom.rosidl.generate import load_definitions
 
 ROS_NAMES = Path(__file__).parents[1] / "src" / "tfloom" / "ros_names"
 Rule = Callable[[Path], Iterator[str]]
@@ -150,40 +149,6 @@ RULES: list[Rule] = [
     deferred_otherwise_than_typed,
     names_that_are_missing,
 ]
-
-
-def test_facades_equal_what_is_generated() -> None:
-    files = generate_all()
-    kept = {
-        path.relative_to(rooms.ROOT).as_posix(): path.read_text("utf-8")
-        for package, rows in read_table().items()
-        for path in (rooms.ROOT / rows.folder / package).rglob("*")
-        if path.is_file() and path.suffix != ".pyc"
-    }
-    kept[HOMES_PATH] = (rooms.ROOT / HOMES_PATH).read_text("utf-8")
-    differ = sorted(name for name in files.keys() | kept.keys() if files.get(name) != kept.get(name))
-    assert not differ, f"{differ}: `make facades` writes them anew"
-
-
-def test_generated_files_that_differ_are_written(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    monkeypatch.setattr(rooms, "ROOT", tmp_path)
-    for text in ("old", "new", "new"):
-        rooms.write_differing({"names/a.py": text, "b.py": ""})
-    assert capsys.readouterr().out.split("\n")[:-1] == ["wrote names/a.py", "wrote b.py", "wrote names/a.py"]
-    assert (tmp_path / "names" / "a.py").read_text() == "new"
-
-
-def test_each_facade_is_generated() -> None:
-    """Either by this command, or with the messages."""
-    messages = {name.split("/")[0] for name in load_definitions()}
-    for folder in ("src/tfloom/ros_names", "packages/tfloom-sensing/src/tfloom_sensing/ros_names"):
-        found = {path.name for path in (rooms.ROOT / folder).iterdir() if path.name != "__pycache__"}
-        assert (
-            found - messages
-            == {name for name, rows in read_table().items() if rows.folder == folder} - messages
-        )
 
 
 def planted_generator(folder: Path, modules: dict[str, Facade], *, keeps_imports: bool = True) -> Generator:

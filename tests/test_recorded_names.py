@@ -70,7 +70,7 @@ def wrongly_missing(patterns: Iterable[str]) -> Iterator[str]:
 def test_names_listed_as_missing_are_missing() -> None:
     amiss = list(wrongly_missing(REASONS))
     assert not amiss, "\n".join(
-        [*amiss, "take it out of tools/facades/missing.txt, and run `python -m tools.facades`"]
+        [*amiss, "take it out of tools/facades/missing.txt, and run `make generated`"]
     )
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 from tests.shared_folders import shared_folder
-from tools import release
+from tools import generated, release
 from tools.release import Tools
 from tools.set_up import PACKAGES
 
@@ -25,11 +25,17 @@ def path_with_cmake() -> str:
 
 
 def copy_checkout(clone: Path) -> Path:
-    """Copy the files of a clone to a new folder, so that builds leave nothing in this checkout; return the folder."""
+    """Copy the files of a clone to a new folder, so that builds leave nothing in this checkout; return the folder.
+
+    Like a clone it has no generated files, so a build generates them.
+    """
     unwanted = shutil.ignore_patterns(
         ".git", ".venv*", "build", "dist", "wheels", "__pycache__", ".*_cache", ".hypothesis"
     )
-    return Path(shutil.copytree(ROOT, clone, ignore=unwanted))
+    shutil.copytree(ROOT, clone, ignore=unwanted)
+    for name in generated.files_there(clone):
+        (clone / name).unlink()
+    return clone
 
 
 def release_tools(factory: pytest.TempPathFactory) -> Tools:

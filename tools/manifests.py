@@ -1,16 +1,15 @@
-"""Write the `package.xml` of each package that tfloom stands for: `python -m tools.manifests`, in `make facades`.
+"""The generator of the `package.xml` of each package that tfloom stands for.
 
 Programs ask for a package's share folder, and read this file in it: `FindPackageShare`, `ros2 pkg xml`.
 """
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 from xml.sax.saxutils import escape
 
-from tools.facades.rooms import ROOT, write_differing
+from tools.facades.rooms import ROOT
 from tools.facades.table import read_table
 
 from tfloom import __version__
@@ -84,13 +83,3 @@ def _manifest(name: str, description: str, *, has_interfaces: bool) -> str:
         "  </export>\n"
         "</package>\n"
     )
-
-
-def main() -> int:
-    """Write each file that differs, and return 0."""
-    write_differing(generate_all())
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -3,6 +3,8 @@
 A tier runs in two parts: first the few tests that measure time (marked `timing`), in three processes, because they
 hardly compute; then the others, in several processes for each core, because they wait more than they compute.
 
+Before them, what is generated is brought up to date (tools/generated.py).
+
 A test that hangs ends the run, after the places of all its threads were printed: the limit of time is an option of
 pytest. Processes that tests leave behind are named and ended, and fail the run.
 """
@@ -60,6 +62,11 @@ def tier_of(*, slow: bool, ros: bool) -> str:
     if ros:
         return "ros and not slow"
     return "slow" if slow else "not slow and not ros"
+
+
+def generate() -> bool:
+    """Bring the generated files of the checkout up to date; return whether they are."""
+    return subprocess.run([sys.executable, ROOT / "tools" / "generated.py"], check=False).returncode == 0
 
 
 def compile_tests() -> None:
@@ -166,6 +173,8 @@ def main() -> int:
     by_file = ["--dist=loadfile", "--no-loadscope-reorder", "--max-worker-restart=0"]
     if options.slow:
         by_file.append(f"--override-ini=faulthandler_timeout={MAX_SLOW_TEST_S}")
+    if not generate():
+        return 1
     adopt_orphans()
     many = number_of_workers(slow=options.slow)
     few = [f"--numprocesses={min(TIMING_WORKERS, many)}", *by_file]

@@ -2,9 +2,9 @@
 
 Each stage includes the ones before it: `demo` has the packages for the demonstration, `test` adds those for the tests
 and all extras, `check` the linters, type checkers and the documentation's generator, `bench` the libraries that are
-measured beside tfloom. `docs` stands alone: it has what builds the documentation. A second run checks whether anything
-has changed, and ends at once if not. `wheels` collects all downloads of the stage `check` in a folder, for a machine
-without a network.
+measured beside tfloom. `docs` stands alone: it has what builds the documentation. Each stage also generates the files
+that are not in git (tools/generated.py). A second run checks whether anything has changed, and ends at once if not.
+`wheels` collects all downloads of the stage `check` in a folder, for a machine without a network.
 
 Only the standard library is imported, because this script runs before anything is installed.
 """
@@ -155,7 +155,13 @@ class Environment:
             self.folder.mkdir(parents=True, exist_ok=True)
         with only_one(self.folder):
             self.make(keep_python)
-            self.complete(self._steps(stage, read_project(self.python)))
+            project = read_project(self.python)
+            started = time.monotonic()
+            first, *later = up_to(stage)
+            is_changed = self._run_missing(self._steps([first], project))
+            self._generate()  # with PyYAML of the first stage, before the packages that have generated files
+            if self._run_missing(self._steps(later, project)) or is_changed:
+                say_ready(started)
 
     def complete(self, steps: Sequence[Step]) -> None:
         """Run the steps that are not recorded as done, in order.
@@ -164,6 +170,15 @@ class Environment:
             SetUpError: a step failed; those before it are recorded.
         """
         started = time.monotonic()
+        if self._run_missing(steps):
+            say_ready(started)
+
+    def _run_missing(self, steps: Sequence[Step]) -> bool:
+        """Run the steps that are not recorded as done, in order; return whether there was one.
+
+        Raises:
+            SetUpError: a step failed; those before it are recorded.
+        """
         done = self._read_record()
         missing = [(name, digest, step) for name, digest, step in steps if done.get(name) != digest]
         if any(name == "native" for name, _, _ in missing):
@@ -180,8 +195,7 @@ class Environment:
                 raise
             done[name] = digest
             self._write_record(done)
-        if missing:
-            say(f"The environment is ready, after {time.monotonic() - started:.0f} s")
+        return bool(missing)
 
     def make(self, keep_python: bool) -> None:
         """Create the environment with this Python, unless a usable one exists.
@@ -273,10 +287,10 @@ class Environment:
         major, minor = map(int, done.stdout.split())
         return major, minor
 
-    def _steps(self, stage: str, project: Mapping[str, Any]) -> list[Step]:
-        """Return the steps up to a stage."""
+    def _steps(self, stages: Sequence[str], project: Mapping[str, Any]) -> list[Step]:
+        """Return the steps of stages."""
         steps: list[Step] = []
-        for name in up_to(stage):
+        for name in stages:
             requirements = requirements_of(project, name)
             steps.append((name, digest_of(requirements), partial(self._download, name, requirements)))
             # The core is compiled anew when its sources or the settings of its build change. Of the Python files, only
@@ -304,6 +318,15 @@ class Environment:
                     )
                     steps.append((package, digest_of([], sources), partial(self._install, folder)))
         return steps
+
+    def _generate(self) -> None:
+        """Bring the generated files of the checkout up to date.
+
+        Raises:
+            SetUpError: it failed.
+        """
+        if subprocess.run([self.python, ROOT / "tools" / "generated.py"], check=False).returncode:
+            raise SetUpError("tools/generated.py failed; its messages are above")
 
     def _download(self, stage: str, requirements: Sequence[str]) -> None:
         dds = [requirement for requirement in requirements if distribution(requirement) == DDS]
@@ -364,6 +387,11 @@ class Environment:
 def say(text: str) -> None:
     """Print what is done next, or was done, on a line that begins with `--`."""
     print(f"-- {text}", flush=True)
+
+
+def say_ready(started: float) -> None:
+    """Print how long a set-up took that began at `started`, of the monotonic clock."""
+    say(f"The environment is ready, after {time.monotonic() - started:.0f} s")
 
 
 @contextmanager

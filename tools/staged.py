@@ -18,7 +18,7 @@ def stage(folder: Path) -> Path:
     if not (folder / "tfloom" / extension.name).exists():
         shutil.copy(extension, folder / "tfloom")
     installed = next(path for entry in sys.path if (path := Path(entry, "tfloom.pth")).exists())
-    _, finder = installed.read_text("utf-8").splitlines()
+    _, finder, *_ = installed.read_text("utf-8").splitlines()
     (folder / "tfloom.pth").write_text(f"tfloom/ros_names\n{finder}\n", "utf-8")
     return folder
 

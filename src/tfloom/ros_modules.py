@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from types import ModuleType
     from typing import Any
 
-__all__ = ["deferred", "submodules"]
+__all__ = ["deferred", "module_leaf", "submodules"]
 
 _OF_FACADES = {"TYPE_CHECKING", "claim", "deferred"}
 """What façades use themselves."""
@@ -87,3 +87,12 @@ def deferred(module: str, **homes: str) -> tuple[Callable[[str], Any], Callable[
         ]
 
     return load, names
+
+
+def module_leaf(base: str) -> str:
+    """Return the last part of a definition's module: `_pose_stamped` of `PoseStamped`, `_u_int8` of `UInt8`."""
+    neighbours = zip(f"_{base}", base, f"{base[1:]}_", strict=False)
+    return "".join(
+        f"_{letter}" if letter.isupper() and (not before.isupper() or after.islower()) else letter
+        for before, letter, after in neighbours
+    ).lower()

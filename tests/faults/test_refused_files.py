@@ -47,7 +47,6 @@ WRITERS = {
     "node/log/log_file.py": "log_of_a_node",
     "regular_files.py": "- opens to read",
     "rmw/cyclone/library.py": "- a file in memory",
-    "rosidl/generate.py": OF_A_BUILD,
     "tf2/frozen.py": OF_THE_CALLER,
     "tf2/trajectory.py": OF_THE_CALLER,
     "tf2_tools/drawing/pdf.py": "- into memory",

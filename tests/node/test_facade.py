@@ -10,13 +10,14 @@ import sys
 from pathlib import Path
 
 import pytest
+import rclpy
 from tests.conftest import run_to_end
 from tests.each import for_each
 from tools.facades import recorded
 
 from tfloom.rosidl.class_modules import DefinitionModule
 
-FACADE = Path(__file__).parents[2] / "src" / "tfloom" / "ros_names" / "rclpy"
+FACADE = Path(rclpy.__file__).parent
 MODULES = sorted(
     ".".join(path.relative_to(FACADE.parent).with_suffix("").parts).removesuffix(".__init__")
     for path in FACADE.rglob("*.py")

@@ -14,8 +14,8 @@ from tests.each import for_each
 from tests.test_facades import ROS_NAMES, RULES, Rule
 
 from tfloom.distributions import INTERFACES, find_prefix
+from tfloom.ros_modules import module_leaf
 from tfloom.rosidl import cdr, class_table, generate, spec
-from tfloom.rosidl.class_modules import module_leaf
 from tfloom.rosidl.registry import find_class, get_message_class
 from tfloom.rosidl.type_hash import type_hash
 from tfloom.workspace.get_interfaces import get_interfaces
@@ -48,16 +48,6 @@ def specs() -> dict[str, spec.Message]:
 @functools.cache
 def listed() -> dict[str, list[str]]:
     return get_interfaces()
-
-
-@for_each(files)
-def test_regenerates_without_difference(path: str) -> None:
-    assert (HOME / path).read_text("utf-8") == files()[path], "run python -m tfloom.rosidl.generate"
-
-
-def test_nothing_is_left_of_old_definitions() -> None:
-    on_disk = {path.relative_to(HOME).as_posix() for path in HOME.glob("interfaces/*/*.py")}
-    assert on_disk == {path for path in files() if path.startswith("interfaces/")}
 
 
 def test_the_names_of_its_packages_are_those_in_error_texts() -> None:

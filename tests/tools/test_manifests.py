@@ -14,17 +14,6 @@ from tfloom.workspace import index
 from tfloom.workspace.ament import get_package_prefix, get_package_share_directory
 
 
-def test_files_are_the_generated_ones() -> None:
-    files = generate_all()
-    assert [name for name, text in files.items() if (ROOT / name).read_text("utf-8") != text] == []
-    written = {
-        path.relative_to(ROOT).as_posix()
-        for house in ("src", "packages")
-        for path in (ROOT / house).rglob("package.xml")
-    }
-    assert written == {*files}
-
-
 def test_each_package_has_one(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("AMENT_PREFIX_PATH", raising=False)
     packages = index.own_packages()

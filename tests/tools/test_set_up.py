@@ -294,7 +294,7 @@ def test_documentation_needs_no_compiler() -> None:
     assert {"sphinx", "furo", "sphinx-copybutton", "numpy"} <= names
     assert not {"cyclonedds", "nanobind", "ruff", "mypy"} & names
     assert set_up.up_to("bench") == ["demo", "test", "check", "bench"]
-    steps = set_up.Environment(Path("nowhere"))._steps("docs", project)
+    steps = set_up.Environment(Path("nowhere"))._steps(set_up.up_to("docs"), project)
     assert [name for name, _, _ in steps] == ["docs"]
 
 

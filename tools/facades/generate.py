@@ -46,7 +46,8 @@ class Generator:
         self, table: Mapping[str, Package], index: Mapping[str, list[Provider]] | None = None
     ) -> None:
         self._table = table
-        self._index = index_names() if index is None else index
+        rooms = {room for package in table.values() for room in package.rooms}
+        self._index = index_names(rooms=rooms) if index is None else index
         self._facades = {
             name: facade for package in table.values() for name, facade in package.modules.items()
         }

@@ -4,28 +4,18 @@ from __future__ import annotations
 
 import ast
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator
 from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
-__all__ = ["HOUSES", "ROOT", "Provider", "exported", "index_names", "write_differing"]
+__all__ = ["HOUSES", "ROOT", "Provider", "exported", "index_names"]
 
 ROOT = Path(__file__).parents[2]
 HOUSES = (ROOT / "src" / "tfloom", ROOT / "packages" / "tfloom-sensing" / "src" / "tfloom_sensing")
 """The import packages that implement names."""
 _NOT_ROOMS = {"ros_names", "interfaces", "share", "__pycache__"}
 """Folders without implementations: the façades themselves, generated messages, and launch files."""
-
-
-def write_differing(files: Mapping[str, str]) -> None:
-    """Write each file that differs, by its path within the repository, and print its name."""
-    for name, text in files.items():
-        path = ROOT / name
-        if not path.is_file() or path.read_text("utf-8") != text:
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text, "utf-8")
-            print(f"wrote {name}")
 
 
 class Provider(NamedTuple):
@@ -36,10 +26,15 @@ class Provider(NamedTuple):
     """0: defines it and lists it in `__all__`; 1: only lists it; 2: only defines it. Lower ranks come first."""
 
 
-def index_names(*houses: Path) -> dict[str, list[Provider]]:
-    """Return the modules that have each name of some import packages, those that define and export it first."""
+def index_names(*houses: Path, rooms: Collection[str] = ("",)) -> dict[str, list[Provider]]:
+    """Return the modules that have each name of some import packages, those that define and export it first.
+
+    Args:
+        houses: The folders of the import packages; none: HOUSES.
+        rooms: The packages and modules whose modules are read, because reading all takes seconds; "" is all.
+    """
     index: dict[str, list[Provider]] = defaultdict(list)
-    for module, tree in (item for house in houses or HOUSES for item in _modules(house)):
+    for module, tree in (item for house in houses or HOUSES for item in _modules(house, rooms)):
         defined, listed = set(_defined(tree.body)), set(_listed(tree.body))
         for name in defined | listed:
             rank = 0 if name in defined and name in listed else 1 if name in listed else 2
@@ -59,12 +54,13 @@ def exported(module: str) -> list[str]:
     return _listed(ast.parse(path.read_text("utf-8")).body)
 
 
-def _modules(house: Path) -> Iterator[tuple[str, ast.Module]]:
+def _modules(house: Path, rooms: Collection[str]) -> Iterator[tuple[str, ast.Module]]:
     for path in sorted(house.rglob("*.py")):
         parts = path.relative_to(house).with_suffix("").parts
         if _NOT_ROOMS.isdisjoint(parts) and "." not in parts[-1]:
             module = ".".join([house.name, *parts]).removesuffix(".__init__")
-            yield module, ast.parse(path.read_text("utf-8"))
+            if any(not room or f"{module}.".startswith(f"{room}.") for room in rooms):
+                yield module, ast.parse(path.read_text("utf-8"))
 
 
 def _defined(body: Iterable[ast.stmt]) -> Iterator[str]:

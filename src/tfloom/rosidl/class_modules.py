@@ -14,7 +14,7 @@ from __future__ import annotations
 import sys
 
 from tfloom.ros_guard import is_facade, serves_rclpy
-from tfloom.ros_modules import submodules
+from tfloom.ros_modules import module_leaf, submodules
 from tfloom.rosidl import class_table
 
 TYPE_CHECKING = False
@@ -93,15 +93,6 @@ def _metaclass(interface_class: type[Any]) -> type[Metaclass]:
     name = f"{_METACLASS}{interface_class.__name__}"
     doc = f"Metaclass of message '{interface_class.__name__}'."
     return type(name, (Metaclass,), {"__module__": interface_class.__module__, "__doc__": doc})
-
-
-def module_leaf(base: str) -> str:
-    """Return the last part of a definition's module: `_pose_stamped` of `PoseStamped`, `_u_int8` of `UInt8`."""
-    neighbours = zip(f"_{base}", base, f"{base[1:]}_", strict=False)
-    return "".join(
-        f"_{letter}" if letter.isupper() and (not before.isupper() or after.islower()) else letter
-        for before, letter, after in neighbours
-    ).lower()
 
 
 def modules_of(home: str, file: str) -> Callable[[str], str]:

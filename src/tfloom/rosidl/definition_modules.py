@@ -13,8 +13,9 @@ from types import ModuleType
 from typing import Any
 
 from tfloom.ros_guard import claim
+from tfloom.ros_modules import module_leaf
 from tfloom.rosidl import definition_files
-from tfloom.rosidl.class_modules import add_module, module_leaf
+from tfloom.rosidl.class_modules import add_module
 from tfloom.rosidl.registry import find_by_definition
 
 _PARTS = {

@@ -1,6 +1,7 @@
-"""Generation of Python source: `python -m tfloom.rosidl.generate` writes `tfloom/interfaces` and the façades.
+"""Generation of Python source: the classes of messages, and their façades.
 
-In a checkout it also writes those of the distribution `tfloom-interfaces`.
+`tools/generated.py` writes those of tfloom and of the distribution `tfloom-interfaces`. This module and what it imports
+need nothing that is compiled, because they also run before tfloom is built.
 """
 
 from __future__ import annotations
@@ -10,9 +11,9 @@ from keyword import iskeyword
 from pathlib import Path
 
 from tfloom.distributions import INTERFACES
+from tfloom.ros_modules import module_leaf
 from tfloom.rosidl import spec
 from tfloom.rosidl.array_codes import ARRAY_CODES
-from tfloom.rosidl.class_modules import module_leaf
 from tfloom.rosidl.definition_files import definitions_folder
 from tfloom.rosidl.parse import parse_interface
 from tfloom.rosidl.type_hash import FindSpec, type_hash
@@ -41,7 +42,7 @@ def generate(
     find: FindSpec,
     *,
     roots: Mapping[str, str] | None = None,
-    by: str = "python -m tfloom.rosidl.generate",
+    by: str = "tools/generated.py",
     is_stub: bool = True,
 ) -> str:
     """Return the source of the classes of one package and kind.
@@ -382,22 +383,3 @@ def generate_all(
 def generate_extra(home: Path) -> dict[str, str]:
     """Return the files of the distribution `tfloom-interfaces`, as `generate_all`; `home` is its import package."""
     return generate_all(INTERFACES.import_package, home / "definitions", load_definitions())
-
-
-def main() -> None:
-    """Write the modules of tfloom's interfaces and, where its package is checked out, of tfloom-interfaces."""
-    home = Path(__file__).parents[1]
-    _write(home, generate_all())
-    extra = home.parents[1] / "packages" / INTERFACES.name / "src" / INTERFACES.import_package
-    if extra.is_dir():
-        _write(extra, generate_extra(extra))
-
-
-def _write(home: Path, files: Mapping[str, str]) -> None:
-    for path, source in files.items():
-        (home / path).parent.mkdir(parents=True, exist_ok=True)
-        (home / path).write_text(source, encoding="utf-8")
-
-
-if __name__ == "__main__":
-    main()

@@ -1,1 +1,1 @@
-"""The classes, generated from the definitions by `python -m tfloom.rosidl.generate`."""
+"""The classes, generated from the definitions by `tools/generated.py`."""

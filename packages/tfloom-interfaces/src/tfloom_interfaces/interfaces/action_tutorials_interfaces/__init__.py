@@ -1,1 +1,0 @@
-"""The interfaces of action_tutorials_interfaces."""

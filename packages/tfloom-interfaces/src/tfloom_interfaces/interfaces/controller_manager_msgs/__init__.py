@@ -1,1 +1,0 @@
-"""The interfaces of controller_manager_msgs."""

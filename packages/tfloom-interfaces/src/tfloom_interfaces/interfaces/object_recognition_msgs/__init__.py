@@ -1,1 +1,0 @@
-"""The interfaces of object_recognition_msgs."""

@@ -1,1 +1,0 @@
-"""The interfaces of diagnostic_msgs."""

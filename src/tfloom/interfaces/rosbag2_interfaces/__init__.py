@@ -1,1 +1,0 @@
-"""The interfaces of rosbag2_interfaces."""

@@ -1,1 +1,0 @@
-"""The interfaces of tf2_msgs."""

@@ -1,1 +1,0 @@
-"""The interfaces of type_description_interfaces."""

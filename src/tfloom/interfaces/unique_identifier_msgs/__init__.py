@@ -1,1 +1,0 @@
-"""The interfaces of unique_identifier_msgs."""

@@ -1,6 +1,0 @@
-"""The classes of example_interfaces/msg/Int32, for type checkers: `tfloom.rosidl.class_modules` makes the module."""
-
-from tfloom.interfaces.example_interfaces.msg import Int32 as Int32
-from tfloom.rosidl.class_modules import Metaclass as Metaclass_Int32
-
-__all__ = ["Metaclass_Int32", "Int32"]

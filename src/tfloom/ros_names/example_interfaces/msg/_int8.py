@@ -1,6 +1,0 @@
-"""The classes of example_interfaces/msg/Int8, for type checkers: `tfloom.rosidl.class_modules` makes the module."""
-
-from tfloom.interfaces.example_interfaces.msg import Int8 as Int8
-from tfloom.rosidl.class_modules import Metaclass as Metaclass_Int8
-
-__all__ = ["Metaclass_Int8", "Int8"]

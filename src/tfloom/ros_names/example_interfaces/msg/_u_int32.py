@@ -1,6 +1,0 @@
-"""The classes of example_interfaces/msg/UInt32, for type checkers: `tfloom.rosidl.class_modules` makes the module."""
-
-from tfloom.interfaces.example_interfaces.msg import UInt32 as UInt32
-from tfloom.rosidl.class_modules import Metaclass as Metaclass_UInt32
-
-__all__ = ["Metaclass_UInt32", "UInt32"]

@@ -1,6 +1,0 @@
-"""The classes of std_msgs/msg/Int32MultiArray, for type checkers: `tfloom.rosidl.class_modules` makes the module."""
-
-from tfloom.interfaces.std_msgs.msg import Int32MultiArray as Int32MultiArray
-from tfloom.rosidl.class_modules import Metaclass as Metaclass_Int32MultiArray
-
-__all__ = ["Metaclass_Int32MultiArray", "Int32MultiArray"]

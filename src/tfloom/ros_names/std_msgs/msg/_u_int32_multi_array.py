@@ -1,6 +1,0 @@
-"""The classes of std_msgs/msg/UInt32MultiArray, for type checkers: `tfloom.rosidl.class_modules` makes the module."""
-
-from tfloom.interfaces.std_msgs.msg import UInt32MultiArray as UInt32MultiArray
-from tfloom.rosidl.class_modules import Metaclass as Metaclass_UInt32MultiArray
-
-__all__ = ["Metaclass_UInt32MultiArray", "UInt32MultiArray"]

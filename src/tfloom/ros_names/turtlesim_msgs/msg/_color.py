@@ -1,6 +1,0 @@
-"""The classes of turtlesim_msgs/msg/Color, for type checkers: `tfloom.rosidl.class_modules` makes the module."""
-
-from tfloom.interfaces.turtlesim_msgs.msg import Color as Color
-from tfloom.rosidl.class_modules import Metaclass as Metaclass_Color
-
-__all__ = ["Metaclass_Color", "Color"]
