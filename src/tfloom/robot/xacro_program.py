@@ -7,6 +7,8 @@ runs in a process of its own, which has the limits; this one ends it where it do
 from __future__ import annotations
 
 import contextlib
+import math
+import os
 import signal
 import subprocess
 import sys
@@ -16,6 +18,7 @@ from collections.abc import Callable, Iterator
 from importlib.util import find_spec
 from typing import Any, NoReturn
 
+from tfloom.terminal_text import report
 from tfloom.xml_parsers import guard_minidom
 
 __all__ = ["main"]
@@ -31,6 +34,10 @@ MAX_BYTES = 2 * 1024**3
 """How much memory it may have, where the system can limit it [bytes]."""
 GRACE_S = 5.0
 """How long it may take to say that it took too long, until it is ended [s]."""
+PARENT_S = 0.2
+"""Period at which the process of the library looks whether the one that started it is there [s]."""
+PR_SET_PDEATHSIG = 1
+"""Of Linux's prctl: the signal that a process gets when its parent ends."""
 FAILED = 2
 """Exit code of the library for what is wrong with a file."""
 
@@ -38,22 +45,22 @@ FAILED = 2
 def main(args: list[str] | None = None) -> int:
     """Expand a file; return 0, or 1 without the library. Raise SystemExit for errors, which were printed."""
     if find_spec("xacro") is None:
-        print(f"xacro: {MISSING}", file=sys.stderr)
+        report(f"xacro: {MISSING}")
         return 1
     words = sys.argv[1:] if args is None else args
-    limits = [f"{MAX_ELEMENTS}", f"{MAX_S}", f"{MAX_BYTES}"]
+    limits = [f"{MAX_ELEMENTS}", f"{MAX_S}", f"{MAX_BYTES}", f"{os.getpid()}"]
     with subprocess.Popen([sys.executable, "-m", "tfloom.robot.xacro_program", *limits, *words]) as child:
         try:
             with _ended_by_signal():
                 code = child.wait(MAX_S + GRACE_S)
         except subprocess.TimeoutExpired:
-            print(f"error: {_too_long(MAX_S)}", file=sys.stderr)
+            report(f"error: {_too_long(MAX_S)}")
             code = FAILED
         finally:
             child.kill()
     if code < 0:
         name = signal.Signals(-code).name if -code in {*signal.Signals} else f"signal {-code}"
-        print(f"error: the expansion was ended by {name}", file=sys.stderr)
+        report(f"error: the expansion was ended by {name}")
         code = FAILED
     if code:
         raise SystemExit(code)
@@ -87,11 +94,13 @@ def _expand(limits: list[str], args: list[str]) -> int:
 
     import tfloom
 
+    max_elements, max_s, max_bytes, parent = int(limits[0]), float(limits[1]), int(limits[2]), int(limits[3])
+    _end_with(parent)
+    _limit_time(max_s + GRACE_S)
     tfloom.use_ros_names()  # it finds packages by ament_index_python
     import xacro
 
     guard_minidom()  # by which it reads
-    max_elements, max_s, max_bytes = int(limits[0]), float(limits[1]), int(limits[2])
     xacro.eval_all = _counted(xacro, max_elements, max_s)
     xacro.eval_text = _measured(xacro)
     xacro.process_file = _with_memory(xacro, max_bytes)
@@ -102,9 +111,43 @@ def _expand(limits: list[str], args: list[str]) -> int:
         sys.stdout = None  # there is nobody to write to when Python ends
         return 1
     except MemoryError:  # from writing the XML
-        print(f"error: {_too_large(max_bytes)}", file=sys.stderr)
+        report(f"error: {_too_large(max_bytes)}")
         return FAILED
     return 0
+
+
+def _end_with(parent: int) -> None:
+    """Let this process end when the one that waits for it does, by SIGKILL too.
+
+    On Linux, the kernel ends it; elsewhere a thread does, unless one operation holds the GIL: then `_limit_time`. On
+    Windows, a parent that has ended can't be told from one that hasn't.
+    """
+    if sys.platform == "linux":
+        import ctypes
+
+        ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+    elif os.name == "posix":
+        threading.Thread(
+            target=_wait_for_end, args=(parent,), name="tfloom_xacro_parent", daemon=True
+        ).start()
+    if os.name == "posix" and os.getppid() != parent:  # it has ended before
+        os._exit(FAILED)
+
+
+def _wait_for_end(parent: int) -> None:
+    while os.getppid() == parent:
+        time.sleep(PARENT_S)
+    os._exit(FAILED)
+
+
+def _limit_time(max_s: float) -> None:
+    """Limit the time on the processor, where the system can: one operation may take for ever, as `9**9**9`."""
+    if sys.platform != "win32":
+        import resource
+
+        with contextlib.suppress(OSError, ValueError):  # a lower limit of the user's
+            most = resource.getrlimit(resource.RLIMIT_CPU)[1]
+            resource.setrlimit(resource.RLIMIT_CPU, (math.ceil(max_s), most))
 
 
 def _counted(xacro: Any, max_elements: int, max_s: float) -> Callable[[Any, Any, Any], None]:
@@ -172,4 +215,4 @@ def _too_large(max_bytes: int) -> str:
 
 
 if __name__ == "__main__":
-    sys.exit(_expand(sys.argv[1:4], sys.argv[4:]))
+    sys.exit(_expand(sys.argv[1:5], sys.argv[5:]))
