@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import signal
 import threading
 import time
@@ -105,6 +106,76 @@ def test_a_program_ends_beside_a_callback_that_never_returns(
             program.signal(signal.SIGINT)
         assert program.wait(END_S) == 0, program.output
         assert program.lines[1:] == {"shutdown": ["shut down"], "Ctrl-C": ["interrupted"]}.get(end, [])
+
+
+BESIDE = """
+import json, sys, threading, time
+import rclpy
+from geometry_msgs.msg import TransformStamped
+from rclpy.node import Node
+from rclpy.time import Time
+from std_msgs.msg import String
+from tf2_ros import Buffer, StaticTransformBroadcaster, TransformListener
+
+rclpy.init()
+node = Node("stuck")
+buffers = [Buffer(), Buffer()]
+listeners = [TransformListener(buffer, node) for buffer in buffers]
+broadcaster = StaticTransformBroadcaster(node)
+entered = threading.Event()
+called = [False, False]
+heard = []
+node.create_subscription(String, "chatter", heard.append, 10)
+chatter = node.create_publisher(String, "chatter", 10)
+
+def stay(_):
+    entered.set()
+    while True:
+        time.sleep(0.1)
+
+def call(number):
+    called[number] = True
+
+def send(child):
+    transform = TransformStamped(child_frame_id=child)
+    transform.header.frame_id = "map"
+    transform.transform.rotation.w = 1.0
+    threading.Thread(target=broadcaster.sendTransform, args=(transform,), daemon=True).start()
+
+buffers[0].wait_for_transform_async("map", "base", Time()).add_done_callback(stay)
+for number, buffer in enumerate(buffers):
+    buffer.wait_for_transform_async("map", "later", Time()).add_done_callback(lambda _, number=number: call(number))
+send("base")
+assert entered.wait(30)
+send("later")
+known = lambda: [buffer.can_transform("map", "later", Time()) for buffer in buffers]
+end_s = time.monotonic() + 30
+expected = json.loads(sys.argv[1])
+while time.monotonic() < end_s and (not heard or [known(), called] != expected):
+    chatter.publish(String())
+    rclpy.spin_once(node, timeout_sec=0.1)
+for _ in range(20):  # and it stays so
+    rclpy.spin_once(node, timeout_sec=0.05)
+print(json.dumps([known(), called, bool(heard)]), flush=True)
+"""
+GOES_ON = {
+    "tfloom_local": ([False, True], [False, True]),
+    "rmw_cyclonedds_cpp": ([True, True], [False, False]),
+    "rmw_zenoh_cpp": ([False, True], [False, True]),
+}
+"""By wire: whether the buffer whose callback never returns, and another one, get later transforms; whether callbacks of
+theirs are called."""
+
+
+@pytest.mark.parametrize("wire", WIRES)
+def test_what_goes_on_beside_a_callback_that_never_returns(
+    wire: str, domain_id: int, monkeypatch: pytest.MonkeyPatch, start_program: Callable[..., Program]
+) -> None:
+    monkeypatch.setenv("RMW_IMPLEMENTATION", wire)
+    with use_port_of(domain_id):
+        program = start_program("python", "-c", BESIDE, json.dumps(GOES_ON[wire]))
+        assert program.wait(60) == 0, program.output
+        assert json.loads(program.lines[-1]) == [*GOES_ON[wire], True]
 
 
 @pytest.fixture
