@@ -12,6 +12,7 @@ import subprocess
 from collections.abc import Callable
 from contextlib import ExitStack, closing
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -32,12 +33,14 @@ from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.interfaces.rosgraph_msgs.msg import Clock
 from tfloom.interfaces.std_msgs.msg import String, UInt8MultiArray
 from tfloom.interfaces.std_srvs.srv import SetBool
+from tfloom.node.context.context import Context
 from tfloom.node.node import Node
 from tfloom.rmw.backends import open_participant
 from tfloom.rmw.base import NodeName, Topic
 from tfloom.rmw.qos import QoS
 from tfloom.rosidl import cdr
 from tfloom.rosidl.registry import get_message_class, get_service_class
+from tfloom.viewer.foxglove_bridge import bridge, program
 from tfloom.viewer.foxglove_bridge.complaints import MAX_IN_PERIOD, PERIOD_S, Complaints
 from tfloom.viewer.foxglove_bridge.settings import CAPABILITIES, Settings, SettingsError
 
@@ -275,6 +278,54 @@ def test_defaults_of_the_documentation(node: Node) -> None:
     assert (settings.sysinfo_topic, settings.sysinfo_s) == ("", 0.5)
     assert (settings.include_hidden, settings.skips_silent_nodes) == (False, True)
     assert settings.capabilities == {*CAPABILITIES}
+
+
+@pytest.mark.parametrize(
+    ("name", "least", "most"),
+    [
+        ("port", 0, 65535),
+        ("min_qos_depth", 1, 25),
+        ("max_qos_depth", 1, 10_000),
+        ("message_backlog_size", 1, 100_000),
+        ("sysinfo_refresh_interval", 200, 3_600_000),
+    ],
+)
+def test_limits_of_numbers(name: str, least: int, most: int, domain_id: int) -> None:
+    def settings(value: int) -> Settings:
+        context = Context()
+        context.init(args=["--ros-args", "-p", f"{name}:={value}"], domain_id=domain_id)
+        node = Node("limits", context=context)
+        try:
+            return Settings(node)
+        finally:
+            node.destroy_node()
+            context.destroy()
+
+    for value in (least, most):
+        settings(value)
+    for value in (least - 1, most + 1):
+        with pytest.raises(SettingsError, match=f"^parameter {name if value != 26 else 'max_qos_depth'}: "):
+            settings(value)
+    if name == "sysinfo_refresh_interval":
+        assert [settings(value).sysinfo_s for value in (200, 3_600_000)] == [0.2, 3600.0]
+
+
+@pytest.mark.parametrize(("address", "is_told"), [("127.0.0.1", False), ("::1", False), ("0.0.0.0", True)])
+def test_address_that_others_reach_is_told(
+    address: str, is_told: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    told: list[str] = []
+    logger = SimpleNamespace(info=lambda _: None, warning=told.append)
+    made = SimpleNamespace(
+        settings=SimpleNamespace(address=address, tls=None),
+        port=1,
+        get_logger=lambda: logger,
+        close=lambda: None,
+    )
+    monkeypatch.setattr(bridge, "FoxgloveBridge", lambda: made)
+    monkeypatch.setattr(program, "spin", lambda _: None)
+    assert program._serve() == 0
+    assert told == [program.OPEN_TO_ALL] * is_told
 
 
 def test_parameters_without_effect_are_said(domain_id: int, capfd: pytest.CaptureFixture[str]) -> None:

@@ -308,6 +308,35 @@ def test_refused_descriptors_delay_and_end_nothing(relayed: Relayed, monkeypatch
     assert len(tries) > 3
 
 
+def test_port_that_is_closed_while_descriptors_are_refused_stays_closed(
+    relayed: Relayed, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(module, "RETRY_S", 0.2)
+    relay, listener = relayed.relay, relayed.relay._listener
+    refused, again = threading.Event(), threading.Event()
+    faults: list[Any] = []
+    relay._loop.set_exception_handler(lambda _, context: faults.append(context))
+
+    def refuse() -> Any:
+        refused.set()
+        raise OSError(errno.EMFILE, "Too many open files")
+
+    accept_again = relay._accept_again
+
+    def accept_again_and_tell() -> None:
+        relay._loop.call_soon(again.set)  # after what it raises was handled
+        accept_again()
+
+    stand_in = SimpleNamespace(accept=refuse, fileno=listener.fileno, close=listener.close)
+    monkeypatch.setattr(relay, "_listener", stand_in)
+    monkeypatch.setattr(relay, "_accept_again", accept_again_and_tell)
+    with closing(relayed.connect()):
+        assert refused.wait(TIMEOUT_S)
+        relay.refuse_more()
+        assert again.wait(TIMEOUT_S)
+    assert faults == []
+
+
 def is_refused(port: int) -> bool:
     try:
         socket.create_connection(("127.0.0.1", port), timeout=TIMEOUT_S).close()
