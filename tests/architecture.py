@@ -358,6 +358,29 @@ def files_are_written_whole(house: Path) -> list[str]:
     return violations
 
 
+STDERR_WRITERS = {
+    "terminal_text.py",
+    "bag/progress.py",  # a line that is drawn anew, on terminals alone
+    "workspace/copyright.py",  # results, some of which are errors
+    "workspace/lint.py",  # the output of another program
+}
+"""What may print on stderr, beside the function that every warning goes through."""
+
+
+def what_is_said_on_stderr_ends_nothing(house: Path) -> list[str]:
+    """Only `report` prints on stderr, because `print` raises where it is full, and takes stdout where it is closed."""
+    prints = re.compile(r"file=sys\.stderr|\bstderr\.write\(")
+    violations = []
+    for path in sorted(house.rglob("*.py")):
+        place = path.relative_to(house).as_posix()
+        if place in STDERR_WRITERS:
+            continue
+        text = path.read_text("utf-8")
+        lines = [text.count("\n", 0, match.start()) + 1 for match in prints.finditer(text)]
+        violations += [f"{place}:{line} prints on stderr; use terminal_text.report" for line in lines]
+    return violations
+
+
 REQUESTERS = {
     "rmw/shared/service_request.py",
     "node/base/node_base.py",
@@ -543,6 +566,7 @@ HOUSE_RULES: list[Rule] = [
     the_command_line_starts_without_the_rooms,
     one_door_for_reading_yaml,
     files_are_written_whole,
+    what_is_said_on_stderr_ends_nothing,
     services_are_asked_in_one_way,
     no_users_code_under_a_lock,
 ]

@@ -223,6 +223,17 @@ VIOLATIONS: list[tuple[Rule, dict[str, str], list[str]]] = [
         ],
     ),
     (
+        architecture.what_is_said_on_stderr_ends_nothing,
+        {
+            "rmw/x.py": "import sys\nprint('a', file=sys.stderr)\nsys.stderr.write('b')\n",
+            "terminal_text.py": "import sys\ndef report(text):\n    print(text, file=sys.stderr)\n",
+        },
+        [
+            "rmw/x.py:2 prints on stderr; use terminal_text.report",
+            "rmw/x.py:3 prints on stderr; use terminal_text.report",
+        ],
+    ),
+    (
         architecture.no_users_code_under_a_lock,
         {
             "rmw/local/ends.py": "def give(sink):\n    sink.push()\ndef other():\n    give(sink)\n",

@@ -6,11 +6,12 @@ import io
 import os
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 from tests.terminals import on_a_terminal
 
-from tfloom.terminal_text import TerminalOutput, shown, shown_in_colors, shown_on_terminals, unescaped
+from tfloom.terminal_text import TerminalOutput, report, shown, shown_in_colors, shown_on_terminals, unescaped
 
 HOSTILE = "a\x1b[2J\x07\r\x7f\x9b1m\u202eb\u2066c\td\nä\u200f漢"
 SHOWN = "a\\x1b[2J\\x07\\x0d\\x7f\\x9b1m\\u202eb\\u2066c\td\nä\u200f漢"
@@ -162,3 +163,36 @@ for flags in (["--field", "data"], ["--csv"], ["--json"], []):
     text = on_a_terminal(program)
     assert shown(text) == text
     assert [text.count(f"a\\{escape}[2J") for escape in ("x1b", "u001b", "e")] == [2, 1, 1]
+
+
+# Where stderr takes nothing.
+
+STDERRS = {
+    "full": pytest.param(
+        ">/dev/full", marks=pytest.mark.skipif(not Path("/dev/full").exists(), reason="no device")
+    ),
+    "closed": pytest.param(">&-", marks=pytest.mark.skipif(os.name != "posix", reason="a shell closes it")),
+}
+
+
+@pytest.mark.parametrize("stderr", STDERRS.values(), ids=STDERRS)
+def test_report_that_nobody_can_read_ends_nothing(stderr: str) -> None:
+    program = "from tfloom.terminal_text import report; report('said'); report('again'); print('done')"
+    done = subprocess.run(
+        ["sh", "-c", f'exec "$0" -c "$1" 2{stderr}', sys.executable, program],
+        stdout=subprocess.PIPE,
+        text=True,
+        timeout=60,
+        check=False,
+    )
+    assert (done.returncode, done.stdout) == (0, "done\n")
+
+
+@pytest.mark.parametrize("failure", [OSError(28, "full"), ValueError("I/O operation on closed file")])
+def test_report_to_a_stream_that_fails_is_lost(failure: Exception, monkeypatch: pytest.MonkeyPatch) -> None:
+    class Failing(io.StringIO):
+        def write(self, _: str) -> int:
+            raise failure
+
+    monkeypatch.setattr(sys, "stderr", Failing())
+    report("said")

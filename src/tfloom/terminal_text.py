@@ -58,8 +58,11 @@ def shown_name(name: str) -> str:
     return shown(name).replace("\n", "\\x0a").replace("\t", "\\x09")
 
 
-def report(text: str) -> None:
-    """Print a text on stderr. Where that can't be written, as on a full disk, it is lost, and all else goes on."""
+def report(text: object) -> None:
+    """Print a text on stderr. Where that can't be written, as to a full disk or a closed pipe, it is lost.
+
+    Without a stderr, `print` would write it among the results, on stdout.
+    """
     if sys.stderr is not None:
         with suppress(OSError, ValueError):
             print(text, file=sys.stderr)

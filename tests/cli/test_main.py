@@ -187,3 +187,15 @@ def test_full_disk_gives_an_error_message() -> None:
     command = f"exec '{sys.executable}' -m tfloom.cli pkg list >/dev/full"
     done = run_to_end(["sh", "-c", command], timeout_s=30)
     assert (done.returncode, done.stderr) == (1, "tfloom: No space left on device\n")
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
+@pytest.mark.parametrize("stderr", [">/dev/full", ">&-"])
+def test_hint_that_can_not_be_printed_ends_nothing(stderr: str, tmp_path: Path) -> None:
+    command = f"exec '{sys.executable}' -m tfloom.cli pkg create --build-type ament_python made 2{stderr}"
+    done = subprocess.run(
+        ["sh", "-c", command], cwd=tmp_path, stdout=subprocess.PIPE, text=True, timeout=60, check=False
+    )
+    assert done.returncode == 0
+    assert (tmp_path / "made" / "package.xml").exists()
+    assert "colcon build" not in done.stdout  # the hint is not among the results

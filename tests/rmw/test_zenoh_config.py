@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -257,3 +258,21 @@ def test_wrong_router_checks_are_refused(monkeypatch: pytest.MonkeyPatch) -> Non
     monkeypatch.setenv("ZENOH_ROUTER_CHECK_ATTEMPTS", "often")
     with pytest.raises(ConfigurationError, match=r"ZENOH_ROUTER_CHECK_ATTEMPTS must be an integer.*'often'"):
         zenoh_config.router_checks()
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
+@pytest.mark.parametrize("stderr", [">/dev/full", ">&-"])
+def test_warning_that_can_not_be_printed_ends_nothing(
+    stderr: str, domain_id: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "rmw_zenoh_cpp")
+    program = "from tfloom.rmw.backends import open_participant; open_participant().close(); print('opened and closed')"
+    monkeypatch.setenv("ZENOH_CONFIG_OVERRIDE", "nonsense; no_such_key=1")
+    done = subprocess.run(
+        ["sh", "-c", f'exec "$0" -c "$1" 2{stderr}', sys.executable, program],
+        stdout=subprocess.PIPE,
+        text=True,
+        timeout=60,
+        check=False,
+    )
+    assert (done.returncode, done.stdout) == (0, "opened and closed\n")

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import errno
+import io
+import sys
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -23,8 +26,9 @@ from tfloom.rosidl import cdr
 from tfloom.viewer.feed import Feed
 from tfloom.viewer.frames import FramePoses
 from tfloom.viewer.history import Entry, History
+from tfloom.viewer.layout.layout import DisplayLayout, Layout, PlotLayout
 from tfloom.viewer.page_command import PageError
-from tfloom.viewer.plots.plots import Plots
+from tfloom.viewer.plots.plots import MAX_PLOTS, Plots
 from tfloom.viewer.plots.series import Series
 from tfloom.viewer.program import Viewer
 from tfloom.viewer.shapes import Box, DisplayError
@@ -504,3 +508,25 @@ def test_scan_of_before_is_not_shown_after_a_reset(stage: Stage, monkeypatch: py
     stage.view.look_at_clock()
     stage.draw()
     assert stage.drawn("/pose") == []
+
+
+# A program without an stderr.
+
+
+@pytest.mark.parametrize("stderr", [None, "full"])
+def test_layout_is_shown_where_what_is_missing_can_not_be_printed(
+    stderr: str | None, stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    class Full(io.StringIO):
+        def write(self, _: str) -> int:
+            raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(sys, "stderr", None if stderr is None else Full())
+    stage.move("map", "a", 1.0, 2.0)
+    stage.topics.add("/strings", String(data="a"))
+    many = tuple(PlotLayout("/strings", f"data{number}") for number in range(40))
+    stage.view.apply(Layout(plots=many, displays=(DisplayLayout("/strings"),), trails=("a",)))
+    stage.view._show_wanted()
+    shown = stage.view.layout(None)
+    assert (shown.trails, shown.displays, len(shown.plots)) == (("a",), (), MAX_PLOTS)
+    assert capsys.readouterr().out == ""

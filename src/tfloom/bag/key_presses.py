@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import sys
 import threading
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 
 from tfloom.keyboard import Keyboard, NoTerminalError, without_repetitions
 from tfloom.node.values.callback_errors import report_exception
+from tfloom.terminal_text import report
 
 __all__ = ["handled_keys"]
 
@@ -32,7 +32,7 @@ def handled_keys(actions: Mapping[str, Callable[[], object]], *, enabled: bool =
         try:
             keyboard = stack.enter_context(Keyboard())
         except NoTerminalError:
-            print("stdin is not a terminal device. Keyboard handling disabled.", file=sys.stderr)
+            report("stdin is not a terminal device. Keyboard handling disabled.")
             yield
             return
         ended = threading.Event()
@@ -40,7 +40,7 @@ def handled_keys(actions: Mapping[str, Callable[[], object]], *, enabled: bool =
         try:
             thread.start()
         except RuntimeError as error:
-            print(f"Keyboard handling disabled: {error}.", file=sys.stderr)
+            report(f"Keyboard handling disabled: {error}.")
             yield
             return
         try:

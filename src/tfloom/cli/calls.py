@@ -16,6 +16,7 @@ from tfloom.rmw.action_names import SEND_GOAL
 from tfloom.rmw.base import NodeName, Participant
 from tfloom.rmw.shared.service_request import ServiceRequest, ServiceRequestError
 from tfloom.rosidl import cdr
+from tfloom.terminal_text import report
 
 T = TypeVar("T")
 
@@ -58,7 +59,7 @@ class Client:
             # The hint comes after discovery: earlier, the graph would lack the names that are near.
             if now_s > hint_s:
                 hint_s = math.inf
-                print(f"no server of {self._name_with_nearest()}", file=sys.stderr)
+                report(f"no server of {self._name_with_nearest()}")
             self._arrived.wait(int(CHECK_S * 1e9))
 
     def _is_ready(self) -> bool:
@@ -101,7 +102,7 @@ class Client:
             nonlocal report_s
             if time.monotonic() > report_s:
                 report_s = math.inf
-                print(f"waiting for a response from {self.name}", file=sys.stderr)
+                report(f"waiting for a response from {self.name}")
 
         self.send(request, timeout_s)
         return self.receive(report_once)
@@ -164,7 +165,7 @@ def call_each(asked: Mapping[str, Callable[[], T]]) -> dict[str, T]:
     if errors and len(errors) == len(answers):
         raise CommandError(text)
     if errors:
-        print(text, file=sys.stderr)
+        report(text)
     return {name: answer for name, answer in answers.items() if not isinstance(answer, CommandError)}
 
 

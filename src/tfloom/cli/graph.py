@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import os
-import sys
 import time
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
@@ -14,6 +13,7 @@ from tfloom._native import ReadyQueue
 from tfloom.cli.numbers import seconds
 from tfloom.rmw.backends import open_participant
 from tfloom.rmw.base import EndpointInfo, Graph, Participant
+from tfloom.terminal_text import report
 
 QUIET_S = 0.15
 """Discovery is complete when nothing new has arrived for this time [s]."""
@@ -141,7 +141,7 @@ def _participants(count: int) -> str:
 def _print_notice(text: str) -> None:
     """Print a line on stderr, unless the command completes what is typed on a terminal."""
     if "_ARGCOMPLETE" not in os.environ:
-        print(text, file=sys.stderr, flush=True)
+        report(text)
 
 
 def is_hidden(name: str) -> bool:

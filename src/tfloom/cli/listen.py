@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import os
-import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -22,6 +21,7 @@ from tfloom.rmw.shared.typed_names import topic_of
 from tfloom.rmw.shared.waiting import wait_for_token
 from tfloom.rosidl import cdr
 from tfloom.rosidl.message import Message
+from tfloom.terminal_text import report
 
 PATIENCE_S = 1.0
 """Wait before the user gets a message about it [s]."""
@@ -66,7 +66,7 @@ def wait_for_publishers(graph: Graph, name: str, end_s: float) -> list[EndpointI
                 return []
             if now_s >= report_s:
                 near = did_you_mean(name, {end.topic.name for end in graph.endpoints() if end.is_writer})
-                print(f"waiting for a publisher of {name}{near}", file=sys.stderr)
+                report(f"waiting for a publisher of {name}{near}")
                 report_s = math.inf
             wait_for_token(queue, min(end_s, report_s))
         return publishers
@@ -107,7 +107,7 @@ def decoded(cls: type[Message], sample: Sample) -> Any:
     try:
         return cdr.decode(cls, sample.data)
     except cdr.DecodeError as error:
-        print(f"dropped a message that can't be decoded: {error}", file=sys.stderr)
+        report(f"dropped a message that can't be decoded: {error}")
         return None
 
 
@@ -195,7 +195,4 @@ def warn_of_mismatch(end: Reader | Writer, graph: Graph, name: str, *, is_publis
     if isinstance(status, IncompatibleQoS):
         from tfloom.rmw.shared.qos_mismatch import mismatch_text
 
-        print(
-            f"WARNING: {mismatch_text(status, name, end.gid, graph, is_publisher=is_publisher)}",
-            file=sys.stderr,
-        )
+        report(f"WARNING: {mismatch_text(status, name, end.gid, graph, is_publisher=is_publisher)}")

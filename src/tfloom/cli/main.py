@@ -213,10 +213,10 @@ def _exit_code(argv: Sequence[str] | None, prog: str) -> int:
             raise error.__cause__ from None
         if (text := _sentence(error, prog)) is None:
             raise
-        from tfloom.terminal_text import shown_on_terminals
+        from tfloom.terminal_text import report, shown_on_terminals
 
         with shown_on_terminals():
-            print(text, file=sys.stderr)
+            report(text)
         if isinstance(error, OSError):
             _drop_output()
         return error.exit_code if isinstance(error, CommandError) else 1

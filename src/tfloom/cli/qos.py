@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import sys
 from collections.abc import Sequence
 from typing import Any
 
@@ -21,6 +20,7 @@ from tfloom.rmw.qos import (
     ReliabilityPolicy,
     unknown_policies,
 )
+from tfloom.terminal_text import report
 
 
 def add_arguments(parser: argparse.ArgumentParser, default: str) -> None:
@@ -84,8 +84,7 @@ def _warn_of_split(publishers: Sequence[EndpointInfo], policy: str, strict: QoSP
     """Print a line on stderr where some of the publishers offer a policy and some don't."""
     offers = [getattr(publisher.qos, policy) == strict for publisher in publishers]
     if any(offers) and not all(offers):
-        print(
+        report(
             f"{sum(offers)} of {len(offers)} publishers of {publishers[0].topic.name} offer "
-            f"{strict.name}; subscribing without it, to receive from all of them",
-            file=sys.stderr,
+            f"{strict.name}; subscribing without it, to receive from all of them"
         )

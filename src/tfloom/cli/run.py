@@ -12,6 +12,7 @@ from pathlib import Path
 from tfloom.cli.errors import CommandError, refuse_bytes
 from tfloom.cli.names import did_you_mean, way_to_package
 from tfloom.ros_environment import set_ros_environment
+from tfloom.terminal_text import report
 from tfloom.workspace import index
 
 
@@ -56,15 +57,13 @@ def main(args: argparse.Namespace) -> int:
     # process, if no --prefix asks for another.
     command = find_command(args.package_name, args.executable_name)
     if isinstance(command, str) and index.find_package(args.package_name) is not None:
-        print(
-            f"[ros2run]: starting tfloom's own {args.executable_name}, because that of the sourced workspace is in C++",
-            file=sys.stderr,
+        report(
+            f"[ros2run]: starting tfloom's own {args.executable_name}, because that of the sourced workspace is in C++"
         )
     if not isinstance(command, str) and args.executable_name in index.PROGRAMS.get(args.package_name, {}):
         # Both have the program, and the user may not know that a sourced workspace precedes tfloom.
-        print(
-            f"[ros2run]: starting {command[-1]} of the sourced workspace, not tfloom's own {args.executable_name}",
-            file=sys.stderr,
+        report(
+            f"[ros2run]: starting {command[-1]} of the sourced workspace, not tfloom's own {args.executable_name}"
         )
     if isinstance(command, str) and args.prefix is None:
         code = run_here(command, args.executable_name, args.argv)
@@ -81,7 +80,7 @@ def main(args: argparse.Namespace) -> int:
             raise CommandError(f"can't read --prefix {args.prefix!r}: {error}") from None
         code = run_child([*prefix, *command, *args.argv])
     if code:
-        print(f"[ros2run]: {how_it_ended(code)}", file=sys.stderr)
+        report(f"[ros2run]: {how_it_ended(code)}")
     return code
 
 
@@ -151,13 +150,13 @@ def run_here(target: str, name: str, argv: list[str]) -> int:
         return int(getattr(import_module(module), function)(argv) or 0)
     except SystemExit as end:
         if isinstance(end.code, str):
-            print(end.code, file=sys.stderr)
+            report(end.code)
             return 1
         return end.code or 0
     except Exception as error:
         if not _is_input_error(error):
             raise
-        print(f"{name}: {error}", file=sys.stderr)
+        report(f"{name}: {error}")
         return 1
 
 

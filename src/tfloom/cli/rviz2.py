@@ -9,6 +9,7 @@ from pathlib import Path
 from tfloom.cli import view
 from tfloom.cli.errors import CommandError
 from tfloom.node.context.arguments import parse_arguments
+from tfloom.terminal_text import report
 from tfloom.tf2_tools.watch.model import STATIC_TOPIC, TF_TOPIC
 from tfloom.viewer.extra import MISSING, is_installed
 
@@ -43,7 +44,7 @@ def run(args: list[str] | None = None) -> int:
     parser.add_argument("-l", "--ogre-log", action="store_true", help="it has no effect")
     words = parser.parse_args(parsed.rest)
     if not is_installed():
-        print(f"{NAME}: {MISSING.format(name='the page that stands in for RViz')}", file=sys.stderr)
+        report(f"{NAME}: {MISSING.format(name='the page that stands in for RViz')}")
         return 1
     name = parsed.node_name(NAME)
     namespace = parsed.namespace(name, "/")
@@ -63,5 +64,5 @@ def run(args: list[str] | None = None) -> int:
         # Who starts RViz by a launch file wants to see it, so the page is opened without a terminal, too.
         return view.serve(options.parse_args(asked), needs_terminal=False)
     except CommandError as error:
-        print(f"{NAME}: {error}", file=sys.stderr)
+        report(f"{NAME}: {error}")
         return 1

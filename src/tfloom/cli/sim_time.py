@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -13,6 +12,7 @@ from tfloom.interfaces.rosgraph_msgs.msg import Clock
 from tfloom.rmw.base import NodeName, Participant
 from tfloom.rmw.qos import QoS, ReliabilityPolicy
 from tfloom.rmw.shared.typed_names import topic_of
+from tfloom.terminal_text import report
 
 NowNs = Callable[[], int]
 """A function that returns the time [ns]; 0 before it is known."""
@@ -50,6 +50,6 @@ def wait_until_known(now_ns: NowNs) -> None:
     queue = ReadyQueue()
     while now_ns() == 0:
         if time.monotonic() >= report_s:
-            print("waiting for the time on /clock", file=sys.stderr)
+            report("waiting for the time on /clock")
             report_s = float("inf")
         queue.wait(10_000_000)

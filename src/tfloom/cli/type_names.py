@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import difflib
-import sys
 from collections.abc import Collection, Iterable
 
 from tfloom.cli.names import or_list
+from tfloom.terminal_text import report
 from tfloom.workspace.interfaces import known_interfaces
 
 FAMILIAR = ("std_msgs", "geometry_msgs", "sensor_msgs", "nav_msgs", "tf2_msgs", "std_srvs", "turtlesim")
@@ -34,7 +34,7 @@ def warn_if_unknown(name: str, kind: str, live: Collection[str]) -> None:
     """Print a line on stderr, with the nearest types, if a type is neither known here nor in `live`."""
     if name not in live and name not in known_interfaces(kind):
         what = {"msg": "message", "srv": "service"}.get(kind, kind)
-        print(f"there is no {what} type '{name}'{did_you_mean_type(name, kind, live)}", file=sys.stderr)
+        report(f"there is no {what} type '{name}'{did_you_mean_type(name, kind, live)}")
 
 
 def nearest_types(name: str, known: Iterable[str], live: Collection[str] = ()) -> list[str]:

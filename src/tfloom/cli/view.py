@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 from tfloom.cli.errors import CommandError
 from tfloom.cli.names import full_topic_name
 from tfloom.cli.numbers import seconds
-from tfloom.terminal_text import shown_part
+from tfloom.terminal_text import report, shown_part
 from tfloom.tf2_tools.watch.model import STATIC_TOPIC, TF_TOPIC
 from tfloom.viewer.extra import MISSING, is_installed
 
@@ -190,7 +190,7 @@ def read_config(path: Path) -> Layout:
     if unknown:
         more = [f"and {len(unknown) - MAX_UNKNOWN} more"] if len(unknown) > MAX_UNKNOWN else []
         named = "; ".join([*map(shown_part, unknown[:MAX_UNKNOWN]), *more])
-        print(f"{path}: shown without what is not known here: {named}", file=sys.stderr)
+        report(f"{path}: shown without what is not known here: {named}")
     return layout
 
 

@@ -22,6 +22,7 @@ from tfloom.demos.program_group import LOG_LINES, StartProgram
 from tfloom.demos.show import PROGRAMS
 from tfloom.node.context.context import Context
 from tfloom.node.context.defaults import own_defaults
+from tfloom.terminal_text import report
 
 WINDOWLESS_PROGRAMS = PROGRAMS | {"turtlesim": [*PROGRAMS["turtlesim"], "--headless"]}
 """The programs, turtlesim's without its window, because only the main thread may open one."""
@@ -121,7 +122,7 @@ class ThreadProgram:
 def _exit_code(end: SystemExit) -> int:
     """Return the interpreter's exit code for a SystemExit, and print its text if it has one."""
     if isinstance(end.code, str):
-        print(end.code, file=sys.stderr)
+        report(end.code)
         return 1
     return end.code or 0
 

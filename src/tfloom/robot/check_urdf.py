@@ -9,6 +9,7 @@ from pathlib import Path
 from tfloom.robot.description import Description
 from tfloom.robot.urdf import parse_urdf
 from tfloom.robot.urdf_error import UrdfError
+from tfloom.terminal_text import report
 
 __all__ = ["main"]
 
@@ -20,7 +21,7 @@ def main(args: list[str] | None = None) -> int:
     """Print the tree of the file that the first argument names; return 0, or 255 if it isn't a valid description."""
     words = sys.argv[1:] if args is None else args
     if not words:
-        print("Expect URDF xml file to parse", file=sys.stderr)
+        report("Expect URDF xml file to parse")
         return FAILED
     path = words[0]
     try:
@@ -31,14 +32,14 @@ def main(args: list[str] | None = None) -> int:
             if isinstance(error, OSError)
             else f"{path}:{error.line}: {error.reason}"
         )
-        print(f"Error:   {reason}\n{_FAILURE}", file=sys.stderr)
+        report(f"Error:   {reason}\n{_FAILURE}")
         return FAILED
     refused = [remark for remark in robot.remarks if remark.is_refused]
     for remark in robot.remarks:
         kind = "Error:  " if remark.is_refused else "Warning:"
-        print(f"{kind} {path}:{remark.line}: {remark.text}", file=sys.stderr)
+        report(f"{kind} {path}:{remark.line}: {remark.text}")
     if refused:
-        print(_FAILURE, file=sys.stderr)
+        report(_FAILURE)
         return FAILED
     print("\n".join(_lines(robot)))
     return 0

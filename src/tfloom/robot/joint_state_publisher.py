@@ -24,6 +24,7 @@ from tfloom.robot.description import Description
 from tfloom.robot.joint_ranges import range_of
 from tfloom.robot.mimicry import Dependence, LoopError, dependence_of, resolve
 from tfloom.robot.urdf import UrdfError, parse_urdf
+from tfloom.terminal_text import report
 
 __all__ = ["JointStatePublisher", "main"]
 
@@ -267,10 +268,10 @@ def _publish(file: str | None) -> int:
     try:
         node = JointStatePublisher(file)
     except UrdfError as error:
-        print(f"joint_state_publisher: {file or 'robot_description'}: {error}", file=sys.stderr)
+        report(f"joint_state_publisher: {file or 'robot_description'}: {error}")
         return 1
     except OSError as error:
-        print(f"joint_state_publisher: can't read {file}: {error.strerror or error}", file=sys.stderr)
+        report(f"joint_state_publisher: can't read {file}: {error.strerror or error}")
         return 1
     spin(node)
     return 0

@@ -14,6 +14,7 @@ from tfloom.node.node import Node
 from tfloom.node.program import run_program
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.time import Time
+from tfloom.terminal_text import report
 from tfloom.tf2.errors import TransformException
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.transform_listener import TransformListener
@@ -128,6 +129,6 @@ def main(args: list[str] | None = None) -> int:
     try:
         rate_hz = parse_rate(words[2]) if words[2:] else 1.0
     except RateError as error:
-        print(error, file=sys.stderr)
+        report(error)
         return error.exit_code
     return run_program(args, lambda: Echo(Node("tf2_echo"), words[0], words[1]).run(rate_hz))

@@ -14,6 +14,7 @@ from tfloom.node.cpp_nodes import EVENT_OVERRIDING, STATIC_OVERRIDING
 from tfloom.node.log.logging import get_logger
 from tfloom.node.node import Node
 from tfloom.node.program import run_program
+from tfloom.terminal_text import report
 from tfloom.tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
 from tfloom.tf2_tools.static_transforms.arguments import USAGE, ArgumentsError, parse
 from tfloom.tf2_tools.static_transforms.transform import StaticTransform
@@ -80,7 +81,7 @@ def main(args: list[str] | None = None) -> int:
     try:
         transform, is_old_form = parse(words)
     except ArgumentsError as error:
-        print(f"error parsing command line arguments: {error}\n{USAGE}", file=sys.stderr)
+        report(f"error parsing command line arguments: {error}\n{USAGE}")
         return 1
 
     def publish() -> None:
@@ -93,5 +94,5 @@ def main(args: list[str] | None = None) -> int:
     try:
         return run_program(args, publish)
     except ValueError as error:
-        print(error, file=sys.stderr)
+        report(error)
         return 1

@@ -18,6 +18,7 @@ from tfloom.node.parameters.parameter import Parameter
 from tfloom.node.program import run_program
 from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.names import NameValidationException
+from tfloom.terminal_text import report
 from tfloom.turtlesim import parameters
 from tfloom.turtlesim.endpoints import TurtleEndpoints, check_names
 from tfloom.turtlesim.messages import Kill, Spawn
@@ -198,7 +199,7 @@ def main(args: list[str] | None = None) -> int:
             if recorder is not None:
                 recorder.finish()
     except RecordingError as error:
-        print(f"turtlesim_node: {error}", file=sys.stderr)
+        report(f"turtlesim_node: {error}")
         return 1
 
 

@@ -17,6 +17,7 @@ from tfloom.node.node import Node
 from tfloom.node.program import run_program
 from tfloom.node.values.exceptions import ExternalShutdownException
 from tfloom.node.velocities import Velocities
+from tfloom.terminal_text import report
 from tfloom.turtlesim.messages import RotateAbsolute
 
 BANNER = """\
@@ -136,5 +137,5 @@ def main(args: list[str] | None = None) -> int:
     try:
         return run_program(args, drive)
     except NoTerminalError:
-        print(NO_TERMINAL, file=sys.stderr)
+        report(NO_TERMINAL)
         return 1

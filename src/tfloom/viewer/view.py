@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import sys
 import time
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial
@@ -11,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from tfloom.terminal_text import report
 from tfloom.tf2.buffer import LATEST
 from tfloom.tf2.errors import TransformException
 from tfloom.tf2.transform import Transform
@@ -566,7 +566,7 @@ class View:
 
 def _print_missing(what: str, error: PageError) -> None:
     """Print why something that was asked for at the start is not shown: there may be no page to get it."""
-    print(f"tfloom: {shown_text(what)} is not shown: {shown_text(str(error), 500)}", file=sys.stderr)
+    report(f"tfloom: {shown_text(what)} is not shown: {shown_text(str(error), 500)}")
 
 
 def _frames_of(finding: Finding) -> list[str]:

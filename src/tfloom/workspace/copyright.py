@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from tfloom.terminal_text import report
 from tfloom.workspace.licenses import LICENSES, find_license
 
 EXTENSIONS = (".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp", ".hxx", ".cmake", ".py")
@@ -51,7 +52,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         return 0
     paths = [path for path in _files(args.paths) if not {path, Path(path).name} & {*args.excludes}]
     if not paths:
-        print("No repository roots and files found", file=sys.stderr)
+        report("No repository roots and files found")
         return 0
     findings = [_check(path) for path in sorted(paths)]
     for finding in findings:
@@ -59,7 +60,7 @@ def main(argv: Sequence[str] | None = None) -> int:
             print(f"{finding.path}: {finding.text}", file=sys.stderr if finding.is_error else sys.stdout)
     errors = sum(finding.is_error for finding in findings)
     if errors:
-        print(f"{errors} errors, checked {len(findings)} files", file=sys.stderr)
+        report(f"{errors} errors, checked {len(findings)} files")
     else:
         print(f"No problems found, checked {len(findings)} files")
     return int(bool(errors))

@@ -13,6 +13,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from unittest import SkipTest
 
+from tfloom.terminal_text import report
 from tfloom.workspace.listed_sources import add_paths, files_of
 
 FLAKE8_SETTINGS = (
@@ -61,7 +62,7 @@ def flake8_main_with_errors(argv: Sequence[str] | None = None) -> tuple[int, lis
         options.append(IMPORT_ORDER)
     if args.config_file:
         if not Path(args.config_file).is_file():
-            print(f"Could not find config file '{args.config_file}'", file=sys.stderr)
+            report(f"Could not find config file '{args.config_file}'")
             return 1, []
         options = [f"--config={args.config_file}"]
     else:
@@ -103,7 +104,7 @@ def pep257_main(argv: Sequence[str] | None = None) -> int:
     text = _run("pydocstyle", [*_pep257_options(args), *files]) if files else ""
     errors = _pep257_errors(text)
     for error in errors:
-        print(error, file=sys.stderr)
+        report(error)
     _print_summary(files, errors)
     return int(bool(errors))
 
@@ -129,13 +130,13 @@ def mypy_main(argv: Sequence[str] | None = None) -> int:
     options = list(MYPY_SETTINGS)
     if args.config_file:
         if not Path(args.config_file).is_file():
-            print(f"Could not find config file '{args.config_file}'", file=sys.stderr)
+            report(f"Could not find config file '{args.config_file}'")
             return 1
         options = [f"--config-file={args.config_file}"]
     options.append(f"--cache-dir={args.cache_dir or os.devnull}")
     files = files_of(args.paths, args.excludes, (".py", ".pyi"))
     if not files:
-        print("No files found", file=sys.stderr)
+        report("No files found")
         return 1
     command = [sys.executable, "-m", "mypy", *options, "--no-error-summary", "--", *files]
     result = subprocess.run(command, capture_output=True, text=True, check=False)
@@ -180,7 +181,7 @@ def _is_installed(library: str) -> bool:
     reason = f"{library} is not installed: pip install {library}"
     if "PYTEST_CURRENT_TEST" in os.environ:
         raise SkipTest(reason)
-    print(reason, file=sys.stderr)
+    report(reason)
     return False
 
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import argparse
-import sys
 from collections.abc import Sequence
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
+from tfloom.terminal_text import report
 from tfloom.workspace.listed_sources import add_paths, files_of
 from tfloom.xml_parsers import read_tree
 
@@ -32,9 +32,9 @@ def xmllint_main(argv: Sequence[str] | None = None) -> int:
             print(f"File '{path}' is valid")
             continue
         invalid += 1
-        print(f"File '{path}' is invalid\n{path}:{fault}", file=sys.stderr)
+        report(f"File '{path}' is invalid\n{path}:{fault}")
     if invalid:
-        print(f"{invalid} files are invalid", file=sys.stderr)
+        report(f"{invalid} files are invalid")
         return 1
     print("No problems found")
     return 0

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 import threading
 from collections.abc import Callable
 from pathlib import Path
@@ -12,6 +11,7 @@ from tfloom.bag.node_running import spin_until
 from tfloom.bag.opening import open_bag
 from tfloom.bag.playing.play_options import PlayOptions
 from tfloom.bag.playing.player import Player
+from tfloom.terminal_text import report
 
 __all__ = ["play"]
 
@@ -38,7 +38,7 @@ def play(
     """
     with open_bag(path) as bag:
         if bag.message_count == 0:
-            print(f"{path}: there are no messages in it", file=sys.stderr)
+            report(f"{path}: there are no messages in it")
             return
         # Filled when the player is there; until then keys do nothing.
         keys: dict[str, Callable[[], object]] = {}

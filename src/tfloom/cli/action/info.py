@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import argparse
-import sys
 
 from tfloom.cli.action.common import ends_of_action
 from tfloom.cli.listing import print_json
+from tfloom.terminal_text import report
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -21,7 +21,7 @@ def main(args: argparse.Namespace) -> int:
     """Print the nodes of its clients and of its servers."""
     name, ends, unknown = ends_of_action(args.action_name)
     if unknown:
-        print(unknown, file=sys.stderr)
+        report(unknown)
     servers = [end for end in ends if end.is_server]
     clients = [end for end in ends if not end.is_server]
     if args.json:

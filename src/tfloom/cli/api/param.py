@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Sequence
 from typing import Any
 
@@ -20,6 +19,7 @@ from tfloom.node.builtin.parameter_client import AsyncParameterClient
 from tfloom.node.client_library import spin_until_future_complete
 from tfloom.node.executing.task import Future
 from tfloom.node.parameters.parameter import parameter_dict_from_yaml_file, parameter_value_to_python
+from tfloom.terminal_text import report
 
 __all__ = [
     "ParameterNameCompleter",
@@ -68,7 +68,7 @@ def load_parameter_file(*, node: GraphNode, node_name: str, parameter_file: str,
         if result.successful:
             print(f"Set parameter {name} successful{reason}")
         else:
-            print(f"Set parameter {name} failed{reason}", file=sys.stderr)
+            report(f"Set parameter {name} failed{reason}")
 
 
 def call_describe_parameters(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -11,6 +10,7 @@ from tfloom.cli.api.pkg import PackageNotFound, get_executable_paths
 from tfloom.cli.api.values import argument_key
 from tfloom.cli.child import run_child
 from tfloom.cli.run import how_it_ended, package_programs
+from tfloom.terminal_text import report
 from tfloom.workspace import index
 
 __all__ = [
@@ -64,7 +64,7 @@ def run_executable(*, path: str, argv: Sequence[str], prefix: Sequence[str] | No
     """
     code = run_child([*(prefix or ()), *index.interpreter_with_space(Path(path)), path, *argv])
     if code:
-        print(f"{ROS2RUN_MSG_PREFIX} {how_it_ended(code)}", file=sys.stderr)
+        report(f"{ROS2RUN_MSG_PREFIX} {how_it_ended(code)}")
     return code
 
 

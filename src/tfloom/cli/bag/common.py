@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import argparse
 import re
-import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tfloom.cli.errors import CommandError
+from tfloom.terminal_text import report
 
 if TYPE_CHECKING:
     from tfloom.rmw.base import Participant
@@ -69,7 +69,7 @@ def explained() -> Iterator[None]:
 
     def show_line(message: Warning | str, category: type[Warning], *rest: Any, **options: Any) -> None:
         if issubclass(category, BagWarning):
-            print(f"[WARN] [ros2bag]: {message}", file=sys.stderr)
+            report(f"[WARN] [ros2bag]: {message}")
         else:
             show(message, category, *rest, **options)
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import argparse
-import sys
 from pathlib import Path
 
 from tfloom.cli.errors import CommandError
+from tfloom.terminal_text import report
 from tfloom.workspace.interface_stubs import write_stubs
 
 
@@ -29,5 +29,5 @@ def main(args: argparse.Namespace) -> int:
     for path in stubs.written:
         print(f"creating {path}")
     for reason in stubs.left_out:
-        print(reason, file=sys.stderr)
+        report(reason)
     return 1 if stubs.left_out else 0

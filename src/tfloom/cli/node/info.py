@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import sys
 from collections.abc import Iterable
 
 from tfloom.cli import graph
@@ -11,6 +10,7 @@ from tfloom.cli.errors import CommandError
 from tfloom.cli.listing import print_json
 from tfloom.cli.names import find_full_name
 from tfloom.rmw.base import Graph, NodeName
+from tfloom.terminal_text import report
 
 ACTION_SUFFIX = "/_action/send_goal"
 ACTION_TYPE_SUFFIX = "_SendGoal"
@@ -42,10 +42,9 @@ def main(args: argparse.Namespace) -> int:
         )
         return 0
     if twins > 1:
-        print(
+        report(
             f'There are {twins} nodes in the graph with the exact name "{node.full}". '
-            "You are seeing information about all of them.",
-            file=sys.stderr,
+            "You are seeing information about all of them."
         )
     print(node.full)
     for title, ends in sections.items():

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import argparse
-import sys
 
 from tfloom.cli import graph
 from tfloom.cli.listing import print_names
+from tfloom.terminal_text import report
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -26,10 +26,9 @@ def main(args: argparse.Namespace) -> int:
     if not args.all:
         names = [name for name in names if not graph.is_hidden(name)]
     if len(set(names)) < len(names) and not args.count_nodes:
-        print(
+        report(
             "WARNING: Be aware that there are nodes in the graph that share an exact name, "
-            "which can have unintended side effects.",
-            file=sys.stderr,
+            "which can have unintended side effects."
         )
     print_names(names, as_json=args.json, only_count=args.count_nodes)
     return 0

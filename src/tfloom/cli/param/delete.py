@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import argparse
-import sys
 
 from tfloom.cli.param.common import add_arguments as add_common_arguments
 from tfloom.cli.param.common import requested_node
 from tfloom.interfaces.rcl_interfaces.msg import Parameter
+from tfloom.terminal_text import report
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -25,5 +25,5 @@ def main(args: argparse.Namespace) -> int:
     if result.successful:
         print("Deleted parameter successfully")
     else:
-        print(f"Deleting parameter failed{reason}", file=sys.stderr)
+        report(f"Deleting parameter failed{reason}")
     return 0 if result.successful else 1

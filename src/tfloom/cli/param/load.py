@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import argparse
-import sys
 from typing import Any
 
 from tfloom.cli.errors import CommandError
 from tfloom.cli.param.common import add_arguments as add_common_arguments
 from tfloom.cli.param.common import nodes_with_parameters
 from tfloom.interfaces.rcl_interfaces.msg import Parameter
+from tfloom.terminal_text import report
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -33,7 +33,7 @@ def main(args: argparse.Namespace) -> int:
             if result.successful:
                 print(f"Set parameter {parameter.name} successful{reason}")
             else:
-                print(f"Set parameter {parameter.name} failed{reason}", file=sys.stderr)
+                report(f"Set parameter {parameter.name} failed{reason}")
                 refused.append(parameter)
         # A dump has the read-only parameters, too, which have this value.
         values = services.values([parameter.name for parameter in refused]) if refused else []

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import argparse
-import sys
 
 from tfloom.cli.errors import CommandError
 from tfloom.cli.param.common import add_arguments as add_common_arguments
 from tfloom.cli.param.common import requested_node
 from tfloom.interfaces.rcl_interfaces.msg import Parameter
+from tfloom.terminal_text import report
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -34,5 +34,5 @@ def main(args: argparse.Namespace) -> int:
     if result.successful:
         print(f"Set parameter successful{reason}")
     else:
-        print(f"Setting parameter failed{reason}", file=sys.stderr)
+        report(f"Setting parameter failed{reason}")
     return 0 if result.successful else 1

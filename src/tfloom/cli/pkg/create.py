@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import argparse
 import os
-import sys
 from collections.abc import Iterator
 from itertools import groupby
 from pathlib import Path
 
 from tfloom.cli.errors import CommandError
+from tfloom.terminal_text import report
 from tfloom.workspace.create import BUILD_TYPES, Package, create_package
 from tfloom.workspace.licenses import LICENSES
 
@@ -71,20 +71,13 @@ def main(args: argparse.Namespace) -> int:
     except ValueError as error:
         raise CommandError(str(error)) from None
     _print_created(package, args, written)
-    print(
-        f"\nIn the workspace's top folder: colcon build --packages-select {args.package_name}",
-        file=sys.stderr,
-    )
+    report(f"\nIn the workspace's top folder: colcon build --packages-select {args.package_name}")
     if package.node:
-        print(
-            f"then: source install/setup.bash && {args.prog} run {args.package_name} {package.node}",
-            file=sys.stderr,
-        )
+        report(f"then: source install/setup.bash && {args.prog} run {args.package_name} {package.node}")
     if package.license not in {Package("").license, *(known_license.spdx for known_license in LICENSES)}:
-        print(
+        report(
             f"{args.package_name} has no LICENSE file, because the text of '{package.license}' isn't known: "
-            "--license ? lists those that are",
-            file=sys.stderr,
+            "--license ? lists those that are"
         )
     return 0
 
@@ -124,8 +117,5 @@ def _node_name(args: argparse.Namespace) -> str | None:
     """Return the node's name; one that is the library's too gets another, because both are modules."""
     if args.node_name is None or args.node_name != args.library_name:
         return None if args.node_name is None else str(args.node_name)
-    print(
-        f"the node is named {args.node_name}_node, because the library is {args.library_name}",
-        file=sys.stderr,
-    )
+    report(f"the node is named {args.node_name}_node, because the library is {args.library_name}")
     return f"{args.node_name}_node"

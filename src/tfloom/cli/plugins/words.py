@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import sys
 from collections.abc import Callable, Collection, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any, TypeAlias
@@ -12,6 +11,7 @@ from tfloom.cli.errors import CommandError
 from tfloom.cli.plugins.entry_points import get_entry_points, get_first_line_doc
 from tfloom.entry_points import may_have_entry_points
 from tfloom.ros_guard import is_elsewhere
+from tfloom.terminal_text import report
 
 if TYPE_CHECKING:
     from importlib.metadata import EntryPoint
@@ -128,7 +128,7 @@ def _add_help_lines(words: _Words, entry_points: Sequence[EntryPoint]) -> None:
         try:
             summary = get_first_line_doc(_load(entry_point))
         except CommandError as error:
-            print(f"WARNING: {error}", file=sys.stderr)
+            report(f"WARNING: {error}")
             continue
         # argparse adds it when the parser is created, which would import the extension for any other word, too. Nothing
         # public adds a line alone.

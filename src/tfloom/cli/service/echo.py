@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import re
-import sys
 
 from tfloom.cli import graph, message_text
 from tfloom.cli.errors import CommandError
@@ -14,6 +13,7 @@ from tfloom.cli.names import full_topic_name
 from tfloom.cli.qos import suiting_qos
 from tfloom.cli.service.common import service_types
 from tfloom.rmw.base import Graph
+from tfloom.terminal_text import report
 
 KINDS = ("REQUEST_SENT", "REQUEST_RECEIVED", "RESPONSE_SENT", "RESPONSE_RECEIVED")
 """The constants of service_msgs/msg/ServiceEventInfo."""
@@ -40,7 +40,7 @@ def main(args: argparse.Namespace) -> int:
     with graph.settled_participant(args.spin_time) as participant:
         cls = service_class(args.service_type or _type_of(participant.graph, name), participant).Event
         if not publishers_of(participant.graph, events):
-            print(f"no publisher of the events of {name} yet (see service introspection)", file=sys.stderr)
+            report(f"no publisher of the events of {name} yet (see service introspection)")
         publishers = wait_for_publishers(participant.graph, events, float("inf"))
         for sample in samples(participant, events, cls, suiting_qos(publishers)):
             if (event := decoded(cls, sample)) is not None:

@@ -18,7 +18,7 @@ from tfloom.cli.errors import CommandError
 from tfloom.cli.graph import MAX_WAIT_S
 from tfloom.cli.names import full_topic_name
 from tfloom.cli.numbers import seconds, tolerance
-from tfloom.terminal_text import unescaped
+from tfloom.terminal_text import report, unescaped
 from tfloom.tf2_tools.doctor.catalogue import KINDS, Severity
 from tfloom.tf2_tools.doctor.limits import Limits
 from tfloom.tf2_tools.watch.model import STATIC_TOPIC, TF_TOPIC
@@ -139,7 +139,7 @@ def _listened(args: argparse.Namespace) -> Subject:
 
     with settled_participant(args.spin_time) as participant:
         if sys.stderr.isatty():
-            print(f"listening for {args.seconds:g} s; Ctrl-C ends it", file=sys.stderr)
+            report(f"listening for {args.seconds:g} s; Ctrl-C ends it")
         return listen(participant, args.seconds, with_topics=args.topics, topics=_topics(args))
 
 

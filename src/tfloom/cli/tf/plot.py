@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import shlex
-import sys
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -12,6 +11,7 @@ from typing import TYPE_CHECKING
 from tfloom.cli.errors import CommandError
 from tfloom.cli.numbers import seconds
 from tfloom.cli.tf import source
+from tfloom.terminal_text import report
 from tfloom.tf2_tools.text.counts import counted
 
 if TYPE_CHECKING:
@@ -101,7 +101,7 @@ def _record(opened: Source, buffer: Buffer, args: argparse.Namespace) -> None:
         opened.wait(min(end_s, time.monotonic() + LOOK_S))
     if not buffer.can(*frames) or all(edge.is_static for edge in buffer.explain(*frames).edges):
         return
-    print(f"recording for {args.seconds:g} s; Ctrl-C ends it earlier", file=sys.stderr)
+    report(f"recording for {args.seconds:g} s; Ctrl-C ends it earlier")
     end_s = time.monotonic() + args.seconds
     try:
         while (left_s := end_s - time.monotonic()) > 0.0:

@@ -8,6 +8,7 @@ from typing import TextIO
 
 from tfloom.cli.errors import CommandError
 from tfloom.cli.tf import source
+from tfloom.terminal_text import report
 from tfloom.tf2_tools.text.counts import counted
 
 
@@ -26,15 +27,15 @@ def main(args: argparse.Namespace) -> int:
     with source.open_source(args) as opened:
         seen = source.settled(opened, args.wait, only_static=True)
     for sentence in unusable(seen):
-        print(f"WARNING: {sentence}", file=sys.stderr)
+        report(f"WARNING: {sentence}")
     transforms = last_statics(seen)
     if not transforms:
         raise CommandError(_why_none(args))
     for sentence in quarrels(seen):
-        print(f"WARNING: {sentence}", file=sys.stderr)
+        report(f"WARNING: {sentence}")
     for publisher in seen.publishers:
         if publisher.is_static and publisher.traffic is None:
-            print(f"WARNING: nothing came from {publisher.label} on {publisher.topic}", file=sys.stderr)
+            report(f"WARNING: nothing came from {publisher.label} on {publisher.topic}")
     if args.file == "-":
         print(file_text(transforms, ascii_only=not _writes_all_letters(sys.stdout)), end="")
         return 0

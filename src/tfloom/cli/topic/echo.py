@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import sys
 import time
 from collections.abc import Callable
 from typing import Any
@@ -20,6 +19,7 @@ from tfloom.rmw.events import Count
 from tfloom.rmw.qos import QoS, ReliabilityPolicy
 from tfloom.rmw.shared.typed_names import topic_of
 from tfloom.rosidl.message import Message
+from tfloom.terminal_text import report
 
 SENSOR_DATA = QoS(reliability=ReliabilityPolicy.BEST_EFFORT, depth=5)
 
@@ -72,7 +72,7 @@ def main(args: argparse.Namespace) -> int:
         if publishers_of(participant.graph, name) and (
             reason := mismatch_reason(participant.graph, topic, is_publisher=False)
         ):
-            print(f"WARNING: {reason}", file=sys.stderr)
+            report(f"WARNING: {reason}")
         for sample in samples(participant, name, listen_to, quality, end_s, on_lost):
             if show(sample, listen_to) and args.once:
                 return 0
@@ -87,10 +87,9 @@ def _suiting_qos(participant: Participant, name: str, end_s: float) -> QoS:
 
 def _report_losses(lost: Count) -> None:
     """Print the losses on stderr, because programs read the messages from stdout."""
-    print(
+    report(
         f"A message was lost!!!\n\ttotal count change:{lost.total_count_change}\n"
-        f"\ttotal count: {lost.total_count}---",
-        file=sys.stderr,
+        f"\ttotal count: {lost.total_count}---"
     )
 
 

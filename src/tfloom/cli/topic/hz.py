@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import sys
 from itertools import pairwise
 
 from tfloom.cli.listen import decoded
@@ -11,6 +10,7 @@ from tfloom.cli.selection import message_filter
 from tfloom.cli.topic import rates
 from tfloom.rmw.base import Sample
 from tfloom.rosidl.message import Message
+from tfloom.terminal_text import report
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -36,16 +36,16 @@ def main(args: argparse.Namespace) -> int:
         if args.filter is None or ((message := decoded(cls, sample)) is not None and wanted(message)):
             arrivals.add(came_s)
 
-    def report(_: float) -> None:
+    def print_rate(_: float) -> None:
         times = list(arrivals.values)
         periods = [later - earlier for earlier, later in pairwise(times)]
         if not periods or not arrivals.is_new:
-            print("no new messages", file=sys.stderr)
+            report("no new messages")
             return
         arrivals.is_new = False
         mean = rates.spread(periods)[0]
         print(f"average rate: {1 / mean if mean > 0 else float('inf'):.3f}")
         print(rates.spread_line(periods, len(times)))
 
-    rates.watch(args, args.topic_name, on_sample, report)
+    rates.watch(args, args.topic_name, on_sample, print_rate)
     return 0

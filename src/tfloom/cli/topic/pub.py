@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import math
-import sys
 import time
 from collections.abc import Callable, Iterator
 from itertools import repeat
@@ -21,6 +20,7 @@ from tfloom.rmw.qos import QoS
 from tfloom.rmw.shared.typed_names import topic_of
 from tfloom.rosidl import cdr
 from tfloom.rosidl.message import Message
+from tfloom.terminal_text import report
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -124,7 +124,7 @@ def _wanted_subscriptions(args: argparse.Namespace) -> int:
         return 1
     if args.max_wait_time_secs is not None:
         needed = "--wait-matching-subscriptions, --once or --times"
-        print(f"--max-wait-time-secs has no effect without {needed}", file=sys.stderr)
+        report(f"--max-wait-time-secs has no effect without {needed}")
     return 0
 
 
@@ -151,7 +151,7 @@ def _wait_for_subscriptions(
         if now >= hint_s:
             hint_s = math.inf
             if not match_count and (reason := why_unmet()):
-                print(reason, file=sys.stderr)
+                report(reason)
         time.sleep(0.01)
 
 

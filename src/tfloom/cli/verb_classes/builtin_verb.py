@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import argparse
-import sys
 from importlib import import_module
 from typing import Any, ClassVar
 
 from tfloom.cli.errors import CommandError
 from tfloom.cli.plugins.extensions import VerbExtension
+from tfloom.terminal_text import report
 
 __all__ = ["BuiltinVerb"]
 
@@ -55,6 +55,6 @@ class BuiltinVerb(VerbExtension):
         except CommandError as error:
             if error.exit_code == 1:
                 return str(error)
-            print(error, file=sys.stderr)
+            report(error)
             return error.exit_code
         return code

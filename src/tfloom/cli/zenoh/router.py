@@ -9,6 +9,7 @@ from typing import Any, NoReturn
 
 from tfloom.cli.ctrl_c import LOOK_S, wait_for_ctrl_c
 from tfloom.cli.errors import CommandError
+from tfloom.terminal_text import report
 
 NO_LINK_S = 3.0
 """How long the lack of a link to another router is no cause for a message [s]."""
@@ -58,7 +59,7 @@ def main(args: argparse.Namespace) -> int:
             _watch_links(session, config)
         wait_for_ctrl_c()
     except KeyboardInterrupt:
-        print("Zenoh router ends", file=sys.stderr)
+        report("Zenoh router ends")
     finally:
         session.close()
     return 0
@@ -89,7 +90,7 @@ def _watch_links(session: Any, config: Any) -> NoReturn:
             if now_s - lacking_since_s.setdefault(endpoint, now_s) > NO_LINK_S and endpoint not in told:
                 told.add(endpoint)
                 why = why_no_link(endpoint, config)
-                print(f"no link to {endpoint} yet, which {why}. It is sought again", file=sys.stderr)
+                report(f"no link to {endpoint} yet, which {why}. It is sought again")
 
 
 def run_daemon(args: list[str] | None = None) -> int:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +15,7 @@ from tfloom.node.parameters.parameter import (
     parameter_value_to_python,
 )
 from tfloom.node.program import expect_no_arguments, run_program
+from tfloom.terminal_text import report
 
 __all__ = ["main"]
 
@@ -94,7 +94,7 @@ def run_tour() -> int:
     client = AsyncParameterClient(node, BLACKBOARD)
     if not client.wait_for_services(PATIENCE_S):
         if ok():
-            print(MISSING, file=sys.stderr)
+            report(MISSING)
         return 1
     Tour(node, client).run()
     return 0

@@ -10,6 +10,7 @@ from tfloom.node.client_library import spin
 from tfloom.node.context.utilities import remove_ros_args
 from tfloom.node.node import Node
 from tfloom.node.program import run_program
+from tfloom.terminal_text import report
 from tfloom.tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
 
 USAGE = (
@@ -55,14 +56,14 @@ def main(args: list[str] | None = None) -> int:
     args = sys.argv[1:] if args is None else args
     words = remove_ros_args(args)
     if len(words) != 7:
-        print(USAGE, file=sys.stderr)
+        report(USAGE)
         return 1
     if words[0] == "world":
-        print('Your static turtle name cannot be "world"', file=sys.stderr)
+        report('Your static turtle name cannot be "world"')
         return 2
     try:
         numbers = [float(word) for word in words[1:]]
     except ValueError as error:
-        print(f"{error}\n{USAGE}", file=sys.stderr)
+        report(f"{error}\n{USAGE}")
         return 1
     return run_program(args, lambda: spin(StaticFramePublisher(words[0], numbers)))

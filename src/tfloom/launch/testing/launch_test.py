@@ -16,6 +16,7 @@ from tfloom.launch.testing.junitxml import unittestResultsToXml
 from tfloom.launch.testing.loader import DescriptionError, LoadTestsFromPythonModule
 from tfloom.launch.testing.test_result import FailResult
 from tfloom.launch.testing.test_runner import LaunchTestRunner
+from tfloom.terminal_text import report
 from tfloom.whole_files import write_file
 
 __all__ = ["add_arguments", "main", "parse_arguments", "run"]
@@ -90,7 +91,7 @@ def run(
         write_file(Path(args.xmlpath), document.getvalue())
     for result in results.values():
         if isinstance(result, FailResult):
-            print(f"launch_test: {result.message}", file=sys.stderr)
+            report(f"launch_test: {result.message}")
     return 0 if all(result.wasSuccessful() for result in results.values()) else 1
 
 

@@ -12,13 +12,13 @@ from __future__ import annotations
 import json
 import os
 import re
-import sys
 from collections.abc import Mapping
 from typing import Any
 
 from tfloom.rmw.cyclone.config import discovery_range, lease_s, why_peers_are_ignored
 from tfloom.rmw.errors import ConfigurationError
 from tfloom.rmw.zenoh.library import open_library
+from tfloom.terminal_text import report
 
 __all__ = [
     "CHECKS_VARIABLE",
@@ -302,9 +302,7 @@ def _override(config: Any, key: str, value_text: str) -> None:
     try:
         config.insert_json5(key, value_text)
     except zenoh.ZError as error:
-        print(
-            f"tfloom: {OVERRIDE_VARIABLE}: {key}={value_text} is ignored: {reason_of(error)}", file=sys.stderr
-        )
+        report(f"tfloom: {OVERRIDE_VARIABLE}: {key}={value_text} is ignored: {reason_of(error)}")
 
 
 def _read_file(variable: str, path: str) -> tuple[Any, Any]:
@@ -382,10 +380,7 @@ def _overrides() -> list[tuple[str, str]]:
         if key and value_text:
             pairs.append((key, value_text))
         elif pair.strip():
-            print(
-                f"tfloom: {OVERRIDE_VARIABLE}: {pair.strip()!r} is ignored, because it isn't key=value",
-                file=sys.stderr,
-            )
+            report(f"tfloom: {OVERRIDE_VARIABLE}: {pair.strip()!r} is ignored, because it isn't key=value")
     return pairs
 
 

@@ -5,7 +5,6 @@ Tokens come on Zenoh's threads; own ones are added by the participant.
 
 from __future__ import annotations
 
-import sys
 import threading
 from collections.abc import Callable
 from contextlib import suppress
@@ -19,7 +18,7 @@ from tfloom.rmw.zenoh.announced import AnnouncedTokens
 from tfloom.rmw.zenoh.library import open_library, signals_deferred
 from tfloom.rmw.zenoh.session import refuse_fork
 from tfloom.rmw.zenoh.tokens import PREFIX, End, Kind, Token, TokenError, gid_of, parse_token, token_pattern
-from tfloom.terminal_text import shown_part
+from tfloom.terminal_text import report, shown_part
 
 __all__ = ["Peer", "Watcher", "ZenohGraph", "peer_name"]
 
@@ -305,11 +304,10 @@ def peer_name(peer: Peer) -> str:
 
 def _report_overflow() -> None:
     """Print that tokens are ignored from now on."""
-    print(
+    report(
         f"tfloom: this domain has more than {MAX_TOKENS} nodes, publishers, subscriptions, servers and clients: "
         "further ones are neither listed nor matched in this program; use more domains (ROS_DOMAIN_ID), and start it "
-        "again",
-        file=sys.stderr,
+        "again"
     )
 
 

@@ -14,7 +14,6 @@ from __future__ import annotations
 
 import re
 import socket
-import sys
 import threading
 import time
 from contextlib import closing, suppress
@@ -31,6 +30,7 @@ from tfloom.rmw.zenoh.config import (
 from tfloom.rmw.zenoh.library import open_library
 from tfloom.rmw.zenoh.port_holder import find_port_owner
 from tfloom.rmw.zenoh.router import open_router, open_where_free
+from tfloom.terminal_text import report
 
 __all__ = ["MeetingPoint", "open_lone_router"]
 
@@ -124,10 +124,7 @@ class MeetingPoint:
             text = f"no answer from the router on {where}, held by a process that is stopped?"
         else:
             text = f"no answer from the router on {where}, held by {owner}"
-        print(
-            f"tfloom: {text}: until it goes on or ends, new programs don't hear of each other",
-            file=sys.stderr,
-        )
+        report(f"tfloom: {text}: until it goes on or ends, new programs don't hear of each other")
 
     def _open_router(self) -> None:
         config = meeting_point_configuration()

@@ -5,7 +5,6 @@ from __future__ import annotations
 import atexit
 import json
 import os
-import sys
 import threading
 import time
 import weakref
@@ -23,6 +22,7 @@ from tfloom.rmw.zenoh.config import (
 from tfloom.rmw.zenoh.library import open_library, signals_deferred
 from tfloom.rmw.zenoh.links import why_no_links
 from tfloom.rmw.zenoh.meeting_point import MeetingPoint
+from tfloom.terminal_text import report
 
 __all__ = ["FORK_ADVICE", "ZenohSession", "open_session", "refuse_fork"]
 
@@ -165,7 +165,7 @@ class ZenohSession:
                 self._close_peer()
         except open_library().ZError as error:
             text = f"what was written last may be lost, because the Zenoh session can't be closed: {reason_of(error)}"
-            print(f"tfloom: {text}", file=sys.stderr)
+            report(f"tfloom: {text}")
         finally:
             if self._meeting_point is not None:
                 self._meeting_point.close()
@@ -267,10 +267,9 @@ def _look_for_router(opened: ZenohSession, meeting_point: MeetingPoint | None, c
             if meeting_point is not None:
                 meeting_point.report_silence()
             elif done == 1:
-                print(
+                report(
                     f"tfloom: no router answers: {opened.why_no_links()}; start one there, by `ros2 run "
-                    "rmw_zenoh_cpp rmw_zenohd` or `tfloom zenoh router`. The link is made as soon as it answers",
-                    file=sys.stderr,
+                    "rmw_zenoh_cpp rmw_zenohd` or `tfloom zenoh router`. The link is made as soon as it answers"
                 )
 
 

@@ -7,6 +7,7 @@ from importlib.util import find_spec
 
 from tfloom.node.client_library import spin
 from tfloom.node.program import expect_no_arguments, run_program
+from tfloom.terminal_text import report
 from tfloom.viewer.access import is_loopback
 
 __all__ = ["main"]
@@ -21,7 +22,7 @@ def main(args: list[str] | None = None) -> int:
     for module, distribution in NEEDED.items():
         if find_spec(module) is None:
             hint = f"needs {distribution}, which is not installed: pip install 'tfloom[foxglove]'"
-            print(f"foxglove_bridge: foxglove_bridge {hint}", file=sys.stderr)
+            report(f"foxglove_bridge: foxglove_bridge {hint}")
             return 1
     return run_program(args, _serve)
 
@@ -35,7 +36,7 @@ def _serve() -> int:
     try:
         bridge = FoxgloveBridge()
     except (BridgeError, SettingsError) as error:
-        print(f"foxglove_bridge: {error}", file=sys.stderr)
+        report(f"foxglove_bridge: {error}")
         return 1
     try:
         address = bridge.settings.address
