@@ -42,6 +42,9 @@ ROOMS = {
         ("src/tfloom/viewer/*.py", "src/tfloom/viewer/[!f]*/*.py", "src/tfloom/viewer/forms/*.py"),
         ("tests/viewer",),
     ),
+    "driving": Room(
+        ("src/tfloom/viewer/driving/*.py",), ("tests/viewer/test_driver.py", "tests/viewer/test_driving.py")
+    ),
     "foxglove_bridge": Room(("src/tfloom/viewer/foxglove_bridge/*.py",), ("tests/viewer/foxglove_bridge",)),
     "zenoh": Room(("src/tfloom/rmw/zenoh/*.py",), ("tests/rmw", "tests/node/wire")),
     "services": Room(
@@ -63,7 +66,10 @@ ROOMS = {
         ("src/tfloom/node/base/*.py", "src/tfloom/node/executing/*.py", "src/tfloom/node/*.py"),
         ("tests/node",),
     ),
-    "native_dds": Room(("native/dds/*.cpp", "native/bindings/dds.cpp"), ("tests/rmw", "tests/node/wire")),
+    "native_dds": Room(
+        ("native/dds/*.cpp", "native/bindings/dds.cpp"),
+        ("tests/rmw", "tests/node/wire", "tests/ros_peer/test_services.py"),
+    ),
     "ddsc": Room(
         ("packages/tfloom-ddsc/build_backend.py",),
         ("tests/tools/test_ddsc_package.py", "tests/rmw/test_cyclone_library.py"),
@@ -210,7 +216,7 @@ def answer_of_tests(mistake: Mistake, tests: tuple[str, ...]) -> str:
         if mistake.path.suffix == ".cpp" and compiled() != 0:
             return "not compiled"
         options = ("-x", "-q", "-n", "3", "--dist", "loadfile", "-p", "no:cacheprovider")
-        command = [sys.executable, "-m", "pytest", *options, "-m", "not slow and not ros", *tests]
+        command = [sys.executable, "-m", "pytest", *options, "-m", "not slow", *tests]
         with (
             tempfile.TemporaryFile("w+") as output,
             subprocess.Popen(
