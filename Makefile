@@ -11,35 +11,58 @@ set_up = @$(PYTHON) -c 'import sys; v = sys.version_info; \
 	sys.exit(v < (3, 10) and "set-up: tfloom needs Python 3.10 or newer, and $(PYTHON) is %d.%d: make PYTHON=python3.12 …" % v[:2])' \
 	&& $(PYTHON) tools/set_up.py --venv "$(VENV)" $(KEEP) $(SET_UP)
 
-.PHONY: setup demo test test-slow test-ros test-all check stub generated ros-peer bench docs matrix platforms wheels dist licenses clean
+.DEFAULT_GOAL := setup
+.PHONY: help setup demo test test-slow test-ros test-all check stub generated ros-peer bench docs matrix platforms wheels dist licenses clean
 
-setup:
+# The targets, by the text after ## in the first line of each, and commands without a target, which begin with #>.
+help: ## print this
+	@sed -n 's/^\([a-z-]*\):.*## /\1|/p' $(firstword $(MAKEFILE_LIST)) | awk -F'|' '{ printf "make %-11s %s\n", $$1, $$2 }'
+	@sed -n 's/^#> //p' $(firstword $(MAKEFILE_LIST))
+
+#>
+#> In the environment (.venv/bin/python):
+#> tools/generated.py                   generate what is not in git, as make generated does
+#> docs/tf_doctor.py                    refresh docs/tf_doctor.md after a change in the catalogue of tf doctor
+#> -m benchmarks.bag.reading            measure the reading of recordings beside rosbags and mcap-ros2-support
+#> -m benchmarks.rmw.discovery          measure discovery as nodes grow, on both wires; tools/discovery_plot.py draws it
+#> -m benchmarks.node.budget            measure the parts of a round trip's time
+#> -m benchmarks.node.before PYTHON     measure nodes beside those of another commit, in its environment
+#> -m benchmarks.node.soak              start and end processes for minutes, and account for messages and memory
+#> -m benchmarks.node.soak_vendors      the same on tfloom and Fast DDS, with processes that are killed
+#> -m tests.ros_peer.compare KIND       compare with the real rclpy on random cases; --count 2000 --seed 0
+#> -m tests.planted_mistakes --seed 1   plant mistakes, and print which ones no test finds
+#> -m tests.fuzz.test_fuzz all 10000    fuzz what is read from outside; -m tests.native.test_fuzz fuzz_tf 60
+#> tools/plots.py TEXT SVG              draw the picture of docs/fast.md from what `-m benchmarks tf2` prints
+#>
+#> .ci/run                              run the CI
+#> .ci/bare FOLDER 'make demo'          run a command as on a machine that has never built tfloom
+#> .ci/newest_dds                       try the newest DDS library, then add it to `tried_versions` in native/dds/library.cpp
+
+setup: ## create or update .venv for all of these, and compile a change in native/
 	$(set_up) check
 
-demo:
+demo: ## see it work; ARGS="--seconds 20", or ARGS=robot for a robot that maps its room
 	$(set_up) demo
 	@"$(BIN)/tfloom" demo $(ARGS)
 
-# Test everything that the README promises, in some minutes.
-test:
+test: ## run the tests of everything that the README promises; ARGS="tests/tf2 -k static"
 	$(set_up) test
 	@"$(BIN)/python" tools/run_tests.py $(ARGS)
 
-# Run the slow tests: sanitizers, wheels, type checks of users' programs, bare machines, soak.
-test-slow:
+test-slow: ## run the slow tests: sanitizers, wheels, type checks of users' programs, soak
 	$(set_up) check
 	@"$(BIN)/python" tools/run_tests.py --slow $(ARGS)
 
 # Run the tests beside the real rclpy. Where it has no wheels they are skipped, with the reason.
-test-ros:
+test-ros: ## run the tests beside the real rclpy on Fast DDS, where it has wheels
 	$(set_up) test
 	@$(PYTHON) -m tools.ros_peer || test $$? = 3
 	@"$(BIN)/python" tools/run_tests.py --ros $(ARGS)
 
-test-all: test test-slow test-ros
+test-all: test test-slow test-ros ## run all three
 
-# Each system has a cache of its own, because mypy checks all anew where a cache is of another one.
-check:
+# One cache for each system, because mypy checks all anew where a cache is of another one.
+check: ## lint, check the format, and check types as on Linux, Windows and macOS
 	$(set_up) check
 	"$(BIN)/ruff" check .
 	"$(BIN)/ruff" format --check .
@@ -49,54 +72,47 @@ check:
 	"$(BIN)/mypy" -p tools
 	"$(BIN)/basedpyright" --pythonpath "$(BIN)/python"
 
-# Generate the type stub of the extension, after a change in native/bindings.
-stub:
+stub: ## refresh _native.pyi after a change in native/bindings/
 	$(set_up) demo
 	"$(BIN)/python" -m nanobind.stubgen -m tfloom._native -q \
 		-p native/bindings/stub_patterns.txt -o src/tfloom/_native.pyi
 
-# Generate what is not in git: the classes of messages, the façades, the manifests. Each target here does so, too.
-generated:
+generated: ## generate what is not in git: classes of messages, façades, manifests; other targets do so, too
 	$(set_up) demo
 
-# Install the real rclpy, on Fast DDS, in build/ros-peer: the peer of tests and benchmarks.
-ros-peer:
+ros-peer: ## install the real rclpy in build/ros-peer, as a peer of benchmarks and tests
 	@$(PYTHON) -m tools.ros_peer
 
 # Peers that cannot be installed are named, and not measured.
-bench:
+bench: ## measure, beside peers; ARGS="drop_in", "zenoh", "view", "launch", "native", …
 	$(set_up) test
 	-$(set_up) bench
 	-@$(PYTHON) -m tools.ros_peer
 	"$(BIN)/python" -m benchmarks $(ARGS)
 
 # Build the documentation as HTML pages, in build/docs; a warning is an error. It needs no network and no compiler.
-docs:
+docs: ## build the documentation in build/docs, without a compiler
 	$(set_up) docs
 	"$(BIN)/python" -m sphinx -q -W --keep-going -b html docs build/docs
 	@echo "The pages begin at build/docs/index.html"
 
-# Run the core tests on each Python 3.10 to 3.15 of this machine, including free-threaded ones.
-matrix:
+matrix: ## run the core tests on each Python of the machine; ARGS="3.10 3.13"
 	.ci/matrix $(ARGS)
 
 # Run tfloom on Debian testing, and on Debian 13 for arm64 by qemu, in chroots; needs root, and says what else.
-platforms:
+platforms: ## run on other Debians, arm64 and musl in chroots (root); ARGS="--short arm64"
 	$(set_up) demo
 	@"$(BIN)/python" -m tools.platforms $(ARGS)
 
-# Collect all downloads of set-up, tests and checks in the folder wheels/, for a machine without a network.
-wheels:
+wheels: ## collect all downloads in wheels/, for a machine without a network
 	$(set_up) wheels
 
-# Build the sdists and this system's wheels in dist/, and check them.
-dist:
+dist: ## build the sdists and this system's wheels in dist/, and check them
 	@$(PYTHON) -m tools.release
 
-# List the licences of what tfloom is built with, needs, and is developed with; fail on one that isn't accepted.
-licenses:
+licenses: ## list the licences of dependencies; fail on one that is not accepted
 	$(set_up) check
 	@"$(BIN)/python" -m tools.licenses
 
-clean:
+clean: ## remove .venv, build and dist
 	rm -rf "$(VENV)" build dist

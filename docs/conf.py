@@ -40,6 +40,7 @@ html_title = f"tfloom {__version__}"
 html_show_sphinx = False
 html_static_path = ["_static"]
 html_css_files = ["site.css"]
+html_js_files = ["differences.js"]
 templates_path: list[str] = []
 
 copybutton_prompt_text = "$ "  # of a console, only its commands are copied

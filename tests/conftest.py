@@ -177,8 +177,10 @@ def _wait_until() -> Callable[..., None]:
 def deviations() -> dict[str, dict[str, str]]:
     """Return the rows of docs/deviations.md by their id: where, reference, ours, why."""
     text = (Path(__file__).parents[1] / "docs" / "deviations.md").read_text("utf-8")
-    rows = [line.strip().strip("|").split(" | ") for line in text.splitlines() if line.startswith("| ")]
-    header, *body = [[cell.strip() for cell in row] for row in rows]
+    lines = [line.strip().strip("|").split(" | ") for line in text.splitlines() if line.startswith("| ")]
+    rows = [[cell.strip() for cell in line] for line in lines]
+    header = rows[0]  # that of each area's table
+    body = [row for row in rows if row != header]
     return {row[0].strip("`"): dict(zip(header[1:], row[1:], strict=True)) for row in body}
 
 

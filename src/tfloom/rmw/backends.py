@@ -33,7 +33,7 @@ STAND_INS = {
 """Wires that are not implemented, and the interoperable one that is used instead."""
 
 TRANSLATING_PROCESSORS = ("x86_64", "aarch64")
-"""The processors of Linux on which services pass between libddsc and Fast DDS; see `native/dds/imports.cpp`."""
+"""The processors of Linux on which services pass between libddsc and Fast DDS; see `native/core/imports.cpp`."""
 
 DEFAULT = "rmw_cyclonedds_cpp"
 WITHOUT_DDS = "rmw_zenoh_cpp"

@@ -1,4 +1,4 @@
-"""Raster pictures. The only file that imports Pillow."""
+"""Raster pictures of the turtle window."""
 
 from __future__ import annotations
 
