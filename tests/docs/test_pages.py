@@ -18,7 +18,11 @@ from tests.each import for_each
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="its commands are for a POSIX shell")
 
 TUTORIAL = sorted((DOCS / "tutorial").glob("*.md"))
-HOW_TOS = sorted((DOCS / "how_to").glob("*.md"))
+HOW_TOS = [
+    *sorted((DOCS / "how_to").glob("*.md")),
+    *(DOCS / f"{name}.md" for name in ("bags", "beside_ros2", "drop_in")),
+]
+"""The pages with steps; the last three hold a reference, too."""
 README = DOCS.parent / "README.md"
 PAGES = [*TUTORIAL, *HOW_TOS, README, DOCS / "index.md", DOCS / "install.md"]
 RUN_ELSEWHERE = {"robot_in_a_room"}
