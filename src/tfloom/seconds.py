@@ -36,7 +36,7 @@ def too_long(what: str, given: object) -> str:
 
 
 def no_time_of(name: str, seconds: object, nanoseconds: object) -> str:
-    """Return which of the arguments of a Time or a Duration is no number."""
+    """Return which of the arguments of a Time or a Duration is not a number."""
     if not hasattr(seconds, "__float__"):
         return f"{name} {not_a_number('seconds', seconds)}"
     given = given_text(nanoseconds)

@@ -125,7 +125,7 @@ def known(values: dict[str, Any], version: int) -> dict[str, Any]:
 
 
 def test_numbers_that_are_not_finite_are_named(tmp_path: Path) -> None:
-    with pytest.raises(BagError, match="this is no metadata of a recording: cannot convert float infinity"):
+    with pytest.raises(BagError, match="this is not metadata of a recording: cannot convert float infinity"):
         parse_metadata(HUMBLE.replace("message_count: 101", "message_count: .inf"), tmp_path)
 
 
@@ -197,10 +197,10 @@ def test_what_is_missing_or_wrong_in_a_folder_is_named(tmp_path: Path) -> None:
     empty = tmp_path / "empty"
     empty.mkdir()
     cases: dict[str, tuple[str, str]] = {
-        "yaml": ("a: [", "it is no valid YAML"),
-        "list": ("- 1", "this is no metadata of a recording"),
+        "yaml": ("a: [", "it is not valid YAML"),
+        "list": ("- 1", "this is not metadata of a recording"),
         "keys": ("rosbag2_bagfile_information: {version: 9}", "'storage_identifier' is missing"),
-        "numbers": (HUMBLE.replace("message_count: 101", "message_count: many"), "this is no metadata"),
+        "numbers": (HUMBLE.replace("message_count: 101", "message_count: many"), "this is not metadata"),
         "files": (
             HUMBLE.replace("bag_0.mcap", "gone.mcap"),
             "there is no such file, which metadata.yaml names",
@@ -302,7 +302,7 @@ def test_fifo_in_the_place_of_a_file_is_refused(name: str, tmp_path: Path) -> No
     reader.join(10.0)
     with suppress(OSError):  # ends a wait for the writer
         os.close(os.open(fifo, os.O_WRONLY | os.O_NONBLOCK))
-    assert [text.partition(",")[0] for text in errors] == [f"{fifo}: this is no file but a folder"]
+    assert [text.partition(",")[0] for text in errors] == [f"{fifo}: this is not a file but a folder"]
 
 
 def test_bag_is_printed_with_its_topics(tmp_path: Path) -> None:

@@ -128,7 +128,7 @@ def test_errors_name_the_file_and_the_reason(tmp_path: Path) -> None:
     whole = write(tmp_path / "whole.bag").read_bytes()
     cases = {
         "empty.bag": (b"", "the file is empty"),
-        "old.bag": (b"#ROSBAG V1.2\n" + bytes(90), "this is no bag of ROS 1, version 2.0: it begins with"),
+        "old.bag": (b"#ROSBAG V1.2\n" + bytes(90), "this is not a bag of ROS 1, version 2.0: it begins with"),
         "cut.bag": (whole[:20], "the bag has no header, because it is damaged or cut off"),
         "damaged.bag": (whole[:20] + b"\xff" * 300 + whole[320:], "the bag's header is damaged: a field of"),
         "encrypted.bag": (

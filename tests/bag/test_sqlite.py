@@ -109,7 +109,7 @@ def test_errors_name_the_file_and_the_reason(tmp_path: Path) -> None:
     change_database(other, "CREATE TABLE something(id INTEGER)")
     cases = {
         "empty.db3": (b"", "the file is empty"),
-        "mcap.db3": (b"\x89MCAP0\r\n" + bytes(40), "byte 0: this is no sqlite3 file: it begins with"),
+        "mcap.db3": (b"\x89MCAP0\r\n" + bytes(40), "byte 0: this is not a sqlite3 file: it begins with"),
         "other.db3": (other.read_bytes(), "the database has no tables of a recording: topics, messages"),
         "cut.db3": (whole[:5000], "the database can't be read: "),
         "damaged.db3": (whole[:4096] + bytes(8192) + whole[12288:], "the database can't be read: "),
@@ -124,7 +124,7 @@ def test_errors_name_the_file_and_the_reason(tmp_path: Path) -> None:
 def test_message_that_is_no_blob_is_an_error(tmp_path: Path) -> None:
     path = write_sqlite(tmp_path / "a.db3", DRIVE[:3])
     change_database(path, "UPDATE messages SET data = 'text' WHERE id = 2")
-    with pytest.raises(BagError, match="a message is no blob but str"):
+    with pytest.raises(BagError, match="a message is not a blob but str"):
         found_in(open_bag(path))
 
 
@@ -144,12 +144,12 @@ TOPICS_ANEW = "CREATE TABLE new AS SELECT {} FROM topics; DROP TABLE topics; ALT
 @pytest.mark.parametrize(
     ("change", "text"),
     [
-        ("UPDATE messages SET timestamp = 'x' WHERE id = 3", "a message has a time or topic that is no int"),
-        ("UPDATE messages SET timestamp = 1.5 WHERE id = 3", "a message has a time or topic that is no int"),
+        ("UPDATE messages SET timestamp = 'x' WHERE id = 3", "a message has a time or topic that is not an int"),
+        ("UPDATE messages SET timestamp = 1.5 WHERE id = 3", "a message has a time or topic that is not an int"),
         (TOPICS_ANEW.format("id, type"), "table of topics has no column name, serialization_format"),
         (
             TOPICS_ANEW.format("'a' || id AS id, name, type, serialization_format"),
-            "a topic has an id that is no integer",
+            "a topic has an id that is not an integer",
         ),
         ("CREATE TABLE message_definitions(a)", "the database can't be read: no such column"),
         (ENDLESS, "the database has no tables of a recording"),

@@ -271,7 +271,7 @@ def test_an_argument_beyond_yamls_limits_is_refused(flag: str) -> None:
         ("a: {ros__parameters: 1}", "must hold names and values"),
         ("a: {ros__parameters: {x: [1, a]}}", "list of 'x' must be of one scalar type"),
         ("a: {ros__parameters: {x: [[1]]}}", "list of 'x' must be of one scalar type"),
-        ("a: [", r"p\.yaml: it is no valid YAML: expected the node content, .* at line 1, column 5"),
+        ("a: [", r"p\.yaml: it is not valid YAML: expected the node content, .* at line 1, column 5"),
         ("a: &x {ros__parameters: {x: *x}}", r"p\.yaml: the alias \*x contains itself at line 1, column 29"),
         (
             LAUGHS,

@@ -72,7 +72,7 @@ USES: dict[str, Callable[[Any], object]] = {
 @pytest.mark.parametrize("use", USES)
 def test_a_node_whose_init_was_never_called_says_so(use: str, capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(
-        AttributeError, match=r"^this Forgetful is no node yet: Forgetful.__init__ "
+        AttributeError, match=r"^this Forgetful is not a node yet: Forgetful.__init__ "
     ) as raised:
         USES[use](Forgetful())
     assert WHAT_TO_DO in str(raised.value)
@@ -90,18 +90,18 @@ def test_a_lifecycle_node_says_so(context: Context) -> None:
         def __init__(self) -> None:
             pass
 
-    with pytest.raises(AttributeError, match="this Forgetting is no node yet"):
+    with pytest.raises(AttributeError, match="this Forgetting is not a node yet"):
         Forgetting().create_timer(1.0, print)
 
 
 def test_calling_init_last_says_so(context: Context) -> None:
-    with pytest.raises(AttributeError, match="this TooLate is no node yet") as raised:
+    with pytest.raises(AttributeError, match="this TooLate is not a node yet") as raised:
         TooLate(context)
     assert WHAT_TO_DO in str(raised.value)
 
 
 def test_spinning_it_says_so(executor: SingleThreadedExecutor) -> None:
-    with pytest.raises(AttributeError, match="this Forgetful is no node yet"):
+    with pytest.raises(AttributeError, match="this Forgetful is not a node yet"):
         executor.add_node(Forgetful())
 
 

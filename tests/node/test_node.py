@@ -113,7 +113,7 @@ def test_undecodable_message_is_dropped_with_one_warning(
     warnings = [line for line in capsys.readouterr().err.splitlines() if "WARN" in line]
     assert len(warnings) == 1
     assert (
-        f"Dropped a message of {len(data)} bytes on /chatter that is no valid std_msgs/msg/String: "
+        f"Dropped a message of {len(data)} bytes on /chatter that is not a valid std_msgs/msg/String: "
         in warnings[0]
     )
 

@@ -522,7 +522,7 @@ def test_undecodable_request_is_dropped(
     good = client.call_async(AddTwoInts.Request(a=1))
     executor.spin_until_future_complete(good, timeout_sec=5)
     assert good.result().sum == 1
-    text = "Dropped a request of 5 bytes to /add that is no valid example_interfaces/srv/AddTwoInts_Request"
+    text = "Dropped a request of 5 bytes to /add that is not a valid example_interfaces/srv/AddTwoInts_Request"
     assert text in capsys.readouterr().err
 
 

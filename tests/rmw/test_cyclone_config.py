@@ -98,7 +98,7 @@ def test_invalid_lease_is_named_with_the_valid_ones(monkeypatch, value: str) -> 
     monkeypatch.setenv("TFLOOM_LEASE_S", value)
     with pytest.raises(ConfigurationError) as error:
         configuration()
-    assert str(error.value) == f"TFLOOM_LEASE_S is {value!r}, which is no number of seconds from 2 to 3600"
+    assert str(error.value) == f"TFLOOM_LEASE_S is {value!r}, which is not a number of seconds from 2 to 3600"
 
 
 @pytest.mark.parametrize(

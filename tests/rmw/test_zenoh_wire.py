@@ -1415,7 +1415,7 @@ def test_what_is_closed_raises_and_leaves_the_graph(participant: Participant) ->
     assert participant.graph.service_ends() == []
     participant.remove_node(NODE)
     assert participant.graph.nodes() == []
-    with pytest.raises(ValueError, match="/tests/here is no node"):
+    with pytest.raises(ValueError, match="/tests/here is not a node"):
         participant.remove_node(NODE)
     participant.close()
     participant.close()

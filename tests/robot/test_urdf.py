@@ -133,7 +133,7 @@ REFUSED = [
     (robot('<joint name="j" type="fixed"><child link="b"/></joint>'), 3, "'j' has no <parent> link"),
     (robot(joint("j", "x", "b")), 3, "'j' has the parent link 'x', which does not exist"),
     (robot(joint("j", "a", "x")), 3, "'j' has the child link 'x', which does not exist"),
-    (robot(links="ab"), 2, "several are no joint's child: 'a' (line 2), 'b' (line 2)"),
+    (robot(links="ab"), 2, "several are not a joint's child: 'a' (line 2), 'b' (line 2)"),
     (robot(links="abcdefg"), 2, "'e' (line 2) and 2 more"),
     (
         robot(joint("1", "a", "b"), joint("2", "b", "a")),

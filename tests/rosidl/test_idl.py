@@ -199,7 +199,7 @@ def in_struct(member: str) -> str:
         (in_struct("char a = 'x';"), "5:10", "ROS has no characters in single quotes"),
         ("#pragma once\n", "1:1", "of the preprocessor's directives, ROS has only #include \"file\""),
         ("union U {};\n", "1:1", "'union' starts no definition of ROS's IDL"),
-        ("module p { const string S = 3; };", "1:29", "3 is no value of the constant's type"),
+        ("module p { const string S = 3; };", "1:29", "3 is not a value of the constant's type"),
         ("struct A { int32 a; };", "1:8", "the file defines the message 'A', and by its path the message 'p::msg::A'"),
         (
             "module p { module msg { struct A { int32 a; }; struct B { int32 b; }; }; };",

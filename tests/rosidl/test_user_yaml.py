@@ -79,7 +79,7 @@ def test_aliases_and_levels_within_the_limits_are_read() -> None:
     ],
 )
 def test_a_mistake_has_its_sentence(text: str, problem: str) -> None:
-    with pytest.raises(YamlError, match=r"^it is no valid YAML: ") as caught:
+    with pytest.raises(YamlError, match=r"^it is not valid YAML: ") as caught:
         load(text)
     assert problem in str(caught.value)
 

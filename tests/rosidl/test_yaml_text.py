@@ -167,7 +167,7 @@ def test_arrays_are_set() -> None:
     ("message", "values", "text"),
     [
         (Int8(), {"data": 300}, "300 is outside int8's range [-128, 127]"),
-        (Int8(), {"data": 1.5}, "1.5 is no whole number, and the field's type is int8"),
+        (Int8(), {"data": 1.5}, "1.5 is not a whole number, and the field's type is int8"),
         (Int8(), {"data": "x"}, "invalid literal for int() with base 10: 'x'"),
         (Bool(), {"data": "maybe"}, "'maybe' is neither true nor false"),
         (Byte(), {"data": 256}, "256 is outside byte's range [0, 255]"),

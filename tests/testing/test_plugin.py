@@ -161,7 +161,7 @@ def test_misuse_is_named_without_a_traceback(output: str) -> None:
     assert output.count('write @pytest.mark.ros_wire("local") or @pytest.mark.ros_wire("dds")') >= 2, output
     assert "name ros_time among the test's arguments" in output
     assert "no message on /chatter within 0.01 s: nobody publishes there; topics of the graph: " in output
-    assert "line 2 of the table: x is one, which is no finite number" in output
+    assert "line 2 of the table: x is one, which is not a finite number" in output
     assert not re.search(r"tfloom/testing/(graph|transform_table)\.py", output), (
         "shown where the test is wrong"
     )

@@ -358,7 +358,7 @@ def test_robot_has_the_forms_of_its_links_and_says_what_it_lacks() -> None:
     assert (box.frame_id, box.position, box.stamp_ns) == ("base", (1.0, 2.0, 3.0), shapes.AT_VIEW)
     assert box.shape == shapes.Box((1.0, 1.0, 2.0), (255, 0, 0), 0.5)
     assert ball.shape == shapes.Ball((0.5, 0.5, 0.5), (255, 0, 0), 0.5)
-    with pytest.raises(shapes.DisplayError, match="it is no URDF: line 1"):
+    with pytest.raises(shapes.DisplayError, match="it is not a URDF: line 1"):
         display.take(String(data="<robot"), S)
     assert display.shapes(S) == []
 

@@ -117,7 +117,7 @@ def test_what_is_no_recording_is_a_sentence(tmp_path: Path) -> None:
     [
         (("nothing",), "nothing: there is no such file or folder"),
         (("one", "--bag", "two"), "two recordings, two and one: the page shows one"),
-        (("robot.rviz",), "robot.rviz is no recording; to show a layout: --config robot.rviz"),
+        (("robot.rviz",), "robot.rviz is not a recording; to show a layout: --config robot.rviz"),
     ],
 )
 def test_recording_is_named_with_or_without_the_option(

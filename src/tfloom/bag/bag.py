@@ -151,7 +151,7 @@ class Bag:
 
         Raises:
             BagError: there is no such topic; while they are read: a file can't be read.
-            TypeError: a bound is no int.
+            TypeError: a bound is not an int.
         """
         names = [topics] if isinstance(topics, str) else topics
         unknown_names = [] if names is None else [name for name in names if name not in self.topics]

@@ -110,7 +110,7 @@ def parse_metadata(text: str, path: Path) -> Metadata:
     except (KeyError, TypeError, ValueError, OverflowError, AttributeError) as error:
         what = f"{error.args[0]!r} is missing" if isinstance(error, KeyError) else str(error)
         raise BagError(
-            path, f"this is no metadata of a recording: {what}; `ros2 bag reindex` writes it anew"
+            path, f"this is not metadata of a recording: {what}; `ros2 bag reindex` writes it anew"
         ) from None
 
 

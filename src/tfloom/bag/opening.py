@@ -42,7 +42,7 @@ def open_bag(path: str | os.PathLike[str]) -> Bag:
 
 
 def _recordings_in(folder: Path) -> list[Path]:
-    """Return the recordings in a folder that is no recording, in the order of their names."""
+    """Return the recordings in a folder that is not a recording, in the order of their names."""
     if (folder / METADATA_FILE).exists():
         return []
     return sorted(child for child in folder.iterdir() if (child / METADATA_FILE).is_file())

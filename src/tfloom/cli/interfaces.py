@@ -110,7 +110,7 @@ def yaml_documents(lines: Iterable[str]) -> Iterator[str]:
 
 
 def parse_yaml(text: str) -> dict[str, Any]:
-    """Return the fields in a YAML text, for `fill_message`: each value that is no text with how it is written.
+    """Return the fields in a YAML text, for `fill_message`: each value that is not a text with how it is written.
 
     Raises:
         CommandError: it isn't YAML, or not a mapping of fields; the text has the position of the mistake.
@@ -196,7 +196,7 @@ def _in_field(filler: Filler) -> str:
 
 
 def _tight_colon(error: Exception) -> str:
-    """Return a line on the space that YAML wants after a colon, where a text with a colon is no field, or no fields."""
+    """Return a line on the space that YAML wants after a colon, where a text with a colon is not a field, or not fields."""
     if isinstance(error, AttributeError):
         return _missing_space(error.name)
     in_place_of_fields = re.match(r"Value '(.*)' is expected to be a dictionary but is a str", str(error))

@@ -81,7 +81,7 @@ def finite(text: str) -> float:
     """Return a number, which may be negative.
 
     Raises:
-        argparse.ArgumentTypeError: it is no number, or not finite.
+        argparse.ArgumentTypeError: it is not a number, or not finite.
     """
     return _number(text, math.isfinite, "a number")
 

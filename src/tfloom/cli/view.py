@@ -82,7 +82,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def _port(text: str) -> int:
     port = int(text) if text.isascii() and text.isdigit() else -1
     if not 0 <= port <= 65535:
-        raise argparse.ArgumentTypeError(f"{text!r} is no port: it has to be from 0 to 65535")
+        raise argparse.ArgumentTypeError(f"{text!r} is not a port: it has to be from 0 to 65535")
     return port
 
 
@@ -103,7 +103,7 @@ def _recording(args: argparse.Namespace) -> Path | None:
     if args.bag is not None:
         raise CommandError(f"two recordings, {args.bag} and {path}: the page shows one")
     if path.suffix == ".rviz":
-        raise CommandError(f"{path} is no recording; to show a layout: --config {path}")
+        raise CommandError(f"{path} is not a recording; to show a layout: --config {path}")
     return path
 
 

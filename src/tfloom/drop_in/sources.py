@@ -77,7 +77,7 @@ def why_not_own_reader() -> str:
     if rmw not in INTEROPERABLE:
         return f"{rmw} is in use, whose wire tfloom does not read"
     if os.environ.get("ROS_DISCOVERY_SERVER"):
-        return "ROS_DISCOVERY_SERVER is set, and tfloom is no client of discovery servers"
+        return "ROS_DISCOVERY_SERVER is set, and tfloom is not a client of discovery servers"
     if is_security_requested():
         return "ROS_SECURITY_ENABLE is true, and tfloom has no DDS Security"
     try:

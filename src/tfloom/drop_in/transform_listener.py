@@ -306,7 +306,7 @@ class TransformListener(ListenerBase):
         unknown = set()
         for reader in readers:
             # The counts are cheap, and agree nearly always. Only else compare the publishers by their gids, because a
-            # publisher that does not match the reader is known to both, and is no reason to change.
+            # publisher that does not match the reader is known to both, and is not a reason to change.
             if self.node.count_publishers(reader.topic_name) <= reader.get_publisher_count():
                 continue
             node_names = {

@@ -87,7 +87,7 @@ def _given_format(
     if style is not None and given in defaults:
         raise ValueError(f"a style can't be set for the format '{given}': it has one of its own")
     if style is not None and style not in STYLES:
-        raise ValueError(f"'{style}' is no style of formats: use one of {' '.join(STYLES)}")
+        raise ValueError(f"'{style}' is not a style of formats: use one of {' '.join(STYLES)}")
     return defaults.get(given, given), style or "{"
 
 
@@ -140,7 +140,7 @@ class LaunchConfig:
         """Folder of this launch's log files, created at the first use.
 
         Raises:
-            ValueError: (on setting) it is no folder, or another one is set already.
+            ValueError: (on setting) it is not a folder, or another one is set already.
         """
         if self._log_dir is None:
             self._log_dir = _make_unique_log_dir(base_path=_get_logging_directory())
@@ -362,7 +362,7 @@ def _sinks(process_name: str, output_config: OutputConfig) -> dict[str, set[str]
     sinks: dict[str, set[str]] = {"stdout": set(), "stderr": set(), "both": set()}
     for stream, where in config.items():
         if stream not in sinks:
-            raise ValueError(f"'{stream}' is no output of '{process_name}': use stdout, stderr or both")
+            raise ValueError(f"'{stream}' is not an output of '{process_name}': use stdout, stderr or both")
         names = {where} if isinstance(where, str) else set(where)
         if wrong := names - {"screen", "log", "own_log"}:
             raise ValueError(

@@ -21,7 +21,7 @@ STREAMS = ("-stdout", "-stderr")
 
 
 def colors_of(stream: Any) -> Colors | None:
-    """Return how lines on a stream are colored; None where it is no terminal, or NO_COLOR is set."""
+    """Return how lines on a stream are colored; None where it is not a terminal, or NO_COLOR is set."""
     if stream is None or os.environ.get("NO_COLOR") or os.environ.get("TERM") == "dumb":
         return None
     try:

@@ -209,7 +209,7 @@ class _WaitedEndpoint(ReceivingEndpoint[TakingEndpoint]):
                 return incoming, cdr.decode(message_type, incoming.data)
             except cdr.DecodeError as error:
                 self._warning.log(
-                    f"Dropped {len(incoming.data)} bytes for the {self._kind} of {self._name} that are no valid "
+                    f"Dropped {len(incoming.data)} bytes for the {self._kind} of {self._name} that are not a valid "
                     f"{message_type._TYPE_NAME}: {error}"  # ours
                 )
         return None, None

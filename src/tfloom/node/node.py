@@ -60,7 +60,7 @@ class Node(NodeBase):
         NotInitializedException: the context isn't initialised, or shut down.
         InvalidNodeNameException: the name isn't valid.
         InvalidNamespaceException: the namespace isn't valid.
-        TypeError: a name is no text, or an override no Parameter.
+        TypeError: a name is not a text, or an override is not a Parameter.
         RCLInvalidROSArgsError: one of `cli_args` is malformed.
     """
 

@@ -77,7 +77,7 @@ class Description(NamedTuple):
     name: str
     """The robot's name."""
     root: str
-    """The link that is no joint's child."""
+    """The link that is not a joint's child."""
     links: tuple[str, ...]
     """In the order of the text."""
     joints: dict[str, Joint]

@@ -249,7 +249,7 @@ class JointStatePublisher(Node):
             sys.exit(1)
         for name, dependence in resolved.items():
             if dependence.parent not in free:
-                reason = f"The joint '{name}' stays at 0: it depends on '{dependence.parent}', which is no free joint"
+                reason = f"The joint '{name}' stays at 0: it depends on '{dependence.parent}', which is not a free joint"
                 self.get_logger().warning(reason)
         self.joint_list, self.free_joints, self._resolved = names, free, resolved
         self.dependent_joints = {name: dependence._asdict() for name, dependence in used.items()}

@@ -11,7 +11,7 @@ __all__ = ["find_root", "from_root", "ring_text"]
 
 
 def find_root(links: Mapping[str, int], joints: Mapping[str, Joint]) -> str:
-    """Return the link that is no joint's child.
+    """Return the link that is not a joint's child.
 
     Args:
         links: The line of each link, by name.
@@ -30,7 +30,7 @@ def find_root(links: Mapping[str, int], joints: Mapping[str, Joint]) -> str:
     if len(roots) > 1:
         listed = ", ".join(f"'{root}' (line {links[root]})" for root in roots[:5])
         more = f" and {len(roots) - 5} more" if len(roots) > 5 else ""
-        reason = f"the links are no single tree, because several are no joint's child: {listed}{more}"
+        reason = f"the links are not a single tree, because several are not a joint's child: {listed}{more}"
         raise UrdfError(links[roots[1]], reason)
     _refuse_loops(links, by_child)
     return roots[0]

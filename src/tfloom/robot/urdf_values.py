@@ -43,7 +43,7 @@ def number(element: Element, attribute: str, default: float | None, what: str) -
     """Return a number; `default` where the attribute is absent, or an error without one.
 
     Raises:
-        UrdfError: it is no finite number, or it is absent and has no default.
+        UrdfError: it is not a finite number, or it is absent and has no default.
     """
     text = element.attributes.get(attribute)
     if text is None:

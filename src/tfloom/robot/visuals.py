@@ -76,7 +76,7 @@ def read_visuals(text: str | bytes) -> list[Visual]:
         text: A str, or the bytes of a file, whose encoding its first line names.
 
     Raises:
-        UrdfError: the text is no valid description; its message has the line.
+        UrdfError: the text is not a valid description; its message has the line.
     """
     robot = read_xml(text)
     if robot.tag != "robot":

@@ -171,7 +171,7 @@ class BaseType:
         context_package_name: The package of a message's bare name.
 
     Raises:
-        TypeError: a string's bound is no number above 0.
+        TypeError: a string's bound is not a number above 0.
         InvalidResourceName: it is neither a primitive nor a message's name.
     """
 
@@ -189,9 +189,9 @@ class BaseType:
         package, _, name = base.rpartition(PACKAGE_NAME_MESSAGE_TYPE_SEPARATOR)
         package = package.removesuffix("/msg") or context_package_name or ""
         if not is_valid_package_name(package):
-            raise InvalidResourceName(f"'{package}' is no package's name, in the type '{type_string}'")
+            raise InvalidResourceName(f"'{package}' is not a package's name, in the type '{type_string}'")
         if not is_valid_message_name(name):
-            raise InvalidResourceName(f"'{name}' is no message's name, in the type '{type_string}'")
+            raise InvalidResourceName(f"'{name}' is not a message's name, in the type '{type_string}'")
         self.pkg_name, self.type = package, name
 
     def is_primitive_type(self) -> bool:
@@ -228,7 +228,7 @@ class Type(BaseType):
         context_package_name: The package of a message's bare name.
 
     Raises:
-        TypeError: a length or a bound is no number above 0.
+        TypeError: a length or a bound is not a number above 0.
         InvalidResourceName: the type of an element is neither a primitive nor a message's name.
     """
 
@@ -275,8 +275,8 @@ class Constant:
         value_string: Its value, as a definition writes it.
 
     Raises:
-        TypeError: the type is no primitive.
-        NameError: the name is no constant's.
+        TypeError: the type is not a primitive.
+        NameError: the name is not a constant's.
         ValueError: the value is None.
         InvalidValue: the text isn't a value of the type.
     """
@@ -317,7 +317,7 @@ class Field:
 
     Raises:
         TypeError: the type is no `Type`.
-        NameError: the name is no field's.
+        NameError: the name is not a field's.
         InvalidValue: the default isn't a value of the type.
     """
 

@@ -94,7 +94,7 @@ def _from_memory(code: str, value: Any) -> array[Any] | None:
     except TypeError:
         return None
     result = array(code)
-    if view.ndim == 0:  # a single number of numpy, which is no sequence
+    if view.ndim == 0:  # a single number of numpy, which is not a sequence
         return None
     same_numbers = _KINDS.get(view.format) == _KINDS[code] and view.itemsize == result.itemsize
     if not same_numbers or not view.c_contiguous:

@@ -38,7 +38,7 @@ def check_names(cls: type[MessageClass], kwargs: dict[str, object]) -> None:
 
 
 def warn_of_unknown_names(cls: type[MessageClass], kwargs: dict[str, object]) -> None:
-    """Warn of keywords that are no fields of the class and are therefore ignored, of each once.
+    """Warn of keywords that are not fields of the class and are therefore ignored, of each once.
 
     To be called by the constructor of the class, so that the warning names the line that calls this. No warning follows
     where `check_fields=False` says that none is wanted.

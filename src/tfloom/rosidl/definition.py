@@ -81,7 +81,7 @@ class BasicType(AbstractNestableType):
 
     def __init__(self, typename: str) -> None:
         if typename not in BASIC_TYPES:
-            raise AssertionError(f"'{typename}' is no basic type")
+            raise AssertionError(f"'{typename}' is not a basic type")
         self.typename = typename
 
 

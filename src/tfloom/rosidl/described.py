@@ -299,10 +299,10 @@ def definition_text(name: str, types: Mapping[str, Mapping[str, spec.Type]]) -> 
     """Return the text of a described definition.
 
     Raises:
-        DescriptionError: the name is no type's, a part is missing, or the text isn't a valid definition.
+        DescriptionError: the name is not a type's, a part is missing, or the text isn't a valid definition.
     """
     if name.count("/") != 2:
-        raise DescriptionError(f"{name!r} is no type's name")
+        raise DescriptionError(f"{name!r} is not a type's name")
     parts = [name + suffix for suffix in PARTS.get(name.split("/")[1], ())]
     if missing := [part for part in parts if part not in types]:
         raise DescriptionError(f"the description of {missing[0]} is missing")
@@ -314,5 +314,5 @@ def definition_text(name: str, types: Mapping[str, Mapping[str, spec.Type]]) -> 
     try:
         parse_interface(text, name)
     except ValueError as error:
-        raise DescriptionError(f"the description is no definition: {error}") from None
+        raise DescriptionError(f"the description is not a definition: {error}") from None
     return text

@@ -140,7 +140,7 @@ def _convert(type_: Type, value: Any) -> Any:
         return value
     number = int(value)
     if isinstance(value, float) and number != value:
-        raise ValueError(f"{value} is no whole number, and the field's type is {type_}")
+        raise ValueError(f"{value} is not a whole number, and the field's type is {type_}")
     least, greatest = INTEGER_RANGES[type_.base]
     if not least <= number <= greatest:
         raise ValueError(f"{number} is outside {type_}'s range [{least}, {greatest}]")

@@ -53,7 +53,7 @@ def _number(value: Any) -> str:
 
 
 def _scan_drawing(scan: Any) -> str:
-    """Return the points of a scan in its own frame; ranges outside of the sensor's limits are no points."""
+    """Return the points of a scan in its own frame; ranges outside of the sensor's limits are not points."""
     import numpy as np
 
     ranges = np.asarray(scan.ranges, np.float64)

@@ -184,7 +184,7 @@ class _Parser:
         if not isinstance(type_, (BasicType, AbstractGenericString)):
             raise self.reader.fail("a constant is a number, a boolean or a string", start)
         if isinstance(value, str) != isinstance(type_, AbstractGenericString):
-            raise self.reader.fail(f"{value!r} is no value of the constant's type", at)
+            raise self.reader.fail(f"{value!r} is not a value of the constant's type", at)
         # The type of a string constant is bounded by the length of its value.
         if isinstance(value, str):
             type_ = (BoundedWString if isinstance(type_, AbstractWString) else BoundedString)(len(value))

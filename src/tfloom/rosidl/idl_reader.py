@@ -106,7 +106,7 @@ class Reader:
         """Return the value of a constant expression.
 
         Args:
-            take_name: Returns the value of a name that is no constant; by default such a name is an error.
+            take_name: Returns the value of a name that is not a constant; by default such a name is an error.
         """
         return self._binary(0, 0, take_name)
 

@@ -162,7 +162,7 @@ class _Converter:
             if not least <= value <= greatest:
                 raise self.fail(at, f"{value} is outside {type_.base}'s range [{least}, {greatest}]")
             return bytes([value]) if type_.base == "byte" else value
-        raise self.fail(at, f"{value!r} is no value of the type '{type_}'")
+        raise self.fail(at, f"{value!r} is not a value of the type '{type_}'")
 
 
 def _first_structure(element: Message | Service | Action) -> tuple[Annotatable, NamespacedType]:

@@ -217,7 +217,7 @@ class EncodeError(ValueError):
     offset: None
 
     def __new__(cls, text: str = "") -> Self:
-        """Return an error, which is also a UnicodeEncodeError, as in rclpy, where a text is no valid Unicode."""
+        """Return an error, which is also a UnicodeEncodeError, as in rclpy, where a text is not valid Unicode."""
         if cls is EncodeError and " text without lone surrogates" in text:
             return UnicodeEncodeError.__new__(_UnencodableTextError)  # type: ignore[return-value]  # a subclass
         return super().__new__(cls, text)

@@ -85,7 +85,7 @@ def parse_type(text: str, package: str = "") -> spec.Type:
     """
     match = _TYPE.fullmatch(text)
     if match is None:
-        raise ValueError(f"'{text}' is no type")
+        raise ValueError(f"'{text}' is not a type")
     base = _resolve(match["base"], package)
     if match["bound"] is not None and base not in spec.STRINGS:
         raise ValueError(f"only strings have a bound of characters, '{match['base']}' has none")
@@ -125,9 +125,9 @@ def message_in_field(line: str, package: str) -> str | None:
 def _split_name(name: str) -> tuple[str, str, str]:
     parts = name.split("/")
     if len(parts) != 3 or parts[1] not in _SECTIONS or not _PACKAGE_NAME.fullmatch(parts[0]):
-        raise ValueError(f"'{name}' is no interface name such as geometry_msgs/msg/Twist")
+        raise ValueError(f"'{name}' is not an interface name such as geometry_msgs/msg/Twist")
     if not _MESSAGE_NAME.fullmatch(parts[2]):
-        raise ValueError(f"'{parts[2]}' is no interface name: letters and digits, the first a capital")
+        raise ValueError(f"'{parts[2]}' is not an interface name: letters and digits, the first a capital")
     return parts[0], parts[1], parts[2]
 
 
@@ -228,7 +228,7 @@ class _Parser:
             return self._constant(line, type_, name, column, rest, match.end()), column
         if not _FIELD_NAME.fullmatch(name):
             raise self.fail(
-                line, column, f"'{name}' is no field name: lower case letters, digits and single underscores"
+                line, column, f"'{name}' is not a field name: lower case letters, digits and single underscores"
             )
         default = self._value(line, type_, rest, match.end()) if rest else None
         position = (line.number, match.start("type") + 1)
@@ -241,7 +241,7 @@ class _Parser:
             raise self.fail(line, 0, f"a constant has a plain primitive type, not '{type_}'")
         if not _CONSTANT_NAME.fullmatch(name):
             raise self.fail(
-                line, column, f"'{name}' is no constant's name: upper case letters, digits and underscores"
+                line, column, f"'{name}' is not a constant's name: upper case letters, digits and underscores"
             )
         return spec.Constant(name, type_, self._value(line, type_, rest, at), line.comment)
 

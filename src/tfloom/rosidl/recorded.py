@@ -93,7 +93,7 @@ def _split_definitions(name: str, encoding: str, text: str) -> dict[str, Source]
     """Return the definitions by their names, that of the type itself first.
 
     Raises:
-        ParseError: one is no definition.
+        ParseError: one is not a definition.
     """
     if len(text) > MAX_TEXT_SIZE:
         raise DescriptionError(f"it is longer than {MAX_TEXT_SIZE} characters")

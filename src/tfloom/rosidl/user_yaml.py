@@ -47,7 +47,7 @@ class YamlError(ValueError):
         self.line: int | None = mark.line + 1 if mark else None
         self.place = f" at line {mark.line + 1}, column {mark.column + 1}" if mark else ""
         self.snippet = (mark.get_snippet(indent=2, max_length=100) or "") if mark else ""
-        super().__init__(f"it is no valid YAML: {problem}{self.place}")
+        super().__init__(f"it is not valid YAML: {problem}{self.place}")
 
 
 class YamlLimitError(YamlError):
@@ -177,7 +177,7 @@ def load(text: str) -> Any:
 
 
 def load_plain(text: str) -> Any:
-    """Return what `load` returns, with each scalar that is no text as a PlainValue."""
+    """Return what `load` returns, with each scalar that is not a text as a PlainValue."""
 
     def read(loader: _Loader) -> Any:
         loader.marks_plain = True

@@ -69,7 +69,7 @@ class SimulatedTime:
         """Jump to a time, also back, and run all callbacks.
 
         Raises:
-            ValueError: `seconds` is not positive, because 0 is no time for ROS.
+            ValueError: `seconds` is not positive, because 0 is not a time for ROS.
             Exception: raised by a callback.
         """
         if not seconds > 0:

@@ -131,7 +131,7 @@ def _finite(number: int, column: str, cell: str) -> float:
     except ValueError:
         value = math.nan
     if not math.isfinite(value):
-        raise TableError(f"line {number} of the table: {column} is {cell}, which is no finite number")
+        raise TableError(f"line {number} of the table: {column} is {cell}, which is not a finite number")
     return value
 
 

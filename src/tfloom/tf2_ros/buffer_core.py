@@ -226,7 +226,7 @@ def duration_error(duration: object) -> TypeError | None:
 
 
 def frame_error(frame_id: object) -> TypeError | None:
-    """Return the native buffer's error of a frame's name that is no text, or None if it is one."""
+    """Return the native buffer's error of a frame's name that is not a text, or None if it is one."""
     if isinstance(frame_id, str):
         return None
     given = given_text(frame_id)

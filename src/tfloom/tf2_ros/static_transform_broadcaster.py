@@ -51,7 +51,7 @@ class StaticTransformBroadcaster:
         """Publish one transform or several, together with all that were sent before.
 
         Raises:
-            TypeError: one is no TransformStamped.
+            TypeError: one is not a TransformStamped.
         """
         by_child = {
             stamped.child_frame_id: stamped for stamped in [*self.net_message.transforms, *as_list(transform)]

@@ -36,7 +36,7 @@ class TransformBroadcaster:
         """Publish one transform or several, in one message.
 
         Raises:
-            TypeError: one is no TransformStamped.
+            TypeError: one is not a TransformStamped.
         """
         self.pub_tf.publish(TFMessage(transforms=as_list(transform)))
 
@@ -47,7 +47,7 @@ def as_list(transform: TransformStamped | Iterable[TransformStamped]) -> list[Tr
     """Return one transform or several as a list.
 
     Raises:
-        TypeError: one is no TransformStamped.
+        TypeError: one is not a TransformStamped.
     """
     transforms = list(transform) if isinstance(transform, Iterable) else [transform]
     for stamped in transforms:

@@ -109,7 +109,7 @@ class TeleopTurtle(Node):
 
 
 def spin_quietly(node: Node) -> None:
-    """Spin a node until its context is shut down, which is no error here."""
+    """Spin a node until its context is shut down, which is not an error here."""
     with suppress(ExternalShutdownException):
         spin(node)
 

@@ -12,7 +12,7 @@ from urllib.parse import parse_qs, urlsplit
 __all__ = ["Access", "ClientAccess", "is_loopback", "is_origin"]
 
 FOR_THIS_MACHINE = "this server is for this machine alone: ask for 127.0.0.1"
-NO_ADDRESS = "the Host or Origin of the request is no address"
+NO_ADDRESS = "the Host or Origin of the request is not an address"
 OTHER_SITE = "another site's page may not open this one"
 _ORIGIN = re.compile(
     r"file://|(?P<scheme>[a-z][a-z\d+.-]{0,30})://(?:[a-z\d_.-]{1,253}|\[[\da-f:.]{2,45}\])(?::(?P<port>\d{1,5}))?"
@@ -43,7 +43,7 @@ class _Request:
     """The headers of a request that tell where it comes from, by names that are compared without case.
 
     Raises:
-        ValueError: one of them is given twice, or is no address.
+        ValueError: one of them is given twice, or is not an address.
     """
 
     def __init__(self, headers: Iterable[tuple[str, str]]) -> None:
@@ -138,7 +138,7 @@ class ClientAccess:
     """The rules of a server of WebSockets, for programs, and for pages of some sites.
 
     A browser says in each request for a WebSocket by Origin of which site the page is, and no page can change that. A
-    program that is no browser sends none, and may connect. So may pages of this machine's own servers.
+    program that is not a browser sends none, and may connect. So may pages of this machine's own servers.
 
     Args:
         host: The address at which the server listens. On the loopback interface it has to be asked for by such a name.
@@ -159,7 +159,7 @@ class ClientAccess:
             return FOR_THIS_MACHINE
         origin = request.origin
         if origin is None:
-            # A page's WebSocket has an Origin always: what a browser sends without one is no WebSocket.
+            # A page's WebSocket has an Origin always: what a browser sends without one is not a WebSocket.
             return OTHER_SITE if request.is_from_page else ""
         if not is_origin(origin):
             return "a page without a site of its own may not connect"

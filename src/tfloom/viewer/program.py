@@ -346,7 +346,7 @@ class Viewer:
             live.driving.drive(page, topic, ahead, left)
 
     def _note_refusal(self, page: str, reason: str) -> None:
-        """Tell a page why it can't drive; or all, where it is no page's own affair."""
+        """Tell a page why it can't drive; or all, where it is not a page's own affair."""
         if page:
             self.pages.answer(page, {"error": shown_text(reason, 500)})
         else:

@@ -209,8 +209,8 @@ def recorded_viewer(path: Path, *, topics: tuple[str, str], fixed_frame: str = "
         fixed_frame: The fixed frame; empty: a usual one, or the root of the largest tree.
 
     Raises:
-        BagError: it is no recording, or has no transforms.
-        StaticFileError: it is no file of static transforms.
+        BagError: it is not a recording, or has no transforms.
+        StaticFileError: it is not a file of static transforms.
         OSError: it can't be read.
     """
     buffer = Buffer(None)

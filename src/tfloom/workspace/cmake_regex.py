@@ -1,6 +1,6 @@
 r"""CMake's regular expressions, in a time that grows with the text as its length.
 
-Python's `re` is no stand-in: it reads `a{2}` and `\d` as what they aren't in CMake, and it backtracks, so that
+Python's `re` is not a stand-in: it reads `a{2}` and `\d` as what they aren't in CMake, and it backtracks, so that
 `(a+)+$` takes years on forty letters. An engine without that, such as RE2, would be one more compiled package in each
 installation, for a language without counts, classes by name and back references. Its automaton is short enough to be
 here: it is in all the states at once in which the text so far could have left it.

@@ -25,7 +25,7 @@ _NAME_TAG = re.compile(r"<name>\s*([A-Za-z0-9_-]+)\s*</name>")
 def find_manifest_fault(path: Path) -> str | None:
     """Return what is wrong with the XML of a package.xml, with line and column, or None.
 
-    A file whose outermost tag isn't `package` is no package's, and has no fault.
+    A file whose outermost tag isn't `package` is not a package's, and has no fault.
     """
     try:
         data = path.read_bytes()

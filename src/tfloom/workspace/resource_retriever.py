@@ -40,7 +40,7 @@ def get(url: str) -> bytes:
     Raises:
         PackageNotFoundError: there is no such package.
         OSError: it can't be read.
-        ValueError: it is no URL.
+        ValueError: it is not a URL.
     """
     name = get_filename(url)
     if name.startswith(_FILE_PREFIX):

@@ -197,7 +197,7 @@ def test_wrong_arguments_are_refused() -> None:
         RuntimeError, match="OnStateTransition requires a 'LifecycleNode' action as the target"
     ):
         OnStateTransition(entities=[], target_lifecycle_node=Node(executable="x"))
-    with pytest.raises(ValueError, match="transition_id 77 is no transition of a lifecycle node"):
+    with pytest.raises(ValueError, match="transition_id 77 is not a transition of a lifecycle node"):
         ChangeState(lifecycle_node_matcher=lambda _: True, transition_id=77)
     with pytest.raises(ValueError, match=r"No lifecycle_node_names provided\."):
         LifecycleTransition(lifecycle_node_names=[], transition_ids=[1])

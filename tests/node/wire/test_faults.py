@@ -62,7 +62,7 @@ def test_different_type_hash_is_received_if_decodable(
         writer.write(cdr.encode(String(data="as before")))
         spin_until(lambda: heard)
         assert heard == ["as before"]
-        warning = "Dropped a message of 16 bytes on /chatter that is no valid std_msgs/msg/String"
+        warning = "Dropped a message of 16 bytes on /chatter that is not a valid std_msgs/msg/String"
         assert warning in capsys.readouterr().err
         spin_until(
             lambda: any(info.node_name == "newer" for info in node.get_publishers_info_by_topic("/chatter"))

@@ -58,7 +58,7 @@ def test_older_forms_are_parsed() -> None:
         (["--child-frame-id", "b"], "Frame id must not be empty"),
         (["--frame-id", "a"], "Child frame id must not be empty"),
         (["--frame-id", "", "--child-frame-id", "b"], "Frame id must not be empty"),
-        ([*FRAMES, "--qw", "0"], "A quaternion of zeros is no rotation"),
+        ([*FRAMES, "--qw", "0"], "A quaternion of zeros is not a rotation"),
     ],
 )
 def test_invalid_command_lines_raise(words: list[str], text: str) -> None:

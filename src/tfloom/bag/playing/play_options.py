@@ -56,7 +56,7 @@ def parse_remaps(words: Sequence[str]) -> dict[str, str]:
     for word in words:
         old, sign, new = word.partition(":=")
         if not (sign and old and new):
-            raise ValueError(f"'{word}' is no remap: old_topic:=new_topic")
+            raise ValueError(f"'{word}' is not a remap: old_topic:=new_topic")
         old, new = full_names((old, new))
         remaps[old] = new
     return remaps

@@ -78,7 +78,7 @@ class BagFile:
         """The open file.
 
         Raises:
-            BagError: it is missing, or it is no recording, or damaged.
+            BagError: it is missing, or it is not a recording, or damaged.
         """
         if self._storage is None:
             try:

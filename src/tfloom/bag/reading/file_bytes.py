@@ -44,5 +44,5 @@ def check_is_file(path: Path) -> None:
     """
     if not stat.S_ISREG(path.stat().st_mode):
         raise BagError(
-            path, "this is no file but a folder, a FIFO, a socket or a device: copy it into a file"
+            path, "this is not a file but a folder, a FIFO, a socket or a device: copy it into a file"
         )

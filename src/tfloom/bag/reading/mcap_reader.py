@@ -32,7 +32,7 @@ class McapFile(StoredMessages):
         is_message_compressed: Whether each message is compressed by itself, by zstd; None: as the file's metadata says.
 
     Raises:
-        BagError: it is no MCAP file, or damaged.
+        BagError: it is not an MCAP file, or damaged.
         OSError: it can't be read.
 
     Attributes:

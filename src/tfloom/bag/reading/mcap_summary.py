@@ -31,7 +31,7 @@ def read_layout(file: io.FileIO, path: Path) -> Layout:
     """Return the layout of a file, by its summary if it has one.
 
     Raises:
-        BagError: it is no MCAP file, or damaged.
+        BagError: it is not an MCAP file, or damaged.
         OSError: it can't be read.
     """
     size = file.seek(0, io.SEEK_END)
@@ -57,7 +57,7 @@ def _read_header(file: io.FileIO, path: Path, size: int) -> records.Header:
     if not start.startswith(records.MAGIC):
         if records.MAGIC.startswith(start):
             raise BagError(path, f"the file ends after {size} bytes, within the first bytes of an MCAP file")
-        raise BagError(path, f"this is no MCAP file: it begins with {start[:8]!r}", 0)
+        raise BagError(path, f"this is not an MCAP file: it begins with {start[:8]!r}", 0)
     try:
         fields = records.Fields(start[len(records.MAGIC) :])
         opcode, length = fields.numbers("BQ")

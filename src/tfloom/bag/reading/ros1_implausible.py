@@ -18,7 +18,7 @@ SMALL = 128
 def check_plausible(method: str, stored: bytes, size: int) -> None:
     """Raise DamagedError if a chunk isn't to be decompressed.
 
-    A high ratio alone is no sign, so the chunk is decompressed by parts, which are walked over and dropped.
+    A high ratio alone is not a sign, so the chunk is decompressed by parts, which are walked over and dropped.
 
     Args:
         method: The compression.

@@ -25,7 +25,7 @@ class Ros1File(StoredMessages):
         path: The file.
 
     Raises:
-        BagError: it is no bag of ROS 1, or its beginning is damaged, or a chunk can't be decompressed.
+        BagError: it is not a bag of ROS 1, or its beginning is damaged, or a chunk can't be decompressed.
         OSError: it can't be read.
     """
 
@@ -36,7 +36,7 @@ class Ros1File(StoredMessages):
             if not start:
                 raise BagError(path, "the file is empty: its recorder ended before it wrote anything")
             if start != MAGIC:
-                raise BagError(path, f"this is no bag of ROS 1, version 2.0: it begins with {start!r}", 0)
+                raise BagError(path, f"this is not a bag of ROS 1, version 2.0: it begins with {start!r}", 0)
             self._layout = _read_layout(file, path)
         self.message_count = self._layout.message_count
         self.start_ns, self.end_ns = self._layout.start_ns, self._layout.end_ns

@@ -1,4 +1,4 @@
-"""Messages and transforms of an sqlite3 file, of schema versions 1 to 4."""
+"""Messages and transforms of a sqlite3 file, of schema versions 1 to 4."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class SqliteFile(StoredMessages):
         is_message_compressed: Whether each message is compressed by itself, by zstd; None: as the file's metadata says.
 
     Raises:
-        BagError: it is no recording of sqlite3, or damaged.
+        BagError: it is not a recording of sqlite3, or damaged.
         OSError: it can't be read.
     """
 
@@ -57,7 +57,7 @@ class SqliteFile(StoredMessages):
             ).fetchall()
             if any(row[4] for row in rows):
                 raise BagError(
-                    path, "the database is damaged: a message has a time or topic that is no integer"
+                    path, "the database is damaged: a message has a time or topic that is not an integer"
                 )
             self._counts = {row[0]: row[1] for row in rows}
             indexed = _count_indexed(database)
@@ -65,7 +65,7 @@ class SqliteFile(StoredMessages):
                 raise BagError(path, f"the database's table of topics has no column {', '.join(missing)}")
             self._topics = _topics(database, self._counts)
             if not all(isinstance(topic_id, int) for topic_id in self._topics):
-                raise BagError(path, "the database is damaged: a topic has an id that is no integer")
+                raise BagError(path, "the database is damaged: a topic has an id that is not an integer")
             says_compressed = "metadata" in tables and _says_compressed(database)
             definitions = _definitions(database) if "message_definitions" in tables else {}
         self._definitions = definitions
@@ -142,7 +142,7 @@ class SqliteFile(StoredMessages):
 
     def _message(self, data: Any) -> bytes:
         if not isinstance(data, bytes):
-            raise BagError(self.path, f"a message is no blob but {type(data).__name__}")
+            raise BagError(self.path, f"a message is not a blob but {type(data).__name__}")
         return super()._message(data)
 
 
@@ -155,7 +155,7 @@ def _check_signature(path: Path) -> None:
     if not start:
         raise BagError(path, "the file is empty: its recorder ended before it wrote anything")
     if start != SIGNATURE:
-        raise BagError(path, f"this is no sqlite3 file: it begins with {start!r}", 0)
+        raise BagError(path, f"this is not a sqlite3 file: it begins with {start!r}", 0)
 
 
 @contextmanager

@@ -48,7 +48,7 @@ def storage_settings(storage_id: str, preset: str = "", config_file: str = "") -
     presets = PRESETS[storage_id]
     if (preset or "none") not in presets:
         raise BagError(
-            config_file or storage_id, f"'{preset}' is no preset of {storage_id}: {', '.join(presets)}"
+            config_file or storage_id, f"'{preset}' is not a preset of {storage_id}: {', '.join(presets)}"
         )
     settings = presets[preset or "none"]
     if not config_file:

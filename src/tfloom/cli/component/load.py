@@ -108,7 +108,7 @@ def parameters_of(rules: Sequence[str]) -> list[Parameter]:
     for rule in rules:
         name, separator, value = rule.partition(":=")
         if not name or not separator:
-            raise CommandError(f"{rule!r} is no parameter: write name:=value")
+            raise CommandError(f"{rule!r} is not a parameter: write name:=value")
         try:
             parameters.append(Parameter(name=name, value=get_parameter_value(value)))
         except ValueError as error:

@@ -106,5 +106,5 @@ def _numbers(version: str) -> tuple[int, ...]:
     try:
         numbers = tuple(int(part) for part in version.split("."))
     except ValueError:
-        raise PluginException(f"'{version}' is no version such as {PLUGIN_SYSTEM_VERSION}") from None
+        raise PluginException(f"'{version}' is not a version such as {PLUGIN_SYSTEM_VERSION}") from None
     return (*numbers, 0, 0)[:3]

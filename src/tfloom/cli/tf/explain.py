@@ -78,7 +78,7 @@ def main(args: argparse.Namespace) -> int:
         observation, now_ns = opened.observation(), opened.now_ns()
         asked_ns = args.at(now_ns)
         if abs(asked_ns) >= MAX_TIME_NS:
-            raise CommandError("argument --at: is no time, because it is beyond the year 2262", WRONG_TIME)
+            raise CommandError("argument --at: is not a time, because it is beyond the year 2262", WRONG_TIME)
         lookup = look_up(
             observation,
             buffer,
@@ -110,7 +110,7 @@ def _time(text: str) -> Callable[[int], int]:
     is_ns = text.isdigit() and len(text) >= MIN_NS_DIGITS
     stamp_ns = int(text) if is_ns else int(Decimal(text) * 1_000_000_000)
     if abs(stamp_ns) >= MAX_TIME_NS:
-        raise argparse.ArgumentTypeError(f"is no time, because it is beyond the year 2262: {text}")
+        raise argparse.ArgumentTypeError(f"is not a time, because it is beyond the year 2262: {text}")
     if text[0] in "+-":
         return lambda now_ns: now_ns + stamp_ns
     return lambda _: stamp_ns

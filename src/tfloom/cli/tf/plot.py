@@ -51,7 +51,7 @@ def _output(text: str) -> Path:
     """Return the path of a picture.
 
     Raises:
-        argparse.ArgumentTypeError: its ending is no picture's, or there is no such folder.
+        argparse.ArgumentTypeError: its ending is not a picture's, or there is no such folder.
     """
     path = Path(text)
     if path.suffix.lower() not in FORMATS:

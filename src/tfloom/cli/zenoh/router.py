@@ -12,7 +12,7 @@ from tfloom.cli.errors import CommandError
 from tfloom.terminal_text import report
 
 NO_LINK_S = 3.0
-"""How long the lack of a link to another router is no cause for a message [s]."""
+"""How long a link to another router may be missing before a message says so [s]."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

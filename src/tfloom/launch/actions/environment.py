@@ -105,7 +105,7 @@ class SetEnvironmentVariable(NamedValue):
 
 @expose_action("unset_env")
 class UnsetEnvironmentVariable(ActionOfTexts):
-    """Removes an environment variable, when it is executed; one that isn't set is no error.
+    """Removes an environment variable, when it is executed; one that isn't set is not an error.
 
     Args:
         name: Name of the variable; it may have substitutions.

@@ -24,7 +24,7 @@ class EmitEvent(Action):
         kwargs: As for Action.
 
     Raises:
-        RuntimeError: it is no event.
+        RuntimeError: it is not an event.
     """
 
     def __init__(self, *, event: Event, **kwargs: Any) -> None:

@@ -214,7 +214,7 @@ class ExecuteLocal(Action):
 
         Raises:
             RuntimeError: it was executed before, or no launch runs.
-            ValueError: `output` is no output, a timeout no number, or the configuration `emulate_tty` neither true nor
+            ValueError: `output` is not an output, a timeout is not a number, or the configuration `emulate_tty` neither true nor
                 false.
         """
         self.prepare(context)
@@ -484,7 +484,7 @@ def _seconds(context: LaunchContext, name: str, substitutions: Any) -> tuple[str
     try:
         seconds = float(text)
     except ValueError:
-        raise ValueError(f"the timeout '{text}' of '{name}' is no number of seconds") from None
+        raise ValueError(f"the timeout '{text}' of '{name}' is not a number of seconds") from None
     if not 0.0 <= seconds < 1e9:
         raise ValueError(f"the timeout '{text}' of '{name}' is not between 0 and 1e9 seconds")
     return text, seconds

@@ -79,7 +79,7 @@ class ForEach(Action):
         """Return the entities for all sets of values.
 
         Raises:
-            ValueError: a set is no YAML mapping.
+            ValueError: a set is not YAML mapping.
         """
         sets = _read_sets(perform_substitutions(context, self._input_values))
         if not sets:
@@ -154,7 +154,7 @@ class ForLoop(Action):
         """Return the entities for all indices.
 
         Raises:
-            ValueError: the number of times is no whole number.
+            ValueError: the number of times is not a whole number.
         """
         text = perform_substitutions(context, self._length)
         try:

@@ -48,7 +48,7 @@ class SetLaunchConfiguration(NamedValue):
 
 
 class UnsetLaunchConfiguration(Action):
-    """Removes a launch configuration when it is executed; one that isn't set is no error.
+    """Removes a launch configuration when it is executed; one that isn't set is not an error.
 
     Args:
         name: Name of the configuration; it may have substitutions.

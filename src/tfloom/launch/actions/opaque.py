@@ -63,7 +63,7 @@ class OpaqueCoroutine(Action):
         left_over_kwargs: As for Action.
 
     Raises:
-        TypeError: `coroutine` is no coroutine function.
+        TypeError: `coroutine` is not a coroutine function.
     """
 
     def __init__(

@@ -126,7 +126,7 @@ class TimerAction(Action):
 
         Raises:
             RuntimeError: no launch runs.
-            ValueError: the period is no number.
+            ValueError: the period is not a number.
         """
         loop = context.asyncio_loop
         if loop is None:

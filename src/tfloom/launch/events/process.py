@@ -292,7 +292,7 @@ class SignalProcess(ProcessTargetedEvent):
             try:
                 self._signal = signal.Signals[name]
             except KeyError:
-                raise ValueError(f"'{signal_number}' is no name of a signal, as SIGINT is one") from None
+                raise ValueError(f"'{signal_number}' is not a name of a signal, as SIGINT is one") from None
         else:
             self._signal = signal.Signals(signal_number)
 

@@ -107,7 +107,7 @@ def load_python_launch_file_as_module(python_launch_file_path: str) -> ModuleTyp
     loader = SourceFileLoader("python_launch_file", python_launch_file_path)
     spec = spec_from_loader(loader.name, loader)
     if spec is None:
-        raise ImportError(f"'{python_launch_file_path}' is no Python file")
+        raise ImportError(f"'{python_launch_file_path}' is not a Python file")
     module = module_from_spec(spec)
     loader.exec_module(module)
     return module

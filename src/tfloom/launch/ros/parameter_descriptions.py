@@ -66,7 +66,7 @@ class ParameterValue:
         """Return the value, with its substitutions performed.
 
         Raises:
-            ValueError: their text is no value of the type.
+            ValueError: their text is not a value of the type.
         """
         if self._value_type is None:
             self._evaluated = _perform_untyped(context, self._value)

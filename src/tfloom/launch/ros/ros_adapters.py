@@ -129,7 +129,7 @@ def get_ros_adapter(context: LaunchContext) -> ROSAdapter:
     """Return the adapter of a launch, which is created on first use and ended at the shutdown."""
     adapter: ROSAdapter | None = context.get_locals_as_dict().get(_KEY)
     if adapter is None:
-        # A launch's own arguments, `name:=value`, are no remap rules of its node.
+        # A launch's own arguments, `name:=value`, are not remap rules of its node.
         argv = context.argv
         rules = [word for index, word in enumerate(argv) if ":=" not in word or "--ros-args" in argv[:index]]
         adapter = ROSAdapter(argv=rules)

@@ -15,7 +15,7 @@ class TextSubstitution(Substitution):
         text: The text itself.
 
     Raises:
-        TypeError: `text` is no text.
+        TypeError: `text` is not a text.
     """
 
     def __init__(self, *, text: str) -> None:

@@ -119,11 +119,11 @@ class LaunchTestModule(pytest.Module):
     item_class: type[LaunchTestItem] = LaunchTestItem
 
     def _getobj(self) -> Any:
-        # A name as `talker.test.py` is no module's, so that pytest would not import it.
+        # A name as `talker.test.py` is not a module's, so that pytest would not import it.
         return import_file(self.path) if "." in self.path.stem else super()._getobj()  # type: ignore[no-untyped-call]
 
     def collect(self) -> Iterable[pytest.Item | pytest.Collector]:
-        """Return the item, or the tests of a file that is no launch test."""
+        """Return the item, or the tests of a file that is not a launch test."""
         entry_point = find_launch_test_entrypoint(self.obj)
         if entry_point is None:
             return super().collect()

@@ -108,11 +108,11 @@ def import_file(path: Path) -> ModuleType:
     """Return the module of a file, whose name may have dots.
 
     Raises:
-        DescriptionError: it is no file of Python.
+        DescriptionError: it is not a file of Python.
     """
     spec = importlib.util.spec_from_file_location(path.name.replace(".", "_").removesuffix("_py"), path)
     if spec is None or spec.loader is None:
-        raise DescriptionError("it is no file of Python")
+        raise DescriptionError("it is not a file of Python")
     module = importlib.util.module_from_spec(spec)
     sys.modules[spec.name] = module
     spec.loader.exec_module(module)

@@ -140,7 +140,7 @@ def launch_process(
         kwargs: As for ProcessProxy.
 
     Raises:
-        TypeError: `process_action` is no ExecuteProcess action.
+        TypeError: `process_action` is not an ExecuteProcess action.
         AssertionError: the process does not start, or does not exit.
     """
     ensure_argument_type(process_action, ExecuteProcess, "process_action", "launch_process")

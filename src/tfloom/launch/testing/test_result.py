@@ -48,7 +48,7 @@ class SkipResult(unittest.TestResult):
         self.testsRun = len(self.testCases)
 
     def wasSuccessful(self) -> bool:
-        """Return True, because a skipped launch is no failure."""
+        """Return True, because a skipped launch is not a failure."""
         return True
 
 

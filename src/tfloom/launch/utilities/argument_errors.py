@@ -17,19 +17,19 @@ __all__ = ["entities_error", "entity_error", "substitutions_error", "unknown_arg
 
 
 def substitutions_error(what: str, value: object) -> TypeError | None:
-    """Return the error of a value that is no text, no substitution and no list of them; None if it is one."""
+    """Return the error of a value that is neither a text nor a substitution nor a list of them; None if it is one."""
     if isinstance(value, (str, Path, Substitution)):
         return None
     if isinstance(value, Iterable) and not isinstance(value, (bytes, Mapping)):
         return None
     meant = f": write {str(value)!r}" if isinstance(value, (int, float)) else ""
     return TypeError(
-        f"{what}: '{value}' of type '{type(value).__name__}' is no text, no Substitution, and no list of them{meant}"
+        f"{what}: '{value}' of type '{type(value).__name__}' is neither a text nor a Substitution nor a list of them{meant}"
     )
 
 
 def words_error(what: str, words: object) -> TypeError | None:
-    """Return the error of what is no list of words of a command line, each a text or substitutions."""
+    """Return the error of what is not a list of words of a command line, each a text or substitutions."""
     if isinstance(words, str) and len(words) > 1:  # one letter is the same as a list with it
         return TypeError(f"{what} is a list of words, got {words!r}: write {words.split()}")
     if not isinstance(words, Iterable):
@@ -59,7 +59,7 @@ def _argument_names(action_class: type) -> frozenset[str]:
 
 
 def entities_error(what: str, entities: Any) -> TypeError | None:
-    """Return the error of what is no list of entities, or None if it is one."""
+    """Return the error of what is not a list of entities, or None if it is one."""
     if isinstance(entities, LaunchDescriptionEntity):
         name = type(entities).__name__
         return TypeError(f"'{name}' object is not iterable: {what} needs a list, write [{name}(…)]")

@@ -19,7 +19,7 @@ def normalize_to_list_of_entities(
         name: What the error calls it.
 
     Raises:
-        TypeError: an item is no entity.
+        TypeError: an item is not an entity.
     """
     flat: list[LaunchDescriptionEntity] = []
     for item in entities:

@@ -28,7 +28,7 @@ def normalize_to_list_of_substitutions(subs: SomeSubstitutionsType) -> list[Subs
     if isinstance(subs, Iterable):
         return [_as_substitution(part) for part in subs]
     raise TypeError(
-        f"'{subs}' of type '{type(subs).__name__}' is no text, no Substitution, and no list of them"
+        f"'{subs}' of type '{type(subs).__name__}' is neither a text nor a Substitution nor a list of them"
     )
 
 

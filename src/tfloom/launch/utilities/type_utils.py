@@ -162,11 +162,11 @@ def coerce_to_type(value: str, data_type: Any = None, *, can_be_str: bool = Fals
     Args:
         value: The text.
         data_type: The type; None: any of AllowedTypesTuple.
-        can_be_str: Whether the text is returned if it is no value of the type, and whether items of a list may be
+        can_be_str: Whether the text is returned if it is not a value of the type, and whether items of a list may be
             texts.
 
     Raises:
-        ValueError: the text is no value of the type.
+        ValueError: the text is not a value of the type.
         TypeError: `value` is not a text; it is a ValueError, too.
     """
     if not isinstance(value, str):
@@ -219,7 +219,7 @@ def _from_yaml(text: str, fault: str, can_be_str: bool) -> Any:
     """Return what YAML reads.
 
     Raises:
-        ValueError: the text is no YAML, or its value has none of the types that are allowed; it begins with `fault`.
+        ValueError: the text is not YAML, or its value has none of the types that are allowed; it begins with `fault`.
     """
     if not text:
         return text
@@ -249,10 +249,10 @@ def coerce_list(value: list[str], data_type: Any = None, *, can_be_str: bool = F
     Args:
         value: The texts.
         data_type: The items' type; None: one that all have.
-        can_be_str: Whether an item that is no value of the type stays a text.
+        can_be_str: Whether an item that is not a value of the type stays a text.
 
     Raises:
-        ValueError: a text is no value of the type, or they stand for values of several types.
+        ValueError: a text is not a value of the type, or they stand for values of several types.
         TypeError: `value` is not a list, or has items that are not texts; it is a ValueError, too.
     """
     if not isinstance(value, (list, tuple)):
@@ -270,10 +270,10 @@ def get_typed_value(value: str | list[str], data_type: Any, *, can_be_str: bool 
     Args:
         value: The text or texts.
         data_type: The type; None: any of AllowedTypesTuple.
-        can_be_str: Whether a text that is no value of the type stays one.
+        can_be_str: Whether a text that is not a value of the type stays one.
 
     Raises:
-        ValueError: it is no value of the type.
+        ValueError: it is not a value of the type.
         TypeError: it is a list, and the type is none.
     """
     if not isinstance(value, list):
@@ -349,8 +349,8 @@ def perform_typed_substitution(context: LaunchContext, value: Any, data_type: An
         data_type: The type of the result; None: any of AllowedTypesTuple.
 
     Raises:
-        ValueError: a substitution's text is no value of the type.
-        TypeError: a value that is no substitution has another type; it is a ValueError, too.
+        ValueError: a substitution's text is not a value of the type.
+        TypeError: a value that is not a substitution has another type; it is a ValueError, too.
     """
     if is_normalized_substitution(value):
         return coerce_to_type(perform_substitutions(context, value), data_type)

@@ -90,7 +90,7 @@ class Entity(BaseEntity):
             data_type: str, int, float, bool, `List[…]` of one of them, `List[Entity]` for the elements with this tag;
                 None for what the text looks like. With an attribute `name-sep`, the text is a list with this separator.
             optional: Whether it may be missing, and None is returned.
-            can_be_str: Whether a text that is no value of the type is returned as it is, as for substitutions.
+            can_be_str: Whether a text that is not a value of the type is returned as it is, as for substitutions.
 
         Raises:
             AttributeError: it is missing.

@@ -87,9 +87,9 @@ class _SetByInit:
     def __get__(self, instance: object, owner: type | None = None) -> NoReturn:
         name = type(instance).__name__
         # Python fills in the attribute's name where `name` and `obj` are not given, and would then suggest one of
-        # the class's private names, which are no names for users.
+        # the class's private names, which are not names for users.
         raise AttributeError(
-            f"this {name} is no node yet: {name}.__init__ has to call super().__init__('a_node_name') "
+            f"this {name} is not a node yet: {name}.__init__ has to call super().__init__('a_node_name') "
             "before it uses anything of a node",
             name=None,
             obj=instance,
@@ -947,7 +947,7 @@ class NodeBase:
 
         Raises:
             ValueError: the period is negative, NaN, a text, or longer than 292 years.
-            TypeError: the period is no number, or `callback` can't be called.
+            TypeError: the period is not a number, or `callback` can't be called.
         """
         try:
             period_ns = to_nanoseconds(timer_period_sec)
@@ -1003,7 +1003,7 @@ class NodeBase:
             clock: Clock of the period; None: the node's.
 
         Raises:
-            TypeError: `frequency` is no number.
+            TypeError: `frequency` is not a number.
             ValueError: `frequency` isn't above 0, or its period is longer than 292 years.
         """
         if not hasattr(frequency, "__float__"):
@@ -1075,7 +1075,7 @@ class NodeBase:
             if entity is waitable or (isinstance(entity, WaitableEntity) and entity.waitable is waitable):
                 self.__entities.destroy(entity)
                 return
-        raise ValueError(f"{waitable!r} is no waitable of this node")
+        raise ValueError(f"{waitable!r} is not a waitable of this node")
 
     # Destroying
 

@@ -302,7 +302,7 @@ def _parse_log_level(parsed: Arguments, flag: str, value: str) -> None:
         severity = LoggingSeverity[level.upper()]
     except KeyError:
         level_names = ", ".join(severity.name.lower() for severity in LoggingSeverity)
-        raise _argument_error(flag, value, f"'{level}' is no level; known are {level_names}") from None
+        raise _argument_error(flag, value, f"'{level}' is not a level; known are {level_names}") from None
     if assign and not name:
         raise _argument_error(flag, value, f"expected {_EXPECTED['log_level']}")
     parsed.log_levels.append((name, severity))

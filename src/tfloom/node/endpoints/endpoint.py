@@ -232,6 +232,6 @@ class Receiver(ReceivingEndpoint[TakingEndpoint], Entity):
     def _warn(self, incoming: HasData, error: cdr.DecodeError) -> None:
         what, preposition = self._incoming
         self._warning.log(
-            f"Dropped {what} of {len(incoming.data)} bytes {preposition} {self._name} that is no valid "
+            f"Dropped {what} of {len(incoming.data)} bytes {preposition} {self._name} that is not a valid "
             f"{self._incoming_type._TYPE_NAME}: {error}"  # ours
         )

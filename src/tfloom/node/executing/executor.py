@@ -681,7 +681,7 @@ def _is_blocked_by_group(entity: Entity) -> bool:
     group = entity.callback_group
     if not isinstance(group, MutuallyExclusiveCallbackGroup) or not group.has_parked(entity):
         return False
-    # An entity is looked at again after each of its callbacks, and some when they are attached: that alone is no sign
+    # An entity is looked at again after each of its callbacks, and some when they are attached: that alone is not a sign
     # of more to run.
     if entity.posts_when_attached or group.is_running(entity) or group.can_execute(entity):
         return False

@@ -90,7 +90,7 @@ class WaitSet:
             IndexError: no item of this kind has that index.
         """
         if entity_type not in self._waited:
-            raise ValueError(f"'{entity_type}' is no kind of entity; known are {', '.join(KINDS)}")
+            raise ValueError(f"'{entity_type}' is not a kind of entity; known are {', '.join(KINDS)}")
         if index is None or not 0 <= index < len(self._waited[entity_type]):
             raise IndexError(f"there is no {entity_type} {index} in the wait set")
         return index in self._ready[entity_type]

@@ -73,7 +73,7 @@ class TopicEndpointInfo:
         for name, value in kwargs.items():
             if name not in self.__slots__:
                 raise TypeError(
-                    f"'{name}' is no property of an endpoint; known are {', '.join(self.__slots__)}"
+                    f"'{name}' is not a property of an endpoint; known are {', '.join(self.__slots__)}"
                 )
             setattr(self, name, TopicEndpointTypeEnum(value) if name == "endpoint_type" else value)
 

@@ -31,7 +31,7 @@ class Duration:
     Raises:
         OverflowError: the sum doesn't fit 64 bits (about 292 years).
         ValueError: `seconds` is a text.
-        TypeError: a part is no number.
+        TypeError: a part is not a number.
     """
 
     __slots__ = ("_ns",)

@@ -199,4 +199,4 @@ def _bytes(text: str) -> list[bytes]:
     try:
         return [bytes([byte]) for byte in base64.b64decode("".join(text.split()), validate=True)]
     except binascii.Error as error:
-        raise ValueError(f"it is no base64, which !!binary stands for: {error}") from None
+        raise ValueError(f"it is not base64, which !!binary stands for: {error}") from None

@@ -35,7 +35,7 @@ def deserialize_message(serialized_message: bytes, message_type: type[M]) -> M:
     Raises:
         AttributeError: `message_type` is not a ROS type.
         RuntimeError: `message_type` is a service or an action.
-        TypeError: `serialized_message` is no object with bytes.
+        TypeError: `serialized_message` is not an object with bytes.
         DecodeError: the bytes are not a message of that type.
     """
     if (error := msg_type_error(message_type)) is not None:

@@ -77,7 +77,7 @@ def lease_s() -> float | None:
     """Return the lease that the environment requests [s]; None: Cyclone's, 10 s.
 
     Raises:
-        ConfigurationError: TFLOOM_LEASE_S is no number, or outside `LEASE_RANGE_S`.
+        ConfigurationError: TFLOOM_LEASE_S is not a number, or outside `LEASE_RANGE_S`.
     """
     text = os.environ.get(LEASE_VARIABLE, "").strip()
     if not text:
@@ -89,7 +89,7 @@ def lease_s() -> float | None:
         lease = math.nan
     if not least_s <= lease <= most_s:
         raise ConfigurationError(
-            f"{LEASE_VARIABLE} is {text!r}, which is no number of seconds from {least_s:g} to {most_s:g}"
+            f"{LEASE_VARIABLE} is {text!r}, which is not a number of seconds from {least_s:g} to {most_s:g}"
         )
     return lease
 
@@ -166,7 +166,7 @@ def look_up_peers() -> None:
         try:
             socket.getaddrinfo(host, int(port), socket.AF_INET)
         except (OSError, ValueError, OverflowError) as error:
-            raise ConfigurationError(f"ROS_STATIC_PEERS names {peer!r}, which is no host: {error}") from None
+            raise ConfigurationError(f"ROS_STATIC_PEERS names {peer!r}, which is not a host: {error}") from None
 
 
 def why_peers_are_ignored() -> str:

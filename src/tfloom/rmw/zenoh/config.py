@@ -173,7 +173,7 @@ def port() -> int:
     """Return the port of the machine's router: 7447, or TFLOOM_ZENOH_PORT.
 
     Raises:
-        ConfigurationError: TFLOOM_ZENOH_PORT is no port.
+        ConfigurationError: TFLOOM_ZENOH_PORT is not a port.
     """
     text = os.environ.get(PORT_VARIABLE, "").strip()
     if not text:
@@ -221,7 +221,7 @@ def router_checks() -> int | None:
     None: without end (0). 0: never (a negative number).
 
     Raises:
-        ConfigurationError: it is no integer.
+        ConfigurationError: it is not an integer.
     """
     text = os.environ.get(CHECKS_VARIABLE, "").strip()
     if not text:
@@ -314,7 +314,7 @@ def _read_file(variable: str, path: str) -> tuple[Any, Any]:
         return config, _json5_values(text) if path.endswith((".json", ".json5")) else _yaml_values(text)
     except (zenoh.ZError, ValueError, RecursionError) as error:
         raise ConfigurationError(
-            f"{variable} names {path}, which is no configuration of Zenoh: {reason_of(error)}"
+            f"{variable} names {path}, which is not a configuration of Zenoh: {reason_of(error)}"
         ) from None
 
 

@@ -100,7 +100,7 @@ class ZenohEnd:
 
 
 def end_declarations(declarations: list[Any]) -> None:
-    """End what Zenoh has of an endpoint, in order. One that the session's end has ended before is no error."""
+    """End what Zenoh has of an endpoint, in order. One that the session's end has ended before is not an error."""
     with signals_deferred():
         for declaration in declarations:
             with suppress(Exception):  # a ZError, whose class is loaded with the library

@@ -37,7 +37,7 @@ __all__ = ["MeetingPoint", "open_lone_router"]
 PERIOD_S = 0.2
 """How often a session looks whether it still has a router [s]."""
 NO_ANSWER_S = 3.0
-"""How long the router's silence is no cause for a message [s]: after a change of owner, sessions retry for a second."""
+"""How long a silent router is tolerated before it is reported [s]: after a change of owner, sessions retry for a second."""
 GIVE_WAY_S = 3.0
 """How long sessions leave the port alone after a router has asked for it [s]."""
 REPLY_S = 0.1

@@ -248,7 +248,7 @@ class ZenohRequester(_ServiceEnd):
             time.sleep(POLL_S)
 
     def _on_reply(self, reply: Any) -> None:
-        """Queue a response; called on a thread of Zenoh. The end of the wait, or no server, is no response."""
+        """Queue a response; called on a thread of Zenoh. The end of the wait, or no server, is not a response."""
         sample = reply.ok
         if sample is None:
             return

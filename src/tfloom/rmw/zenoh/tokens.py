@@ -149,10 +149,10 @@ def parse_token(key: str) -> Token:
     try:
         kind = Kind(kind_text)
     except ValueError:
-        raise TokenError(f"{kind_text!r} is no kind of entity") from None
+        raise TokenError(f"{kind_text!r} is not a kind of entity") from None
     node = NodeName(_demangled(namespace), name)
     if not node.namespace.startswith("/") or "%" in name:
-        raise TokenError(f"{namespace!r}, {name!r} is no name of a node")
+        raise TokenError(f"{namespace!r}, {name!r} is not a name of a node")
     end = None
     if kind is not Kind.NODE:
         if len(chunks) < END_CHUNKS:
@@ -220,7 +220,7 @@ def parse_qos(text: str) -> QoS:
     if len(groups) < 6 or any(
         len(group) < size for group, size in zip(groups, (1, 1, 2, 2, 2, 3), strict=True)
     ):
-        raise TokenError(f"{text!r} is no quality of service")
+        raise TokenError(f"{text!r} is not a quality of service")
     reliability, durability, history, deadline, lifespan, liveliness = groups
     try:
         return QoS(
@@ -234,7 +234,7 @@ def parse_qos(text: str) -> QoS:
             _duration_ns(*liveliness[1:3]),
         )
     except ValueError as error:
-        raise TokenError(f"{text!r} is no quality of service: {error}") from None
+        raise TokenError(f"{text!r} is not a quality of service: {error}") from None
 
 
 def _unless(number: int, default: int) -> str:
@@ -255,7 +255,7 @@ def _number(text: str, default: int | None = None) -> int:
     if not text and default is not None:
         return int(default)
     if not (text.isascii() and text.isdigit() and len(text) <= MAX_DIGITS):
-        raise TokenError(f"{text[:MAX_DIGITS]!r} is no number")
+        raise TokenError(f"{text[:MAX_DIGITS]!r} is not a number")
     return int(text)
 
 

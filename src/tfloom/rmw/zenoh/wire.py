@@ -142,7 +142,7 @@ class ZenohParticipant:
         with self._lock:
             entry = next((entry for entry in self._nodes if entry[0] == node), None)
             if entry is None:
-                raise ValueError(f"{node.full} is no node of this participant")
+                raise ValueError(f"{node.full} is not a node of this participant")
             self._nodes.remove(entry)
         end_declarations([entry[2]])
 

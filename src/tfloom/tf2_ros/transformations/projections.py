@@ -89,7 +89,7 @@ def projection_from_matrix(
     outputs, sizes, inputs = np.linalg.svd(scaled_matrix)
     plane, lost = outputs[:, 3], inputs[3]
     if sizes[3] > NOTHING or sizes[2] <= NOTHING or np.linalg.norm(plane[:3]) <= NOTHING:
-        raise ValueError("the matrix is no projection: it doesn't take all of space to one plane")
+        raise ValueError("the matrix is not a projection: it doesn't take all of space to one plane")
     length = float(np.linalg.norm(plane[:3]))
     normal = plane[:3] / length
     point = np.append(-plane[3] / length * normal, 1.0)
@@ -117,7 +117,7 @@ def _pseudo_parts(matrix: Matrix) -> tuple[Matrix, Matrix, None, Matrix, bool]:
 def _require_same(matrix: Matrix, rebuilt_matrix: Matrix) -> None:
     scale = float((matrix * rebuilt_matrix).sum() / (rebuilt_matrix * rebuilt_matrix).sum())
     if not np.allclose(matrix, scale * rebuilt_matrix, rtol=0, atol=1e-6):
-        raise ValueError("the matrix is no projection: it moves points within the plane")
+        raise ValueError("the matrix is not a projection: it moves points within the plane")
 
 
 def clip_matrix(

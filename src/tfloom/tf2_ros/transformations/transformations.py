@@ -128,7 +128,7 @@ def rotation_from_matrix(matrix: ArrayLike) -> tuple[float, Matrix, Matrix]:
     # The point is a fixed point of the matrix: (I - R) p = t, whose least-norm solution is nearest to the origin.
     point, *_ = np.linalg.lstsq(np.identity(3) - values[:3, :3], values[:3, 3], rcond=1e-9)
     if not np.allclose(values[:3, :3] @ point + values[:3, 3], point, atol=1e-6):
-        raise ValueError("the matrix moves along its axis, so it is no rotation about a point")
+        raise ValueError("the matrix moves along its axis, so it is not a rotation about a point")
     return angle, np.array(axis), np.append(point, 1.0)
 
 

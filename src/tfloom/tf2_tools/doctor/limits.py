@@ -27,7 +27,7 @@ class Limits(NamedTuple):
 GAP_PERIODS = 5.0
 """A gap is at least as long as this number of mean periods."""
 MIN_JITTER_S = 0.02
-"""A standard deviation of the period below this is no jitter, because a host's scheduling causes it."""
+"""A standard deviation of the period below this is not jitter, because a host's scheduling causes it."""
 MAX_SPIN_DEG_S = 180.0
 MIN_COUNT = 8
 """The number of transforms from which a statistic says something."""

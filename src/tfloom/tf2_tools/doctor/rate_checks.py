@@ -68,7 +68,7 @@ def _period(edge: Edge) -> Spread:
 
 
 def without_longest(period: Spread) -> tuple[float, float]:
-    """Return the mean and the standard deviation without the greatest value, because one pause is no jitter."""
+    """Return the mean and the standard deviation without the greatest value, because one pause is not jitter."""
     # The sums follow from mean and deviation: sum = mean n, and sum of squares = (deviation² + mean²) n. Subtract the
     # greatest value from both, and form mean and deviation anew.
     left = period.count - 1

@@ -31,8 +31,8 @@ def read(path: Path, *, with_topics: bool = False, topics: tuple[str, str] = TOP
         topics: The topics of moving and of static transforms.
 
     Raises:
-        StaticFileError: it is no file of static transforms.
-        BagError: it is no bag, or has no transforms.
+        StaticFileError: it is not a file of static transforms.
+        BagError: it is not a bag, or has no transforms.
         OSError: it can't be read.
     """
     observation = open_path(path, topics=topics).observation()

@@ -21,7 +21,7 @@ OTHER_TIME_S = 3600.0
 CONSTANT_PART = 0.2
 """An offset is constant if it varies by less than this part of it."""
 MIN_JUMP_NS = 1_000_000_000
-"""A smaller step back of the stamps is no jump in time."""
+"""A smaller step back of the stamps is not a jump in time."""
 
 
 def check_stamps(subject: Subject, limits: Limits) -> Iterator[Finding]:
@@ -122,7 +122,7 @@ def _time_jumps(subject: Subject) -> Iterator[tuple[Edge, Evidence]]:
 def _jump_ns(subject: Subject, edge: Edge) -> int:
     """Return how far an edge's stamps went back to go on from there [ns]; 0: they did not.
 
-    They may be those of a publisher that left, as before a simulation was restarted. An old one in between is no jump.
+    They may be those of a publisher that left, as before a simulation was restarted. An old one in between is not a jump.
     """
     statistics = edge.statistics
     # After a jump, each transform is older than the newest one (`out_of_order`), but only the first is older than the

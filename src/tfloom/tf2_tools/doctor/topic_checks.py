@@ -48,7 +48,7 @@ def _unreadable_messages(subject: Subject) -> Iterator[Finding]:
         text = f"{traffic.unreadable} of {traffic.messages} messages"
         yield Finding(
             "TF505",
-            f"{source} sends messages that are no tf2_msgs/msg/TFMessage",
+            f"{source} sends messages that are not tf2_msgs/msg/TFMessage",
             [source],
             [],
             [Evidence(text, figures)],

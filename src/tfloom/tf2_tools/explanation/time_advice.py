@@ -80,7 +80,7 @@ def _late_publisher(lookup: Lookup, span: Span) -> list[str]:
             )
         ]
     # A request made just after a transform waits for the next one, and for that one's delay. A delay below zero, of
-    # stamps ahead of now, is no reason to wait less than a period.
+    # stamps ahead of now, is not a reason to wait less than a period.
     longest_wait_s = longest_period_s + max(0.0, worst_s)
     timeout_s = TIMEOUT_MARGIN * longest_wait_s
     return [

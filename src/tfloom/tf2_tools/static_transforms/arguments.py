@@ -103,7 +103,7 @@ def _build(flags: dict[str, str]) -> StaticTransform:
         )
         rotation = qx, qy, qz, qw
     if not any(rotation):
-        raise ArgumentsError("A quaternion of zeros is no rotation")
+        raise ArgumentsError("A quaternion of zeros is not a rotation")
     return StaticTransform(flags["--frame-id"], flags["--child-frame-id"], (x, y, z), rotation)
 
 

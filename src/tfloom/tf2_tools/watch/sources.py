@@ -73,8 +73,8 @@ def open_path(path: Path, *, buffer: Buffer | None = None, topics: tuple[str, st
         topics: The topics of moving and of static transforms, of a bag.
 
     Raises:
-        StaticFileError: it is no file of static transforms.
-        BagError: it is no bag, or has no transforms.
+        StaticFileError: it is not a file of static transforms.
+        BagError: it is not a bag, or has no transforms.
         OSError: it can't be read.
     """
     if not is_static_file(path):

@@ -110,7 +110,7 @@ def stamp_of(header: Any) -> int:
 def pose_of(pose: Any) -> tuple[Position, Rotation]:
     """Return position and unit quaternion of a `geometry_msgs/msg/Pose`.
 
-    A quaternion of zeros, which a message has that nobody filled in, is no rotation.
+    A quaternion of zeros, which a message has that nobody filled in, is not a rotation.
 
     Raises:
         DisplayError: a number is not finite.

@@ -32,7 +32,7 @@ class RobotDisplay:
         """Take a description. What can be read of its meshes is shown, even where others can't.
 
         Raises:
-            DisplayError: it is no URDF, or one of its meshes can't be read.
+            DisplayError: it is not a URDF, or one of its meshes can't be read.
         """
         if message.data == self._text:
             return
@@ -40,7 +40,7 @@ class RobotDisplay:
         try:
             visuals = read_visuals(message.data)
         except UrdfError as error:
-            raise DisplayError(f"it is no URDF: {error}") from None
+            raise DisplayError(f"it is not a URDF: {error}") from None
         faults = []
         for visual in visuals[:MAX_VISUALS]:
             try:

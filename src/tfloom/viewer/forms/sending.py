@@ -317,7 +317,7 @@ class Sending:
         """Return the full name and the type: where none is given, that of the graph.
 
         Raises:
-            PageError: it is no name, no type is given or known, or the graph has another one.
+            PageError: it is not a name, no type is given or known, or the graph has another one.
         """
         full = name if name.startswith("/") else f"/{name}"
         try:

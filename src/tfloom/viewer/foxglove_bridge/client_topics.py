@@ -67,7 +67,7 @@ class ClientTopics:
         """Publish a message.
 
         Raises:
-            ClientTopicError: its bytes are no message of the advertised type.
+            ClientTopicError: its bytes are not a message of the advertised type.
         """
         if (advertised := self._publishers.get((client, channel_id))) is None:
             return  # advertising it was refused

@@ -148,7 +148,7 @@ def _compiled(parameter: str, expression: str) -> re.Pattern[str]:
         return re.compile(expression, re.IGNORECASE)
     except re.error as error:
         raise SettingsError(
-            f"parameter {parameter}: '{expression}' is no regular expression: {error}"
+            f"parameter {parameter}: '{expression}' is not a regular expression: {error}"
         ) from None
 
 
@@ -182,7 +182,7 @@ def _tls(certificate: str, key: str) -> ssl.SSLContext:
     except (ssl.SSLError, ValueError) as error:
         reason = getattr(error, "reason", None) or error
         raise SettingsError(
-            f"parameters certfile and keyfile: {certificate} and {key} are no pair of a certificate and its key "
+            f"parameters certfile and keyfile: {certificate} and {key} are not a pair of a certificate and its key "
             f"without a password, as PEM files: {reason}"
         ) from None
     return context

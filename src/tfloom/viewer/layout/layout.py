@@ -13,7 +13,7 @@ Point = tuple[float, float, float]
 
 
 class LayoutError(Exception):
-    """A file is no layout; the text has the file, the line where it is known, and the reason."""
+    """A file is not a layout; the text has the file, the line where it is known, and the reason."""
 
 
 class ViewPoint(NamedTuple):

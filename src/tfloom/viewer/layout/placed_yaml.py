@@ -26,7 +26,7 @@ class PlacedYaml:
         repeating: A key of the outermost mapping by which files are known that may repeat keys; the last value counts.
 
     Raises:
-        LayoutError: it can't be read, is too large, is no YAML, or no mapping.
+        LayoutError: it can't be read, is too large, is not YAML, or not a mapping.
     """
 
     def __init__(self, path: Path, repeating: str | None = None) -> None:

@@ -52,7 +52,7 @@ def rviz_layout(file: PlacedYaml) -> tuple[Layout, list[str]]:
     """Return the layout of a file of RViz, and what of it is not known here.
 
     Raises:
-        LayoutError: it is no file of RViz.
+        LayoutError: it is not a file of RViz.
     """
     manager = file.root.get(RVIZ_SECTION)
     if not isinstance(manager, dict):

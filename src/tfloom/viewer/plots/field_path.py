@@ -29,14 +29,14 @@ def parse_path(message_class: type[Message], text: str) -> Path:
     """Return the path of a numeric field of a type.
 
     Raises:
-        PageError: there is no such field, or it is no number; the text has the fields there are.
+        PageError: there is no such field, or it is not a number; the text has the fields there are.
     """
     steps: list[str | int] = []
     current: type[Message] | None = message_class
     for part in text.strip().split("."):
         match = _PART.fullmatch(part)
         if match is None:
-            raise PageError(f"{text!r} is no path of a field, as pose.position.x or ranges[0]")
+            raise PageError(f"{text!r} is not a path of a field, as pose.position.x or ranges[0]")
         name, index = match[1], match[2]
         if current is None or name not in current._FIELDS:
             owner = message_class if current is None else current
@@ -48,7 +48,7 @@ def parse_path(message_class: type[Message], text: str) -> Path:
         if type_.shape and index is None:
             raise PageError(f"{text}: {name} is an array, so it needs an index, as {name}[0]")
         if not type_.shape and index is not None:
-            raise PageError(f"{text}: {name} is no array")
+            raise PageError(f"{text}: {name} is not an array")
         if index is not None:
             if type_.shape in {"array", "bounded"} and int(index) >= type_.length:
                 raise PageError(f"{text}: {name} has at most {type_.length} elements, which begin with 0")

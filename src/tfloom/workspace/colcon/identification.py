@@ -54,7 +54,7 @@ class Identification(PackageIdentificationExtensionPoint):
 
 
 def _find_invalid_value(manifest: Path) -> str | None:
-    """Return what catkin_pkg finds wrong with a package.xml, or None; what is no package's has no fault."""
+    """Return what catkin_pkg finds wrong with a package.xml, or None; what is not a package's has no fault."""
     if b"<package" not in manifest.read_bytes():
         return None
     try:

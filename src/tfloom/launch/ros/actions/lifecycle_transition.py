@@ -85,7 +85,7 @@ class LifecycleTransition(Action):
         """Request the first transition of each node, and follow the node's transitions.
 
         Raises:
-            ValueError: a transition's text is no number of one.
+            ValueError: a transition's text is not a number of one.
         """
         transitions = [
             self._transition_number(perform_substitutions(context, text)) for text in self._transitions
@@ -101,7 +101,7 @@ class LifecycleTransition(Action):
         if not text.isdecimal() or int(text) not in self.transition_targets:
             numbers = ", ".join(map(str, self.transition_targets))
             raise ValueError(
-                f"'{text}' is no transition that LifecycleTransition can request; use one of {numbers}"
+                f"'{text}' is not a transition that LifecycleTransition can request; use one of {numbers}"
             )
         return int(text)
 

@@ -28,7 +28,7 @@ class OnStateTransition(EventHandler):
         kwargs: As for EventHandler.
 
     Raises:
-        RuntimeError: the target is no LifecycleNode.
+        RuntimeError: the target is not a LifecycleNode.
     """
 
     def __init__(

@@ -123,7 +123,7 @@ class ChangeState(Event):
                 f"{number} ({name})" for number, name in self.valid_transitions.items() if number < 10
             )
             raise ValueError(
-                f"transition_id {transition_id} is no transition of a lifecycle node; use one of {transitions}"
+                f"transition_id {transition_id} is not a transition of a lifecycle node; use one of {transitions}"
             )
         self._matcher = lifecycle_node_matcher
         self._transition_id = transition_id

@@ -52,7 +52,7 @@ def evaluate_parameter_dict(
     """Return a normalized mapping of names to values, evaluated.
 
     Raises:
-        TypeError: it is no mapping, or the text of substitutions stands for a value of a type that parameters don't
+        TypeError: it is not a mapping, or the text of substitutions stands for a value of a type that parameters don't
             have.
     """
     if not isinstance(parameters, dict):

@@ -34,7 +34,7 @@ def normalize_parameters(parameters: SomeParameters) -> Parameters:
     """Return what `Node(parameters=…)` was given as files, mappings and single parameters.
 
     Raises:
-        TypeError: it is no list, or an item, a name or a value is of no type that parameters have.
+        TypeError: it is not a list, or an item, a name or a value is of no type that parameters have.
     """
     if isinstance(parameters, str) or not isinstance(parameters, Sequence):
         raise TypeError(f"Expecting list of parameters, got {parameters}")
@@ -100,7 +100,7 @@ def normalize_parameter_dict(
     """Return values by name; a mapping as a value becomes several names, with dots.
 
     Raises:
-        TypeError: it is no mapping, or a name or a value is of no type that parameters have.
+        TypeError: it is not a mapping, or a name or a value is of no type that parameters have.
     """
     if not isinstance(parameters, Mapping):
         raise TypeError("expected dict")
