@@ -156,7 +156,7 @@ def changes(node: ast.AST, source: str) -> Iterator[tuple[ast.expr | ast.stmt, s
         yield node, "drop a call", "pass"
     elif isinstance(node, ast.Assign | ast.AugAssign):
         target = node.targets[0] if isinstance(node, ast.Assign) else node.target
-        # A name that is not assigned is an error of its own, which any test would find.
+        # A name that is not assigned is an error by itself, which any test would find.
         if isinstance(target, ast.Attribute | ast.Subscript):
             yield node, "drop a statement", "pass"
     elif isinstance(node, ast.If | ast.While | ast.IfExp) and not isinstance(node.test, ast.Constant):

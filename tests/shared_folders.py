@@ -15,7 +15,7 @@ import pytest
 def shared_folder(factory: pytest.TempPathFactory, name: str) -> Iterator[Path]:
     """Yield the folder of this name of the run, and keep other processes out of it for the block.
 
-    On Windows, where files can't be locked by `flock`, each process has a folder of its own.
+    On Windows, where files can't be locked by `flock`, each process has its own folder.
     """
     root = factory.getbasetemp()
     if "PYTEST_XDIST_WORKER" in os.environ and sys.platform != "win32":

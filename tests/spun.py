@@ -18,7 +18,7 @@ from tfloom.node.parameters.parameter import Parameter
 
 
 class SpunNode:
-    """A node with a context of its own."""
+    """A node with its own context."""
 
     def __init__(self, name: str, domain_id: int) -> None:
         self.context = Context()

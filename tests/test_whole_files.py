@@ -32,9 +32,9 @@ def run_on_a_small_disk(folder: Path, program: str) -> list[str]:
     try:
         trial = run_to_end([*IN_A_NAMESPACE, folder, "true"])
     except FileNotFoundError:
-        pytest.skip("a disk of its own needs the program unshare")
+        pytest.skip("its own disk needs the program unshare")
     if trial.returncode:
-        pytest.skip(f"a disk of its own needs user namespaces: {trial.stderr.strip()}")
+        pytest.skip(f"its own disk needs user namespaces: {trial.stderr.strip()}")
     command = [
         *IN_A_NAMESPACE,
         folder,

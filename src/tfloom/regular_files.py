@@ -12,7 +12,7 @@ __all__ = ["open_regular", "read_at_most"]
 
 
 def open_regular(path: Path) -> io.FileIO:
-    """Open a file to read it. Whoever gives its name may give that of a pipe or a device.
+    """Open a file to read it. Its name may come from outside, and be that of a pipe or a device.
 
     Raises:
         OSError: it can't be opened, or is not a regular file.

@@ -1,6 +1,6 @@
 """evo reads trajectories of transforms from recordings through tfloom's tf2_py, geometry_msgs and rclpy.time.
 
-evo's licence is the GPL, so it is installed in an environment of its own, and only run as a program.
+evo's licence is the GPL, so it is installed in its own environment, and only run as a program.
 """
 
 from __future__ import annotations

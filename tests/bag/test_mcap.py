@@ -122,7 +122,10 @@ def test_errors_name_the_file_the_place_and_what_to_do(tmp_path: Path) -> None:
     cases = {
         "empty.mcap": (b"", "the file is empty: its recorder ended before it wrote anything"),
         "short.mcap": (whole[:5], "the file ends after 5 bytes, within the first bytes of an MCAP file"),
-        "other.mcap": (b"SQLite format 3\0" * 9, "byte 0: this is not an MCAP file: it begins with b'SQLite f'"),
+        "other.mcap": (
+            b"SQLite format 3\0" * 9,
+            "byte 0: this is not an MCAP file: it begins with b'SQLite f'",
+        ),
         "header.mcap": (whole[:20], "byte 8: the header is damaged or cut off"),
         "name.txt": (whole, "a file of a recording ends in .mcap, .db3, .bag"),
     }

@@ -144,8 +144,14 @@ TOPICS_ANEW = "CREATE TABLE new AS SELECT {} FROM topics; DROP TABLE topics; ALT
 @pytest.mark.parametrize(
     ("change", "text"),
     [
-        ("UPDATE messages SET timestamp = 'x' WHERE id = 3", "a message has a time or topic that is not an int"),
-        ("UPDATE messages SET timestamp = 1.5 WHERE id = 3", "a message has a time or topic that is not an int"),
+        (
+            "UPDATE messages SET timestamp = 'x' WHERE id = 3",
+            "a message has a time or topic that is not an int",
+        ),
+        (
+            "UPDATE messages SET timestamp = 1.5 WHERE id = 3",
+            "a message has a time or topic that is not an int",
+        ),
         (TOPICS_ANEW.format("id, type"), "table of topics has no column name, serialization_format"),
         (
             TOPICS_ANEW.format("'a' || id AS id, name, type, serialization_format"),

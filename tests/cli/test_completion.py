@@ -47,7 +47,7 @@ for number, line in enumerate(json.loads(lines)):
         os._exit(1)
     os.wait()
 """
-"""Answers each command line in a process of its own, which has imported the command already."""
+"""Answers each command line in a separate process, which has imported the command already."""
 
 
 def complete_each(lines: Iterable[str], tmp_path: Path) -> dict[str, list[str]]:

@@ -14,7 +14,7 @@ import transcript
 
 @pytest.fixture(scope="module", autouse=True)
 def recorded_graph(module_domain_id: int, start_module_program: Callable[..., object]) -> None:
-    """Run the recorded graph in a domain of its own."""
+    """Run the recorded graph in its own domain."""
     start_module_program("python", Path(__file__).with_name("a_graph.py"), stdin=subprocess.PIPE).wait_for(
         "ready"
     )

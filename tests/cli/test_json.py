@@ -91,7 +91,7 @@ WITHOUT = {
         "prints a sentence",
     ),
     **dict.fromkeys(
-        ["interface proto", "interface show", "pkg prefix", "pkg xml"], "prints a text of its own form"
+        ["interface proto", "interface show", "pkg prefix", "pkg xml"], "prints its own text form"
     ),
     **dict.fromkeys(["multicast receive", "multicast send"], "tries a network"),
 }

@@ -86,9 +86,9 @@ SILENT = {
     "tf plot": "there are no transforms, as it prints on stderr",
     "tf publish": "prints on stderr",
     "topic delay": "no topic of turtlesim has a header",
-    "multicast receive": "has a test of its own",
-    "multicast send": "has a test of its own",
-    "zenoh router": "has a test of its own",
+    "multicast receive": "has its own test",
+    "multicast send": "has its own test",
+    "zenoh router": "has its own test",
 }
 """Verbs that print nothing on stdout here, each with its reason."""
 START = "import sys; from tfloom.cli import main; sys.stdin.read(1); sys.exit(main.main())"

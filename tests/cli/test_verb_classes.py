@@ -143,7 +143,7 @@ def test_lifecycle_nodes_are_asked_and_changed(nodes: int, monkeypatch: pytest.M
             "/a_node": True
         }
         assert lifecycle_api.call_get_states(node=node, node_names=["/a_node"])["/a_node"].label == "inactive"
-        # A node that isn't there is an error of its own, and the others are answered.
+        # A node that isn't there is an error by itself, and the others are answered.
         mixed = lifecycle_api.call_get_states(node=node, node_names=["/nobody", "/a_node"], timeout=0.5)
         assert list(mixed) == ["/nobody", "/a_node"]
         assert str(mixed["/nobody"]) == "service /nobody/get_state is not there"

@@ -42,7 +42,7 @@ print("passed")
 
 
 def run(peer: RosPeer, code: str, *, python: Path | None = None, domain_id: int = 0, **variables: str) -> Any:
-    """Run code without a traffic of its own, or on a domain."""
+    """Run code without its own traffic, or on a domain."""
     return run_to_end(
         [python or peer.python, "-c", code], env=peer.environment(domain_id, **variables), timeout_s=120
     )

@@ -127,7 +127,7 @@ def test_without_the_dds_library_it_is_a_raw_subscription(
     listen: Any, real_ros: Peer, domain_id: int, start_program: Any, site_without_dds: Path, tmp_path: Path
 ) -> None:
     publish("rclpy", real_ros, start_program, domain_id)
-    # The system may have a library of its own.
+    # The system may have its own library.
     hidden = (
         "from tfloom.rmw.cyclone import library as cyclone_library\ncyclone_library._SYSTEM_FOLDERS = ()\n"
     )

@@ -1,4 +1,4 @@
-"""Which row of the tests makes each function raise that the public names take; see `public_callables`."""
+"""For each callback of the public API, the test row that makes it raise; see `public_callables`."""
 
 from __future__ import annotations
 

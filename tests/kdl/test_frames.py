@@ -99,7 +99,7 @@ def test_products_are_those_of_matrices() -> None:
 
 
 def test_change_of_frame_keeps_power_and_the_bodys_points() -> None:
-    """The power of a wrench along a twist depends on no frame; a point of the body has one velocity."""
+    """The power of a wrench along a twist does not depend on the frame; a point of the body has one velocity."""
     for _ in range(50):
         frame, twist, wrench = (
             some_frame(),

@@ -26,7 +26,7 @@ class Ran(NamedTuple):
 
 @pytest.fixture(autouse=True)
 def _logs(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
-    """Write the logs of each test to a folder of its own."""
+    """Write the logs of each test to its own folder."""
     monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path_factory.mktemp("launch_log")))
     launch_logging.reset()
     yield

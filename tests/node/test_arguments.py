@@ -109,7 +109,7 @@ def test_last_value_takes_precedence_and_a_node_can_be_named() -> None:
         (["-r"], "-r needs a value: \\[node:\\]from:=to"),
         (["-p", "x=1"], "cannot understand '-p x=1'"),
         (["-p", "x:="], "has no value"),
-        (["-p", "x:=[1, "], "no valid YAML"),
+        (["-p", "x:=[1, "], "not valid YAML"),
         (["-p", "x:={a: 1}"], "can't be a mapping"),
         (["-p", "x:=[1, a]"], "the list of 'x' must be of one scalar type, not int, str"),
         (["-p", "x:=[[1]]"], "the list of 'x' must be of one scalar type, not list"),

@@ -233,7 +233,7 @@ def test_coroutines_of_an_executor_that_spins_inside_asyncio(
 def test_asyncio_inside_a_callback(
     context: Context, node: Node, client: Client, spun: SingleThreadedExecutor
 ) -> None:
-    """A callback on another executor's thread runs a loop of its own, in a function and in a coroutine."""
+    """A callback on another executor's thread runs its own loop, in a function and in a coroutine."""
 
     async def ask(number: int) -> int:
         return (await client.call_async(AddTwoInts.Request(a=number, b=1))).sum

@@ -178,7 +178,7 @@ SPINS: dict[str, Callable[[Node, Future[Any], Executor], None]] = {
 def test_a_spin_that_waits_for_its_own_group_says_what_to_do(
     spin: str, outer: Executor, node: Node, context: Context, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """By an executor of its own, as the short functions spin by the global one."""
+    """By its own executor, as the short functions spin by the global one."""
     never, done = Future[None](), Future[bool]()
 
     def wait() -> None:

@@ -135,7 +135,7 @@ def test_call_in_a_callback_of_a_single_threaded_executor_raises(
 
 
 class Served(NamedTuple):
-    """A service of a node that a thread of its own spins."""
+    """A service of a node that a separate thread spins."""
 
     client: Client
     """A client of a node that no executor spins."""
@@ -522,7 +522,9 @@ def test_undecodable_request_is_dropped(
     good = client.call_async(AddTwoInts.Request(a=1))
     executor.spin_until_future_complete(good, timeout_sec=5)
     assert good.result().sum == 1
-    text = "Dropped a request of 5 bytes to /add that is not a valid example_interfaces/srv/AddTwoInts_Request"
+    text = (
+        "Dropped a request of 5 bytes to /add that is not a valid example_interfaces/srv/AddTwoInts_Request"
+    )
     assert text in capsys.readouterr().err
 
 

@@ -76,12 +76,12 @@ else:
 
 
 def printed_by_each(start_program: StartProgram, cases: list[object], code: str) -> list[str]:
-    """Return the lines of a program that runs for each `case` in a process of its own, and these exit codes."""
+    """Return the lines of a program that runs for each `case` in a separate process, and these exit codes."""
     return printed_by(start_program, f"CASES = {cases!r}\n{FORKING}{code}")
 
 
 def printed_by(start_program: StartProgram, code: str, *options: str) -> list[str]:
-    """Run a program to its end, which has to be a good one, and return its lines."""
+    """Run a program, check that it exits with 0, and return its lines."""
     program = start_program("python", *options, "-c", code)
     assert program.wait(60) == 0, program.output
     return program.lines

@@ -229,7 +229,7 @@ def test_removed_waitable_does_not_run(node: Node, executor: Executor) -> None:
     executor.spin_once(timeout_sec=0.01)
     assert waitable.collected == []
     assert list(node.waitables) == []
-    with pytest.raises(ValueError, match="no waitable of this node"):
+    with pytest.raises(ValueError, match="not a waitable of this node"):
         node.remove_waitable(waitable)
 
 

@@ -396,7 +396,7 @@ FOLDER = str(Path(inspect.getfile(tfloom)).parent)
 NEEDS_ROWS = re.compile(
     r"create_(?!lifecycle)|declare_|get_parameters?$|set_parameters(_atomically)?$|count_|resolve_|get_.*_info_by_topic$"
 )
-"""Methods of Node that users call with arguments of their own."""
+"""Methods of Node that users call with their own arguments."""
 
 
 class _Names(dict[str, Any]):

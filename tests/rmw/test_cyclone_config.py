@@ -265,7 +265,7 @@ except WireError as error:
 
 
 def test_full_domain_error_has_the_remedy(start_peer, start_program) -> None:
-    """In a process of its own, because libddsc leaves the ports bound that it tried last."""
+    """In a separate process, because libddsc leaves the ports bound that it tried last."""
     start_peer()
     program = start_program("python", "-c", FULL_DOMAIN)
     assert program.wait() == 0, program.output

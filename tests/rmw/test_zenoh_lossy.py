@@ -74,7 +74,7 @@ class Network:
 
 @contextmanager
 def network(start_program: Callable[..., Program], rate: float) -> Iterator[Network]:
-    """Make the hosts, on a port of their own."""
+    """Make the hosts, on their own port."""
     with hold_zenoh_port() as port, pytest.MonkeyPatch.context() as patch:
         patch.setenv("TFLOOM_LEASE_S", str(LEASE_S))
         patch.setenv("RMW_IMPLEMENTATION", "rmw_zenoh_cpp")

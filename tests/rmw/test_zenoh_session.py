@@ -123,7 +123,7 @@ def test_another_takes_over_within_two_seconds(end: str, start: Callable[..., Pr
     assert (
         took_s < 2.0 + 1.0
     )  # with the start of the late program, whose interpreter and libraries take up to a second
-    # The two had a link of their own: what flowed between them went on.
+    # The two had their own link: what flowed between them went on.
     assert float(ask(second, "count", "first")[3]) < 1.0
 
 

@@ -176,7 +176,8 @@ def test_dependences_that_lead_nowhere(
     stage = start(ARM, "dependent_joints.roll.parent:=wing")
     assert stage.positions() == [0.0, 0.2, 0.0, 0.0]
     assert (
-        "The joint 'roll' stays at 0: it depends on 'wing', which is not a free joint" in capfd.readouterr().err
+        "The joint 'roll' stays at 0: it depends on 'wing', which is not a free joint"
+        in capfd.readouterr().err
     )
 
 

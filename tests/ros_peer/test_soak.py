@@ -1,4 +1,4 @@
-"""A soak test of mixed vendors, on a host of its own, whose cable must remain silent."""
+"""A soak test of mixed vendors, on its own host, whose cable must remain silent."""
 
 from __future__ import annotations
 

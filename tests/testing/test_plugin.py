@@ -1,4 +1,4 @@
-"""The plug-in in pytests of its own: what is left after failures, bad use, other ROSs, and the example package."""
+"""The plug-in in its own pytests: what is left after failures, bad use, other ROSs, and the example package."""
 
 from __future__ import annotations
 
@@ -143,7 +143,7 @@ def test_table(tf_buffer_from):
 def output(tmp_path_factory: pytest.TempPathFactory) -> str:
     """Return what one run of pytest on all kinds of tests printed; the first file finds what its start has imported."""
     folder = tmp_path_factory.mktemp("users")
-    # In a folder of its own, because a launch test is imported when its folder is listed.
+    # In its own folder, because a launch test is imported when its folder is listed.
     (folder / "with_launch").mkdir()
     files = {"test_a_start": START + MISUSE, "test_it": FAILURES, "with_launch/test_launch": LAUNCH_TEST}
     for name, text in files.items():

@@ -1,6 +1,6 @@
 """Users' functions that a wire calls: it holds no lock meanwhile, so that they may write, match and close on it.
 
-They run in a program of their own, because a deadlock would hang also what ends the test's process.
+They run in a separate program, because a deadlock would hang also what ends the test's process.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""packages/tfloom-ddsc: libddsc in a wheel of its own, taken from the wheel of cyclonedds for another Python."""
+"""packages/tfloom-ddsc: libddsc in its own wheel, taken from the wheel of cyclonedds for another Python."""
 
 from __future__ import annotations
 

@@ -46,7 +46,7 @@ def test_last_picture_is_written(tmp_path: Path, ending: str) -> None:
 
 
 def test_last_picture_is_written_meanwhile(tmp_path: Path) -> None:
-    """A disk that has no room then doesn't end the simulation: the end tells."""
+    """If the disk is full, the simulation goes on and the error is reported at the end."""
     path = tmp_path / "out.png"
     recorder = open_recorder(path)
     path.mkdir()

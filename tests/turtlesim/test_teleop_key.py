@@ -119,4 +119,4 @@ def test_keys_held_down_do_not_queue_up_and_sigterm_ends_the_program(
 def test_input_without_terminal_gives_the_remedy(domain_id: int, start_program: Start) -> None:
     teleop = start_program("tfloom", "run", "turtlesim", "turtle_teleop_key")
     assert teleop.wait() == 1
-    assert teleop.lines[0].endswith("run it in a terminal of its own")
+    assert teleop.lines[0].endswith("run it in a separate terminal")

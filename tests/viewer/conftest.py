@@ -107,7 +107,7 @@ class Page:
 
 @contextmanager
 def running_node(domain_id: int, name: str) -> Iterator[Node]:
-    """Have a node with a context of its own for the block."""
+    """Have a node with its own context for the block."""
     context = Context()
     context.init(args=[], domain_id=domain_id)
     node = Node(name, context=context)

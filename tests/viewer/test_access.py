@@ -218,4 +218,4 @@ def test_clients_of_another_address() -> None:
     assert access.refusal([robot, ("Origin", "http://robot.lan:8765")]) == (
         "pages of http://robot.lan:8765 may not connect: allowed_origins names the sites whose pages may"
     )
-    assert access.refusal([robot, ("Origin", "null")]) == "a page without a site of its own may not connect"
+    assert access.refusal([robot, ("Origin", "null")]) == "a page without its own site may not connect"

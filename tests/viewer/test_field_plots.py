@@ -68,11 +68,11 @@ WRONG_PATHS: list[tuple[type[Any], str, str]] = [
     (LaserScan, "header.frame_id", "is a text"),
     (LaserScan, "scan_time[0]", "is no array"),
     (LaserScan, "scan_time.x", "scan_time is a value"),
-    (LaserScan, "ranges[-1]", "no path"),
-    (LaserScan, "ranges[1][2]", "no path"),
-    (LaserScan, "", "no path"),
-    (LaserScan, "__class__", "no path"),
-    (LaserScan, "_FIELDS", "no path"),
+    (LaserScan, "ranges[-1]", "not a path"),
+    (LaserScan, "ranges[1][2]", "not a path"),
+    (LaserScan, "", "not a path"),
+    (LaserScan, "__class__", "not a path"),
+    (LaserScan, "_FIELDS", "not a path"),
     (PoseWithCovariance, "covariance[36]", "at most 36 elements"),
 ]
 

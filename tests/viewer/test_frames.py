@@ -23,7 +23,7 @@ STILL = (0.0, 0.0, 0.0, 1.0)
 
 
 def moving_robot() -> Buffer:
-    """world → base moves along x by 1 m/s for 4 s; base → laser is static; lonely is a tree of its own."""
+    """world → base moves along x by 1 m/s for 4 s; base → laser is static; lonely is its own tree."""
     buffer = Buffer()
     for second in range(1, 6):
         buffer.set("world", "base", second * S, (second - 1.0, 0.0, 0.0), STILL, "driver")

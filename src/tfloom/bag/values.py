@@ -59,7 +59,7 @@ class Definition(NamedTuple):
 
 
 class Topic(NamedTuple):
-    """A topic of a recording, with what the recording tells of its type and its publishers."""
+    """A topic of a recording, with what the recording says about its type and its publishers."""
 
     name: str
     """Its name, with the slash that it begins with."""

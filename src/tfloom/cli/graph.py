@@ -32,7 +32,7 @@ LOOK_S = 0.05
 PUNCTUAL_S = 0.005
 """Delay of a sleep's end above which the machine is busy [s]."""
 LATE_WEIGHT = 4.0
-"""Additional wait for each second by which sleeps ended late [s]."""
+"""Extra wait per second of oversleeping [s]."""
 MAX_WAIT_S = 5.0
 """The longest wait without --spin-time [s]."""
 MISSING = (

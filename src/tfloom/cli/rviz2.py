@@ -61,7 +61,7 @@ def run(args: list[str] | None = None) -> int:
     what = "a new view" if words.display_config is None else str(words.display_config)
     print(f"{NAME}: the page of `tfloom view` stands in for RViz, and shows {what}", flush=True)
     try:
-        # Who starts RViz by a launch file wants to see it, so the page is opened without a terminal, too.
+        # A user who starts RViz by a launch file wants to see it, so the page is opened without a terminal, too.
         return view.serve(options.parse_args(asked), needs_terminal=False)
     except CommandError as error:
         report(f"{NAME}: {error}")

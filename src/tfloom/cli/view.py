@@ -30,7 +30,7 @@ MAX_END_S = 0.5
 MAX_UNKNOWN = 20
 """Number of things that are named of those that a layout has and that are not known here."""
 OPEN_TO_ALL = """\
-Whoever has this address can see what is published here, publish, call services, and drive robots: it has a token, and \
+Anyone with this address can see what is published here, publish, call services, and drive robots: it has a token, and \
 is not encrypted."""
 
 

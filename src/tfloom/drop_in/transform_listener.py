@@ -72,7 +72,7 @@ class _Leaving:
 class TransformListener(ListenerBase):
     """Subscribes to /tf and /tf_static for a node of a real rclpy, and inserts all transforms into a buffer.
 
-    The topics are remapped by the node's rules. By default tfloom opens a reader of its own beside the node, on the
+    The topics are remapped by the node's rules. By default tfloom opens its own reader beside the node, on the
     node's domain, whose thread passes the bytes directly to the native buffer, with no executor. Where such a reader
     would not receive what the node does, it is a raw subscription of the node, and `why_raw` states why. If `callback`,
     `static_callback` or the buffer's `set_transform` are overridden, or the buffer is tf2_ros's, it is an ordinary

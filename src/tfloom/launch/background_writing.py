@@ -166,7 +166,7 @@ class BackgroundWriting:
                     self._writers[name] = BackgroundWriter(name)
                 except RuntimeError:
                     return None
-                # A process that is first heard of after the signal has its own log file, which begins hurried.
+                # A process that first appears after the signal has its own log file, which begins hurried.
                 if self._is_hurried:
                     self._writers[name].hurry()
             return self._writers[name]

@@ -33,7 +33,7 @@ class InvalidLaunchFileError(Exception):
 
     @classmethod
     def with_message(cls, message: str, cause: Exception | None = None) -> InvalidLaunchFileError:
-        """Return an error with a text of its own.
+        """Return an error with its own text.
 
         Args:
             message: What is wrong, with the file and the line.

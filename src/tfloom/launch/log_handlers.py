@@ -200,7 +200,7 @@ def _formatted_text(handler: logging.Handler, record: logging.LogRecord, lines: 
     before, after = around
     if isinstance(handler, StdoutHandler) and is_terminal(handler.stream):
         text = "\n".join(lines)
-        if "\x1b" in text:  # colors of their own, which end with each line
+        if "\x1b" in text:  # their own colors, which end with each line
             return "".join(_format_line(handler, record, line) for line in lines)
         level, name = record.levelname, record.name
         return "".join(

@@ -35,7 +35,7 @@ __all__ = [
 HIDDEN_NODE_PREFIX = "_"
 
 
-# Private names are mangled, because programs derive from Node and choose names of their own.
+# Private names are mangled, because programs derive from Node and choose their own names.
 class Node(NodeBase):
     """A node: a name on the graph, under which it publishes, subscribes, and has parameters and timers.
 

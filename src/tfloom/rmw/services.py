@@ -25,7 +25,7 @@ CLIENT_WAIT_S = 0.1
 """The longest wait of a response until its client's reader is matched [s]."""
 
 LATE_CLIENT_WAIT_S = 5.0
-"""The longest wait, on a thread of its own, where clients are known to be matched seconds late [s]."""
+"""The longest wait, on a separate thread, where clients are known to be matched seconds late [s]."""
 
 MIN_DEPTH = 100_000
 """The least number of requests, or responses, that a reader keeps until they are taken."""

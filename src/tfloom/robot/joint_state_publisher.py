@@ -58,7 +58,7 @@ class JointStatePublisher(Node):
         joint_list: Names of the joints, in the order of the description.
         free_joints: By name `min`, `max`, `zero`, and what is published of `position`, `velocity` and `effort`.
         dependent_joints: By name `parent`, `factor` and `offset`.
-        delta: How far each joint moves for each message, forth and back between its limits; 0: not.
+        delta: How far each joint moves for each message, back and forth between its limits; 0: not.
     """
 
     def __init__(self, urdf_file: str | None = None) -> None:
@@ -249,7 +249,8 @@ class JointStatePublisher(Node):
             sys.exit(1)
         for name, dependence in resolved.items():
             if dependence.parent not in free:
-                reason = f"The joint '{name}' stays at 0: it depends on '{dependence.parent}', which is not a free joint"
+                parent = dependence.parent
+                reason = f"The joint '{name}' stays at 0: it depends on '{parent}', which is not a free joint"
                 self.get_logger().warning(reason)
         self.joint_list, self.free_joints, self._resolved = names, free, resolved
         self.dependent_joints = {name: dependence._asdict() for name, dependence in used.items()}

@@ -86,7 +86,7 @@ def _joints(robot: Element, links: dict[str, int], remarks: Remarks) -> dict[str
         joints[joint.name] = joint
     for name, joint in joints.items():
         if joint.mimic is not None and (why := unfit(joint.mimic.joint, joints)):
-            # The others move all the same; this one has a position of its own then, as in robot_state_publisher.
+            # The others move all the same; this one has its own position then, as in robot_state_publisher.
             remarks.add(joint.line, f"the joint '{name}' follows none, because it mimics {why}", "mimic")
             joints[name] = joint._replace(mimic=None)
     return joints

@@ -1,7 +1,7 @@
 """xacro: write the XML that a file with macros describes, by the library of this name, within limits.
 
 A file of a few lines can stand for any amount of XML: macros that call others twice, or `${9**9**9}`. So the library
-runs in a process of its own, which has the limits; this one ends it where it doesn't end itself.
+runs in a separate process, which has the limits; this one ends it where it doesn't end itself.
 """
 
 from __future__ import annotations

@@ -62,7 +62,7 @@ def _numpy_array(type_: Type, value: Any) -> Any:
     name = NUMPY_NAMES[type_.base]
     given = np.asarray(value)
     if given.dtype == name:
-        return np.asarray(given, name)  # numpy has a second type of these bytes, with a repr of its own
+        return np.asarray(given, name)  # numpy has a second type of these bytes, with its own repr
     # numpy wraps, truncates or makes infinite what the type can't hold, without an error.
     with np.errstate(over="ignore", invalid="ignore"):
         result = np.asarray(value, name)

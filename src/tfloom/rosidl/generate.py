@@ -254,7 +254,7 @@ def _import_lines(imports: list[tuple[str, str]], indent: str) -> Iterator[str]:
     """Yield `from module import name` for each pair, one statement for each module, in isort's order."""
     for module in sorted({module for module, _ in imports}):
         names = sorted((name for origin, name in imports if origin == module), key=_isort_key)
-        # A name with an alias needs a statement of its own.
+        # A name with an alias needs its own statement.
         for group in [
             *([name] for name in names if " as " in name),
             [name for name in names if " as " not in name],

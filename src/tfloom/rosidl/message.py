@@ -58,7 +58,7 @@ class _MessageType(type):
 
     def __setattr__(cls, name: str, value: object) -> None:
         # Definitions spell constants, and nothing else, in capitals. A class that derives from a message's may have
-        # names of its own.
+        # its own names.
         if name.isupper() and (home := _home_of_constant(cls, name)) is not None:
             raise AttributeError(f"property '{name}' of 'Metaclass_{home.__name__}' object has no setter")
         super().__setattr__(name, value)

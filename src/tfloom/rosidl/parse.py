@@ -228,7 +228,9 @@ class _Parser:
             return self._constant(line, type_, name, column, rest, match.end()), column
         if not _FIELD_NAME.fullmatch(name):
             raise self.fail(
-                line, column, f"'{name}' is not a field name: lower case letters, digits and single underscores"
+                line,
+                column,
+                f"'{name}' is not a field name: lower case letters, digits and single underscores",
             )
         default = self._value(line, type_, rest, match.end()) if rest else None
         position = (line.number, match.start("type") + 1)

@@ -1,6 +1,6 @@
 """Classes from the definitions that recordings and other files carry: a type's, followed by those of all types in it.
 
-A definition that exists here is never replaced. A type that the file defines otherwise gets a class of its own, whose
+A definition that exists here is never replaced. A type that the file defines otherwise gets its own class, whose
 package has a suffix made from the definition.
 """
 

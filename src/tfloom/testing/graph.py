@@ -57,7 +57,7 @@ class RosGraph:
 
     @property
     def observer(self) -> Node:
-        """A node with no services of its own, for the test's own endpoints."""
+        """A node without services, for the test's own endpoints."""
         if self._observer is None:
             node = Node(
                 "test_observer", context=self.context, enable_rosout=False, start_parameter_services=False
@@ -79,7 +79,7 @@ class RosGraph:
         if node.context is not self.context:
             raise ValueError(
                 f"the node {node.get_fully_qualified_name()} is of another context than this test's: "
-                "create it in the test, after its fixtures, and without a context of its own"
+                "create it in the test, after its fixtures, and without its own context"
             )
         self.executor.add_node(node)
         for call in self._on_add:

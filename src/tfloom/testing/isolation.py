@@ -31,7 +31,7 @@ _local_numbers = count()
 
 @contextmanager
 def isolated(wire: str, log_folder: Path) -> Iterator[int]:
-    """Give the block a wire, a domain and a default context of its own, and yield the number of the domain.
+    """Give the block its own wire, domain and default context, and yield the number of the domain.
 
     The context is not initialised. At the end all contexts that the block has initialised are shut down, with their
     nodes, and everything else is as before.

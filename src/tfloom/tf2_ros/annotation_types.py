@@ -1,4 +1,4 @@
-"""The types by which tf2_ros's modules annotate, for programs that write them in annotations of their own."""
+"""The types by which tf2_ros's modules annotate, for programs that write them in their own annotations."""
 
 from __future__ import annotations
 

@@ -71,7 +71,7 @@ class Still:
         self._render = render
         self._added += 1
         if self._added % (STILL_MS // FRAME_MS) == 0:
-            with suppress(RecordingError):  # a full disk may have room at the end, which tells of an error
+            with suppress(RecordingError):  # a full disk may have room at the end, which reports an error
                 self.finish()
 
     def finish(self) -> None:

@@ -109,7 +109,9 @@ class RotationServer:
             self._unfinished += 1
             self._meant_for.append(self._turtle)
             return GoalResponse.ACCEPT
-        self._node.get_logger().warning(f"Rejecting a rotation goal that is not a number: theta=[{goal.theta}]")
+        self._node.get_logger().warning(
+            f"Rejecting a rotation goal that is not a number: theta=[{goal.theta}]"
+        )
         return GoalResponse.REJECT
 
     def _on_cancel(self, handle: ServerGoalHandle) -> CancelResponse:

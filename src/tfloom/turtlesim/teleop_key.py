@@ -27,7 +27,7 @@ Use arrow keys to move the turtle.
 Use G|B|V|C|D|E|R|T keys to rotate to absolute orientations. 'F' to cancel a rotation.
 'Q' to quit."""
 NO_TERMINAL = (
-    "turtle_teleop_key reads single keys, and its input is not a terminal: run it in a terminal of its own"
+    "turtle_teleop_key reads single keys, and its input is not a terminal: run it in a separate terminal"
 )
 DIRECTIONS = {"up": (1.0, 0.0), "down": (-1.0, 0.0), "left": (0.0, 1.0), "right": (0.0, -1.0)}
 """The command of each arrow key: parts of the linear and of the angular scale."""

@@ -9,7 +9,7 @@
 - page_server, access, page_command: the server of our page
 - fault_text: an error as a sentence for a page
 - forms/: what pages publish, call and send as goals, by forms made from any type
-- driving/: velocities, by a process of its own, which stops robots whose page or viewer is gone
+- driving/: velocities, by a separate process, which stops robots whose page or viewer is gone
 - plots/: numeric fields of topics over time
 - layout/: what is shown from the start, of our files or RViz's
 - tools, log_lines, parameters, node_graph, pictures: what is beside the scene

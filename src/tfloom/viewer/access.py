@@ -1,4 +1,4 @@
-"""Who may open a page or a WebSocket: by the address that it asks for, where it comes from, and a token."""
+"""Which requests may open a page or a WebSocket: by the address that it asks for, where it comes from, and a token."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def is_loopback(host: str) -> bool:
 def is_origin(text: str) -> bool:
     """Return whether a text is the origin of a site as browsers send it, in small letters: `https://viewer.example`.
 
-    `null` is none: each page without a site of its own sends it, as one from a file or in a sandbox.
+    `null` is none: each page without its own site sends it, as one from a file or in a sandbox.
     """
     if (match := _ORIGIN.fullmatch(text)) is None:
         return False
@@ -162,7 +162,7 @@ class ClientAccess:
             # A page's WebSocket has an Origin always: what a browser sends without one is not a WebSocket.
             return OTHER_SITE if request.is_from_page else ""
         if not is_origin(origin):
-            return "a page without a site of its own may not connect"
+            return "a page without its own site may not connect"
         if origin in self._origins or _is_page_of_this_machine(origin):
             return ""
         return f"pages of {origin} may not connect: allowed_origins names the sites whose pages may"

@@ -36,7 +36,7 @@ def is_usable(
     fov_rad: float,
     aspect: float,
 ) -> bool:
-    """Return whether what a page tells of its camera is a camera: near, turned by a rotation, and with a view.
+    """Return whether what a page says of its camera is a camera: near, turned by a rotation, and with a view.
 
     Raises:
         TypeError, ValueError: something is not a number.

@@ -81,7 +81,7 @@ class ServerError(Exception):
 
 
 class PageServer:
-    """Serves pages on a thread of its own.
+    """Serves pages on a separate thread.
 
     Each page gets the newest state that there is when it has taken the one before: a slow page skips states.
 

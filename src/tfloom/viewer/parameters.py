@@ -1,4 +1,4 @@
-"""Parameters of nodes, read and set for pages on a thread of their own, because a node may be slow to respond."""
+"""Parameters of nodes, read and set for pages on a separate thread, because a node may be slow to respond."""
 
 from __future__ import annotations
 

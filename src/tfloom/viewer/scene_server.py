@@ -1,4 +1,4 @@
-"""Viser's server: on the loopback interface, at a port of its own, for our relay alone."""
+"""Viser's server: on the loopback interface, at its own port, for our relay alone."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ PAGE_HEADER = "X-Tfloom-Page"
 class SceneServer:
     """The server of the scene, which all pages share.
 
-    Viser has no access rules of its own: whoever reaches its port may read the scene, and may ask for a tunnel to the
+    Viser itself has no access rules: whoever reaches its port may read the scene, and may ask for a tunnel to the
     internet. So its port is closed to others where the system has a way to, each connection without the key is closed,
     and requests for a tunnel are not handled.
     """
@@ -131,7 +131,7 @@ def is_readable(data: bytes) -> bool:
         if isinstance(message, _messages.ViewerCameraMessage):
             aspect = message.image_width / message.image_height
             return is_usable(message.position, message.look_at, message.wxyz, message.fov, aspect)
-    except Exception:  # viser has no error of its own for what can't be read
+    except Exception:  # viser has no error for what can't be read
         return False
     return True
 

@@ -189,7 +189,7 @@ class _Reader:
 
     def _run_branch(self, block: Sequence[Command]) -> None:
         """Run the first branch of an `if` whose condition is true."""
-        # Only the branches of this `if` count, not those of one inside it, which has a depth of its own. The block has
+        # Only the branches of this `if` count, not those of one inside it, which has its own depth. The block has
         # the `if` itself, but not its `endif`.
         self._look_at(block, len(block))
         heads = [0]

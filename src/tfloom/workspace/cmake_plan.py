@@ -234,7 +234,7 @@ def _install_files(plan: Plan, kind: str, values: Sequence[str], line: int) -> N
     if (destination := _destination(plan, kind, words, line)) is not None:
         rename = next(iter(words.get("RENAME", ())), None)
         optional = "OPTIONAL" in words
-        # Files with permissions of their own are programs if these include one to execute.
+        # Files with their own permissions are programs if these include one to execute.
         executable = any("EXECUTE" in permission for permission in words.get("PERMISSIONS", ()))
         plan.installs.append(
             Install(

@@ -11,7 +11,7 @@ import os
 from pathlib import Path
 
 OWN_PREFIX = Path(__file__).parents[1]
-"""The prefix of tfloom's own packages, but for those of the distributions beside it."""
+"""The prefix of tfloom's own packages, except those of the companion distributions."""
 PREFIX_PATH_VARIABLE = "AMENT_PREFIX_PATH"
 RESOURCE_INDEX = "share/ament_index/resource_index"
 LEFT_OUT = "tfloom_left_out"

@@ -38,7 +38,7 @@ def find_listed(source: Path, entries: Sequence[str]) -> ListedFiles:
 
     Args:
         source: The package's folder.
-        entries: Paths relative to it, `msg/Sphere.msg`, or to a folder of their own, `/a/folder:msg/Sphere.msg`.
+        entries: Paths relative to it, `msg/Sphere.msg`, or to their own folder, `/a/folder:msg/Sphere.msg`.
     """
     files: dict[str, ListedFile] = {}
     errors: list[str] = []

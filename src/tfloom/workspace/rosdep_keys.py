@@ -79,7 +79,7 @@ _OF_THE_SYSTEM = {"apt", "dev", "distutils", "interpreter", "venv"}
 
 
 def library_key(name: str) -> str | None:
-    """Return what a key of rosdep names, as `serial` of `python3-serial`; None if it is not the key of a Python library."""
+    """Return what a key of rosdep names, as `serial` of `python3-serial`; None if it names no Python library."""
     match = re.fullmatch(r"python3?-(.+?)(?:-pip)?|(.+)-pip", name)
     return None if match is None else match[1] or match[2]
 

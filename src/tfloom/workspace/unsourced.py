@@ -37,7 +37,7 @@ def _here_and_above() -> Iterator[Path]:
 
 
 def _is_installed(install: Path, package: str) -> bool:
-    """Return whether colcon has installed a package here: in a folder of its own, or merged with the others."""
+    """Return whether colcon has installed a package here: in its own folder, or merged with the others."""
     marker = Path(index.RESOURCE_INDEX, "packages", package)
     return _is_file(install / package / marker) or _is_file(install / marker)
 

@@ -1,4 +1,4 @@
-"""Runs of pytest on test files of users, each a process of its own."""
+"""Runs of pytest on test files of users, each a separate process."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class Run(NamedTuple):
 
 
 def run_pytest(folder: Path, files: Mapping[str, str], *words: str, **environment: str) -> Run:
-    """Run pytest on files with these texts, in a folder of their own; a hanging test is ended after a time."""
+    """Run pytest on files with these texts, in their own folder; a hanging test is ended after a time."""
     for name, text in files.items():
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_text(text, "utf-8")

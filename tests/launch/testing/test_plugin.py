@@ -104,7 +104,7 @@ def test_other_tests_load_the_plugin_alone(tmp_path: Path) -> None:
 
 
 def test_plugin_leaves_a_real_ros_alone(tmp_path: Path) -> None:
-    """A `launch_testing` from elsewhere has a plug-in of its own, whose option has the same name."""
+    """A `launch_testing` from elsewhere has its own plug-in, whose option has the same name."""
     real = tmp_path / "real" / "launch_testing"
     real.mkdir(parents=True)
     (real / "__init__.py").touch()

@@ -1,6 +1,6 @@
 """The process at the other end of a call or a goal is ended at each step: this end is told in time, and keeps nothing.
 
-One process stops at all steps, each with a client or a server of its own.
+One process stops at all steps, each with its own client or server.
 """
 
 from __future__ import annotations

@@ -139,7 +139,7 @@ def run(case: Any) -> Any:
     return [outcome(functools.partial(do, step)) for step in case["steps"]]
 
 
-# Each is a place of its own.
+# Each is its own place.
 CALLS: list[Callable[[Any, Any], Any]] = [
     lambda log, options: log("first", **options),
     lambda log, options: log("second", **options),

@@ -603,7 +603,7 @@ def spin_until(walk: Walk, a: int, b: int, *_: int) -> Any:
 
 @operation
 def wait(walk: Walk, a: int, b: int, c: int) -> Any:
-    """Get the task of a guard condition by the ways in which programs of their own executors do, and run it or not."""
+    """Get the task of a guard condition by the ways in which programs' own executors do, and run it or not."""
     executor, guard = pick(walk.executors, a), pick(walk.guards, b)
     node = walk.owners[id(guard)]
     if is_shut(executor) or walk.is_gone(guard) or walk.homes(node) != [executor]:

@@ -211,7 +211,7 @@ class RawClient:
 
 @contextmanager
 def bridging(domain_id: int, *parameters: str) -> Iterator[FoxgloveBridge]:
-    """Run a bridge on a thread for the block, with a context of its own."""
+    """Run a bridge on a thread for the block, with its own context."""
     context = Context()
     words = [word for text in ("port:=0", *parameters) for word in ("-p", text)]
     context.init(args=["--ros-args", *words], domain_id=domain_id)

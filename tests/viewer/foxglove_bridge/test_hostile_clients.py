@@ -108,7 +108,7 @@ def check_a_good_client(served: Served) -> None:
 
 
 def send_all(served: Served, frames: list[tuple[int, bytes]]) -> None:
-    """Send frames, each on a connection of its own, because the bridge may close it."""
+    """Send frames, each on its own connection, because the bridge may close it."""
     for opcode, data in frames:
         client = RawClient(served.port)
         with closing(client.socket), suppress(ConnectionError):

@@ -35,7 +35,7 @@ def publishes(client: Client, topic: str) -> bool:
 def test_bridge_lives_while_clients_subscribe_and_all_changes(
     node: Node, start_bridge: Callable[..., tuple[Program, int]]
 ) -> None:
-    """A program of its own, because a bridge that hangs holds the GIL."""
+    """A separate program, because a bridge that hangs holds the GIL."""
     node.declare_parameter("count", 0)
     _, port = start_bridge()
     is_done = threading.Event()

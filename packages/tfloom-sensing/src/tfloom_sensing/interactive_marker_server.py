@@ -165,7 +165,7 @@ class InteractiveMarkerServer:
         """
         with self.mutex:
             context, update = self.marker_contexts.get(name), self.pending_updates.get(name)
-            # A pending full update replaces the marker, with a pose of its own.
+            # A pending full update replaces the marker, with its own pose.
             if context is None or (update is not None and update.update_type == UpdateContext.FULL_UPDATE):
                 return False
             if header is None or not header.frame_id:

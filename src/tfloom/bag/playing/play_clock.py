@@ -20,7 +20,7 @@ class PlayClock:
 
     @property
     def rate(self) -> float:
-        """Seconds of the bag in a second."""
+        """Bag seconds per wall-clock second."""
         return self._rate
 
     @property

@@ -181,7 +181,7 @@ class Playback:
                 self._on_start(start_ns)
                 start_ns = self._play_from(start_ns)
         finally:
-            # Whoever waits in `step` must learn that no message follows, also if reading has failed.
+            # A thread that waits in `step` must learn that no message follows, also if reading has failed.
             with self._changed:
                 self._is_running = False
                 self._steps = 0

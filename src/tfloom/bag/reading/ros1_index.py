@@ -125,7 +125,7 @@ def _add_chunk(file: io.FileIO, layout: Ros1Layout, info: _ChunkInfo, limit: int
     except DamagedRecordError as error:
         layout.warn_of_damage(info.offset, str(error), f"its {info.counts.total()} messages are left out")
         return
-    # Three sources tell of a chunk: the information at the file's end, the index records behind it, and its content.
+    # Three sources describe a chunk: the information at the file's end, the index records behind it, and its content.
     # The first two are enough if they agree, and every connection is described; otherwise the content decides.
     times = _times_of_index(file, info, record.end, limit)
     if times is None or not layout.describes(info.counts):

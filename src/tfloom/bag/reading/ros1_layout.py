@@ -84,7 +84,7 @@ class Ros1Layout:
     @property
     def topics(self) -> dict[str, Topic]:
         """The topics by name; each with the type of its first connection."""
-        # Each publisher of a topic has a connection of its own.
+        # Each publisher of a topic has its own connection.
         topics: dict[str, Topic] = {}
         for number, connection in self._connections.items():
             text = connection.definition

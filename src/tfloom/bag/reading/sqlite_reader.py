@@ -133,7 +133,7 @@ class SqliteFile(StoredMessages):
                 self._warn(f"{missing} messages aren't found by its index of times")
 
     def _early_count(self, topics: Collection[int]) -> int:
-        """Return how many messages of topics are left out because of their times; a warning has told of them."""
+        """Return how many messages of topics are left out because of their times; a warning has reported them."""
         return sum(count for key, count in self._early.items() if key in topics)
 
     def _warn(self, reason: str) -> None:
@@ -196,7 +196,7 @@ def _opened(path: Path, mode: str) -> Iterator[sqlite3.Connection]:
 
 
 def _tables(database: sqlite3.Connection) -> set[str]:
-    """Return the tables that have rows of their own.
+    """Return the tables that have their own rows.
 
     Views and virtual tables have none, and their evaluation may take any time and memory.
     """

@@ -1,4 +1,4 @@
-"""What storages share whose messages are read one by one: their decompression, and the transforms in them."""
+"""Shared by storages that read one message at a time: their decompression, and the transforms in them."""
 
 from __future__ import annotations
 

@@ -35,7 +35,9 @@ def open_storage_file(
         return SqliteFile(path, topics, settings, metadata)
     except FileExistsError:  # not ours
         raise
-    except BaseException:  # without its beginning it is not a file of the storage, and in the way of another try
+    except (
+        BaseException
+    ):  # without its beginning it is not a file of the storage, and in the way of another try
         for suffix in ("", "-wal", "-shm"):
             path.with_name(path.name + suffix).unlink(missing_ok=True)
         raise

@@ -33,7 +33,7 @@ class TopicTable:
         """Add a topic, and return its number.
 
         Raises:
-            ValueError: there are as many as can be told apart.
+            ValueError: the format's limit on topics is reached.
         """
         with self._lock:
             number = len(self._topics) + 1

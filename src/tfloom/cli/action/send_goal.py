@@ -59,7 +59,7 @@ def main(args: argparse.Namespace) -> int:
         if not client.send(goal):
             print("Goal was rejected.")
             return 1
-        try:  # from here on, because who reads that the goal is accepted may press Ctrl-C at once
+        try:  # from here on, because a user who reads that the goal is accepted may press Ctrl-C at once
             print(f"Goal accepted with ID: {key_of(client.goal_id).hex()}\n")
             response = client.result()
         except KeyboardInterrupt:

@@ -1,4 +1,4 @@
-"""`ros2cli.cli`: the command line as a function, for programs that run it or a command of their own."""
+"""`ros2cli.cli`: the command line as a function, for programs that run it or their own command."""
 
 from __future__ import annotations
 

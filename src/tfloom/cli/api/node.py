@@ -85,7 +85,7 @@ def get_node_names(*, node: GraphNode, include_hidden_nodes: bool = False) -> li
 def get_topics(
     remote_node_name: str, func: Callable[[str, str], list[tuple[str, list[str]]]]
 ) -> list[TopicInfo]:
-    """Return what a query of the graph tells of a node.
+    """Return what the graph has of a node.
 
     Args:
         remote_node_name: The node's name.

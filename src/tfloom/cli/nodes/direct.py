@@ -31,7 +31,7 @@ class DirectNode(Node):
     """A node that is created with its context, and destroyed with it at the end of a `with`.
 
     The constructor returns when discovery is complete. If the default context is in use already, as in a program that
-    has nodes of its own, the node joins it, and leaves it running.
+    has its own nodes, the node joins it, and leaves it running.
 
     Args:
         args: What the command line said; its optional attributes `spin_time` (longest time of discovery [s]),

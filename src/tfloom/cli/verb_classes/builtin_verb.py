@@ -1,4 +1,4 @@
-"""The base class of the verbs that `ros2` has of its own, for programs that run them or derive from them."""
+"""The base class of `ros2`'s own verbs, for programs that run them or derive from them."""
 
 from __future__ import annotations
 

@@ -67,7 +67,7 @@ class ROSTopicHz(_Measurement):
         return self._arrivals.setdefault(topic, _Arrivals(self.window_size))
 
     def get_last_printed_tn(self, topic: str | None = None) -> int:
-        """Return the newest arrival that `get_hz` has told of [ns]; 0 without one."""
+        """Return the newest arrival that `get_hz` has reported [ns]; 0 without one."""
         with self.lock:
             return self._of(topic).last_printed_ns
 

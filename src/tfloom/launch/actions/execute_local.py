@@ -67,7 +67,7 @@ class ExecuteLocal(Action):
         sigkill_timeout: Time between SIGTERM and SIGKILL [s].
         emulate_tty: Whether its stdout and stderr are terminals, so that it writes colors, and each line at once. The
             launch configuration `emulate_tty` overrides it, as in `ros2 launch … emulate_tty:=true`.
-        output: Where its output goes: "screen", "log" (and stderr on the screen), "both", "own_log" (files of its own),
+        output: Where its output goes: "screen", "log" (and stderr on the screen), "both", "own_log" (its own files),
             "full" (all of them), or a dictionary from "stdout", "stderr", "both" to sets of "screen", "log", "own_log".
             The environment variable OVERRIDE_LAUNCH_PROCESS_OUTPUT overrides it.
         output_format: Format of each line on the screen and in the log, of `line` and `this`, the action.
@@ -214,8 +214,8 @@ class ExecuteLocal(Action):
 
         Raises:
             RuntimeError: it was executed before, or no launch runs.
-            ValueError: `output` is not an output, a timeout is not a number, or the configuration `emulate_tty` neither true nor
-                false.
+            ValueError: `output` is not an output, a timeout is not a number, or the configuration `emulate_tty`
+                is neither true nor false.
         """
         self.prepare(context)
         name = str(self._process_description.final_name)

@@ -1,4 +1,4 @@
-"""Group actions, in a scope of their own."""
+"""Group actions, in their own scope."""
 
 from __future__ import annotations
 

@@ -4,7 +4,7 @@ r"""The substitutions in a text: `$(name argument 'quoted argument' $(nested arg
     substitution: "$(" name (spaces argument)* spaces? ")"
     argument:     (text | substitution)+ | "'" template "'" | '"' template '"'
 
-A backslash before any character stands for this character alone: `\$(` is not a substitution, and `\'` ends no quotation.
+A backslash before any character stands for this character alone: `\$(` is not a substitution, `\'` ends no quotation.
 Text in an argument without quotation marks has no spaces, parentheses and quotation marks, unless a backslash is before
 a parenthesis or quotation mark. Between quotation marks there may be substitutions too; their arguments are not quoted
 again, because the other kind of quotation marks is plain text there.

@@ -50,7 +50,7 @@ class Guard:
 
     def _start_guardian(self) -> None:
         # The guardian must outlive the launch. Its stdin is a pipe whose other end no other process inherits, so it
-        # reads the end of the pipe when the launch has ended, also by SIGKILL. A session of its own keeps Ctrl-C of the
+        # reads the end of the pipe when the launch has ended, also by SIGKILL. A separate session keeps Ctrl-C of the
         # terminal from it. Its environment names no launch, because an outer one ends all processes with its id.
         #
         # A frozen program has no Python that could run the guardian: its executable is the program itself.
@@ -80,7 +80,7 @@ class Guard:
 
     def ended(self, pid: int) -> None:
         """Note that a process that was added has ended: its group is kept only for those that it has left there."""
-        # Whoever is left in the group proves later that it is still the same one: see `Groups`.
+        # A process that is left in the group proves later that it is still the same one: see `Groups`.
         members = members_of(pid)
         if members:
             self._groups[pid] = members

@@ -19,7 +19,7 @@ def main(arguments: list[str]) -> int:
     process has left there, each as id and start with a colon between; or `remove` and the path of a folder in
     hexadecimal digits.
     """
-    # Who ends the launch by a signal may send it to all processes of the user. The guardian is needed after that.
+    # A user who ends the launch by a signal may send it to all of their processes. The guardian is needed after that.
     for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT"):
         if hasattr(signal, name):
             signal.signal(getattr(signal, name), signal.SIG_IGN)

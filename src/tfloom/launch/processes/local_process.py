@@ -39,7 +39,7 @@ OUTPUT_S = 0.5
 class LocalProcess:
     """A process that was started. Use `start`.
 
-    It leads a process group of its own, so that a signal reaches what it has started, and Ctrl-C on a terminal reaches
+    It leads its own process group, so that a signal reaches what it has started, and Ctrl-C on a terminal reaches
     the launch alone, which passes it on once.
     """
 

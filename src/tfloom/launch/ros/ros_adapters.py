@@ -21,7 +21,7 @@ _KEY = "ros_adapter"
 
 
 class ROSAdapter:
-    """A node that a thread of its own spins.
+    """A node that a separate thread spins.
 
     Args:
         argv: ROS arguments of the node's context; None: those of the command line.

@@ -24,7 +24,8 @@ def substitutions_error(what: str, value: object) -> TypeError | None:
         return None
     meant = f": write {str(value)!r}" if isinstance(value, (int, float)) else ""
     return TypeError(
-        f"{what}: '{value}' of type '{type(value).__name__}' is neither a text nor a Substitution nor a list of them{meant}"
+        f"{what}: '{value}' of type '{type(value).__name__}' is neither a text nor a Substitution "
+        f"nor a list of them{meant}"
     )
 
 

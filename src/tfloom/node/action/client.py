@@ -259,7 +259,7 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
             raise TypeError(f"send_goal_async() needs a feedback callback, {not_callable(feedback_callback)}")
         goal_id = new_goal_id() if goal_uuid is None else goal_uuid
         key = key_of(goal_id)
-        # All is registered before the request is sent: the goal's feedback and state are on topics of their own, and
+        # All is registered before the request is sent: the goal's feedback and state are on their own topics, and
         # may be received before the response.
         # Only a feedback callback is kept until its goal ends: its servers are noted, so that it ends if they leave.
         if feedback_callback is not None:

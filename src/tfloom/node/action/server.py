@@ -318,7 +318,7 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
     ) -> CancelGoal_Response | ResponseFirst:
         goals = self._goals_to_cancel(request)
         key = key_of(request.goal_info.goal_id)
-        # A request for one goal by its id alone has a code of its own for a goal that can't be cancelled. One for a
+        # A request for one goal by its id alone has its own code for a goal that can't be cancelled. One for a
         # time, or for all goals, is answered by an empty list.
         if not goals and key != _NO_ID and not _stamp_ns(request.goal_info):
             is_known = key in self._goal_handles

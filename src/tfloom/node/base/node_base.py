@@ -112,7 +112,7 @@ class _RclpyName:
         return self if instance is None else self._read(instance)
 
 
-# Private names are mangled, because programs derive from Node and choose names of their own.
+# Private names are mangled, because programs derive from Node and choose their own names.
 class NodeBase:
     """A node without built-in services.
 

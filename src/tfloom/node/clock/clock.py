@@ -110,7 +110,7 @@ class Clock(ReadableClock):
         """Call callbacks before and after each jump that passes `threshold`.
 
         They are called on the thread that sets the clock. Only simulated time jumps, because the operating system
-        reports no changes of its own clock.
+        reports no changes of its clock.
 
         Returns:
             The handle; its `unregister` removes the callbacks.

@@ -187,7 +187,7 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         may not spin. With a limit, the wait for a response that can't arrive takes as long as for one that may.
         """
         is_ended = False
-        # Each thread that waits has a queue of its own, which no other `call` uses meanwhile. `pop` is one operation,
+        # Each thread that waits has its own queue, which no other `call` uses meanwhile. `pop` is one operation,
         # so two threads never get the same queue.
         try:
             queue = self._queues.pop()

@@ -44,7 +44,7 @@ NESTED_HINT_NS = 1_000_000_000
 """How long a callback that spins may keep others of its group from running before a hint is logged [ns]."""
 NESTED_HINT = (
     "A callback spins, and others that are ready can't run before it returns, because they are in its callback "
-    "group. Await the future in an async callback, or give one of them a callback group of its own"
+    "group. Await the future in an async callback, or give one of them its own callback group"
 )
 ENDLESS_HINT_NS = 5_000_000_000
 """How long a callback may spin without a limit, and without anything to run, before a hint is logged [ns]."""
@@ -482,7 +482,7 @@ class Executor(OfferedWork):
     def _own_spin_once(self, future: Future[Any]) -> Callable[[float | None], None] | None:
         """Return how the class of a program spins once, for at most some seconds; None if it leaves that to this class.
 
-        Its callbacks may run on threads of its own, and may wait there for what this thread receives.
+        Its callbacks may run on its own threads, and may wait there for what this thread receives.
         """
         own_class = type(self)
         if own_class.spin_once_until_future_complete is not Executor.spin_once_until_future_complete:
@@ -681,8 +681,8 @@ def _is_blocked_by_group(entity: Entity) -> bool:
     group = entity.callback_group
     if not isinstance(group, MutuallyExclusiveCallbackGroup) or not group.has_parked(entity):
         return False
-    # An entity is looked at again after each of its callbacks, and some when they are attached: that alone is not a sign
-    # of more to run.
+    # An entity is looked at again after each of its callbacks, and some when they are attached: that alone is
+    # not a sign of more to run.
     if entity.posts_when_attached or group.is_running(entity) or group.can_execute(entity):
         return False
     return not entity.is_timed or entity.deadline_ns() is not None

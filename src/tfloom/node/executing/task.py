@@ -238,7 +238,7 @@ class Task(Future[T]):
             waits_for.when_complete(self._notify_runnable)
         elif (
             not self._done and not self._cancelled
-        ):  # it awaits what is not a future of ours, and can't be told of its end
+        ):  # it awaits what is not a future of ours, and can't be notified of its end
             self._notify_runnable()
 
     def on_resume(self, resume: Callable[[], None]) -> None:

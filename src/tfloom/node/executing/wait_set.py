@@ -105,7 +105,7 @@ class WaitSet:
         return [item for kind in KINDS for item in self._waited[kind]]
 
     def wait(self, timeout_nsec: int) -> None:
-        """Wait until an item is ready; a program that has a wait set of its own calls this.
+        """Wait until an item is ready; a program that has its own wait set calls this.
 
         Args:
             timeout_nsec: The longest wait [ns]; negative: no limit.

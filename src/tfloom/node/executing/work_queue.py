@@ -56,7 +56,7 @@ class WorkQueue:
 
     def __init__(self) -> None:
         self._queue = ReadyQueue()
-        """Queue of the tokens that entities, tasks and `wake` post, on any thread; it has a lock of its own."""
+        """Queue of the tokens that entities, tasks and `wake` post, on any thread; it has its own lock."""
         self._lock = threading.RLock()
         """Guards the registration of entities: `_entities`, `_tokens`, `_polled`."""
         self._entities: dict[int, Entity] = {}

@@ -18,10 +18,10 @@ _filters_of_all = FilterTable()
 
 
 class RcutilsLogger:
-    """Logs records under a name. Without a level of its own it has that of the nearest name above it, up to the root.
+    """Logs records under a name. Without its own level it has that of the nearest name above it, up to the root.
 
     Each of `debug`, `info`, `warning`, `error` and `fatal` takes these options, which belong to the place of the
-    call and to the name, also where each call fetches a logger of its own, as by `get_child`:
+    call and to the name, also where each call fetches its own logger, as by `get_child`:
 
     - `once=True`: only the first call is logged;
     - `skip_first=True`: all but the first;
@@ -31,7 +31,7 @@ class RcutilsLogger:
     Args:
         name: Names of nested loggers are joined by dots.
         filters: What is remembered of the calls with options, by this logger and others; None: by all loggers that are
-            of no node. A node has a table of its own, so that the next one of its name begins anew.
+            of no node. A node has its own table, so that the next one of its name begins anew.
     """
 
     def __init__(self, name: str = "", filters: FilterTable | None = None) -> None:

@@ -166,7 +166,9 @@ def look_up_peers() -> None:
         try:
             socket.getaddrinfo(host, int(port), socket.AF_INET)
         except (OSError, ValueError, OverflowError) as error:
-            raise ConfigurationError(f"ROS_STATIC_PEERS names {peer!r}, which is not a host: {error}") from None
+            raise ConfigurationError(
+                f"ROS_STATIC_PEERS names {peer!r}, which is not a host: {error}"
+            ) from None
 
 
 def why_peers_are_ignored() -> str:

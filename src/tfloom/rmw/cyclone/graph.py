@@ -198,7 +198,7 @@ def _endpoint(announced: tuple[Any, ...], node: NodeName | None) -> _Endpoint:
     if name := topic_from_dds(dds_name):
         info = raw._replace(topic=topic._replace(name=name, type_name=type_name))
         return _Endpoint(announced, raw, info, None)
-    # A service counts once, by its topic of requests: who reads it is a server, who writes it a client.
+    # A service counts once, by its topic of requests: its reader is a server, its writer a client.
     service = service_from_request_topic(dds_name, type_name)
     service_end = (
         ServiceEndInfo(*service, node, is_server=not is_writer, gid=gid, qos=raw.qos) if service else None

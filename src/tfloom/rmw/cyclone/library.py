@@ -116,7 +116,7 @@ def open_library() -> Library:
 def open_copy() -> Library:
     """Open a copy of libddsc in memory, for a process that was forked while its parent used the library.
 
-    dlopen loads the copy as a library of its own. That one has neither the parent's participants nor locks that wait
+    dlopen loads the copy as its own library. That one has neither the parent's participants nor locks that wait
     for the parent's threads.
 
     Raises:

@@ -27,7 +27,7 @@ AGAIN_S = 0.3
 
 
 class AnnouncedTokens:
-    """What a router has, asked on a thread and by a session of its own.
+    """What a router has, asked on a thread and by a separate session.
 
     Args:
         open_client: Opens a `zenoh.Session` as a client of the router, or raises a ZError soon.

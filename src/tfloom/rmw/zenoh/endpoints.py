@@ -120,7 +120,7 @@ class ZenohEndpoint(ZenohEnd):
         if self._report_count > MAX_REPORTS:
             return
         if self._report_count == MAX_REPORTS:
-            text += f"; no more is told of others: `ros2 topic info -v {self.info.topic.name}` lists them"
+            text += f"; others are not reported: `ros2 topic info -v {self.info.topic.name}` lists them"
         report(f"tfloom: {text}")
 
     def _report_hashes(self, peer: Peer) -> None:
@@ -269,7 +269,7 @@ class ZenohWriter(ZenohEndpoint):
             raise WireError(f"cannot write to {self.info.topic.name}: {reason_of(error)}") from None
 
     def assert_liveliness(self) -> None:
-        """Assert that this writer is alive. On this wire other programs hear of it by samples alone.
+        """Assert that this writer is alive. On this wire other programs learn of it by samples alone.
 
         Raises:
             ClosedError: the writer has left its topic.

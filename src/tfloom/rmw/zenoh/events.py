@@ -17,7 +17,7 @@ __all__ = ["LostSamples", "Timers"]
 MAX_GAP = 64
 """How many missing samples of one writer are remembered, in case that they come late."""
 MAX_WRITERS = 1024
-"""How many writers are remembered that no token tells of."""
+"""How many writers are remembered that have no token."""
 MIN_PERIOD_S = 0.001
 """The least time between two calls of one check [s]: a deadline of a nanosecond costs no core."""
 _MIN_STALE = 64

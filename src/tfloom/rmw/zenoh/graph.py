@@ -51,7 +51,7 @@ class _Entity:
 
 
 class Watcher(Protocol):
-    """An own endpoint, which is told of its topic's other endpoints.
+    """An own endpoint, which is notified of its topic's other endpoints.
 
     `add_peer` and `remove_peer` are called with the graph's lock held, so they take their own lock and post, no more.
     """
@@ -105,7 +105,7 @@ class ZenohGraph:
 
     def _on_token(self, sample: Any) -> None:
         key = str(sample.key_expr)
-        # The own tokens are known by `add_own`. Zenoh tells of their end, too, when a client loses its router.
+        # The own tokens are known by `add_own`. Zenoh reports their end, too, when a client loses its router.
         if key.startswith(self._own_prefix):
             return
         if sample.kind == self._put:
@@ -314,7 +314,7 @@ def _report_overflow() -> None:
 def _on_wire(topic: Topic) -> Topic:
     try:
         return topic._replace(type_name=type_to_dds(topic.type_name))
-    except ValueError:  # another program's, in a form of its own
+    except ValueError:  # another program's, in its own form
         return topic
 
 

@@ -1,4 +1,4 @@
-"""Why a link to a router can't be made, which Zenoh keeps to itself: found out by a connection of our own."""
+"""Why a link to a router can't be made, which Zenoh keeps to itself: found out by our own connection."""
 
 from __future__ import annotations
 

@@ -1,10 +1,10 @@
-"""The meeting point of one machine: a router inside one of its processes, where nobody has started one.
+"""The meeting point of one machine: a router inside one of its processes, where none is running.
 
-Two peers of Zenoh hear of each other by a router. So each session tries to open one at the port where all seek it; the
+Two peers of Zenoh discover each other through a router. So each session tries to open one at the agreed port; the
 kernel gives the port to one process. When that one ends, the others lose their link, and one of them has the port next.
-Peers have links of their own, so data that flows between them goes on meanwhile.
+Peers have their own links, so data that flows between them goes on meanwhile.
 
-A router in a process of its own takes precedence: when it starts and finds the port taken, it asks the sessions of this
+A router in a separate process takes precedence: when it starts and finds the port taken, it asks the sessions of this
 machine to give way. They answer, close their router, and leave the port alone for some seconds.
 
 A router that is linked to those of other machines takes the place of another one late, by `LINK_GAP_S`.
@@ -37,7 +37,7 @@ __all__ = ["MeetingPoint", "open_lone_router"]
 PERIOD_S = 0.2
 """How often a session looks whether it still has a router [s]."""
 NO_ANSWER_S = 3.0
-"""How long a silent router is tolerated before it is reported [s]: after a change of owner, sessions retry for a second."""
+"""How long a silent router is tolerated before it is reported [s]: after a change of owner, sessions retry for 1 s."""
 GIVE_WAY_S = 3.0
 """How long sessions leave the port alone after a router has asked for it [s]."""
 REPLY_S = 0.1
@@ -59,7 +59,7 @@ tokens, subscriptions and services, and nothing can ask for them. The rest is fo
 class MeetingPoint:
     """A session's part in the meeting point of the machine: it has the router, or takes over where nobody has it.
 
-    A thread of its own does so. The lock guards the router: opened by that thread or by the constructor, closed by
+    A separate thread does so. The lock guards the router: opened by that thread or by the constructor, closed by
     `close`.
 
     Raises:
@@ -124,7 +124,7 @@ class MeetingPoint:
             text = f"no answer from the router on {where}, held by a process that is stopped?"
         else:
             text = f"no answer from the router on {where}, held by {owner}"
-        report(f"tfloom: {text}: until it goes on or ends, new programs don't hear of each other")
+        report(f"tfloom: {text}: until it goes on or ends, new programs don't discover each other")
 
     def _open_router(self) -> None:
         config = meeting_point_configuration()
@@ -192,7 +192,7 @@ class MeetingPoint:
 
 
 def open_lone_router(config: Any) -> Any:
-    """Open a router for a process of its own; if a session of this machine has its port, take it over from that one.
+    """Open a router for a separate process; if a session of this machine has its port, take it over from that one.
 
     Args:
         config: A `zenoh.Config` with the mode `router`.

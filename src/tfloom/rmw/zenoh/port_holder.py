@@ -1,4 +1,4 @@
-"""Who holds a port of this machine, for the messages about a router that doesn't answer or can't be opened."""
+"""The process that holds a port of this machine, for messages about a router that doesn't answer or can't be opened."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""A router of the Zenoh wire: the point at which sessions meet, in a process of its own or inside the first session's.
+"""A router of the Zenoh wire: the point at which sessions meet, in a separate process or inside the first session's.
 
-`zenoh.open` with the mode `router` is a whole router; it has threads of its own, none of Python.
+`zenoh.open` with the mode `router` is a whole router; it has its own threads, none of Python.
 """
 
 from __future__ import annotations

@@ -149,7 +149,7 @@ class ZenohRequester(_ServiceEnd):
         """
         if self._is_awaiting_route or self._is_closed:
             return
-        if self._has_route():  # it may have come after the waiters were told of the server
+        if self._has_route():  # it may have come after the waiters were notified of the server
             self._post_ready()
             return
         self._is_awaiting_route = True
@@ -163,7 +163,7 @@ class ZenohRequester(_ServiceEnd):
 
     def _look_for_route(self, now_s: float, begun_s: float) -> float:
         """Post readiness if there is a route, or no server any more. Return when to look again [s]."""
-        # Before the look, so that a server that comes meanwhile is either seen by it or starts a timer of its own.
+        # Before the look, so that a server that comes meanwhile is either seen by it or starts its own timer.
         self._is_awaiting_route = False
         if self._is_closed or not self._servers or self._has_route():
             self._post_ready()
@@ -185,7 +185,7 @@ class ZenohRequester(_ServiceEnd):
     def _limit_wait_for(self, server: str) -> None:
         """End the wait for responses of a server that has left, after some time.
 
-        Zenoh tells of a request's end as soon as its servers have dropped it, or their links are lost. A program of
+        Zenoh reports a request's end as soon as its servers have dropped it, or their links are lost. A program of
         another kind may leave the graph and keep it.
         """
         end_s = time.monotonic() + MAX_WAIT_FOR_END_S

@@ -1,8 +1,8 @@
 """The keys of the Zenoh wire, in rmw_zenoh's form: of data, and of the liveliness tokens that make up the graph.
 
 `65/chatter/std_msgs::msg::dds_::String_/RIHS01_…` carries the samples of a topic, or the requests of a service.
-`@ros2_lv/<domain>/<zid>/<node>/<entity>/<kind>/<enclave>/<namespace>/<name>` tells of a node; four more chunks, the
-name, type, hash and quality of service, tell of an endpoint.
+`@ros2_lv/<domain>/<zid>/<node>/<entity>/<kind>/<enclave>/<namespace>/<name>` describes a node; four more chunks, the
+name, type, hash and quality of service, describe an endpoint.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ class TokenError(ValueError):
 
 
 class Kind(Enum):
-    """What a token tells of."""
+    """The kind of entity that a token describes."""
 
     NODE = "NN"
     PUBLISHER = "MP"

@@ -1,7 +1,7 @@
 """Synchronization of messages of several topics by their stamps, with message_filters' interface.
 
 Where simulated time jumps backward, as when a recording begins again, filters forget their messages, whose stamps are
-now in the future. A `Subscriber` hears of the jump from its node's clock, and tells the filters that its messages go
+now in the future. A `Subscriber` learns of the jump from its node's clock, and tells the filters that its messages go
 to; so filters need no node, and may be connected and removed at any time.
 """
 
@@ -101,7 +101,7 @@ class JumpBack:
         self._reached: set[int] = set()
 
     def reaches(self, filter_: SimpleFilter) -> bool:
-        """Return whether a filter hears of it for the first time: there may be several ways to it."""
+        """Return whether a filter learns of it for the first time: there may be several ways to it."""
         number = id(filter_)
         is_first = number not in self._reached
         self._reached.add(number)

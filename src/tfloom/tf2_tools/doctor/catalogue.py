@@ -316,7 +316,7 @@ _KINDS = (
         "TF601",
         _ERROR,
         "data in a frame that no transform holds",
-        "Whoever transforms the data gets: `… passed to lookupTransform argument source_frame does not exist`.",
+        "A program that transforms the data gets: `… passed to lookupTransform argument source_frame does not exist`.",
         "A frame's name in the driver's parameters that is not in the robot's description, or a missing static "
         "transform of the sensor.",
         "Set the driver's frame id to one of the tree's, or publish the sensor's mounting on /tf_static.",

@@ -1,6 +1,6 @@
 """Pictures as a PDF, a page each, with embedded fonts: shapes on the canvas of reportlab.
 
-The module `reportlab.graphics` has shapes of its own and draws them on the same canvas. It would not replace this file,
+The module `reportlab.graphics` has its own shapes and draws them on the same canvas. It would not replace this file,
 because our shapes would have to become those: the pictures are the same, the code is as long, and both import and
 drawing take longer. Our shapes stay, because those of reportlab have no SVG as is needed (see svg.py).
 """

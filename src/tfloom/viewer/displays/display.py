@@ -36,7 +36,7 @@ MAX_TEXT = 200
 
 
 MAX_COORDINATE_M = 1e12
-"""Least coordinate that is not drawn: pages compute with numbers of 32 bits [m]."""
+"""Coordinates at or above this are not drawn: pages compute with numbers of 32 bits [m]."""
 
 
 class Display(Protocol):

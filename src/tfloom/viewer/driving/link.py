@@ -46,7 +46,7 @@ MAX_LEFT_S = 5.0
 
 
 class Driving:
-    """Drives robots for pages, by a process of its own.
+    """Drives robots for pages, by a separate process.
 
     It is a thread where no other process can be: on the wire within one process, and in a frozen program, which has no
     Python. One thread calls `drive` and `forget`, any thread the others; they share queues, and a table that is
@@ -237,7 +237,7 @@ class _Process:
         self._close_pipes()
         self._process = None
         try:
-            # In a session of its own, because a robot has to be stopped also after Ctrl-C or Ctrl-Z on the terminal.
+            # In a separate session, because a robot has to be stopped also after Ctrl-C or Ctrl-Z on the terminal.
             self._process = subprocess.Popen(
                 self._command,
                 stdin=subprocess.PIPE,

@@ -1,4 +1,4 @@
-"""A driver in a process of its own, which nothing that a viewer draws, loads or reads can delay.
+"""A driver in a separate process, which nothing that a viewer draws, loads or reads can delay.
 
 Its stdin is a pipe whose other end only the viewer holds. When the viewer ends, however that was, the kernel closes it,
 and the robots are stopped. Each line is a command of JSON: a list with the fields of a `Wish`, or the name of a page
@@ -39,7 +39,7 @@ def main(arguments: list[str]) -> int:
         with closing(open_participant(int(arguments[0]))) as participant:
             participant.add_node(node)
             run_driver(Driver(participant, node, _refuse), commands)
-    except Exception as error:  # nobody else would hear of it
+    except Exception as error:  # nothing else would report it
         _refuse("", f"nobody can drive: {error}")
         return 1
     return 0

@@ -73,7 +73,7 @@ class _Open(NamedTuple):
 
 
 class Sending:
-    """Does what forms of pages ask for, on a thread of its own.
+    """Does what forms of pages ask for, on a separate thread.
 
     Args:
         participant: The participant that writes and asks.

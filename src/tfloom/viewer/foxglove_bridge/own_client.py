@@ -43,7 +43,7 @@ CLOSE_S = 1.0
 
 
 class OwnClient:
-    """A client of the bridge's server, which reads on a thread of its own, and connects again where that fails.
+    """A client of the bridge's server, which reads on a separate thread, and connects again where that fails.
 
     Args:
         server: The bridge's server.

@@ -13,7 +13,7 @@ from tfloom.viewer.access import is_loopback
 __all__ = ["main"]
 
 NEEDED = {"foxglove": "foxglove-sdk", "websockets": "websockets"}
-OPEN_TO_ALL = "Whoever reaches this address can see what is published here, and can drive robots."
+OPEN_TO_ALL = "Anyone who reaches this address can see what is published here, and can drive robots."
 
 
 def main(args: list[str] | None = None) -> int:

@@ -55,7 +55,7 @@ def listen(host: str, port: int) -> socket.socket:
 
 
 class Relay:
-    """Lets clients through to the SDK's port, on a thread of its own, until `close`.
+    """Lets clients through to the SDK's port, on a separate thread, until `close`.
 
     Of a connection, only the request that opens a WebSocket is read. All that comes after is passed as it is, both
     ways. While one side takes nothing, nothing is read from the other, so that a client that takes nothing costs no

@@ -107,7 +107,7 @@ class _TolerantJob:
         if warnings and self._job.task.TASK_NAME == "build":
             self._job.task = _WarnedTask(self._job.task, "\n".join(warnings))
         # The failure of a package that tfloom can't build must not stop those that depend on it, which are built all
-        # the same. The package is noted, so that they tell of it, and so that the whole run still fails at the end.
+        # the same. The package is noted, so that they report it, and so that the whole run still fails at the end.
         code = await self._job()
         if code and code != SIGINT_RESULT and self._job.task_context.pkg.type in {READ_TYPE, BROKEN_TYPE}:
             self._failed.add(self.identifier)

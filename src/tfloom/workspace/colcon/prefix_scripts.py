@@ -19,7 +19,7 @@ class QuotedPython(ShellExtensionPoint):
     """Quotes Python's path in `local_setup.sh` and `local_setup.bash`.
 
     colcon's own scripts run it unquoted, so that in an environment under `/home/me/my robots` they end with
-    "/home/me/my: No such file or directory". This is not a shell of its own: it runs after those that write the scripts.
+    "/home/me/my: No such file or directory". This is not another shell: it runs after those that write the scripts.
     """
 
     PRIORITY = 10  # below those of all shells

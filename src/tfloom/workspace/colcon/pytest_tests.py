@@ -29,7 +29,7 @@ _MISSING = """\
 
 
 async def run_pytest_tests(context: Any, tests: Sequence[PytestTest]) -> int:
-    """Run tests, each by a pytest of its own; `colcon test-result` finds the results.
+    """Run tests, each by a separate pytest; `colcon test-result` finds the results.
 
     Args:
         context: That of the task.

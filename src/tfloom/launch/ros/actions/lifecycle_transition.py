@@ -135,7 +135,7 @@ class _Sequence:
 
     def _request_next(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         # The transition that was requested has ended: in its goal state, in another one, or in error processing, which
-        # is a transition of its own and ends later. Only a success leads to the next request.
+        # is another transition and ends later. Only a success leads to the next request.
         event = context.locals.event
         succeeded = (event.start_state, event.goal_state) == tuple(self._target.values())
         if not succeeded and event.goal_state == "errorprocessing":

@@ -1,4 +1,4 @@
-"""A node that is spun on a thread of its own, so that a test need not."""
+"""A node that is spun on a separate thread, so that a test need not."""
 
 from __future__ import annotations
 

@@ -23,7 +23,7 @@ class WaitForTopics:
     """Waits for at least one message on each of some topics.
 
     As a context manager it waits at the beginning of the block, and ends at its end; otherwise call `wait` and
-    `shutdown`. It has a context and a node of its own, in the domain of ROS_DOMAIN_ID.
+    `shutdown`. It has its own context and node, in the domain of ROS_DOMAIN_ID.
 
     Args:
         topic_tuples: A topic's name and its message class, for each topic.
