@@ -227,7 +227,7 @@ def test_configurations_of_storages(tmp_path: Path) -> None:
         path.write_text(text_)
         with pytest.raises(BagError, match=reason):
             storage_settings("mcap", "", str(path))
-    with pytest.raises(BagError, match="'fastwrite' is no preset of sqlite3: none, resilient"):
+    with pytest.raises(BagError, match="'fastwrite' is not a preset of sqlite3: none, resilient"):
         storage_settings("sqlite3", "fastwrite")
 
 

@@ -153,7 +153,7 @@ def test_topics_are_chosen_and_renamed(bag: Bag, listener: Listener, local_conte
     listener.wait_until(lambda: len(received) == 50)
     assert [message.transforms[0].header.stamp.sec for message in received] == list(range(1, 100, 2))
     assert listener.texts == []
-    with pytest.raises(ValueError, match="'a' is no remap: old_topic:=new_topic"):
+    with pytest.raises(ValueError, match="'a' is not a remap: old_topic:=new_topic"):
         parse_remaps(["a"])
 
 

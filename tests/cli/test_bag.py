@@ -140,7 +140,7 @@ MISTAKES: list[tuple[tuple[str, ...], str]] = [
     (("record", "-a", "-s", "sqlite3", "--storage-preset-profile", "fastwrite"), "a preset of mcap"),
     (("record", "-a", "--storage-preset-profile", "resilient"), "a preset of sqlite3"),
     (("play", "b1", "-r", "0"), "must be a number greater than zero, not '0'"),
-    (("play", "b1", "-m", "a"), "'a' is no remap"),
+    (("play", "b1", "-m", "a"), "'a' is not a remap"),
     (("convert", "-i", "b1", "-o", "none.yaml"), "none.yaml: it can't be read: No such file"),
     (("convert", "-i", "b1", "-o", "empty.yaml"), 'must have the key "output_bags"'),
     (("convert", "-i", "b1", "odd", "-o", "empty.yaml"), "Unknown storage 'odd'; known are sqlite3, mcap"),

@@ -62,7 +62,7 @@ def test_components_are_loaded_listed_and_unloaded(container: Program) -> None:
         (("list", "/a_containe"), "Unable to find container node '/a_containe'\ndid you mean /a_container?"),
         (
             ("load", "/a_container", "mine", "Talker", "-p", "rate"),
-            "'rate' is no parameter: write name:=value",
+            "'rate' is not a parameter: write name:=value",
         ),
     ],
 )

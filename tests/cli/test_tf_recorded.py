@@ -53,7 +53,7 @@ def test_a_lookup_in_a_bag_is_explained(run_tf: Run, bag: Path) -> None:
     code, text = run_tf("explain", "map", "lidar", "--bag", bag, "--at", "-0.2")
     assert (code, "(0.200 s ago) succeeds" in text) == (0, True)
     late = run_tf("explain", "map", "lidar", "--bag", bag, "--at", "+9000000000")
-    assert late == (2, "argument --at: is no time, because it is beyond the year 2262")
+    assert late == (2, "argument --at: is not a time, because it is beyond the year 2262")
 
 
 def test_a_bag_that_is_none(run_tf: Run, tmp_path: Path) -> None:

@@ -214,7 +214,7 @@ def test_a_format_applies_to_loggers_that_are_there(capsys: pytest.CaptureFixtur
 
 
 def test_a_style_that_does_not_exist_or_is_that_of_a_default_is_refused() -> None:
-    with pytest.raises(ValueError, match=r"'\?' is no style of formats: use one of \{ % "):
+    with pytest.raises(ValueError, match=r"'\?' is not a style of formats: use one of \{ % "):
         launch_config.set_screen_format("{msg}", screen_style="?")
     with pytest.raises(ValueError, match="a style can't be set for the format 'default'"):
         launch_config.set_screen_format("default", screen_style="{")

@@ -120,7 +120,7 @@ def test_last_value_takes_precedence_and_a_node_can_be_named() -> None:
         (["-r", "{node}:=a"], "a rule has no substitutions"),
         (["-r", "a:=b__c"], "a rule has no"),
         (["-r", "__node:=b__c"], "a rule has no"),
-        (["--log-level", "loud"], "'loud' is no level; known are unset, debug"),
+        (["--log-level", "loud"], "'loud' is not a level; known are unset, debug"),
         (["--params-file", "/no/such/file"], "No such file"),
         (["--log-file-name", "a/b"], "without a directory"),
         (["-e", "robot"], "enclave must be absolute"),

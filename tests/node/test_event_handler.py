@@ -215,7 +215,7 @@ def test_handler_accepts_rclpys_event_type_and_a_handle(
     spin_until(lambda: statuses)
     assert statuses[0].current_count == 1
     node.remove_waitable(handler)
-    with pytest.raises(ValueError, match="is no waitable of this node"):
+    with pytest.raises(ValueError, match="is not a waitable of this node"):
         node.remove_waitable(handler)
     assert handler.event_type is QoSPublisherEventType.RCL_PUBLISHER_MATCHED
 

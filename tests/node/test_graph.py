@@ -102,5 +102,5 @@ def test_endpoint_info_can_be_constructed() -> None:
     assert len({mine, mine}) == 1
     assert (mine.topic_type, mine.topic_type_hash.version) == ("", -1)
     assert "Endpoint type: PUBLISHER" in str(mine)
-    with pytest.raises(TypeError, match="'node' is no property of an endpoint; known are endpoint_gid, "):
+    with pytest.raises(TypeError, match="'node' is not a property of an endpoint; known are endpoint_gid, "):
         TopicEndpointInfo(node="talker")

@@ -248,7 +248,7 @@ def test_wait_set_rejects_unknown_items(node: Node) -> None:
     wait_set = _rclpy.WaitSet()
     with pytest.raises(TypeError, match="a wait set can't wait for 'x'"):
         wait_set.add_subscription("x")
-    with pytest.raises(ValueError, match="'topic' is no kind of entity; known are subscription, guard_"):
+    with pytest.raises(ValueError, match="'topic' is not a kind of entity; known are subscription, guard_"):
         wait_set.is_ready("topic", 0)
     with pytest.raises(IndexError, match="there is no timer 0 in the wait set"):
         wait_set.is_ready("timer", 0)

@@ -201,7 +201,7 @@ def test_overrides_come_last_and_wrong_ones_are_reported(
 @pytest.mark.parametrize(
     ("content", "text"),
     [
-        (b"{mode:", "is no configuration of Zenoh: "),
+        (b"{mode:", "is not a configuration of Zenoh: "),
         (
             b'{mode: "blah"}',
             "unknown variant `blah`, expected one of `router`, `peer`, `client` (line 1, column 8)",

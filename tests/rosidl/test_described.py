@@ -202,12 +202,12 @@ def test_hashes_that_do_not_cover_a_type_are_an_error() -> None:
             [individual("my_msgs/msg/A", **{"a\nfloat64 b": (FLOAT64, 0, "")})],
             "can't be written as a definition",
         ),
-        ([individual("my_msgs/msg/A", **{"a=1": (FLOAT64, 0, "")})], "is no definition"),
-        ([individual("my_msgs/msg/A", Upper=(FLOAT64, 0, ""))], "is no definition"),
+        ([individual("my_msgs/msg/A", **{"a=1": (FLOAT64, 0, "")})], "is not a definition"),
+        ([individual("my_msgs/msg/A", Upper=(FLOAT64, 0, ""))], "is not a definition"),
         ([individual("my_msgs/msg/A"), individual("my_msgs/msg/A")], "my_msgs/msg/A is described twice"),
         (
             [individual("my_msgs/msg/A", a=(1, 0, "")), individual("", x=(FLOAT64, 0, ""))],
-            "is no type's name|is no definition",  # whichever of the two is looked at first
+            "is not a type's name|is not a definition",  # whichever of the two is looked at first
         ),
         ([individual(f"my_msgs/msg/A{i}") for i in range(MAX_TYPES + 1)], f"more than {MAX_TYPES}"),
         (

@@ -165,7 +165,7 @@ def test_folder_with_what_cannot_be_loaded(tmp_path: Path) -> None:
         f"  my_msgs/msg/Bytes: {home}/Bytes.msg:1:1: octet 0xff isn't UTF-8 text",
         f"  my_msgs/msg/Folder: [Errno 21] Is a directory: '{home}/Folder.msg'",
         f"  my_msgs/msg/Uses: {broken}",
-        "  my_msgs/msg/bad_name: 'bad_name' is no interface name: letters and digits, the first a capital",
+        "  my_msgs/msg/bad_name: 'bad_name' is not an interface name: letters and digits, the first a capital",
     ]
     assert warned[0].filename == __file__
     for name in ("Broken", "Uses"):

@@ -188,7 +188,7 @@ def in_struct(member: str) -> str:
         (in_struct("wchar a;"), "5:7", "tfloom has no fields of IDL's type 'wchar': use uint16"),
         (in_struct("p::Point a;"), "5:10", "a message is written 'package::msg::Name', not 'p::Point'"),
         (in_struct("@default (value=300) uint8 a;"), "5:28", "300 is outside uint8's range [0, 255]"),
-        (in_struct('@default (value="x") uint8 a;'), "5:28", "'x' is no value of the type 'uint8'"),
+        (in_struct('@default (value="x") uint8 a;'), "5:28", "'x' is not a value of the type 'uint8'"),
         (in_struct('@default (value="(1, 2)") d3 a;'), "5:30", "float64[3] takes 3 values, got 2"),
         (in_struct('@default (value="f()") d3 a;'), "5:27", "the default of 'float64[3]' is written \"(1, 2)\""),
         (in_struct("@default (value=1) q::msg::B a;"), "5:30", "a field of type 'q/msg/B' takes no default"),

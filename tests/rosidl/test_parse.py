@@ -44,8 +44,8 @@ def test_types_are_parsed(text: str, type_: spec.Type) -> None:
         ("int33", "'int33' is neither a primitive type nor a message's name"),
         ("float64[0]", "'float64[0]': the length must be 1 or more"),
         ("float64[<=0]", "'float64[<=0]': the length must be 1 or more"),
-        ("float64[-1]", "'float64[-1]' is no type"),
-        ("float64[", "'float64[' is no type"),
+        ("float64[-1]", "'float64[-1]' is not a type"),
+        ("float64[", "'float64[' is not a type"),
         ("float64<=5", "only strings have a bound of characters, 'float64' has none"),
         ("string<=0", "'string<=0': the bound must be 1 or more"),
         ("a/b/c/D", "'a/b/c/D' is neither a primitive type nor a message's name"),
@@ -63,10 +63,10 @@ def test_invalid_types_are_rejected(text: str, reason: str) -> None:
     [
         ("int32 a\nint32", "2:6: 'int32' is not followed by a name"),
         ("\n  foo bar", "2:3: 'foo' is neither a primitive type nor a message's name"),
-        ("int32 A", "1:7: 'A' is no field name: lower case letters, digits and single underscores"),
-        ("int32 a__b", "1:7: 'a__b' is no field name: lower case letters, digits and single underscores"),
-        ("int32 a_", "1:7: 'a_' is no field name: lower case letters, digits and single underscores"),
-        ("int32 a=5", "1:7: 'a' is no constant's name: upper case letters, digits and underscores"),
+        ("int32 A", "1:7: 'A' is not a field name: lower case letters, digits and single underscores"),
+        ("int32 a__b", "1:7: 'a__b' is not a field name: lower case letters, digits and single underscores"),
+        ("int32 a_", "1:7: 'a_' is not a field name: lower case letters, digits and single underscores"),
+        ("int32 a=5", "1:7: 'a' is not a constant's name: upper case letters, digits and underscores"),
         ("int32[2] A=5", "1:1: a constant has a plain primitive type, not 'int32[2]'"),
         ("int8 A=300", "1:8: 300 is outside int8's range [-128, 127]"),
         ("int8 A = ", "1:9: expected an integer, got nothing"),
@@ -114,7 +114,7 @@ def test_parts_of_services_and_actions_are_parsed() -> None:
     "name", ["A", "my_msgs/msg/a", "my_msgs/idl/A", "My/msg/A", "my_msgs/msg/A_B", "a__b/msg/A"]
 )
 def test_invalid_names_are_rejected(name: str) -> None:
-    with pytest.raises(ValueError, match="is no interface name"):
+    with pytest.raises(ValueError, match="is not an interface name"):
         parse_interface("", name)
 
 

@@ -66,7 +66,7 @@ WRONG_PATHS: list[tuple[type[Any], str, str]] = [
     (LaserScan, "ranges", "needs an index, as ranges"),
     (LaserScan, "header", "is a message: choose one of its fields, stamp, frame_id"),
     (LaserScan, "header.frame_id", "is a text"),
-    (LaserScan, "scan_time[0]", "is no array"),
+    (LaserScan, "scan_time[0]", "is not an array"),
     (LaserScan, "scan_time.x", "scan_time is a value"),
     (LaserScan, "ranges[-1]", "not a path"),
     (LaserScan, "ranges[1][2]", "not a path"),

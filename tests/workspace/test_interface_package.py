@@ -261,7 +261,7 @@ def test_each_mistake_is_named(source: Path, prefix: Path) -> None:
     assert errors_of(source, prefix, ["msg/Bad.msg", "msg/bad_name.msg", "srv/Bad.srv", "msg/Latin.msg"]) == [
         "msg/Bad.msg:1:1: 'int33' is neither a primitive type nor a message's name",
         "msg/Latin.msg:1:3: octet 0xe9 isn't UTF-8 text",
-        "msg/bad_name.msg: 'bad_name' is no interface name: letters and digits, the first a capital",
+        "msg/bad_name.msg: 'bad_name' is not an interface name: letters and digits, the first a capital",
         "srv/Bad.srv:2:1: the definition has 1 of its 2 parts, divided by '---'",
     ]
 

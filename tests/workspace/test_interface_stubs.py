@@ -98,7 +98,7 @@ def test_what_is_broken_is_named_and_the_rest_is_written(prefix: Path, tmp_path:
         f"my_interfaces/msg/Broken is left out: {broken}:2:1: 'int33' is neither a primitive type nor a message's name",
         (
             "my_interfaces/msg/bad_name is left out: "
-            "'bad_name' is no interface name: letters and digits, the first a capital"
+            "'bad_name' is not an interface name: letters and digits, the first a capital"
         ),
     ]
     assert "class Sphere" in (tmp_path / "typings" / "my_interfaces" / "msg" / "__init__.pyi").read_text(

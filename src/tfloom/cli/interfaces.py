@@ -196,7 +196,7 @@ def _in_field(filler: Filler) -> str:
 
 
 def _tight_colon(error: Exception) -> str:
-    """Return a line on the space that YAML wants after a colon, if a text with a colon is not a field, or not fields."""
+    """Return a line on the space that YAML wants after a colon, if a text with one is not a field, or not fields."""
     if isinstance(error, AttributeError):
         return _missing_space(error.name)
     in_place_of_fields = re.match(r"Value '(.*)' is expected to be a dictionary but is a str", str(error))

@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 class UnknownTypeError(LookupError):
     """There is no interface of a name, the one argument.
 
-    The text has the nearest name that exists. It is made when it is asked for, because a caller that catches this error to
-    look elsewhere would wait for the search through all definitions in vain.
+    The text has the nearest name that exists. It is made when it is asked for, because a caller that catches this
+    error to look elsewhere would wait for the search through all definitions in vain.
     """
 
     def __str__(self) -> str:

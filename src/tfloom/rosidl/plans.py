@@ -33,7 +33,7 @@ def compile_plan(cls: type[MessageClass]) -> Plan:
     """Compile the plan of a message class, and of the messages in it, and store it on the class.
 
     Raises:
-        TypeError: the class is not a message class, or it contains itself.
+        TypeError: the class is no message class, or it contains itself.
         LookupError: it refers to an unknown message.
     """
     owner = _owner(cls)
@@ -47,7 +47,7 @@ def _owner(cls: type[MessageClass]) -> type[MessageClass]:
         for base in cls.__mro__:
             if base.__dict__.get("_TYPE_NAME"):
                 return base
-    raise TypeError(f"{cls.__qualname__} is not a message class")
+    raise TypeError(f"{cls.__qualname__} is no message class")
 
 
 def _compile(owner: type[MessageClass]) -> Plan:

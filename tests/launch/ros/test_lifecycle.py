@@ -208,4 +208,4 @@ def test_wrong_arguments_are_refused() -> None:
 def test_unknown_transition_ends_the_launch(launch: Callable[..., object]) -> None:
     ran = launch(LifecycleTransition(lifecycle_node_names=["a"], transition_ids=["configure"]))
     assert ran.code == 1
-    assert "'configure' is no transition that LifecycleTransition can request" in ran.lines[-1]
+    assert "'configure' is not a transition that LifecycleTransition can request" in ran.lines[-1]

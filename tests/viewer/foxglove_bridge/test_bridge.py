@@ -299,7 +299,7 @@ def test_whitelists_capabilities_and_hidden_names(domain_id: int, node: Node) ->
 
 def test_wrong_parameters_and_a_used_port_are_one_sentence(domain_id: int) -> None:
     wrong = {
-        "topic_whitelist:=['(']": r"parameter topic_whitelist: '\(' is no regular expression: ",
+        "topic_whitelist:=['(']": r"parameter topic_whitelist: '\(' is not a regular expression: ",
         "capabilities:=[fly]": "parameter capabilities: there is no 'fly', only clientPublish",
         "port:=70000": "parameter port: 70000 is not from 0 to 65535",
         "min_qos_depth:=0": "parameter min_qos_depth: 0 is not from 1",

@@ -130,7 +130,7 @@ class MultiThreadedExecutor(Executor):
         self._in_pool: list[Entity | None] = []
         """The entities whose callbacks are in the pool. Changed by single operations, without a lock."""
         self._held: list[_Held] = []
-        """What `run_waiting` holds back. The thread that removes one calls it. Changed by single operations, with no lock."""
+        """What `run_waiting` holds back; a thread that removes one calls it. Changed without a lock."""
         self._awaited: Future[Any] | None = None
         """The future at whose completion the present spin ends. Written by the thread that spins, without a lock."""
 

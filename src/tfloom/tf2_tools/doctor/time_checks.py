@@ -122,7 +122,7 @@ def _time_jumps(subject: Subject) -> Iterator[tuple[Edge, Evidence]]:
 def _jump_ns(subject: Subject, edge: Edge) -> int:
     """Return how far an edge's stamps went back to go on from there [ns]; 0: they did not.
 
-    They may be those of a publisher that left, as before a simulation was restarted. An old one between them is not a jump.
+    They may be those of a publisher that left, as before a simulation was restarted. A single old one is not a jump.
     """
     statistics = edge.statistics
     # After a jump, each transform is older than the newest one (`out_of_order`), but only the first is older than the
