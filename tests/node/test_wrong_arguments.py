@@ -355,7 +355,7 @@ ROWS = {
     "ExecuteProcess(cmd=['a'], outptu='screen')": "TypeError: 'outptu': did you mean 'output'?",
     "DeclareLaunchArgument('a', default_value=True)": "TypeError: 'True' of type 'bool' is neither a text",
     "DeclareLaunchArgument('a', default_value='x', choices=['y'])": 'RuntimeError: "x" is not in provided choices',
-    "IncludeLaunchDescription(None)": "TypeError: launch_description_source: 'None' of type 'NoneType' is neither a text",
+    "IncludeLaunchDescription(None)": "TypeError: 'None' of type 'NoneType' is neither a text",
     "IncludeLaunchDescription('x', launch_arguments={'a': 'b'})": "TypeError: `launch_arguments={...}.items()`",
     "TimerAction(period='x', actions=[])": "ValueError: could not convert string to float: 'x'",
     "TimerAction(period=1.0, actions=LogInfo(msg='a'))": "TypeError: TimerAction needs a list, write [LogInfo(…)]",
