@@ -8,7 +8,6 @@ from typing import Any
 import pytest
 from tests.conftest import wait_until
 from tests.viewer.messages import marker
-from tfloom.rmw.typed_names import topic_of
 
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.interfaces.visualization_msgs.msg import Marker
@@ -16,6 +15,7 @@ from tfloom.rmw import backends
 from tfloom.rmw.base import NodeName, Writer
 from tfloom.rmw.errors import WireError
 from tfloom.rmw.qos import DurabilityPolicy, QoS, ReliabilityPolicy
+from tfloom.rmw.shared.typed_names import topic_of
 from tfloom.rosidl import cdr
 from tfloom.viewer.history import History, Messages
 from tfloom.viewer.shapes import DisplayError
