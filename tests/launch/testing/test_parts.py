@@ -6,8 +6,10 @@ import functools
 import io
 import re
 import unittest
+from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 import pytest
 
@@ -276,11 +278,19 @@ def test_skipped_test_that_never_started_is_a_result() -> None:
     assert [element.get("name") for element in suite] == ["test_skip"]
 
 
-def test_tests_of_a_skipped_launch_are_skipped_each() -> None:
-    @unittest.skip("no robot")
-    def describe() -> None:
-        raise RuntimeError
+@unittest.skip("no robot")
+def skipped_description() -> None:
+    raise RuntimeError
 
+
+def skipping_description() -> None:
+    raise unittest.SkipTest("no robot")
+
+
+@pytest.mark.parametrize(
+    "describe", [skipped_description, skipping_description, functools.partial(skipped_description)]
+)
+def test_tests_of_a_skipped_launch_are_skipped_each(describe: Callable[..., Any]) -> None:
     run = TestRun("run", describe, {}, [Mixed], [BadSetUp])
     (result,) = LaunchTestRunner([run]).run().values()
     names = {case._testMethodName for case, _ in result.skipped}

@@ -74,6 +74,8 @@ class LaunchTestRunner:
             environment = dict(os.environ)
             try:
                 results[run] = _Launch(run, self._arguments, self.generate_preamble(), self._debug).run()
+            except unittest.SkipTest as skip:  # raised where the description is made
+                results[run] = SkipResult(run, str(skip))
             finally:
                 os.environ.clear()  # a description may have changed it
                 os.environ.update(environment)
