@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
+from itertools import count
 from typing import Any
 
 import pytest
@@ -14,10 +15,10 @@ from tfloom.rosidl import cdr
 from tfloom.tf2.buffer import Buffer
 from tfloom.tf2_tools.watch.recorded import observe_recorded
 from tfloom.tf2_tools.watch.sources import Still
-from tfloom.viewer.history import Entry, History
 from tfloom.viewer.page_server import _json
 from tfloom.viewer.scene import Scene
 from tfloom.viewer.scene_server import SceneServer
+from tfloom.viewer.topic_log import Cursor, TopicLog
 from tfloom.viewer.view import View
 
 S = 1_000_000_000
@@ -27,24 +28,29 @@ class KeptTopics:
     """Topics whose messages the test adds."""
 
     def __init__(self) -> None:
-        self.histories: dict[str, History] = {}
+        self.logs: dict[str, TopicLog] = {}
         self.classes: dict[str, type[Any]] = {}
+        self.numbers = count()
 
     def add(self, topic: str, message: Any, stamp_ns: int = S) -> None:
         self.classes[topic] = type(message)
-        self.history(topic).add(Entry(stamp_ns, cdr.encode(message)))
+        self.log(topic).add(stamp_ns, cdr.encode(message))
 
-    def history(self, topic: str) -> History:
-        return self.histories.setdefault(topic, History(60 * S))
+    def log(self, topic: str) -> TopicLog:
+        def decode(data: bytes) -> Any:
+            return cdr.decode(self.classes[topic], data)
+
+        new = TopicLog(60 * S, decode, numbers=self.numbers, on_left=lambda: self.logs.pop(topic, None))
+        return self.logs.setdefault(topic, new)
 
     def types(self) -> Mapping[str, str]:
         return {topic: made._TYPE_NAME for topic, made in self.classes.items()}
 
-    def open(self, topic: str) -> tuple[History, Callable[[bytes], Any]]:
-        return self.history(topic), lambda data: cdr.decode(self.classes[topic], data)
+    def open(self, topic: str) -> Cursor:
+        return self.log(topic).open()
 
-    def close(self, topic: str) -> None:
-        self.histories.pop(topic, None)
+    def message_class(self, topic: str) -> type[Any]:
+        return self.classes[topic]
 
     def poll(self) -> None:
         pass

@@ -35,8 +35,8 @@ from tfloom.viewer import shapes
 from tfloom.viewer.displays.camera_info import CameraDisplay, images_of
 from tfloom.viewer.displays.display import Display, rainbow, shown_text
 from tfloom.viewer.displays.kinds import KINDS, ROBOT, kind_of, make_display
-from tfloom.viewer.history import Entry
 from tfloom.viewer.pictures import picture_of, small_pixels
+from tfloom.viewer.topic_log import Entry
 
 S = 1_000_000_000
 
@@ -144,7 +144,7 @@ def test_image_is_at_the_far_end_of_its_cameras_pyramid() -> None:
     display.take(info, 0)
     pixels = np.arange(24, dtype=np.uint8)
     image = Image(width=4, height=2, step=12, encoding="rgb8", data=pixels.tobytes())
-    display.set_image(Entry(1, b""), lambda _: image)
+    display.set_image(Entry(1, 1, 1, False, b"", lambda _: image))
     _, placed = display.shapes(0)
     assert (placed.frame_id, placed.stamp_ns) == ("camera", 7 * S)
     assert (placed.shape.pixels == pixels.reshape(2, 4, 3)).all()
@@ -166,7 +166,7 @@ def test_image_is_at_the_far_end_of_its_cameras_pyramid() -> None:
     assert display.shapes(0)[1].shape.size == pytest.approx((2.0, 1.0))
     broken = Image(width=4, height=2, step=1, encoding="rgb8", data=b"1")
     display._next_picture_s = 0.0
-    display.set_image(Entry(2, b""), lambda _: broken)
+    display.set_image(Entry(2, 2, 2, False, b"", lambda _: broken))
     assert len(display.shapes(0)) == 1
 
 

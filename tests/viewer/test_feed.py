@@ -12,7 +12,7 @@ from tfloom.tf2.buffer import Buffer
 from tfloom.tf2.transform import Transform
 from tfloom.viewer.displays.kinds import kind_of
 from tfloom.viewer.feed import PATIENCE_NS, Feed
-from tfloom.viewer.history import Entry, History
+from tfloom.viewer.topic_log import TopicLog
 
 S = 1_000_000_000
 STEP_NS = S // 10
@@ -30,10 +30,10 @@ class Scanner:
 
     def __init__(self, buffer: Buffer) -> None:
         self.buffer = buffer
-        self.history = History(60 * S)
+        self.log = TopicLog(60 * S, lambda data: cdr.decode(LaserScan, data))
         kind = kind_of("/scan", "sensor_msgs/msg/LaserScan")
         assert kind is not None
-        self.feed = Feed("/scan", kind, self.history, lambda data: cdr.decode(LaserScan, data))
+        self.feed = Feed("/scan", kind, self.log.open())
 
     def turn(self, number: int) -> None:
         stamp_ns = S + number * STEP_NS
@@ -44,7 +44,7 @@ class Scanner:
         message = LaserScan(range_max=1e6, ranges=[1.0 + number])
         message.header.frame_id = "laser"
         message.header.stamp.sec, message.header.stamp.nanosec = divmod(S + number * STEP_NS, S)
-        self.history.add(Entry(S + number * STEP_NS, cdr.encode(message)))
+        self.log.add(S + number * STEP_NS, cdr.encode(message))
 
     def shown(self, held_ns: int | None = None) -> tuple[float, float]:
         """Return the number of the scan that is shown, and by how many tenths of a radian it is turned."""

@@ -31,9 +31,9 @@ from tfloom.rosidl import cdr
 from tfloom.tf2.buffer import Buffer
 from tfloom.viewer.displays.kinds import kind_of
 from tfloom.viewer.feed import Feed
-from tfloom.viewer.history import Entry, History
 from tfloom.viewer.pictures import picture_of
 from tfloom.viewer.shapes import DisplayError
+from tfloom.viewer.topic_log import TopicLog
 
 TRIES = 300
 LONGEST_S = 60.0
@@ -84,8 +84,8 @@ def test_changed_bytes_are_drawn_or_are_a_sentence(topic: str) -> None:
     message = MESSAGES[topic]
     kind = kind_of(topic, message._TYPE_NAME)
     assert kind is not None
-    history = History(10**18)
-    feed = Feed(topic, kind, history, lambda data: cdr.decode(type(message), data))
+    log = TopicLog(10**18, lambda data: cdr.decode(type(message), data))
+    feed = Feed(topic, kind, log.open())
     buffer = Buffer()
     buffer.set_log_callback(None)
     buffer.set("map", "base", 1, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0), static=True)
@@ -94,7 +94,7 @@ def test_changed_bytes_are_drawn_or_are_a_sentence(topic: str) -> None:
     start_s = time.monotonic()
     for number in range(TRIES):
         data = changed(cdr.encode(message), chance) if number else cdr.encode(message)
-        history.add(Entry(number + 1, data))
+        log.add(number + 1, data)
         with np.errstate(all="ignore"):
             placed = feed.draw(buffer, "map", None, number + 1)
         drawn += bool(placed)

@@ -90,14 +90,14 @@ def test_message_of_a_time_is_found_however_long_it_is_ago(recording: Path) -> N
 
     with open_bag(recording) as bag:
         topics = RecordedTopics(bag)
-        messages, decode = topics.open("/once")
-        assert messages.newest(START_NS) is None
-        entry = messages.newest(START_NS + 99 * S)
+        log = topics.open("/once").log
+        assert log.newest(START_NS) is None
+        entry = log.newest(START_NS + 99 * S)
         assert entry is not None
         assert entry.stamp_ns == START_NS + S
-        assert decode(entry.data).header.frame_id == "base"
-        assert messages.newest(START_NS + 98 * S) == entry
-        many, _ = topics.open("/pose")
+        assert entry.message().header.frame_id == "base"
+        assert log.newest(START_NS + 98 * S) == entry
+        many = topics.open("/pose").log
         for second in (0, 5, 9, 10, 11, 42, 100, 3, 99):
             found = many.newest(START_NS + second * S + 1)
             assert found is not None

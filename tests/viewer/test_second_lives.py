@@ -23,15 +23,17 @@ from tfloom.rmw.local import wire as local
 from tfloom.rmw.qos import DurabilityPolicy, QoS
 from tfloom.rmw.shared.typed_names import topic_of
 from tfloom.rosidl import cdr
+from tfloom.tf2.buffer import Buffer
+from tfloom.viewer.displays.kinds import kind_of
 from tfloom.viewer.feed import Feed
 from tfloom.viewer.frames import FramePoses
-from tfloom.viewer.history import Entry, History
 from tfloom.viewer.layout.layout import DisplayLayout, Layout, PlotLayout
 from tfloom.viewer.page_command import PageError
 from tfloom.viewer.plots.plots import MAX_PLOTS, Plots
 from tfloom.viewer.plots.series import Series
 from tfloom.viewer.program import Viewer
 from tfloom.viewer.shapes import Box, DisplayError
+from tfloom.viewer.topic_log import Cursor
 from tfloom.viewer.topics import LiveTopics
 
 S = 1_000_000_000
@@ -39,46 +41,7 @@ NODE = NodeName("/", "viewer")
 HERE = ((0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0))
 
 
-# History and series.
-
-
-def test_history_that_was_cleared_counts_from_nothing() -> None:
-    history = History(60 * S, max_bytes=100)
-    for second in range(1, 5):
-        history.add(Entry(second * S, bytes(20)))
-    assert (len(history), history.size) == (4, 80)
-    history.clear()
-    assert (len(history), history.size, history.newest(None), list(history.until(None))) == (0, 0, None, [])
-    for second in range(1, 5):
-        history.add(Entry(second * S, bytes(25)))
-    assert (len(history), history.size) == (4, 100)
-    history.add(Entry(5 * S, bytes(25)))
-    assert (len(history), history.size) == (4, 100)
-
-
-def test_history_of_a_clock_that_went_back_has_the_size_of_what_came_since() -> None:
-    history = History(5 * S, max_bytes=100)
-    for second in range(100, 104):
-        history.add(Entry(second * S, bytes(20)))
-    history.add(Entry(1 * S, bytes(30)))
-    assert (len(history), history.size) == (1, 30)
-    for second in (2, 3):
-        history.add(Entry(second * S, bytes(30)))
-    assert (len(history), history.size) == (3, 90)
-    assert history.newest(None) == Entry(3 * S, bytes(30))
-    history.add(Entry(4 * S, bytes(40)))
-    assert (len(history), history.size) == (3, 100)
-    history.add(Entry(9 * S, b""))
-    assert [entry.stamp_ns for entry in history.until(None)] == [4 * S, 9 * S]
-
-
-def test_first_message_after_a_latched_history_was_cleared_counts_for_the_time_before_it() -> None:
-    history = History(5 * S, is_latched=True)
-    history.add(Entry(100 * S, b"old"))
-    history.clear()
-    assert history.newest(1 * S) is None
-    history.add(Entry(50 * S, b"new"))
-    assert history.newest(1 * S) == Entry(50 * S, b"new")
+# Series.
 
 
 def test_series_that_was_cleared_counts_from_nothing() -> None:
@@ -92,18 +55,6 @@ def test_series_that_was_cleared_counts_from_nothing() -> None:
     assert (series.span, series.at(None), series.at(5 * S)) == ((5 * S, 6 * S), 3.0, 2.0)
 
 
-def test_series_of_a_clock_that_went_back_keeps_its_length() -> None:
-    series = Series(10 * S)
-    for second in range(100, 103):
-        series.add(second * S, float(second))
-    for second in range(200):
-        series.add(second * S // 2, float(second))
-    assert len(series) <= 64 + 21
-    assert series.at(None) == 199.0
-    assert series.span is not None
-    assert series.span[1] == 199 * S // 2
-
-
 # A display whose topic is read anew.
 
 
@@ -114,7 +65,7 @@ def test_last_message_stays_until_the_first_one_of_the_second_life(stage: Stage)
     stage.draw()
     (node,) = stage.drawn("/pose")
     stage.view.suspend()
-    assert "/pose" not in stage.topics.histories
+    assert "/pose" not in stage.topics.logs
     stage.view.resume()
     stage.draw()
     assert stage.drawn("/pose") == [node]
@@ -171,7 +122,7 @@ def test_display_that_is_switched_off_and_on_shows_nothing_of_before(stage: Stag
         stage.view.set_display("/markers", on=False)
         assert stage.drawn("/markers") == []
         assert stage.view.feed("/markers") is None
-        assert "/markers" not in stage.topics.histories
+        assert "/markers" not in stage.topics.logs
     stage.view.set_display("/markers", on=True)
     stage.view.set_display("/markers", on=True)  # on twice is on
     stage.draw()
@@ -296,35 +247,38 @@ def readers_of(participant: Participant, topic: str) -> int:
     return sum(not end.is_writer and end.topic.name == topic for end in ends)
 
 
+def texts(cursor: Cursor) -> list[str]:
+    return [entry.message().data for entry in cursor.read()]
+
+
 def test_topic_that_was_closed_is_read_anew_and_nobody_reads_it_meanwhile(participant: Participant) -> None:
     writer = writer_of(participant, "/text", String)
     topics = LiveTopics(participant, NODE, 60 * S, lambda: 5 * S)
-    first, _ = topics.open("/text")
+    first = topics.open("/text")
     writer.write(cdr.encode(String(data="one")))
     topics.poll()
-    assert first.newest(None) is not None
+    assert texts(first) == ["one"]
     for _ in range(2):
-        topics.close("/text")
+        first.close()
         assert readers_of(participant, "/text") == 0
     writer.write(cdr.encode(String(data="two")))
     topics.poll()
-    second, decode = topics.open("/text")
+    second = topics.open("/text")
     assert readers_of(participant, "/text") == 1
     topics.poll()
-    assert second.newest(None) is None
+    assert texts(second) == []
     writer.write(cdr.encode(String(data="three")))
     topics.poll()
-    newest = second.newest(None)
-    assert newest is not None
-    assert decode(newest.data).data == "three"
-    kept = first.newest(None)
-    assert kept is not None
-    assert decode(kept.data).data == "one"
-    topics.open("/text")  # again, without a close
+    assert (texts(second), texts(first)) == (["three"], [])
+    third = topics.open("/text")  # again, without a close
     assert readers_of(participant, "/text") == 1
+    second.close()
+    assert readers_of(participant, "/text") == 1
+    assert texts(third) == ["three"]
     topics.close_all()
     assert readers_of(participant, "/text") == 0
     topics.poll()
+    third.close()  # after the end of all
 
 
 def test_topic_whose_publisher_left_and_came_back_is_told_and_read(participant: Participant) -> None:
@@ -354,6 +308,7 @@ def test_plot_that_was_removed_or_suspended_is_read_again(participant: Participa
         now_ns[0] += S
         writer.write(cdr.encode(Float64(data=float(now_ns[0] // S))))
         plots.look()
+        topics.poll()
         plots.poll()
         return [plot["values"] for plot in plots.snapshot(None, None)]
 
@@ -376,6 +331,74 @@ def test_plot_that_was_removed_or_suspended_is_read_again(participant: Participa
     topics.close_all()
 
 
+def test_numbers_of_before_are_dropped_when_the_clock_of_a_topic_goes_back(participant: Participant) -> None:
+    writer = writer_of(participant, "/number", Float64)
+    now_ns = [0]
+    topics = LiveTopics(participant, NODE, 10 * S, lambda: now_ns[0])
+    plots = Plots(topics, 10 * S)
+    plots.add("/number", "data")
+
+    def shown(*seconds: int) -> Any:
+        for second in seconds:
+            now_ns[0] = second * S
+            writer.write(cdr.encode(Float64(data=float(second))))
+            topics.poll()
+        plots.poll()
+        return plots.snapshot(None, None)[0]["values"]
+
+    assert shown(100, 101, 102, 95) == [95.0, 100.0, 101.0, 102.0]
+    assert shown(50, 51) == [50.0, 51.0]
+    plots.clear()
+    assert plots.snapshot(None, None)[0]["values"] == []
+    assert readers_of(participant, "/number") == 0
+    plots.look()
+    assert shown(52) == [52.0]
+    topics.close_all()
+
+
+def test_topic_that_is_shown_and_plotted_twice_has_one_reader_and_each_gets_all(
+    participant: Participant,
+) -> None:
+    writer = writer_of(participant, "/pose", PoseStamped)
+    topics = LiveTopics(participant, NODE, 60 * S, lambda: 5 * S)
+    plots = Plots(topics, 60 * S)
+    kind = kind_of("/pose", "geometry_msgs/msg/PoseStamped")
+    assert kind is not None
+    buffer = Buffer()
+
+    def publish(second: int) -> None:
+        writer.write(cdr.encode(PoseStamped(header=header("map", second), pose=pose(float(second)))))
+        topics.poll()
+        plots.poll()
+
+    def plotted() -> list[Any]:
+        return [plot["values"] for plot in plots.snapshot(None, None)]
+
+    feed = Feed("/pose", kind, topics.open("/pose"))
+    publish(1)
+    plots.add("/pose", "pose.position.x")
+    publish(2)
+    plots.add("/pose", "header.stamp.sec")
+    publish(3)
+    assert readers_of(participant, "/pose") == 1
+    assert plotted() == [[1.0, 2.0, 3.0]] * 2  # also what came for the display, before they were plotted
+    assert [placed[1][0][0] for placed in feed.draw(buffer, "map", None, 0) if placed[1]] == [3.0]
+    assert [placed[1][0][0] for placed in feed.draw(buffer, "map", 2 * S, 0) if placed[1]] == [2.0]
+    feed.close()
+    publish(4)
+    assert (readers_of(participant, "/pose"), plotted()) == (1, [[1.0, 2.0, 3.0, 4.0]] * 2)
+    feed.read(topics.open("/pose"))
+    plots.suspend()
+    assert readers_of(participant, "/pose") == 1
+    publish(5)
+    plots.look()
+    publish(6)
+    assert plotted() == [[1.0, 2.0, 3.0, 4.0, 5.0, 6.0]] * 2
+    feed.close()
+    plots.suspend()
+    assert readers_of(participant, "/pose") == 0
+
+
 def test_plot_of_a_topic_goes_on_while_another_one_of_it_is_removed(participant: Participant) -> None:
     writer = writer_of(participant, "/pose", PoseStamped)
     topics = LiveTopics(participant, NODE, 60 * S, lambda: 5 * S)
@@ -384,6 +407,7 @@ def test_plot_of_a_topic_goes_on_while_another_one_of_it_is_removed(participant:
         plots.add("/pose", f"pose.position.{axis}")
     plots.remove("/pose", "pose.position.x")
     writer.write(cdr.encode(PoseStamped(header=header(), pose=pose(1.0, 2.0))))
+    topics.poll()
     plots.poll()
     assert [plot["values"] for plot in plots.snapshot(None, None)] == [[2.0]]
     plots.remove("/pose", "pose.position.y")
@@ -492,7 +516,7 @@ def test_nothing_of_before_stays_when_a_simulation_is_reset(
     assert set(view.buffer.parents().values()) == {None}
     write(passing)
     assert drawn() == (1, 1)
-    view.topics.close("/kept")
+    view.suspend()
 
 
 def test_scan_of_before_is_not_shown_after_a_reset(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -504,7 +528,7 @@ def test_scan_of_before_is_not_shown_after_a_reset(stage: Stage, monkeypatch: py
     stage.draw()
     assert stage.drawn("/pose")
     now_ns = 1 * S
-    stage.topics.histories.clear()  # what a wire has again: nothing
+    stage.topics.logs.clear()  # what a wire has again: nothing
     stage.view.look_at_clock()
     stage.draw()
     assert stage.drawn("/pose") == []

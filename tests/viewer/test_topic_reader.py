@@ -17,8 +17,8 @@ from tfloom.rmw.errors import WireError
 from tfloom.rmw.qos import DurabilityPolicy, QoS, ReliabilityPolicy
 from tfloom.rmw.shared.typed_names import topic_of
 from tfloom.rosidl import cdr
-from tfloom.viewer.history import History, Messages
 from tfloom.viewer.shapes import DisplayError
+from tfloom.viewer.topic_log import Cursor
 from tfloom.viewer.topics import LiveTopics
 
 S = 1_000_000_000
@@ -39,7 +39,7 @@ class Graph:
         for participant in self.participants:
             participant.add_node(NODE)
         self.topics = LiveTopics(self.participants[0], NODE, 60 * S, lambda: 5 * S)
-        self.messages: Messages | None = None
+        self.cursor: Cursor | None = None
 
     def publish(self, qos: QoS, *texts: str) -> Writer:
         """Publish by a new publisher."""
@@ -54,13 +54,13 @@ class Graph:
 
     def open(self) -> None:
         wait_until(lambda: "/t" in self.topics.types(), what="the topic")
-        self.messages, _ = self.topics.open("/t")
+        self.cursor = self.topics.open("/t")
 
     def texts(self) -> list[str]:
         """Return what has come, in its order."""
         self.topics.poll()
-        assert isinstance(self.messages, History)
-        messages = [cdr.decode(self.message_class, entry.data) for entry in self.messages.until(None)]
+        assert self.cursor is not None
+        messages = [entry.message() for entry in Cursor(self.cursor.log).read()]
         return [getattr(message, "ns", None) or getattr(message, "data", "") for message in messages]
 
     def wait_for(self, *texts: str) -> None:
@@ -155,5 +155,6 @@ def test_topic_that_is_closed_leaves_none_of_its_readers(graph: Graph) -> None:
     graph.publish(LATCHED)
     graph.open()
     assert len(graph.readers()) == 2
-    graph.topics.close("/t")
+    assert graph.cursor is not None
+    graph.cursor.close()
     assert graph.readers() == []

@@ -194,7 +194,7 @@ def test_message_that_nobody_thought_of_is_a_sentence_and_the_next_one_is_shown(
     feed = stage.view.feed("/pose")
     assert feed is not None
     with monkeypatch.context() as patch:
-        patch.setattr(feed, "decode", lambda _: 1 / 0)
+        patch.setattr(stage.topics.log("/pose"), "_decode", lambda _: 1 / 0)
         stage.topics.add("/pose", PoseStamped(header=header("map"), pose=pose()), 2 * S)
         stage.draw()
         assert "ZeroDivisionError" in stage.status("/pose")

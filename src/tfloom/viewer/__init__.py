@@ -1,9 +1,11 @@
 """Frames, robots and sensors in a browser: `tfloom view`, by viser, which the extra `view` installs.
 
-- frames, history, replay, camera, playback, shapes: what is shown, without viser
+- frames, camera, playback, shapes: what is shown, without viser
 - displays/: from a message to shapes, a file for each kind
 - type_searches: types that have no definition here
-- feed, topics, topic_reader, recorded: a display and its messages, of a graph or of a recording
+- topic_log: the messages of one topic, from which displays, plots and the slider read
+- topics, topic_reader, recorded: those of a graph, or of a recording
+- feed, replay: what a display shows of them
 - view: what all pages share, and what follows of it
 - drawing, scene, scene_server, mesh_files: viser's scene and server
 - page_server, access, page_command: the server of our page

@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 from collections.abc import Callable
 from functools import partial
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, cast
 
 from tfloom.tf2.buffer import LATEST
 from tfloom.tf2.errors import TransformException
@@ -13,15 +13,15 @@ from tfloom.tf2.transform import Transform
 from tfloom.viewer.displays.display import MAX_COORDINATE_M, shown_text
 from tfloom.viewer.displays.kinds import Kind, make_display
 from tfloom.viewer.fault_text import fault_text
-from tfloom.viewer.history import History
-from tfloom.viewer.replay import Replay, State
+from tfloom.viewer.replay import Replay
 from tfloom.viewer.shapes import DisplayError, Placed, Shape
+from tfloom.viewer.topic_log import END, Cursor, TopicLog
 
 if TYPE_CHECKING:
     from tfloom.tf2.buffer import Buffer
     from tfloom.viewer.displays.display import KeepingDisplay
     from tfloom.viewer.drawing import Pose
-    from tfloom.viewer.history import Entry, Messages
+    from tfloom.viewer.topic_log import Entry
 
 __all__ = ["Feed", "pose_in"]
 
@@ -29,6 +29,8 @@ PATIENCE_NS = 1_000_000_000
 """How long transforms may be behind a message until it is shown without them [ns]."""
 MAX_SHAPES = 4000
 """Number of shapes of one display that are drawn."""
+NOTHING = Cursor(TopicLog(0, lambda _: None))
+"""A reader of a log that stays empty."""
 
 
 class Feed:
@@ -37,21 +39,16 @@ class Feed:
     Args:
         topic: Its topic.
         kind: Its kind.
-        messages: The messages of the topic.
-        decode: Returns the message of an entry's bytes.
+        cursor: A reader of its topic.
     """
 
-    def __init__(self, topic: str, kind: Kind, messages: Messages, decode: Callable[[bytes], Any]) -> None:
+    def __init__(self, topic: str, kind: Kind, cursor: Cursor) -> None:
         self.topic = topic
         self.kind = kind
-        self.messages = messages
         self.status = "" if not kind.module else "no message yet"
         """What the page says of it: why it shows nothing, or not all; empty if all is shown."""
         self.has_failed = False
         self.display = make_display(kind, topic)
-        self.decode = decode
-        """Returns the message of an entry's bytes."""
-        self._replay = self._new_replay(None)
         self._last: Entry | None = None
         self._held_ns: int | None = None
         """The time that was shown last [ns since epoch]; None: the newest."""
@@ -63,37 +60,45 @@ class Feed:
         self._poses: dict[int, Pose] = {}
         """Poses of shapes that have a stamp, by the shape's place: they are looked up once."""
         self._poses_of: tuple[str, list[Placed]] = "", []
+        self._replay: Replay | None = None
+        self.read(cursor)
 
-    def read(self, messages: Messages, decode: Callable[[bytes], Any]) -> None:
-        """Show other messages of the topic from now on; what is shown stays until the first one has come."""
+    def read(self, cursor: Cursor) -> None:
+        """Show what another reader has from now on; what is shown stays until the first message has come."""
         base = self._replay.base() if self._replay is not None else None
-        self.messages, self.decode = messages, decode
-        self._replay = self._new_replay(base)
+        self._cursor = cursor
+        if self.display is None or not self.display.keeps_all:
+            cursor.number = END  # the history is enough
+            return
+        make = cast("Callable[[], KeepingDisplay]", partial(make_display, self.kind, self.topic))
+        self._replay = Replay(make, cursor, base)
+
+    def close(self) -> None:
+        """End reading; what is shown stays."""
+        self._cursor.close()
 
     def forget(self) -> None:
-        """Show nothing of the messages so far, and nothing until `read` is called."""
+        """End reading, show nothing of the messages so far, and nothing until `read` is called."""
+        self.close()
+        self._cursor = NOTHING
         self._replay = None
         self._last = self._failed_at = None
         self.has_failed = False
         self._fault = self._frame = ""
-        self.messages = History(0)
         if self.display is not None:
             self.display.clear()
         self.status = "" if not self.kind.module else "no message yet"
 
-    def _new_replay(self, base: State | None) -> Replay | None:
-        """Return what gives the display all messages; None if it shows the last one alone."""
-        if self.display is None or not self.display.keeps_all:
-            return None
-        make = cast("Callable[[], KeepingDisplay]", partial(make_display, self.kind, self.topic))
-        return Replay(make, self.messages.log(), self.decode, base)
+    def newest(self, stamp_ns: int | None) -> Entry | None:
+        """Return the last message of a stamp up to this one [ns since epoch]; None: the last of all."""
+        return self._cursor.log.newest(stamp_ns)
 
     def fail(self, error: Exception) -> None:
         """Show nothing until the next message, because of a fault."""
         self.has_failed = True
         self._failed_at = None
         with contextlib.suppress(Exception):  # that may be what failed
-            self._failed_at = self.messages.newest(self._held_ns)
+            self._failed_at = self.newest(self._held_ns)
         self.status = shown_text(f"it can't be shown: {fault_text(error)}")
 
     def choose(self, choice: str) -> None:
@@ -117,15 +122,16 @@ class Feed:
         if display is None:
             return []  # the page asks for images itself
         self._held_ns = held_ns
-        if self.has_failed and self._failed_at == self.messages.newest(held_ns):
+        # Also after a failure, because the log keeps messages only for so long.
+        known = self._replay.show(held_ns) if self._replay is not None else None
+        if self.has_failed and self._failed_at == self.newest(held_ns):
             return []
         self.has_failed = False
-        if self._replay is not None:
-            cursor = self._replay.show(held_ns)
-            self.display = display = cursor.display
-            self._fault, is_empty = cursor.fault, not cursor.known
-            if cursor.is_behind:
-                self._fault = f"{cursor.known} messages are read so far, and more follow"
+        if known is not None:
+            self.display = display = known.display
+            self._fault, is_empty = known.fault, not known.messages
+            if known.cursor.is_behind:
+                self._fault = f"{known.messages} messages are read so far, and more follow"
         else:
             self._take(buffer, fixed_frame, held_ns)
             is_empty = self._last is None
@@ -153,7 +159,7 @@ class Feed:
         A message comes before the transforms of its stamp, and would stand where its frame was earlier until they
         come: a scan of a robot that turns would be turned. If they stay away, the newest one is shown all the same.
         """
-        newest = self.messages.newest(held_ns)
+        newest = self.newest(held_ns)
         if newest is None or newest == self._last or held_ns is not None or self._frame in {"", fixed_frame}:
             return newest
         try:
@@ -162,7 +168,7 @@ class Feed:
             return newest
         if not 0 < reached_ns < newest.stamp_ns <= reached_ns + PATIENCE_NS:
             return newest
-        reached = self.messages.newest(reached_ns)
+        reached = self.newest(reached_ns)
         if reached is None or (self._last is not None and reached.stamp_ns < self._last.stamp_ns):
             return self._last
         return reached
@@ -180,7 +186,7 @@ class Feed:
         if entry is None:
             return
         try:
-            display.take(self.decode(entry.data), entry.stamp_ns)
+            display.take(entry.message(), entry.stamp_ns)
         except Exception as error:  # of one message: the next one may be good
             self._fault = fault_text(error)
 

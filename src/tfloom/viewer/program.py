@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from tfloom.tf2_tools.watch.sources import Source
     from tfloom.viewer.layout.layout import ViewPoint
     from tfloom.viewer.live_parts import LiveParts
+    from tfloom.viewer.topic_log import Entry
     from tfloom.viewer.topics import Topics
 
 __all__ = ["Viewer"]
@@ -103,7 +104,7 @@ class Viewer:
         self._image_lock = threading.Lock()
         self._images: dict[str, tuple[Any, tuple[str, bytes] | None]] = {}
         """The last picture of each topic, with what it was made of."""
-        self._entries: dict[str, Any] = {}
+        self._entries: dict[str, Entry] = {}
         """What each topic of images shows now, exchanged by the loop."""
         self._image_faults: dict[str, str] = {}
         """Why the last picture of a topic could not be made."""
@@ -379,15 +380,14 @@ class Viewer:
 
     def _image_of(self, topic: str) -> tuple[str, bytes] | None:
         """Return the picture of a topic at the time that is shown; on a thread of the server."""
-        shown = self._entries.get(topic)
-        if shown is None:
+        entry = self._entries.get(topic)
+        if entry is None:
             return None
-        entry, decode = shown
         with self._image_lock:  # one page makes the picture, the others take it
             made = self._images.get(topic)
             if made is None or made[0] is not entry:
                 try:
-                    made = entry, picture_of(decode(entry.data))
+                    made = entry, picture_of(entry.message())
                     self._image_faults.pop(topic, None)
                 except Exception as error:  # of one image: the next one may be good
                     made = entry, None

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable, Iterable, Iterator, Mapping
+import bisect
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,26 +15,24 @@ from tfloom.bag.opening import open_bag
 from tfloom.rosidl import cdr
 from tfloom.tf2.buffer import Buffer
 from tfloom.tf2_tools.watch.sources import open_path
-from tfloom.viewer.history import START, Entry, Logged
 from tfloom.viewer.program import Viewer
 from tfloom.viewer.shapes import DisplayError
+from tfloom.viewer.topic_log import Cursor, Entry
 
 if TYPE_CHECKING:
     from tfloom.bag.bag import Bag
     from tfloom.rosidl.message import Message
-    from tfloom.viewer.history import MessageLog, Messages, Place
-    from tfloom.viewer.topics import Follower
 
-__all__ = ["RecordedTopics", "recorded_viewer"]
+__all__ = ["RecordedLog", "RecordedTopics", "recorded_viewer"]
 
 WINDOWS_NS = (500_000_000, 5_000_000_000, 60_000_000_000)
 """How far before a time its last message is looked for, in turn; then from the start [ns]."""
 STEPS = 200
-"""Number of parts of a recording that are read one after the other for a plot."""
-READ_S = 0.005
-"""How long a recording is read for one picture [s]; one part is read at least."""
+"""Number of parts in which a recording is read."""
 MAX_STEP_NS = 10_000_000_000
 """Length of the longest of these parts [ns]."""
+INDEX_BITS = 32
+"""A message's number has that of its part, and in so many bits its index there."""
 
 
 class RecordedTopics:
@@ -53,14 +52,13 @@ class RecordedTopics:
         """Return the type of each topic, by its name."""
         return self._types
 
-    def open(self, topic: str) -> tuple[Messages, Callable[[bytes], Any]]:
-        """Return the messages of a topic, and the function that decodes one.
+    def open(self, topic: str) -> Cursor:
+        """Return a reader of a topic.
 
         Raises:
             DisplayError: its type has no definition, here or in the recording.
         """
-        message_class = self.message_class(topic)
-        return _RecordedMessages(self._bag, topic), lambda data: cdr.decode(message_class, data)
+        return Cursor(RecordedLog(self._bag, topic, partial(cdr.decode, self.message_class(topic))))
 
     def message_class(self, topic: str) -> type[Message]:
         """Return the class of a topic's messages.
@@ -76,69 +74,31 @@ class RecordedTopics:
             raise DisplayError(str(error)) from None
         return message_class
 
-    def follow(self, topic: str) -> Follower:
-        """Begin to read all messages of a topic, a part for each picture.
-
-        Raises:
-            DisplayError: as `message_class`.
-        """
-        return _RecordedFollower(self._bag, topic, self.message_class(topic))
-
-    def close(self, topic: str) -> None:
-        """Do nothing: files are open while they are read only."""
-
     def poll(self) -> None:
         """Do nothing: all messages are there."""
 
 
-class _RecordedFollower:
-    """Reads all messages of one topic of a recording, a part at a time, so that pages are drawn meanwhile."""
+class RecordedLog:
+    """The messages of one topic, by the times at which they were recorded, read a part at a time.
 
-    def __init__(self, bag: Bag, topic: str, message_class: type[Message]) -> None:
+    Args:
+        bag: The recording.
+        topic: The topic.
+        decode: Returns the message of an entry's bytes.
+    """
+
+    is_whole = True
+    first = 0
+
+    def __init__(self, bag: Bag, topic: str, decode: Callable[[bytes], Any]) -> None:
         self._bag = bag
         self._topic = topic
-        self._class = message_class
-        self._next_ns = bag.start_ns
-        self._step_ns = (bag.end_ns - bag.start_ns) // STEPS + 1
-
-    def take(self) -> Iterable[Entry]:
-        end_s = time.monotonic() + READ_S
-        while self._next_ns <= self._bag.end_ns:
-            start_ns, self._next_ns = self._next_ns, self._next_ns + self._step_ns
-            # The last nanosecond is of the next part.
-            yield from _read_entries(self._bag, self._topic, start_ns, self._next_ns - 1)
-            if time.monotonic() > end_s:
-                return
-
-    def decode(self, data: bytes) -> Any:
-        return cdr.decode(self._class, data)
-
-    def close(self) -> None:
-        """Do nothing: files are open while they are read only."""
-
-
-def _read_entries(bag: Bag, topic: str, start_ns: int, end_ns: int) -> list[Entry]:
-    try:
-        return [
-            Entry(message.log_time_ns, message.data)
-            for message in bag.messages(topic, max(0, start_ns), end_ns)
-        ]
-    except BagError:
-        return []  # a damaged part of the recording has no messages
-
-
-class _RecordedMessages:
-    """The messages of one topic, by the times at which they were recorded."""
-
-    def __init__(self, bag: Bag, topic: str) -> None:
-        self._bag = bag
-        self._topic = topic
+        self._decode = decode
+        self._step_ns = min((bag.end_ns - bag.start_ns) // STEPS + 1, MAX_STEP_NS)
+        self._parts: dict[int, list[Entry]] = {}
+        """The messages of the two parts that were read last, by their numbers: a time at their border needs both."""
         self._found: tuple[int, int, Entry | None] | None = None
-        """The last answer, and from when to when it holds [ns since epoch]."""
-
-    def log(self) -> MessageLog:
-        """Return the messages by the times at which they were recorded."""
-        return _RecordedLog(self._bag, self._topic)
+        """The last answer of `newest`, and from when to when it holds [ns since epoch]."""
 
     def newest(self, stamp_ns: int | None) -> Entry | None:
         """Return the last message up to a time [ns since epoch]; None: the last of all."""
@@ -147,7 +107,7 @@ class _RecordedMessages:
             return self._found[2]
         for window_ns in (*WINDOWS_NS, end_ns):
             # A little beyond the time, because the message that follows says until when the answer holds.
-            entries = _read_entries(self._bag, self._topic, end_ns - window_ns, end_ns + WINDOWS_NS[0])
+            entries = self._read(0, end_ns - window_ns, end_ns + WINDOWS_NS[0])
             newest = next((entry for entry in reversed(entries) if entry.stamp_ns <= end_ns), None)
             if newest is not None or window_ns == end_ns:
                 after_ns = next(
@@ -157,46 +117,40 @@ class _RecordedMessages:
                 return newest
         return None
 
+    def parts(self, number: int, until_ns: int | None) -> Iterator[tuple[int, list[Entry]]]:
+        """Yield the messages behind a place, in parts; the place has the number of its part above `INDEX_BITS`."""
+        end_ns = self._bag.end_ns if until_ns is None else min(until_ns, self._bag.end_ns)
+        for part in range((number + 1) >> INDEX_BITS, (end_ns - self._bag.start_ns) // self._step_ns + 1):
+            first, next_ns = part << INDEX_BITS, self._bag.start_ns + (part + 1) * self._step_ns
+            if part not in self._parts:
+                # Several may be of one time, which are all in one part.
+                self._parts[part] = self._read(first, next_ns - self._step_ns, next_ns - 1)
+                if len(self._parts) > 2:
+                    del self._parts[next(iter(self._parts))]
+            entries = self._parts[part]
+            end = bisect.bisect_right(entries, end_ns, key=lambda entry: entry.stamp_ns)
+            place = first + end if next_ns > end_ns else (part + 1) << INDEX_BITS
+            yield place - 1, entries[max(0, number + 1 - first) : end]
 
-class _RecordedLog:
-    """The messages of one topic, by the times at which they were recorded, read a part at a time."""
-
-    is_whole = True
-
-    def __init__(self, bag: Bag, topic: str) -> None:
-        self._bag = bag
-        self._topic = topic
-        self._step_ns = min((bag.end_ns - bag.start_ns) // STEPS + 1, MAX_STEP_NS)
-        self._parts: dict[int, list[Logged]] = {}
-        """The messages of the two parts that were read last, by their numbers: a time at their border needs both."""
-
-    def after(self, place: Place, stamp_ns: int | None) -> Iterator[Logged]:
-        end_ns = self._bag.end_ns if stamp_ns is None else min(stamp_ns, self._bag.end_ns)
-        first = max(0, (place[0] - self._bag.start_ns) // self._step_ns)
-        for number in range(first, (end_ns - self._bag.start_ns) // self._step_ns + 1):
-            for logged in self._read(number):
-                if logged.from_ns > end_ns:
-                    return
-                if logged.place > place:
-                    yield logged
-
-    def _read(self, number: int) -> list[Logged]:
-        if number not in self._parts:
-            start_ns = self._bag.start_ns + number * self._step_ns
-            entries = _read_entries(self._bag, self._topic, start_ns, start_ns + self._step_ns - 1)
-            # Several may be of one time, which are all in one part.
-            self._parts[number] = [
-                Logged((entry.stamp_ns, index), entry.stamp_ns, entry) for index, entry in enumerate(entries)
+    def _read(self, number: int, start_ns: int, end_ns: int) -> list[Entry]:
+        """Return the messages of a time, numbered from a number."""
+        try:
+            return [
+                Entry(
+                    number + index,
+                    message.log_time_ns,
+                    message.log_time_ns,
+                    False,
+                    message.data,
+                    self._decode,
+                )
+                for index, message in enumerate(self._bag.messages(self._topic, max(0, start_ns), end_ns))
             ]
-            if len(self._parts) > 2:
-                del self._parts[next(iter(self._parts))]
-        return self._parts[number]
+        except BagError:
+            return []  # a damaged part of the recording has no messages
 
-    def droppable(self) -> Place:
-        return START
-
-    def drop(self, place: Place) -> None:
-        """Do nothing: messages are read anew."""
+    def leave(self, cursor: Cursor) -> None:
+        """Do nothing: files are open while they are read only."""
 
 
 @contextmanager

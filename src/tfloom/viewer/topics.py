@@ -2,43 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
+from functools import partial
+from itertools import count
 from typing import TYPE_CHECKING, Any, Protocol
 
 from tfloom.rmw.errors import WireError
 from tfloom.rosidl import cdr
 from tfloom.rosidl.class_search import UnknownTypeError, find_class_of_kind
 from tfloom.rosidl.message import Message
-from tfloom.viewer.history import Entry, History, Messages, header_stamp_ns
 from tfloom.viewer.shapes import DisplayError
+from tfloom.viewer.topic_log import TopicLog, header_stamp_ns
 from tfloom.viewer.topic_reader import TopicReader, is_latched
 from tfloom.viewer.type_searches import TypeSearches
 
 if TYPE_CHECKING:
     from tfloom.rmw.base import EndpointInfo, NodeName, Participant
+    from tfloom.viewer.topic_log import Cursor
 
-__all__ = ["Follower", "LiveTopics", "Topics", "TypeNotYetKnownError", "begins_with_header"]
+__all__ = ["LiveTopics", "Topics", "TypeNotYetKnownError", "begins_with_header"]
 
 
 class TypeNotYetKnownError(DisplayError):
     """The type of a topic has no definition here, and is searched for among the nodes that use it."""
-
-
-class Follower(Protocol):
-    """Reads all messages of one topic, one after the other."""
-
-    def take(self) -> Iterable[Entry]:
-        """Return the messages that have come since. Never waits."""
-
-    def decode(self, data: bytes) -> Any:
-        """Return the message of an entry's bytes.
-
-        Raises:
-            DecodeError: the bytes are none.
-        """
-
-    def close(self) -> None:
-        """End reading."""
 
 
 class Topics(Protocol):
@@ -47,15 +33,12 @@ class Topics(Protocol):
     def types(self) -> Mapping[str, str]:
         """Return the type of each topic, by its name."""
 
-    def open(self, topic: str) -> tuple[Messages, Callable[[bytes], Any]]:
-        """Begin to read a topic; return its messages, and the function that decodes one.
+    def open(self, topic: str) -> Cursor:
+        """Return a reader of a topic, before the first of the messages that are kept.
 
         Raises:
             DisplayError: it can't be read.
         """
-
-    def close(self, topic: str) -> None:
-        """End reading a topic."""
 
     def message_class(self, topic: str) -> type[Message]:
         """Return the class of a topic's messages.
@@ -65,19 +48,12 @@ class Topics(Protocol):
             TypeNotYetKnownError: its type is searched for, as `poll` is called.
         """
 
-    def follow(self, topic: str) -> Follower:
-        """Begin to read all messages of a topic, beside those of `open`.
-
-        Raises:
-            DisplayError: it can't be read.
-        """
-
     def poll(self) -> None:
         """Take what has come. Never waits."""
 
 
 class LiveTopics:
-    """The topics of a graph. One thread may use it.
+    """The topics of a graph, each with one log for all who read it. One thread may use it.
 
     Args:
         participant: The participant that reads.
@@ -93,7 +69,9 @@ class LiveTopics:
         self._node = node
         self._history_ns = history_ns
         self._now_ns = now_ns
-        self._readers: dict[str, tuple[TopicReader, History, bool]] = {}
+        self._logs: dict[tuple[str, type[Message]], tuple[TopicReader, TopicLog]] = {}
+        self._numbers = count()
+        """Of all messages, so that those of a topic's later log are greater."""
         self._publishers: dict[str, list[EndpointInfo]] = {}
         """The publishers of each topic, as the graph was when it was read last."""
         self._changes = -1
@@ -113,18 +91,31 @@ class LiveTopics:
                     self._publishers.setdefault(end.topic.name, []).append(end)
         return self._publishers
 
-    def open(self, topic: str) -> tuple[Messages, Callable[[bytes], Any]]:
-        """Begin to read a topic; return its messages, and the function that decodes one.
+    def open(self, topic: str) -> Cursor:
+        """Return a reader of a topic, before the first of the messages that are kept.
 
         Raises:
             DisplayError: nobody publishes it, its type is unknown here, or the wire refuses a reader.
         """
-        self.close(topic)
-        message_class = self.message_class(topic)
-        reader = self._reader(topic)
-        history = History(self._history_ns, is_latched=any(map(is_latched, self._writers(topic))))
-        self._readers[topic] = reader, history, begins_with_header(message_class)
-        return history, lambda data: cdr.decode(message_class, data)
+        name = topic, self.message_class(topic)
+        if name not in self._logs:
+            self._logs[name] = self._opened(name)
+        return self._logs[name][1].open()
+
+    def _opened(self, name: tuple[str, type[Message]]) -> tuple[TopicReader, TopicLog]:
+        topic, message_class = name
+        log = TopicLog(
+            self._history_ns,
+            partial(cdr.decode, message_class),
+            is_latched=any(map(is_latched, self._writers(topic))),
+            numbers=self._numbers,
+            on_left=lambda: self._close(name),
+        )
+        try:
+            reader = TopicReader(self._participant, self._node, lambda: self._read_graph().get(topic, ()))
+        except WireError as error:
+            raise DisplayError(str(error)) from None
+        return reader, log
 
     def message_class(self, topic: str) -> type[Message]:
         """Return the class of a topic's messages.
@@ -154,36 +145,14 @@ class LiveTopics:
             raise DisplayError(f"nobody publishes {topic}")
         return writers
 
-    def follow(self, topic: str) -> Follower:
-        """Begin to read all messages of a topic, beside those of `open`.
-
-        Raises:
-            DisplayError: nobody publishes it, its type is unknown here, or the wire refuses a reader.
-        """
-        message_class = self.message_class(topic)
-        return _LiveFollower(self._reader(topic), message_class, self._now_ns)
-
-    def _reader(self, topic: str) -> TopicReader:
-        """Return a new reader of a topic.
-
-        Raises:
-            DisplayError: nobody publishes it, or the wire refuses a reader.
-        """
-        try:
-            self._writers(topic)
-            return TopicReader(self._participant, self._node, lambda: self._read_graph().get(topic, ()))
-        except WireError as error:
-            raise DisplayError(str(error)) from None
-
-    def close(self, topic: str) -> None:
-        """End reading a topic."""
-        if (opened := self._readers.pop(topic, None)) is not None:
+    def _close(self, name: tuple[str, type[Message]]) -> None:
+        if (opened := self._logs.pop(name, None)) is not None:
             opened[0].close()
 
     def close_all(self) -> None:
         """End reading all topics."""
-        for topic in list(self._readers):
-            self.close(topic)
+        for name in list(self._logs):
+            self._close(name)
         self._searches.close()
 
     def poll(self) -> None:
@@ -193,38 +162,14 @@ class LiveTopics:
             DisplayError: the wire refuses a reader of publishers that have come; the other messages are taken.
         """
         self._searches.poll()
-        refusal = ""
-        for reader, history, has_header in self._readers.values():
-            for entry in _entries(reader, has_header, self._now_ns):
-                history.add(entry)
-            refusal = refusal or reader.refusal
-        if refusal:
-            raise DisplayError(refusal)
-
-
-def _entries(reader: TopicReader, has_header: bool, now_ns: Callable[[], int]) -> Iterable[Entry]:
-    """Yield the messages that a reader has; those without a stamp get the time of now [ns since epoch]."""
-    for sample in reader.take():
-        stamp_ns = header_stamp_ns(sample.data) if has_header else 0
-        yield Entry(stamp_ns or now_ns(), sample.data)
-
-
-class _LiveFollower:
-    """Reads all messages of a topic of a graph."""
-
-    def __init__(self, reader: TopicReader, message_class: type[Message], now_ns: Callable[[], int]) -> None:
-        self._reader = reader
-        self._class = message_class
-        self._now_ns = now_ns
-
-    def take(self) -> Iterable[Entry]:
-        return _entries(self._reader, begins_with_header(self._class), self._now_ns)
-
-    def decode(self, data: bytes) -> Any:
-        return cdr.decode(self._class, data)
-
-    def close(self) -> None:
-        self._reader.close()
+        for (_, message_class), (reader, log) in self._logs.items():
+            has_header = begins_with_header(message_class)
+            for sample in reader.take():
+                stamp_ns = header_stamp_ns(sample.data) if has_header else 0
+                log.add(stamp_ns or self._now_ns(), sample.data)
+        for reader, _ in self._logs.values():
+            if reader.refusal:
+                raise DisplayError(reader.refusal)
 
 
 def begins_with_header(message_class: Any) -> bool:

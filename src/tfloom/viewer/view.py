@@ -45,8 +45,8 @@ if TYPE_CHECKING:
     from tfloom.tf2.buffer import Buffer
     from tfloom.tf2_tools.doctor.finding import Finding
     from tfloom.tf2_tools.watch.sources import Source
-    from tfloom.viewer.history import Entry
     from tfloom.viewer.scene import Scene
+    from tfloom.viewer.topic_log import Entry
     from tfloom.viewer.topics import Topics
 
 __all__ = ["MAX_TRAILS", "View"]
@@ -234,8 +234,8 @@ class View:
         """
         if not on:
             self._wanted.pop(topic, None)
-            self._feeds.pop(topic, None)
-            self.topics.close(topic)
+            if (feed := self._feeds.pop(topic, None)) is not None:
+                feed.close()
             self._scene.draw_display(topic, [])
             return
         if topic in self._feeds:
@@ -249,10 +249,10 @@ class View:
         if len(self._feeds) >= MAX_DISPLAYS:
             raise PageError(f"there are {MAX_DISPLAYS} displays already")
         try:
-            messages, decode = self.topics.open(topic)
+            cursor = self.topics.open(topic)
         except DisplayError as error:
             raise PageError(str(error)) from None
-        feed = self._feeds[topic] = Feed(topic, kind, messages, decode)
+        feed = self._feeds[topic] = Feed(topic, kind, cursor)
         choice = self._wanted.pop(topic, "")
         if choice and feed.display is not None:
             feed.display.choice = choice  # what there is to choose from is known by the first message
@@ -261,14 +261,13 @@ class View:
         """Return what a display shows; None if the topic isn't shown."""
         return self._feeds.get(topic)
 
-    def image_entries(self) -> dict[str, tuple[Entry, Callable[[bytes], Any]]]:
-        """Return the message of each image at the time that is shown, and the function that decodes it."""
+    def image_entries(self) -> dict[str, Entry]:
+        """Return the message of each image at the time that is shown."""
         held_ns = self.shown_ns(span_of(self.buffer))
-        entries = {}
-        for topic, feed in self._feeds.items():
-            if feed.display is None and (entry := feed.messages.newest(held_ns)) is not None:
-                entries[topic] = entry, feed.decode
-        return entries
+        images = [
+            (topic, feed.newest(held_ns)) for topic, feed in self._feeds.items() if feed.display is None
+        ]
+        return {topic: entry for topic, entry in images if entry is not None}
 
     def want(self, topic: str, choice: str = "") -> None:
         """Show a topic as soon as it is there, with what is chosen for it."""
@@ -324,15 +323,15 @@ class View:
         """End reading topics, because nobody looks."""
         self._is_suspended = True
         self.plots.suspend()
-        for topic in self._feeds:
-            self.topics.close(topic)
+        for feed in self._feeds.values():
+            feed.close()
 
     def resume(self) -> None:
         """Read the topics of the displays again, and show what they have from now on."""
         self._is_suspended = False
         for topic, feed in list(self._feeds.items()):
             try:
-                feed.read(*self.topics.open(topic))
+                feed.read(self.topics.open(topic))
             except Exception:  # of one topic, which is tried again: the others are read
                 choice = "" if feed.display is None else feed.display.choice
                 self.set_display(topic, on=False)
@@ -439,10 +438,7 @@ class View:
             if isinstance(feed.display, CameraDisplay):
                 chosen = feed.display.offer(images_of(topic, images))
                 image = self._feeds.get(chosen)
-                if image is None:
-                    feed.display.set_image(None, None)
-                else:
-                    feed.display.set_image(image.messages.newest(held_ns), image.decode)
+                feed.display.set_image(None if image is None else image.newest(held_ns))
 
     def _look(self, now_s: float) -> None:
         seen = self._source.observation()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,7 +17,7 @@ from tfloom.viewer.shapes import DisplayError, Lines, Picture, Placed
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from tfloom.viewer.history import Entry
+    from tfloom.viewer.topic_log import Entry
 
 __all__ = ["CameraDisplay", "images_of"]
 
@@ -82,17 +82,17 @@ class CameraDisplay:
             return "" if self.choice == NO_IMAGE else self.choice
         return images[0] if images else ""
 
-    def set_image(self, entry: Entry | None, decode: Callable[[bytes], Any] | None) -> None:
+    def set_image(self, entry: Entry | None) -> None:
         """Draw an image from now on; one that can't be drawn is none: its own display says why."""
         now_s = time.monotonic()
         if entry is self._entry or (entry is not None and now_s < self._next_picture_s):
             return
         self._entry, self._shapes, self._pixels, self._picture = entry, None, None, None
-        if entry is None or decode is None:
+        if entry is None:
             return
         self._next_picture_s = now_s + PICTURE_S
         try:
-            self._pixels = small_pixels(decode(entry.data), MAX_SIDE_PX)
+            self._pixels = small_pixels(entry.message(), MAX_SIDE_PX)
         except (DisplayError, DecodeError):
             return
 

@@ -10,17 +10,21 @@ from tfloom.viewer.page_command import PageError
 from tfloom.viewer.plots.field_path import number_at, numeric_paths, parse_path
 from tfloom.viewer.plots.series import Series
 from tfloom.viewer.shapes import DisplayError
+from tfloom.viewer.topic_log import START
 from tfloom.viewer.topics import TypeNotYetKnownError
 
 if TYPE_CHECKING:
     from tfloom.viewer.frames import Span
     from tfloom.viewer.plots.field_path import Path
-    from tfloom.viewer.topics import Follower, Topics
+    from tfloom.viewer.topic_log import Cursor, Entry
+    from tfloom.viewer.topics import Topics
 
 __all__ = ["Plots"]
 
 MAX_PLOTS = 12
 """Number of plots."""
+READ_S = 0.005
+"""How long a topic is read for one picture [s]; one message, or one part of a recording, is read at least."""
 PARTS = 200
 """Number of parts of a plot's time, of each of which a page gets the least and the greatest value."""
 
@@ -34,6 +38,8 @@ class _Plot:
         self.series = Series(length_ns)
         self.path: Path | None = None
         """None until the type is known."""
+        self.number = START
+        """That of the last message it has."""
         self.status = f"nobody publishes {topic} yet"
 
 
@@ -49,7 +55,7 @@ class Plots:
         self._topics = topics
         self._length_ns = length_ns
         self._plots: dict[tuple[str, str], _Plot] = {}
-        self._followers: dict[str, Follower] = {}
+        self._cursors: dict[str, Cursor] = {}
 
     def names(self) -> list[tuple[str, str]]:
         """Return topic and field of each plot."""
@@ -110,65 +116,65 @@ class Plots:
             TypeNotYetKnownError: its type is searched for.
         """
         try:
-            plot.path = parse_path(self._topics.message_class(plot.topic), plot.field)
-            if self._length_ns is None:
-                self._restart(plot.topic)
-            if plot.topic not in self._followers:
-                self._followers[plot.topic] = self._topics.follow(plot.topic)
+            path = parse_path(self._topics.message_class(plot.topic), plot.field)
+            cursor = self._topics.open(plot.topic)
         except TypeNotYetKnownError:
             raise
         except (DisplayError, LookupError, ValueError) as error:
             raise PageError(str(error)) from None
-        plot.status = "no message yet"
-
-    def _restart(self, topic: str) -> None:
-        """Read a recording's topic again from its start, because its numbers so far lack a new field."""
-        self._close(topic)
-        for plot in self._plots.values():
-            if plot.topic == topic:
-                plot.series.clear()
+        # The other plots of the topic have what came so far, which this one lacks.
+        others = [other.number for other in self._plots.values() if other.topic == plot.topic]
+        cursor.number = min(plot.number, *others) if others else plot.number
+        self._close(plot.topic)
+        self._cursors[plot.topic] = cursor
+        plot.path, plot.status = path, "no message yet"
 
     def _close(self, topic: str) -> None:
-        if (follower := self._followers.pop(topic, None)) is not None:
-            follower.close()
+        if (cursor := self._cursors.pop(topic, None)) is not None:
+            cursor.close()
 
     def look(self) -> None:
         """Begin to read the topics of plots that are there by now."""
         types = self._topics.types()
         for plot in self._plots.values():
-            if plot.topic in types and (plot.path is None or plot.topic not in self._followers):
+            if plot.topic in types and (plot.path is None or plot.topic not in self._cursors):
                 try:
                     self._open(plot)
                 except (PageError, TypeNotYetKnownError) as error:
                     plot.status = shown_text(str(error))
 
     def suspend(self) -> None:
-        """End reading topics, because nobody looks; what was read stays. A recording is read only when it is polled."""
-        if self._length_ns is None:
-            return
-        for topic in list(self._followers):
+        """End reading topics, because nobody looks; what was read stays."""
+        for topic in list(self._cursors):
             self._close(topic)
 
     def clear(self) -> None:
-        """Drop all numbers."""
+        """Drop all numbers, and end reading topics until `look`."""
+        self.suspend()
         for plot in self._plots.values():
             plot.series.clear()
 
     def poll(self) -> None:
-        """Take what has come. Never waits."""
-        for topic, follower in self._followers.items():
+        """Take what has come, as much as can be read in the time for one picture."""
+        for topic, cursor in self._cursors.items():
             plots = [plot for plot in self._plots.values() if plot.topic == topic and plot.path is not None]
-            for entry in follower.take():
-                try:
-                    message = follower.decode(entry.data)
-                except DecodeError as error:
-                    for plot in plots:
-                        plot.status = shown_text(str(error))
-                    continue
-                for plot in plots:
-                    assert plot.path is not None  # noqa: S101  # for the type checker; they were chosen so
-                    plot.series.add(entry.stamp_ns, number_at(message, plot.path))
-                    plot.status = ""
+            for entry in cursor.read(limit_s=READ_S):
+                self._add([plot for plot in plots if plot.number < entry.number], entry)
+
+    def _add(self, plots: list[_Plot], entry: Entry) -> None:
+        """Add a message's numbers to the plots that lack them."""
+        message, status = None, ""
+        if plots:
+            try:
+                message = entry.message()
+            except DecodeError as error:
+                status = shown_text(str(error))
+        for plot in plots:
+            plot.number, plot.status = entry.number, status
+            if entry.begins_anew:
+                plot.series.clear()
+            if message is not None and plot.path is not None:
+                plot.series.add(entry.stamp_ns, number_at(message, plot.path))
 
     def snapshot(self, span: Span | None, held_ns: int | None) -> list[dict[str, Any]]:
         """Return the plots as values for JSON: all over the same time.

@@ -37,13 +37,10 @@ class Series:
         return (self._stamps[0], self._stamps[-1]) if self._stamps else None
 
     def add(self, stamp_ns: int, value: float) -> None:
-        """Add a number. A clock that has gone back by more than the length begins anew, as a simulation does."""
+        """Add a number."""
         if not abs(value) <= MAX_NUMBER:
             value = math.nan
-        newest_ns = self._stamps[-1] if self._stamps else stamp_ns
-        if self._length_ns is not None and stamp_ns < newest_ns - self._length_ns:
-            self.clear()
-        if stamp_ns >= newest_ns or not self._stamps:
+        if not self._stamps or stamp_ns >= self._stamps[-1]:
             self._stamps.append(stamp_ns)
             self._values.append(value)
         else:
