@@ -3,11 +3,12 @@
 `tfloom.pth` adds a finder to the end of `sys.meta_path` that imports this module when a program imports one of them
 and nobody has it; `tfloom.use_ros_names()` does the same. Modules of these names in any folder of `sys.path` take
 precedence. A program that only asks whether there is such a module, by `importlib.util.find_spec`, is told that there
-is none.
+is none. Of ROS 2 the same is said of modules that tfloom's own packages lack: those of verbs, and of the generator.
 """
 
 from __future__ import annotations
 
+import os
 import sys
 from importlib.machinery import ModuleSpec
 
@@ -34,15 +35,45 @@ INSTEAD = {
     "`sensor_msgs/msg/Image` or `CompressedImage` itself, with `cv_bridge` of tfloom-sensing",
 }
 """The names, which the finder in CMakeLists.txt has, too, and the rest of the error's text."""
+_ROS_NAMES = f"{os.sep}tfloom{os.sep}ros_names{os.sep}"
+"""Part of the path of each package of ROS that tfloom has."""
 
 
-def spec_of(name: str) -> ModuleSpec | None:
+def spec_of(name: str, path: Sequence[str] | None = None) -> ModuleSpec | None:
     """Return the spec of such a module, whose import raises the error.
 
     None for any other name, and where the name is only looked for: a spec would tell `importlib.util.find_spec` that
     the module is there.
+
+    Args:
+        name: The module's full name.
+        path: The folders of its package; None for a package.
     """
-    return ModuleSpec(name, _Refusal()) if name in INSTEAD and _is_import() else None
+    if name in INSTEAD:
+        error: ImportError = ModuleNotFoundError(f"No module named {name!r}: {INSTEAD[name]}", name=name)
+    elif path and _ROS_NAMES in next(iter(path), "") and (reason := _reason(name)):
+        # No ModuleNotFoundError, which Python drops where `from package import module` finds no module.
+        error = ImportError(f"No module named {name!r}: {reason}", name=name)
+    else:
+        return None
+    return ModuleSpec(name, _Refusal(error)) if _is_import() else None
+
+
+def _reason(name: str) -> str:
+    """Return why a package of tfloom's has no such module, and what to do instead; empty for any other package."""
+    package, *inner = name.split(".")
+    if package == "rosidl_generator_py":
+        return (
+            "tfloom generates no code for interface packages. Import their classes (`from my_interfaces.msg import X`)"
+            ", or write typed modules for editors with `tfloom interfaces stubs DIR`"
+        )
+    if package.startswith("ros2") and len(inner) == 2 and inner[0] == "verb":
+        command = package.removeprefix("ros2")
+        return (
+            f"tfloom has most verbs as functions of the command, and no classes of them. Call the functions of "
+            f"`{package}.api`, or `ros2cli.cli.main(argv=[{command!r}, {inner[1]!r}])`"
+        )
+    return ""
 
 
 def install() -> None:
@@ -73,14 +104,17 @@ class _Finder:
     finds_absent = True
 
     def find_spec(
-        self, fullname: str, _path: Sequence[str] | None = None, _target: ModuleType | None = None
+        self, fullname: str, path: Sequence[str] | None = None, _target: ModuleType | None = None
     ) -> ModuleSpec | None:
-        return spec_of(fullname)
+        return spec_of(fullname, path)
 
 
 class _Refusal(Loader):
-    def create_module(self, spec: ModuleSpec) -> NoReturn:
-        raise ModuleNotFoundError(f"No module named {spec.name!r}: {INSTEAD[spec.name]}", name=spec.name)
+    def __init__(self, error: ImportError) -> None:
+        self._error = error
+
+    def create_module(self, _spec: ModuleSpec) -> NoReturn:
+        raise self._error
 
     def exec_module(self, module: ModuleType) -> None:
         """Do nothing; Python asks for this method."""

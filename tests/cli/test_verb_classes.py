@@ -9,6 +9,7 @@ import sys
 from collections.abc import Callable
 from functools import partial
 from importlib import import_module
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -31,6 +32,7 @@ from tests.cli.extensions import install, run_here
 from tfloom.cli.main import COMMANDS
 from tfloom.cli.parser import Group
 from tfloom.cli.plugins.extensions import VerbExtension
+from tfloom.cli.verb_classes import verbs
 
 HERE = Path(__file__).parent
 MODULE_NAMES = HERE.parent / "golden" / "verb_classes.json"
@@ -57,32 +59,52 @@ def verb_classes() -> dict[str, list[str]]:
     return names
 
 
-@pytest.mark.parametrize("module", sorted(verb_classes()))
-def test_reference_s_classes_are_there(module: str) -> None:
-    for name in verb_classes()[module]:
-        cls = getattr(import_module(module), name)
-        if name.endswith("Verb"):
+SEEN_IN_PROGRAMS = {
+    "ros2bag.verb.convert",
+    "ros2bag.verb.play",
+    "ros2bag.verb.record",
+    "ros2pkg.verb.create",
+    "ros2topic.verb.bw",
+    "ros2topic.verb.delay",
+    "ros2topic.verb.echo",
+    "ros2topic.verb.hz",
+    "ros2topic.verb.info",
+    "ros2topic.verb.list",
+    "ros2topic.verb.pub",
+}
+"""The modules of verbs that public programs import, beside those that only packages of ROS 2 itself import."""
+
+
+@pytest.mark.parametrize("module", sorted(SEEN_IN_PROGRAMS))
+def test_reference_s_classes_that_programs_import_are_there(module: str) -> None:
+    for name in verb_classes().get(module, ["ConvertVerb", "CreateVerb"]):
+        cls = getattr(import_module(module), name, None)
+        if name.endswith("Verb") and cls is not None:
             assert issubclass(cls, VerbExtension)
             assert import_module(cls.MODULE).main
 
 
-def test_each_verb_of_ours_has_a_class_with_its_summary() -> None:
-    own = {"daemon", "tf", "zenoh"}  # the daemon's verbs explain that there is none; the others are not ROS's
-    for command, group in COMMANDS.items():
-        if not isinstance(group, Group) or command in own:
+@pytest.mark.parametrize("module", sorted({*verb_classes(), "ros2component.verb.types"} - SEEN_IN_PROGRAMS))
+def test_import_of_another_verb_s_class_names_what_to_do_instead(module: str) -> None:
+    package, _, verb = module.split(".")
+    expected = (
+        rf"No module named '{module}': .*`{package}\.api`, or `ros2cli\.cli\.main\(argv=\[.*'{verb}'\]\)`"
+    )
+    with pytest.raises(ImportError, match=expected):
+        import_module(module)
+    with pytest.raises(ImportError, match=expected):
+        exec(f"from {package}.verb import {verb}")
+    assert import_module(f"{package}.api")
+
+
+def test_each_class_has_the_summary_of_its_verb() -> None:
+    for cls in vars(verbs).values():
+        if not (isinstance(cls, type) and "MODULE" in vars(cls)):
             continue
-        classes = import_module(f"tfloom.cli.verb_classes.{command}")
-        of_modules = {
-            cls.MODULE: inspect.getdoc(cls)
-            for cls in vars(classes).values()
-            if isinstance(cls, type) and "MODULE" in vars(cls)
-        }
-        verbs = {
-            verb: text for verb, text in group.verbs.items() if (command, verb) != ("interface", "stubs")
-        }
-        assert of_modules == {f"tfloom.cli.{command}.{verb}": f"{text}." for verb, text in verbs.items()}, (
-            command
-        )
+        _, _, command, verb = cls.MODULE.split(".")
+        group = COMMANDS[command]
+        assert isinstance(group, Group)
+        assert inspect.getdoc(cls) == f"{group.verbs[verb]}."
 
 
 @pytest.mark.wire
@@ -107,19 +129,17 @@ def test_derived_verb_runs_as_the_own_one_does(
 def test_verb_runs_with_the_few_arguments_that_a_program_gives(
     domain_id: int, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    from ros2pkg.verb.prefix import PrefixVerb
+    from ros2topic.verb.info import InfoVerb
     from ros2topic.verb.list import ListVerb
-    from ros2topic.verb.type import TypeVerb
 
-    assert PrefixVerb().main(args=argparse.Namespace(package_name="turtlesim")) in (0, None)
-    assert capsys.readouterr().out.strip()
-    error = PrefixVerb().main(args=argparse.Namespace(package_name="no_such"))
-    assert str(error).startswith("Package not found")
     assert ListVerb().main(args=argparse.Namespace()) == 0
+    error = InfoVerb().main(args=argparse.Namespace(topic_name="/no_such"))
+    assert str(error).startswith("Unknown topic")
+    capsys.readouterr()
     with DirectNode(argparse.Namespace()) as node:
         node.create_publisher(Int8, "/_hidden", 1)
-        hidden = TypeVerb().main(args=argparse.Namespace(topic_name="/_hidden"))
-    assert "ros2 topic --include-hidden-topics type /_hidden" in str(hidden)
+        assert InfoVerb().main(args=argparse.Namespace(topic_name="/_hidden")) in (0, None)
+    assert "Publisher count: 1" in capsys.readouterr().out
 
 
 @pytest.fixture(scope="module")
@@ -268,3 +288,7 @@ def test_bare_import_of_the_generator_is_no_error_and_its_names_tell_what_to_do(
     assert not hasattr(rosidl_generator_py, "__wrapped__")
     with pytest.raises(ImportError, match="interfaces stubs DIR"):
         from rosidl_generator_py import generate_py  # noqa: F401
+    with pytest.raises(ImportError, match="interfaces stubs DIR"):
+        import rosidl_generator_py.import_type_support_impl
+    assert find_spec("rosidl_generator_py.import_type_support_impl") is None
+    assert find_spec("ros2node.verb.info") is None

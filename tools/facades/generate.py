@@ -186,7 +186,8 @@ class Generator:
     @cached_property
     def _packages(self) -> set[str]:
         inner = {module.rpartition(".")[0] for module in self._facades}
-        return {*self._table, *inner} - {""}
+        told = {module for module, facade in self._facades.items() if facade.package}
+        return {*self._table, *inner, *told} - {""}
 
     def _submodules(self, module: str) -> list[str]:
         return sorted(name for name in self._children.get(module, ()) if not name.startswith("_"))

@@ -36,6 +36,8 @@ class Facade:
     """Modules that are imported for what their import does."""
     claim: bool = False
     """Whether its import raises an error beside the `rclpy` of another ROS."""
+    package: bool = False
+    """Whether it is a package though no module of the table is in it: the names of absent ones are explained."""
     eager: bool = False
     """Whether a package loads all of its own names at once, because they register themselves, or need OpenCV."""
 

@@ -1,4 +1,4 @@
-"""The verbs of `ros2 topic` as classes."""
+"""The verbs that public programs run or derive from as classes."""
 
 from __future__ import annotations
 
@@ -6,14 +6,16 @@ from tfloom.cli.verb_classes.builtin_verb import BuiltinVerb
 
 __all__ = [
     "BwVerb",
+    "ConvertVerb",
+    "CreateVerb",
     "DelayVerb",
     "EchoVerb",
-    "FindVerb",
     "HzVerb",
     "InfoVerb",
     "ListVerb",
+    "PlayVerb",
     "PubVerb",
-    "TypeVerb",
+    "RecordVerb",
 ]
 
 
@@ -27,10 +29,6 @@ class DelayVerb(BuiltinVerb, module="tfloom.cli.topic.delay"):
 
 class EchoVerb(BuiltinVerb, module="tfloom.cli.topic.echo"):
     """Print the messages of a topic."""
-
-
-class FindVerb(BuiltinVerb, module="tfloom.cli.topic.find"):
-    """List the topics of a type."""
 
 
 class HzVerb(BuiltinVerb, module="tfloom.cli.topic.hz"):
@@ -49,5 +47,17 @@ class PubVerb(BuiltinVerb, module="tfloom.cli.topic.pub"):
     """Publish messages on a topic."""
 
 
-class TypeVerb(BuiltinVerb, module="tfloom.cli.topic.type"):
-    """Print a topic's type."""
+class ConvertVerb(BuiltinVerb, module="tfloom.cli.bag.convert"):
+    """Given an input bag, write out a new bag with different settings."""
+
+
+class PlayVerb(BuiltinVerb, module="tfloom.cli.bag.play"):
+    """Play back ROS data from a bag."""
+
+
+class RecordVerb(BuiltinVerb, module="tfloom.cli.bag.record"):
+    """Record ROS data to a bag."""
+
+
+class CreateVerb(BuiltinVerb, module="tfloom.cli.pkg.create"):
+    """Create a package in a workspace."""
