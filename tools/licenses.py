@@ -16,7 +16,7 @@ from pathlib import Path
 
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
-from tools.set_up import PACKAGES, STAGES, dependencies_of, read_project
+from tools.set_up import PACKAGES, STAGES, dependencies_of, read_project, requirements_of_extra
 
 COMPILED_IN = "compiled in"
 REQUIRED = "required"
@@ -139,7 +139,7 @@ def roots_of_project() -> dict[str, list[str]]:
             if requirement.startswith("nanobind")
         ],
         REQUIRED: dependencies_of(project),
-        **{f"extra {name}": requirements for name, requirements in extras.items() if name != "all"},
+        **{f"extra {name}": requirements_of_extra(project, name) for name in extras if name != "all"},
         DEVELOPMENT: [requirement for group in groups for requirement in project["dependency-groups"][group]],
     }
 

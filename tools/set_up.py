@@ -491,10 +491,25 @@ def requirements_of(project: Mapping[str, Any], stage: str) -> list[str]:
     if stage in ALONE:
         own = [requirement for requirement in own if distribution(requirement) != DDS]
     grouped = [requirement for group in groups for requirement in project["dependency-groups"][group]]
-    extra = [
-        requirement for name in extras for requirement in project["project"]["optional-dependencies"][name]
-    ]
+    extra = [requirement for name in extras for requirement in requirements_of_extra(project, name)]
     return [*grouped, *own, *extra]
+
+
+def requirements_of_extra(project: Mapping[str, Any], name: str) -> list[str]:
+    """Return the requirements of an extra; where it names others of tfloom's, as `tfloom[bag]`, theirs.
+
+    Without this, a command would ask the package index for tfloom.
+    """
+    requirements: list[str] = []
+    for requirement in project["project"]["optional-dependencies"][name]:
+        others = re.fullmatch(r"tfloom\[([\w,-]+)\]", requirement)
+        if others is None:
+            requirements.append(requirement)
+        else:
+            requirements += [
+                one for other in others[1].split(",") for one in requirements_of_extra(project, other)
+            ]
+    return requirements
 
 
 def dependencies_of(project: Mapping[str, Any]) -> list[str]:
