@@ -14,6 +14,7 @@ from pathlib import Path
 
 from tests import native_locks
 from tests.import_graph import Import, Kind, imports_of_file, rings
+from tools import native_readme
 
 SHELVES = [
     ["_native"],
@@ -28,22 +29,24 @@ SHELVES = [
 ]
 """The rooms, from the bottom up; rooms on one shelf don't import each other, except interfaces rosidl."""
 
-NODE_ROOMS = [
-    "values",
-    "log",
-    "parameters",
-    "context",
-    "qos",
-    "clock",
-    "executing",
-    "endpoints",
-    "base",
-    "builtin",
-    "",
-    "action",
-    "lifecycle",
-]
-"""The rooms inside node/, from the bottom up; "" are the files beside them."""
+NODE = Path(__file__).parents[1] / "src" / "tfloom" / "node"
+
+
+def rooms_in_order(folder: Path) -> list[str]:
+    """Return the folders that the docstring of a room's `__init__.py` lists, and "" where its first file stands."""
+    text = ast.get_docstring(ast.parse((folder / "__init__.py").read_text("utf-8"))) or ""
+    names = [
+        name.strip("/") if name.endswith("/") else ""
+        for row in LISTED.findall(text)
+        for name in row.split(", ")
+    ]
+    return list(dict.fromkeys(names))
+
+
+LISTED = re.compile(r"^- ([\w/*]+(?:, [\w/*]+)*): ", re.MULTILINE)
+"""A row of the list of files in a room's docstring: `- text/, echo: what they are for`."""
+NODE_ROOMS = rooms_in_order(NODE)
+"""The rooms inside node/, from the bottom up, as its docstring lists them; "" are the files beside them."""
 
 DOORS = {
     "pygame": ("turtlesim/window.py",),
@@ -229,7 +232,9 @@ def one_door_for_each_library(house: Path) -> list[str]:
             continue
         doors = DOORS.get(library)
         if doors is None:
-            violations.append(f"{where}, a library that has no door")
+            violations.append(
+                f"{where}, a library that has no door: add one to DOORS of tests/architecture.py"
+            )
         elif not place.startswith(doors):
             violations.append(f"{where}; its door is {' or '.join(doors)}")
     return violations
@@ -259,10 +264,6 @@ def a_top_holds_its_docstring_alone(house: Path) -> list[str]:
     return violations
 
 
-LISTED = re.compile(r"^- ([\w/*]+(?:, [\w/*]+)*): ", re.MULTILINE)
-"""A row of the list of files in a room's docstring: `- text/, echo: what they are for`."""
-
-
 def listed_files_exist(house: Path) -> list[str]:
     """The files and folders that the docstring of a room's `__init__.py` lists are there."""
     return [
@@ -280,11 +281,15 @@ def _folders(path: Path) -> set[str]:
 
 
 def each_room_has_its_place(house: Path) -> list[str]:
-    """Each folder of the house is on a shelf, and each one of node/ in NODE_ROOMS."""
+    """Each folder of the house is on a shelf, and each one of node/ in the list of its `__init__.py`."""
     named = {room for rooms in SHELVES for room in rooms}
-    violations = [f"{room}/ stands on no shelf" for room in sorted(_folders(house) - named)]
+    violations = [
+        f"{room}/ stands on no shelf: add it to SHELVES of tests/architecture.py"
+        for room in sorted(_folders(house) - named)
+    ]
     violations += [
-        f"node/{room}/ has no place" for room in sorted(_folders(house / "node") - set(NODE_ROOMS))
+        f"node/{room}/ has no place: add it to the list of node/__init__.py"
+        for room in sorted(_folders(house / "node") - set(NODE_ROOMS))
     ]
     return violations
 
@@ -485,6 +490,15 @@ def the_command_line_starts_without_the_rooms(house: Path) -> list[str]:
     ]
 
 
+def the_readme_lists_each_file(native: Path) -> list[str]:
+    """README.md lists each file of native/ by its first sentence, as `python -m tools.native_readme` writes it."""
+    try:
+        is_current = (native / native_readme.README).read_text("utf-8") == native_readme.readme_text(native)
+    except ValueError as error:
+        return [str(error)]
+    return [] if is_current else ["README.md differs from the files: run `python -m tools.native_readme`"]
+
+
 def the_native_core_knows_no_python(native: Path) -> list[str]:
     """Only native/bindings includes Python or nanobind, and only native/dds opens libddsc."""
     violations = []
@@ -571,6 +585,7 @@ HOUSE_RULES: list[Rule] = [
     no_users_code_under_a_lock,
 ]
 NATIVE_RULES: list[Rule] = [
+    the_readme_lists_each_file,
     the_native_core_knows_no_python,
     native_rooms_point_down,
     one_door_to_the_gil,

@@ -14,6 +14,7 @@ import pytest
 from tests import architecture
 from tests.architecture import HOUSE_RULES, NATIVE_RULES, NODE_ROOMS, SHELVES, Rule
 from tests.conftest import run_to_end
+from tools.native_readme import BEGIN
 
 ROOT = Path(__file__).parents[1]
 HOUSE = ROOT / "src" / "tfloom"
@@ -127,7 +128,7 @@ VIOLATIONS: list[tuple[Rule, dict[str, str], list[str]]] = [
             "rmw/x.py": "import cyclonedds.core\nimport_module(f'PIL.{x}')\n",
         },
         [
-            "rmw/x.py:1 imports cyclonedds, a library that has no door",
+            "rmw/x.py:1 imports cyclonedds, a library that has no door: add one to DOORS of tests/architecture.py",
             f"rmw/x.py:2 imports PIL; its door is {' or '.join(architecture.DOORS['PIL'])}",
             "tf2_tools/show.py:1 imports pygame; its door is turtlesim/window.py",
         ],
@@ -177,7 +178,10 @@ VIOLATIONS: list[tuple[Rule, dict[str, str], list[str]]] = [
     (
         architecture.each_room_has_its_place,
         {"stage/reader.py": "", "node/helpers/x.py": ""},
-        ["node/helpers/ has no place", "stage/ stands on no shelf"],
+        [
+            "node/helpers/ has no place: add it to the list of node/__init__.py",
+            "stage/ stands on no shelf: add it to SHELVES of tests/architecture.py",
+        ],
     ),
     (
         architecture.the_command_line_starts_without_the_rooms,
@@ -281,6 +285,15 @@ def test_name_of_a_missing_room_or_library_is_found(tmp_path: Path, monkeypatch:
 
 NATIVE_VIOLATIONS: list[tuple[Rule, dict[str, str], list[str]]] = [
     (
+        architecture.the_readme_lists_each_file,
+        {
+            "README.md": f"| `core/` | queues |\n\n{BEGIN}\n## core/\n\n- `a`: A queue\n",
+            "core/a.hpp": "// A queue. It has an end.\n",
+            "core/b.hpp": "// Another one.\n",
+        },
+        ["README.md differs from the files: run `python -m tools.native_readme`"],
+    ),
+    (
         architecture.the_native_core_knows_no_python,
         {"core/a.hpp": "#include <Python.h>\n", "tf2/b.cpp": "dlopen();\n", "dds/c.cpp": "dlopen();\n"},
         ["core/a.hpp includes Python", "tf2/b.cpp calls dlopen; libddsc has one door, native/dds"],
@@ -358,6 +371,20 @@ def test_planted_native_violation_is_found(
     rule: Rule, files: dict[str, str], findings: list[str], tmp_path: Path
 ) -> None:
     assert rule(plant(tmp_path, files)) == findings
+
+
+def test_a_readme_with_every_file_is_accepted_and_a_file_without_a_comment_is_named(tmp_path: Path) -> None:
+    head = f"| `core/` | queues |\n\n{BEGIN}"
+    files = {
+        "README.md": f"{head}\n## core/\n\n- `a`: A queue\n",
+        "core/a.hpp": "// A queue. It has an end.\n",
+    }
+    native = plant(tmp_path, files | {"core/a.cpp": '#include "core/a.hpp"\n'})
+    assert architecture.the_readme_lists_each_file(native) == []
+    plant(tmp_path, {"core/b.cpp": "int b;\n"})
+    assert architecture.the_readme_lists_each_file(native) == [
+        "native/core/b.cpp doesn't begin with a comment that says what it is for"
+    ]
 
 
 def test_each_rule_has_a_planted_violation() -> None:

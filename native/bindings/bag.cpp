@@ -1,3 +1,5 @@
+// The queue of messages that a recording writes.
+
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/unique_ptr.h>

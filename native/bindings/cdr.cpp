@@ -1,3 +1,5 @@
+// The codec of messages: plans of types, encoding and decoding.
+
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/string.h>
 

@@ -1,3 +1,5 @@
+// The queues of an executor, sinks, and the waits of threads.
+
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/vector.h>

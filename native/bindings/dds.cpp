@@ -1,3 +1,5 @@
+// Participants, readers and writers of libddsc.
+
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>

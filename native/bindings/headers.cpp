@@ -1,3 +1,5 @@
+// Sinks that count the frames in headers of messages.
+
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/string.h>
 

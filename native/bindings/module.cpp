@@ -1,3 +1,5 @@
+// The module tfloom._native, which consists of the families in bindings.hpp.
+
 #include <cstdlib>
 
 #include "bindings/bindings.hpp"

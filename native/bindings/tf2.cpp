@@ -1,3 +1,5 @@
+// The buffer of transforms: lookups, errors and frames.
+
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>

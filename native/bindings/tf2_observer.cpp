@@ -1,3 +1,5 @@
+// Statistics of the transforms on /tf, by publisher and edge.
+
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>

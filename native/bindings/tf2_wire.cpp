@@ -1,3 +1,5 @@
+// Sinks that store received transforms in a buffer.
+
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>

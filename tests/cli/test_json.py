@@ -107,9 +107,11 @@ def strictly(text: str) -> Any:
 
 def test_each_verb_has_json_or_a_stated_reason() -> None:
     with_json = {verb for verb, parser in VERBS.items() if "--json" in parser.flags()}
-    assert with_json == {*ASKED, *ELSEWHERE}, "add a verb with --json to ASKED or ELSEWHERE"
+    assert with_json == {*ASKED, *ELSEWHERE}, (
+        "tests/cli/test_json.py: add a verb with --json to ASKED or ELSEWHERE"
+    )
     assert set(VERBS) - with_json == {*WITHOUT} & set(VERBS), (
-        "add a verb without it to WITHOUT, with the reason"
+        "tests/cli/test_json.py: add a verb without it to WITHOUT, with the reason"
     )
 
 

@@ -51,7 +51,9 @@ def test_commands_page_lists_exactly_the_verbs() -> None:
         for word, command in cli.COMMANDS.items()
     }
     # The page states without the verbs that there is no daemon.
-    assert named | {"daemon": set()} == table | {"daemon": set()}
+    assert named | {"daemon": set()} == table | {"daemon": set()}, (
+        "docs/commands.md, its first table, and COMMANDS of src/tfloom/cli/main.py: a verb gets a place in both"
+    )
 
 
 @pytest.mark.parametrize("word", ["topic", "param", "run", "doctor"])

@@ -37,7 +37,9 @@ RECORDED = [verb for verb in USAGES if verb in VERBS and USAGES[verb]]
 
 
 def test_each_ros2_verb_exists_or_has_a_stated_reason() -> None:
-    assert set(USAGES) - set(VERBS) == set(NOT_HERE)
+    assert set(USAGES) - set(VERBS) == set(NOT_HERE), (
+        "NOT_HERE of tests/cli/test_usage.py: a verb of ros2 that is not here gets a reason"
+    )
 
 
 @for_each(RECORDED)

@@ -149,6 +149,8 @@ def test_exceptions_that_no_spin_raises_are_printed(
 def test_every_public_callable_has_a_row() -> None:
     """A parameter that takes a function needs a row, or a reason, in `covered.py`."""
     found = public_callables()
-    assert found == set(COVERED)
+    assert found == set(COVERED), (
+        "tests/faults/covered.py: each parameter of the public names that takes a function gets a row, or a reason"
+    )
     rows = set(ROWS) | set(test_raising_functions.ROWS)
     assert {row for row in COVERED.values() if not row.startswith("-")} <= rows

@@ -168,7 +168,9 @@ def test_planted_writers_are_found(text: str, *, expected: bool) -> None:
 
 def test_every_file_that_writes_has_a_row() -> None:
     """A new writer needs a row in `refused_files.py`, or a reason here."""
-    assert sorted(writing_files()) == sorted(WRITERS)
+    assert sorted(writing_files()) == sorted(WRITERS), (
+        "WRITERS of tests/faults/test_refused_files.py: a file that writes gets a row, or a reason"
+    )
     assert {row for row in WRITERS.values() if not row.startswith("-")} == set(ROWS)
 
 

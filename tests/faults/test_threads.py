@@ -177,7 +177,9 @@ def test_every_place_that_starts_threads_has_a_row() -> None:
                 name = function.attr if isinstance(function, ast.Attribute) else getattr(function, "id", "")
                 if name in STARTS and not (name == "Timer" and isinstance(function, ast.Name)):
                     found[path.relative_to(SOURCE).as_posix()] += 1
-    assert dict(found) == {path: len(rows) for path, rows in PLACES.items()}
+    assert dict(found) == {path: len(rows) for path, rows in PLACES.items()}, (
+        "PLACES of tests/faults/test_threads.py: each call that starts a thread gets a row"
+    )
     tests = {name.removeprefix("test_").removesuffix("_without_a_thread") for name in globals()}
     assert {row for rows in PLACES.values() for row in rows if row.isidentifier()} <= tests
 
