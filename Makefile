@@ -37,6 +37,7 @@ help: ## print this
 #> .ci/run                              run the CI
 #> .ci/bare FOLDER 'make demo'          run a command as on a machine that has never built tfloom
 #> .ci/newest_dds                       try the newest DDS library, then add it to `tried_versions` in native/dds/library.cpp
+#> .ci/newest_pages                     try the newest viser and foxglove-sdk that pyproject.toml admits
 
 setup: ## create or update .venv for all of these, and compile a change in native/
 	$(set_up) check
