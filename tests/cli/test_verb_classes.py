@@ -199,7 +199,7 @@ def test_components_are_loaded_listed_and_unloaded(nodes: int, monkeypatch: pyte
                 node=node, remote_container_node_name="/a_container", package_name="p", plugin_name="Nothing"
             )
         for wrong in ({"parameters": ["a=3"]}, {"log_level": "loud"}):
-            with pytest.raises(RuntimeError, match=r"no parameter|must be one of"):
+            with pytest.raises(RuntimeError, match=r"is not a parameter|must be one of"):
                 component_api.load_component_into_container(
                     node=node,
                     remote_container_node_name="/a_container",
