@@ -60,7 +60,7 @@ DOORS = {
         "viewer/foxglove_bridge/own_client.py",
         "viewer/foxglove_bridge/relay.py",
     ),
-    "msgspec": ("viewer/page_server.py",),
+    "msgspec": ("viewer/viser_private.py",),
     "trimesh": ("viewer/",),
     "foxglove": ("viewer/foxglove_bridge/",),
     "psutil": ("launch/processes/",),

@@ -42,6 +42,7 @@ collect_ignore = (
         "test_browser.py",
         "test_inline.py",
         "test_open_ports.py",
+        "test_viser_private.py",
     ]
 )
 """Tests of pages need the extra `view`; those of what is shown do not."""

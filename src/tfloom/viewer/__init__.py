@@ -6,8 +6,8 @@
 - topic_log: the messages of one topic, from which displays, plots and the slider read
 - topics, topic_reader, recorded: those of a graph, or of a recording
 - feed, replay: what a display shows of them
-- view: what all pages share, and what follows of it
-- drawing, scene, scene_server, mesh_files: viser's scene and server
+- shared_state: what all pages share, and what follows of it
+- drawing, scene, scene_server, viser_private, mesh_files: viser's scene and server
 - page_server, access, page_command: the server of our page
 - fault_text: an error as a sentence for a page
 - forms/: what pages publish, call and send as goals, by forms made from any type

@@ -17,7 +17,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from urllib.parse import parse_qs, urlsplit
 
-import msgspec
 from websockets.asyncio.client import connect
 from websockets.asyncio.server import Server, ServerConnection, serve
 from websockets.datastructures import Headers
@@ -26,7 +25,8 @@ from websockets.http11 import Request, Response
 
 from tfloom.viewer.access import Access
 from tfloom.viewer.page_command import PageError
-from tfloom.viewer.scene_server import KEY_HEADER, PAGE_HEADER, is_readable
+from tfloom.viewer.scene_server import KEY_HEADER, PAGE_HEADER
+from tfloom.viewer.viser_private import is_readable
 
 if TYPE_CHECKING:
     from tfloom.viewer.layout.layout import ViewPoint
@@ -50,13 +50,6 @@ LATE_S = 0.25
 """How long it may not run until what pages say then is late; and how long after that it may still be late [s]."""
 MAX_EARLIER_LINES = 500
 """Number of lines of the log that a new page gets."""
-SCENE_MESSAGES = (
-    "ViewerCameraMessage",
-    "SceneNodeClickMessage",
-    "SceneNodeDragMessage",
-    "ScenePointerMessage",
-)
-"""What viser's client may send to its server; the rest, as requests for a tunnel, is dropped."""
 FILES = {
     "/": ("index.html", "text/html; charset=utf-8"),
     "/page.css": ("page.css", "text/css; charset=utf-8"),
@@ -409,7 +402,7 @@ class PageServer:
 
             async def up() -> None:
                 async for message in connection:
-                    if isinstance(message, bytes) and _is_allowed(message) and is_readable(message):
+                    if isinstance(message, bytes) and is_readable(message):
                         await upstream.send(message)
 
             async def down() -> None:
@@ -443,14 +436,6 @@ class _Page:
         if self.scene is not None:
             self.scene.transport.abort()
             self.scene = None
-
-
-def _is_allowed(message: bytes) -> bool:
-    try:
-        decoded = msgspec.msgpack.decode(message)
-    except (msgspec.DecodeError, ValueError, RecursionError):
-        return False
-    return isinstance(decoded, dict) and decoded.get("type") in SCENE_MESSAGES
 
 
 def _json(value: Any) -> str:

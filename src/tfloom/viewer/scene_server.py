@@ -14,16 +14,16 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import rich
 import viser
-from viser import _messages
 
-from tfloom.viewer.camera import Camera, is_usable
+from tfloom.viewer.camera import Camera
 from tfloom.viewer.inner_port import InnerPort
 from tfloom.viewer.layout.layout import ViewPoint
+from tfloom.viewer.viser_private import connections_of, open_connections
 
 if TYPE_CHECKING:
     from viser import SceneApi
 
-__all__ = ["KEY_HEADER", "PAGE_HEADER", "SceneServer", "is_readable"]
+__all__ = ["KEY_HEADER", "PAGE_HEADER", "SceneServer"]
 
 KEY_HEADER = "X-Tfloom-Key"
 """Header by which the relay is known; its value is a secret of this process."""
@@ -51,10 +51,8 @@ class SceneServer:
         with _without_words():  # it would print its address, which is nobody's business
             self._server = viser.ViserServer(host=self.inner.host, port=0, verbose=False)
         self.inner.close_to_others(self._server.get_port())
-        connections = self._server._websock_server  # noqa: SLF001  # there is no public way to a connection's headers
-        for message in (_messages.ShareUrlRequest, _messages.ShareUrlDisconnect):
-            connections.unregister_handler(message)
-        live = connections._live_connections  # noqa: SLF001  # as above
+        connections = connections_of(self._server)
+        live = open_connections(connections)
 
         async def check(connection: Any) -> None:
             request = live[connection.client_id].request
@@ -122,18 +120,6 @@ class SceneServer:
 def _is_not_of_a_stranger(record: logging.LogRecord) -> bool:
     """Return False for the traceback of a connection that asks for nothing sensible, as a port scanner's."""
     return record.getMessage() != "opening handshake failed"
-
-
-def is_readable(data: bytes) -> bool:
-    """Return whether viser can read a message of a page's scene, and its camera, if it has one, can be used."""
-    try:
-        message = _messages.Message.deserialize(data)
-        if isinstance(message, _messages.ViewerCameraMessage):
-            aspect = message.image_width / message.image_height
-            return is_usable(message.position, message.look_at, message.wxyz, message.fov, aspect)
-    except Exception:  # viser has no error for what can't be read
-        return False
-    return True
 
 
 @contextlib.contextmanager

@@ -1,0 +1,89 @@
+"""What of viser is used though viser doesn't publish it; checked at import, because any version may change it.
+
+Its public API has neither the messages of its client nor a connection's headers, and it lets any page ask for a tunnel
+to the internet.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+import viser
+from viser.infra import WebsockServer
+
+from tfloom.viewer.camera import is_usable
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+__all__ = ["connections_of", "is_readable", "open_connections"]
+
+SCENE_MESSAGES = (
+    "ViewerCameraMessage",
+    "SceneNodeClickMessage",
+    "SceneNodeDragMessage",
+    "ScenePointerMessage",
+)
+"""What viser's client may send to its server; the rest, as requests for a tunnel, is dropped."""
+TUNNEL_MESSAGES = ("ShareUrlRequest", "ShareUrlDisconnect")
+"""Requests for a tunnel to the internet, which are not handled."""
+CAMERA_FIELDS = ("wxyz", "position", "fov", "image_height", "image_width", "look_at")
+
+
+def missing_names(messages: Any, server: type[Any], connections: type[Any]) -> list[str]:
+    """Return the names that a version of viser lacks.
+
+    Args:
+        messages: Its module of messages.
+        server: Its class of servers.
+        connections: Its class of servers of WebSockets.
+    """
+    names = [name for name in (*SCENE_MESSAGES, *TUNNEL_MESSAGES, "Message") if not hasattr(messages, name)]
+    camera = getattr(getattr(messages, SCENE_MESSAGES[0], None), "__dataclass_fields__", {})
+    names += [f"{SCENE_MESSAGES[0]}.{field}" for field in CAMERA_FIELDS if field not in camera]
+    # These are of an object, not of its class: its constructor sets them.
+    for made, name in ((server, "_websock_server"), (connections, "_live_connections")):
+        if name not in made.__init__.__code__.co_names:
+            names.append(f"{made.__name__}.{name}")
+    return names
+
+
+try:
+    from viser import _messages
+except ImportError:
+    _messages = None  # type: ignore[assignment]
+if missing := missing_names(_messages, viser.ViserServer, WebsockServer):
+    raise ImportError(
+        f"viser {viser.__version__} lacks what tfloom.viewer uses: {', '.join(missing)}; "
+        "install a version that the extra `view` names: pip install 'tfloom[view]'"
+    )
+
+
+def connections_of(server: viser.ViserServer) -> WebsockServer:
+    """Return the server of WebSockets behind a server of viser, without handlers of requests for a tunnel."""
+    connections: WebsockServer = server._websock_server  # noqa: SLF001  # there is no public way to it
+    for name in TUNNEL_MESSAGES:
+        connections.unregister_handler(getattr(_messages, name))
+    return connections
+
+
+def open_connections(connections: WebsockServer) -> Mapping[int, Any]:
+    """Return the open connections of a server by their numbers, which changes as they come and go."""
+    live: Mapping[int, Any] = connections._live_connections  # noqa: SLF001  # there is no public way to their headers
+    return live
+
+
+def is_readable(data: bytes) -> bool:
+    """Return whether a page's scene may send a message, viser can read it, and its camera can be used."""
+    try:
+        kind = msgspec.msgpack.decode(data)["type"]
+        if kind not in SCENE_MESSAGES:
+            return False
+        message = _messages.Message.deserialize(data)
+        if isinstance(message, _messages.ViewerCameraMessage):
+            aspect = message.image_width / message.image_height
+            return is_usable(message.position, message.look_at, message.wxyz, message.fov, aspect)
+    except Exception:  # viser has no error for what can't be read
+        return False
+    return True

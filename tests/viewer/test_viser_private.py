@@ -1,0 +1,86 @@
+"""The names that viser doesn't publish: a version that lacks one is found at import."""
+
+from __future__ import annotations
+
+import dataclasses
+from types import SimpleNamespace
+from typing import Any
+
+import msgspec
+import pytest
+import viser
+from viser import _messages
+from viser.infra import WebsockServer
+
+from tfloom.viewer import viser_private
+from tfloom.viewer.viser_private import is_readable, missing_names
+
+
+class Other:
+    """A class whose constructor sets nothing."""
+
+    def __init__(self) -> None:
+        pass
+
+
+def test_installed_version_lacks_nothing() -> None:
+    assert missing_names(_messages, viser.ViserServer, WebsockServer) == []
+
+
+@pytest.mark.parametrize("name", ["ScenePointerMessage", "ShareUrlRequest", "Message"])
+def test_message_that_a_version_lacks_is_named(name: str) -> None:
+    messages = SimpleNamespace(**{key: value for key, value in vars(_messages).items() if key != name})
+    assert missing_names(messages, viser.ViserServer, WebsockServer) == [name]
+
+
+def test_fields_and_attributes_that_a_version_lacks_are_named() -> None:
+    camera = dataclasses.make_dataclass(
+        "Camera", ["wxyz", "position", "fov", "look_at", "height", "image_width"]
+    )
+    messages = SimpleNamespace(**{**vars(_messages), "ViewerCameraMessage": camera})
+    names = ["ViewerCameraMessage.image_height", "Other._websock_server", "Other._live_connections"]
+    assert missing_names(messages, Other, Other) == names
+
+
+def test_version_without_its_module_of_messages_lacks_all() -> None:
+    names = missing_names(None, viser.ViserServer, WebsockServer)
+    assert {*viser_private.SCENE_MESSAGES, "Message", "ShareUrlDisconnect"} <= set(names)
+
+
+CAMERA: dict[str, Any] = {
+    "type": "ViewerCameraMessage",
+    "wxyz": (1.0, 0.0, 0.0, 0.0),
+    "position": (3.0, 0.0, 0.0),
+    "look_at": (0.0, 0.0, 0.0),
+    "up_direction": (0.0, 0.0, 1.0),
+    "fov": 1.0,
+    "near": 0.1,
+    "far": 100.0,
+    "image_height": 300,
+    "image_width": 400,
+}
+
+
+@pytest.mark.parametrize(
+    ("message", "expected"),
+    [
+        (CAMERA, True),
+        (CAMERA | {"image_height": 0}, False),
+        (CAMERA | {"position": (float("nan"), 0.0, 0.0)}, False),
+        (CAMERA | {"type": "ShareUrlRequest"}, False),
+        ({"type": "ShareUrlRequest"}, False),
+        ({"type": ["a"]}, False),
+        ({}, False),
+        (["ViewerCameraMessage"], False),
+        (7, False),
+    ],
+)
+def test_message_is_passed_on_if_a_scene_may_send_it_and_viser_can_read_it(
+    message: Any, expected: bool
+) -> None:
+    assert is_readable(msgspec.msgpack.encode(message)) is expected
+
+
+def test_bytes_that_are_no_message_are_not_passed_on() -> None:
+    assert not is_readable(b"")
+    assert not is_readable(b"\x91" * 100_000)
