@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from tfloom.viewer.displays.display import Display, Latest
 
-__all__ = ["IMAGE_TYPES", "KEPT_TYPES", "Kind", "kind_of", "make_display"]
+__all__ = ["IMAGE_TYPES", "KEPT_TYPES", "KINDS", "Kind", "kind_of", "make_display"]
 
 
 class Kind(NamedTuple):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from tfloom.viewer.displays.kinds import KINDS
 from tfloom.viewer.layout.layout import (
     DEFAULT_AXES_M,
     DisplayLayout,
@@ -23,10 +24,7 @@ RVIZ_SECTION = "Visualization Manager"
 MAX_DEPTH = 20
 """How deep displays may be in groups."""
 TOPIC_DISPLAYS = frozenset(
-    (
-        *("Image", "LaserScan", "Map", "Marker", "MarkerArray", "Odometry", "Path", "PointCloud"),
-        *("PointCloud2", "PointStamped", "Polygon", "Pose", "PoseArray", "PoseWithCovariance", "Range"),
-    )
+    kind.label for type_name, kind in KINDS.items() if not type_name.startswith("turtlesim")
 )
 """Displays of one topic, which are the same here."""
 TOPIC_KEYS = ("Topic", "Image Topic", "Marker Topic")
