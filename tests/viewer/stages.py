@@ -18,8 +18,8 @@ from tfloom.tf2_tools.watch.sources import Still
 from tfloom.viewer.page_server import _json
 from tfloom.viewer.scene import Scene
 from tfloom.viewer.scene_server import SceneServer
+from tfloom.viewer.shared_state import SharedView
 from tfloom.viewer.topic_log import Cursor, TopicLog
-from tfloom.viewer.view import View
 
 S = 1_000_000_000
 
@@ -67,7 +67,7 @@ class Stage:
         self.moves: list[Any] = []
         self.view = self.view_of(Buffer())
 
-    def view_of(self, buffer: Buffer, **options: Any) -> View:
+    def view_of(self, buffer: Buffer, **options: Any) -> SharedView:
         buffer.set_log_callback(None)
         seen = observe_recorded(
             [("/tf", stamp_ns, cdr.encode(TFMessage(transforms=[made]))) for stamp_ns, made in self.moves],
@@ -75,7 +75,9 @@ class Stage:
             buffer=buffer,
         )
         report = self.reports.append
-        return View(Still(seen, buffer), self.topics, self.scene, is_live=True, report=report, **options)
+        return SharedView(
+            Still(seen, buffer), self.topics, self.scene, is_live=True, report=report, **options
+        )
 
     def move(self, parent: str, child: str, *xs: float) -> None:
         """Let a frame be at each x in turn, a second apart."""

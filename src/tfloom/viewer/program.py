@@ -21,8 +21,8 @@ from tfloom.viewer.page_server import CLOSED, PageServer
 from tfloom.viewer.pictures import picture_of
 from tfloom.viewer.scene import Scene
 from tfloom.viewer.scene_server import SceneServer
+from tfloom.viewer.shared_state import MAX_TRAILS, SharedView
 from tfloom.viewer.topics import TypeNotYetKnownError
-from tfloom.viewer.view import MAX_TRAILS, View
 from tfloom.whole_files import write_file
 
 if TYPE_CHECKING:
@@ -91,7 +91,7 @@ class Viewer:
         scene = Scene(
             self._server.scene, lambda frame: self._queue_command("", {"op": "select", "frame": frame})
         )
-        self.view = View(
+        self.view = SharedView(
             source,
             topics,
             scene,

@@ -49,7 +49,7 @@ if TYPE_CHECKING:
     from tfloom.viewer.topic_log import Entry
     from tfloom.viewer.topics import Topics
 
-__all__ = ["MAX_TRAILS", "View"]
+__all__ = ["MAX_TRAILS", "SharedView"]
 
 LOOK_S = 0.5
 """Period at which rates, ages and publishers are observed [s]."""
@@ -71,7 +71,7 @@ PLOT_POINTS = 300
 """Number of points of the plot of the selected frames."""
 
 
-class View:
+class SharedView:
     """What is shown. One thread may use it.
 
     Args:
