@@ -73,10 +73,10 @@ nb::object take_sample(Reader& reader) {
   return taken;
 }
 
-void write(Writer& writer, const nb::bytes& data) {
+bool write(Writer& writer, const nb::bytes& data) {
   const std::span view(static_cast<const std::byte*>(data.data()), data.size());
   const ReleasedGil released;
-  writer.write(view);
+  return writer.write(view);
 }
 
 // Share the sink with a reader, which may release it on any thread.
@@ -148,12 +148,12 @@ nb::tuple snapshot(Graph& graph) {
 using ReleaseGil = nb::call_guard<ReleasedGil>;
 
 // The constructor of a writer, a reader or a graph.
-template <typename T>
+template <typename T, typename... Options>
 void init_on_topic(T* self, Participant& participant, const std::string& topic_name, const std::string& type_name,
-                   const QosFields& qos, const nb::bytes& user_data) {
+                   const QosFields& qos, const nb::bytes& user_data, Options... options) {
   const std::string user_text = to_string(user_data);
   const ReleasedGil released;
-  new (self) T(participant, {topic_name, type_name}, to_qos(qos), user_text);
+  new (self) T(participant, {topic_name, type_name}, to_qos(qos), user_text, options...);
 }
 
 void bind_participant(nb::module_& m) {
@@ -181,10 +181,13 @@ void bind_writer(nb::module_& m) {
   nb::class_<Writer> writer(m, "DdsWriter", "A writer of a DDS topic.");
   bind_endpoint(writer);
   writer
-      .def("__init__", &init_on_topic<Writer>, "participant"_a, "topic_name"_a, "type_name"_a, "qos"_a, "user_data"_a,
-           nb::keep_alive<1, 2>(),
-           "Create a writer of a topic, given by its names on the wire; `qos` is a resolved tfloom.rmw.qos.QoS.")
-      .def("write", &write, "data"_a, "Send a sample: encapsulation header 00 01 xx xx and little-endian CDR.")
+      .def("__init__", &init_on_topic<Writer, bool>, "participant"_a, "topic_name"_a, "type_name"_a, "qos"_a,
+           "user_data"_a, "waits"_a = true, nb::keep_alive<1, 2>(),
+           "Create a writer of a topic, given by its names on the wire; `qos` is a resolved tfloom.rmw.qos.QoS. `waits` is "
+           "whether a write waits for readers that lag behind.")
+      .def("write", &write, "data"_a,
+           "Send a sample: encapsulation header 00 01 xx xx and little-endian CDR. Return False if readers lag behind and "
+           "this writer doesn't wait for them: then nothing was sent.")
       .def(
           "join_service",
           [](Writer& self, Reader& reader, const std::string& service, const std::optional<nb::bytes>& client) {

@@ -13,10 +13,11 @@ constexpr std::int16_t xcdr1_representation = 0;
 int history_kind(const Qos& qos) { return qos.history == History::keep_all ? keep_all_kind : keep_last_kind; }
 std::int32_t depth(const Qos& qos) { return qos.history == History::keep_all ? unlimited : qos.depth; }
 
-QosHandle make_endpoint_qos(const Library& l, const Qos& qos, const std::string& user_data) {
+QosHandle make_endpoint_qos(const Library& l, const Qos& qos, const std::string& user_data,
+                            std::int64_t longest_wait_ns = infinite_ns) {
   QosHandle handle = make_user_data(l, user_data);
   Qos_* q = handle.get();
-  l.qset_reliability(q, qos.reliability == Reliability::reliable, infinite_ns);
+  l.qset_reliability(q, qos.reliability == Reliability::reliable, longest_wait_ns);
   l.qset_durability(q, qos.durability == Durability::transient_local);
   l.qset_history(q, history_kind(qos), depth(qos));
   l.qset_deadline(q, qos.deadline_ns);
@@ -34,8 +35,8 @@ QosHandle make_user_data(const Library& l, const std::string& user_data) {
   return handle;
 }
 
-QosHandle make_writer_qos(const Library& l, const Qos& qos, const std::string& user_data) {
-  QosHandle handle = make_endpoint_qos(l, qos, user_data);
+QosHandle make_writer_qos(const Library& l, const Qos& qos, const std::string& user_data, bool waits) {
+  QosHandle handle = make_endpoint_qos(l, qos, user_data, waits ? infinite_ns : 0);
   l.qset_lifespan(handle.get(), qos.lifespan_ns);
   l.qset_writer_data_lifecycle(handle.get(), false);  // samples stay valid after their writer has left
   if (qos.durability == Durability::transient_local) {

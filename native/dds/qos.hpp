@@ -35,7 +35,8 @@ struct QosDeleter {
 using QosHandle = std::unique_ptr<Qos_, QosDeleter>;
 
 QosHandle make_user_data(const Library& library, const std::string& user_data);
-QosHandle make_writer_qos(const Library& library, const Qos& qos, const std::string& user_data);
+// `waits` is whether a write waits for readers that lag behind.
+QosHandle make_writer_qos(const Library& library, const Qos& qos, const std::string& user_data, bool waits = true);
 QosHandle make_reader_qos(const Library& library, const Qos& qos, const std::string& user_data);
 
 Qos read_qos(const Library& library, const Qos_* qos);

@@ -30,15 +30,17 @@ void check_encapsulation(std::span<const std::byte> data) {
 
 }  // namespace
 
-Writer::Writer(Participant& participant, const TopicName& topic, const Qos& qos, const std::string& user_data)
+Writer::Writer(Participant& participant, const TopicName& topic, const Qos& qos, const std::string& user_data,
+               bool waits)
     : participant_(participant),
       library_(participant.library()),
       topic_(create_topic(library_, participant.entity(), topic)),
       entity_(library_,
               library_.create_writer(participant.publisher(), topic_.get(),
-                                     make_writer_qos(library_, qos, user_data).get(), nullptr),
+                                     make_writer_qos(library_, qos, user_data, waits).get(), nullptr),
               "cannot write " + topic.name),
       type_(type_of(library_, topic_.get(), entity_.get())),
+      waits_(waits),
       gid_(gid_of(library_, entity_.get())),
       events_(library_, true),
       peers_(library_, true) {
@@ -49,7 +51,7 @@ Writer::Writer(Participant& participant, const TopicName& topic, const Qos& qos,
 
 Writer::~Writer() { close(); }
 
-void Writer::write(std::span<const std::byte> data) {
+bool Writer::write(std::span<const std::byte> data) {
   check_encapsulation(data);
   // Padded here, because the library would otherwise fill the last word from its heap.
   static constexpr std::byte zeros[alignment]{};
@@ -62,37 +64,52 @@ void Writer::write(std::span<const std::byte> data) {
 
   const std::shared_lock lock(in_use_);
   if (closed_) throw Error("the writer is closed");
-  if (service_end_ && data.size() > min_kept_size) keep(data, padding);
+  bool is_kept = false;
+  if (service_end_ && data.size() > min_kept_size) {
+    const std::optional<bool> kept = keep(data, padding);
+    if (!kept) return false;
+    is_kept = *kept;
+  }
   Serdata_* sample =
       library_.serdata_from_ser_iov(type_, data_kind, padding == 0 ? 1 : 2, parts, data.size() + padding);
   if (sample == nullptr) throw std::invalid_argument("the DDS library refused the sample");
-  library_.check(library_.writecdr(entity_.get(), sample), "cannot write");
+  const Result result = library_.writecdr(entity_.get(), sample);
+  if (result == timeout && !waits_) {
+    if (is_kept) service_end_->release_last();
+    return false;
+  }
+  library_.check(result, "cannot write");
   note_message_sent();
+  return true;
 }
 
-void Writer::keep(std::span<const std::byte> data, std::size_t padding) {
+std::optional<bool> Writer::keep(std::span<const std::byte> data, std::size_t padding) {
   // Samples that have been acknowledged are not sent again, so their copies are released. A full store waits until all
   // are acknowledged, in short steps, so that `close` ends the wait; a reader that acknowledges nothing can delay a
   // write by ten seconds only, and then misses the fragments that it asks for later.
   const auto is_inline = [](const Peer& peer) { return rtps::uses_inline_form(peer.gid); };
-  if (std::ranges::none_of(peers_.matched(entity_.get()), is_inline)) return;
+  if (std::ranges::none_of(peers_.matched(entity_.get()), is_inline)) return false;
   for (int waits = 0; service_end_->kept_size() > 0; ++waits) {
     const bool is_full = service_end_->kept_size() > max_kept_size;
-    if (library_.wait_for_acks(entity_.get(), is_full ? kept_wait_ns : 0) != timeout || waits == max_kept_waits) {
+    if (library_.wait_for_acks(entity_.get(), is_full && waits_ ? kept_wait_ns : 0) != timeout || waits == max_kept_waits) {
       service_end_->release();
     }
     if (!is_full || closed_) break;
+    if (!waits_ && service_end_->kept_size() > 0) return std::nullopt;
   }
   std::vector<std::byte> sample(data.size() + padding);
   std::ranges::copy(data, sample.begin());
   service_end_->keep(std::move(sample));
+  return true;
 }
 
 void Writer::probe() {
   const std::shared_lock lock(in_use_);
   if (closed_) throw Error("the writer is closed");
   constexpr std::byte sample{};  // the one octet that the topic's descriptor declares
-  library_.check(library_.unregister_instance(entity_.get(), &sample), "cannot probe the readers");
+  const Result result = library_.unregister_instance(entity_.get(), &sample);
+  // A writer with so many samples on their way that it would wait probes its readers by these.
+  if (result != timeout || waits_) library_.check(result, "cannot probe the readers");
 }
 
 std::size_t Writer::matched_count() const { return closed_ ? 0 : peers_.matched_count(entity_.get()); }

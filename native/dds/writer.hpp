@@ -19,15 +19,19 @@ namespace tfloom::dds {
 
 class Writer {
  public:
-  Writer(Participant& participant, const TopicName& topic, const Qos& qos, const std::string& user_data);
+  // `waits` is whether a write waits for readers that lag behind.
+  Writer(Participant& participant, const TopicName& topic, const Qos& qos, const std::string& user_data,
+         bool waits = true);
   ~Writer();
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
 
   // Send one sample: the encapsulation header of little-endian CDR, then the CDR. May be called from any thread; may
-  // wait for slow readers of a reliable topic. Throw std::invalid_argument for another header, and Error if the writer
-  // is closed.
-  void write(std::span<const std::byte> data);
+  // wait for slow readers of a reliable topic. Return false if they lag behind and this writer doesn't wait: then nothing
+  // was sent. Throw std::invalid_argument for another header, and Error if the writer is closed.
+  //
+  // Writes of an end of a service that doesn't wait are made one at a time.
+  bool write(std::span<const std::byte> data);
 
   [[nodiscard]] std::size_t matched_count() const;
   [[nodiscard]] std::vector<Peer> matched();
@@ -53,13 +57,15 @@ class Writer {
 
  private:
   // Keep a large sample until it is acknowledged, if a peer may receive it in fragments in the other form of services.
-  void keep(std::span<const std::byte> data, std::size_t padding);
+  // Return whether it was kept, and none if there is no room and this writer doesn't wait.
+  std::optional<bool> keep(std::span<const std::byte> data, std::size_t padding);
 
   Participant& participant_;
   const Library& library_;
   OwnedEntity topic_;  // constant after construction, like the next three
   OwnedEntity entity_;
   const Sertype_* type_;  // valid until topic_ is deleted, which requires in_use_ exclusively
+  const bool waits_;
   Gid gid_;
   Events events_;  // thread-safe by itself, like the next
   Peers peers_;

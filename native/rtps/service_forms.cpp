@@ -178,6 +178,13 @@ void ServiceEnd::release() {
   kept_size_ = 0;
 }
 
+void ServiceEnd::release_last() {
+  const std::lock_guard lock(forms_.mutex_);
+  if (kept_.empty()) return;
+  kept_size_ -= kept_.back().sample.size();
+  kept_.pop_back();
+}
+
 std::size_t ServiceEnd::kept_size() const {
   const std::lock_guard lock(forms_.mutex_);
   return kept_size_;

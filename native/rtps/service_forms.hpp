@@ -73,6 +73,7 @@ class ServiceEnd {
   // Keep a copy of a sample in header form until `release`: fragments of it can be rewritten only with the whole.
   void keep(std::vector<std::byte> sample);
   void release();
+  void release_last();  // of those kept, which was not sent
   [[nodiscard]] std::size_t kept_size() const;  // [bytes]
 
  private:

@@ -301,6 +301,8 @@ class FakeEnd:
         self.samples: list[Sample] = []
         self.probes = 0
         self.acknowledges = True
+        self.room = 1_000_000
+        """How many requests it takes."""
 
     def matched(self) -> list[tuple[bytes, bytes]]:
         return self.peers
@@ -310,6 +312,13 @@ class FakeEnd:
 
     def write(self, data: bytes) -> None:
         self.written.append(data)
+
+    def try_write(self, data: bytes) -> bool:
+        if not self.room:
+            return False
+        self.room -= 1
+        self.written.append(data)
+        return True
 
     def probe(self) -> None:
         self.probes += 1
@@ -696,3 +705,53 @@ def test_requests_of_another_vendor_are_dropped() -> None:
 def test_ids_are_written_as_rmw_cyclonedds_writes_them() -> None:
     gid = bytes.fromhex("0110371387877a8a9d403a13000001c1")
     assert end_id(gid, 8) == " 1.10.37.13.87.87.7a.8a.9d.40.3a.13.0.0.0.8"
+
+
+def client_on_cyclone(writer: FakeEnd, in_flight: RequestsInFlight | None = None) -> HeaderRequester:
+    servers = CycloneServers(writer, FakeEnd(), "/kill", Vendors())
+    return HeaderRequester(writer, FakeEnd(), servers, b"client 1", in_flight or RequestsInFlight())
+
+
+def test_requests_that_a_writer_has_no_room_for_are_held_and_sent_in_order(wait_until) -> None:
+    writer = FakeEnd((CYCLONE, b""))
+    writer.room = 3
+    client = client_on_cyclone(writer)
+    for _ in range(1000):
+        client.send(HEADER + b"ask!")
+    assert numbers_of(writer) == [1, 2, 3]
+    writer.room = 4
+    wait_until(lambda: len(writer.written) == 7)  # although nothing else is sent or taken
+    writer.room = 10_000
+    wait_until(lambda: len(writer.written) == 1000)
+    client.send(HEADER + b"ask!")
+    assert numbers_of(writer) == list(range(1, 1002))
+
+
+def test_requests_that_wait_for_room_leave_with_their_client(wait_until) -> None:
+    before = set(threading.enumerate())
+    writer, in_flight = FakeEnd((CYCLONE, b"")), RequestsInFlight()
+    writer.room = 0
+    client = client_on_cyclone(writer, in_flight)
+    numbers = [client.send(HEADER + b"ask!") for _ in range(10)]
+    client.give_up(numbers[:5], is_lost=False)
+    writer.room = 2
+    wait_until(lambda: numbers_of(writer) == [6, 7])
+    client.close()
+    writer.room = 100
+    wait_until(lambda: set(threading.enumerate()) <= before)
+    assert numbers_of(writer) == [6, 7]
+    assert in_flight._held_size == 0
+
+
+@pytest.mark.parametrize(("most", "size"), [(20, 1 << 20), (100_000, 20 * (len(HEADER) + 4))])
+def test_held_requests_are_bounded(most: int, size: int, monkeypatch: pytest.MonkeyPatch, wait_until) -> None:
+    monkeypatch.setattr(services, "MAX_HELD", most)
+    monkeypatch.setattr(services, "MAX_HELD_SIZE", size)
+    writer = FakeEnd((CYCLONE, b""))
+    writer.room = 0
+    client = client_on_cyclone(writer)
+    for _ in range(100):
+        client.send(HEADER + b"ask!")
+    writer.room = 1000
+    wait_until(lambda: numbers_of(writer) == list(range(81, 101)))
+    client.close()

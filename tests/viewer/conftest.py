@@ -107,11 +107,11 @@ class Page:
 
 
 @contextmanager
-def running_node(domain_id: int, name: str) -> Iterator[Node]:
+def running_node(domain_id: int, name: str, **options: Any) -> Iterator[Node]:
     """Have a node with its own context for the block."""
     context = Context()
     context.init(args=[], domain_id=domain_id)
-    node = Node(name, context=context)
+    node = Node(name, context=context, **options)
     try:
         yield node
     finally:

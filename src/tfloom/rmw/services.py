@@ -9,7 +9,7 @@ from __future__ import annotations
 import struct
 import threading
 import time
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from collections.abc import Set as AbstractSet
 from contextlib import suppress
 from functools import partial
@@ -33,6 +33,15 @@ MIN_DEPTH = 100_000
 UNANSWERED_S = 30.0
 """The time after which a request without a response makes room for another one [s]."""
 
+MIN_ROOM_S, MAX_ROOM_S = 0.002, 0.05
+"""The shortest and the longest time after which a writer that had no room is tried again [s]."""
+
+MAX_SENT_AT_ONCE = 100
+"""The most requests that are sent without giving other threads the lock."""
+
+MAX_HELD, MAX_HELD_SIZE = 100_000, 256 << 20
+"""The most requests, and bytes of them, that are held; of more, the oldest are dropped."""
+
 _HEADER = struct.Struct("<8sq")
 _ENCAPSULATION_SIZE = 4
 _DATA_START = _ENCAPSULATION_SIZE + _HEADER.size
@@ -42,6 +51,21 @@ _MIN_REMEMBERED = 64
 
 _RequestKey = tuple[bytes, int]
 """A request, by the gid of its client and its number."""
+
+
+class RequestWriter(Protocol):
+    """The writer of a client."""
+
+    gid: bytes
+
+    def try_write(self, data: bytes) -> bool:
+        """Send a request, without waiting; return False if servers lag behind, and nothing was sent."""
+
+    def notify_event(self, event: Event, queue: ReadyQueue | None, token: int = 0) -> None:
+        """See `base.Writer.notify_event`."""
+
+    def close(self) -> None:
+        """See `base.Writer.close`."""
 
 
 class Servers(Protocol):
@@ -110,8 +134,9 @@ def sending_qos(qos: QoS, *, is_client: bool) -> QoS:
 
     A writer that keeps the last samples alone can't send one again that a peer has not received: of a burst, more than
     its depth may be on their way, and the system drops what a busy peer has no room for. So a client keeps all requests
-    until they are acknowledged, and a write waits where too many are not. A server doesn't: responses go to all of its
-    clients, and one that is killed, and acknowledges nothing until its lease is over, would hold up all others.
+    until they are acknowledged; where too many are not, `RequestsInFlight` holds further ones, and the caller doesn't
+    wait. A server doesn't: responses go to all of its clients, and one that is killed, and acknowledges nothing until
+    its lease is over, would hold up all others.
     """
     return qos._replace(history=HistoryPolicy.KEEP_ALL) if is_client else qos
 
@@ -140,28 +165,40 @@ class RequestsInFlight:
         """When each request in flight was sent, on the monotonic clock [s]; oldest first."""
         self._held: dict[_RequestKey, tuple[HeaderRequester, bytes]] = {}
         """The client and the data of each request that is not sent yet; oldest first."""
+        self._held_size = 0
+        """Bytes of those that are held."""
         self._timer: threading.Timer | None = None
         """Sends what is held although responses do not arrive."""
+        self._room_timer: threading.Timer | None = None
+        """Sends what is held because a writer had no room."""
+        self._room_s = MIN_ROOM_S
+        """The time of the next such timer [s]; longer after each that could send nothing."""
 
     def send(self, client: HeaderRequester, data: bytes, number: int) -> None:
-        """Let a client write a request, at once if fewer than its limit are in flight, or it has none."""
+        """Let a client write a request, at once if fewer than its limit are in flight, or it has none.
+
+        This never waits for a server: what its writer has no room for is held.
+        """
         # Without a limit there is nothing to count. But a request that is already held goes first, so that the requests
         # of a client arrive in order. `_held` is read without the lock: what another thread holds at this moment is
         # sent at the same time as this request, and neither has to be first.
-        if not self._held and client.most_in_flight() is None:
-            client.write(data, number)
+        if not self._held and client.most_in_flight() is None and client.write(data, number):
             return
         with self._lock:
             self._held[client.client_gid, number] = client, data
+            self._held_size += len(data)
+            while len(self._held) > MAX_HELD or self._held_size > MAX_HELD_SIZE > len(data):
+                self._drop(next(iter(self._held)))
+            if self._room_timer is not None:  # it sends this one, too
+                return
         self._send_held()
 
     def answered(self, client: HeaderRequester, number: int) -> None:
         """Note that a client has taken a response."""
         # Servers without a limit leave `_sent_s` empty: their responses cost no lock.
-        if not self._sent_s:
-            return
-        with self._lock:
-            self._sent_s.pop((client.client_gid, number), None)
+        if self._sent_s:
+            with self._lock:
+                self._sent_s.pop((client.client_gid, number), None)
         if self._held:
             self._send_held()
 
@@ -175,7 +212,7 @@ class RequestsInFlight:
         with self._lock:
             for number in numbers:
                 key = client.client_gid, number
-                self._held.pop(key, None)
+                self._drop(key)
                 # A server that is there keeps a request until it takes it, also one that was given up meanwhile.
                 if is_lost:
                     self._sent_s.pop(key, None)
@@ -189,6 +226,9 @@ class RequestsInFlight:
                 self._timer.cancel()
                 self._timer = None
             if not self._held:
+                if self._room_timer is not None:
+                    self._room_timer.cancel()
+                    self._room_timer = None
                 return
             # The servers are those of a client that is still there: `leave` takes what a client holds under this lock.
             limit = next(iter(self._held.values()))[0].most_in_flight()
@@ -201,22 +241,39 @@ class RequestsInFlight:
                 if sent_s > now_s - UNANSWERED_S:
                     break
                 del self._sent_s[key]
-            # Written under the lock: otherwise another thread could send a younger request between the removal of this
-            # one and its write.
-            while self._held and (limit is None or len(self._sent_s) < limit):
-                key = next(iter(self._held))
-                client, data = self._held.pop(key)
-                if limit is not None:
-                    self._sent_s[key] = now_s
-                client.write(data, key[1])
-            # If no response arrives from now on, nothing calls this function again but the timer.
-            if self._held:
-                timer = threading.Timer(UNANSWERED_S, self._send_held)
-                timer.daemon = True
-                # Where no thread can be started, the next response or request sends those that are held.
-                with suppress(RuntimeError):
-                    timer.start()
-                    self._timer = timer
+            if not self._write_held(limit, now_s):
+                if self._room_timer is None:
+                    self._room_timer = _started_timer(self._room_s, self._look_for_room)
+            elif self._held:
+                # If no response arrives from now on, nothing calls this function again but the timer.
+                self._timer = _started_timer(UNANSWERED_S, self._send_held)
+
+    def _write_held(self, limit: int | None, now_s: float) -> bool:
+        """Write held requests up to the limit; return False if a writer has no room, or others shall get the lock."""
+        # Written under the lock, which the caller holds: otherwise another thread could send a younger request between
+        # the removal of this one and its write.
+        sent_count = 0
+        while self._held and (limit is None or len(self._sent_s) < limit):
+            key, (client, data) = next(iter(self._held.items()))
+            if sent_count == MAX_SENT_AT_ONCE or not client.write(data, key[1]):
+                self._room_s = MIN_ROOM_S if sent_count else min(2 * self._room_s, MAX_ROOM_S)
+                return False
+            sent_count += 1
+            self._drop(key)
+            if limit is not None:
+                self._sent_s[key] = now_s
+        return True
+
+    def _look_for_room(self) -> None:
+        with self._lock:
+            self._room_timer = None
+        self._send_held()
+
+    def _drop(self, key: _RequestKey) -> None:
+        """Remove a request from those that are held, if it is one; the caller holds the lock."""
+        held = self._held.pop(key, None)
+        if held is not None:
+            self._held_size -= len(held[1])
 
     def leave(self, client: HeaderRequester) -> None:
         """Forget the requests of a client that closes."""
@@ -224,9 +281,21 @@ class RequestsInFlight:
             return
         with self._lock:
             gid = client.client_gid
-            self._held = {key: held for key, held in self._held.items() if key[0] != gid}
+            for key in [key for key in self._held if key[0] == gid]:
+                self._drop(key)
             self._sent_s = {key: sent_s for key, sent_s in self._sent_s.items() if key[0] != gid}
         self._send_held()
+
+
+def _started_timer(time_s: float, call: Callable[[], None]) -> threading.Timer | None:
+    """Return a timer that runs; None where no thread can be started: the next response or request calls instead."""
+    timer = threading.Timer(time_s, call)
+    timer.daemon = True
+    try:
+        timer.start()
+    except RuntimeError:
+        return None
+    return timer
 
 
 class HeaderRequester:
@@ -234,7 +303,7 @@ class HeaderRequester:
 
     def __init__(
         self,
-        requests: Writer,
+        requests: RequestWriter,
         responses: Reader,
         servers: Servers,
         key: bytes,
@@ -274,9 +343,9 @@ class HeaderRequester:
         """Return how many requests the servers keep until they are taken; None: as many as there are."""
         return self._servers.most_in_flight()
 
-    def write(self, data: bytes, sequence_number: int) -> None:
-        """Write a request without regard to others; called by `RequestsInFlight`."""
-        self._requests.write(_with_header(data, self._key, sequence_number))
+    def write(self, data: bytes, sequence_number: int) -> bool:
+        """Write a request without regard to others, unless the writer has no room; called by `RequestsInFlight`."""
+        return self._requests.try_write(_with_header(data, self._key, sequence_number))
 
     def take(self) -> Response | None:
         """Remove and return the oldest waiting response to this client, or None."""

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 from tfloom._native import ReadyQueue
 from tfloom.interfaces.rcl_interfaces import srv
 from tfloom.interfaces.rcl_interfaces.msg import Parameter
-from tfloom.node.parameters.parameter import ParameterType, get_parameter_value, parameter_value_to_python
+from tfloom.node.parameters.empty_lists import give_types, untyped_names
+from tfloom.node.parameters.parameter import get_parameter_value, parameter_value_to_python
 from tfloom.node.values.value_text import value_text as _value_text
 from tfloom.rmw.shared.service_request import ServiceRequest, ServiceRequestError
 from tfloom.rosidl import cdr
@@ -120,12 +121,12 @@ class Parameters:
             parsed = get_parameter_value(value)
         except ValueError as error:
             raise PageError(f"the value of {name} can't be used: {error}") from None
-        if parsed.type == ParameterType.BYTE_ARRAY.value and not parsed.byte_array_value:
-            # An empty list in YAML doesn't tell the type of its items; the node does.
+        parameters = [Parameter(name=name, value=parsed)]
+        if untyped_names(parameters):
             asked = srv.GetParameterTypes.Request(names=[name])
             types = self._call(node, "get_parameter_types", srv.GetParameterTypes, asked).types
-            parsed.type = max([parsed.type, *types])
-        request = srv.SetParameters.Request(parameters=[Parameter(name=name, value=parsed)])
+            give_types(parameters, dict(zip([name], types, strict=False)))
+        request = srv.SetParameters.Request(parameters=parameters)
         results = self._call(node, "set_parameters", srv.SetParameters, request).results
         if len(results) != 1 or not results[0].successful:
             reason = results[0].reason if results else "no result"

@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 import random
 import signal
+import subprocess
+import sys
 import threading
 import time
 from collections import Counter
@@ -25,6 +27,8 @@ from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
 
 Start = Callable[..., Program]
+LEASE_S = 10.0
+"""The time after which a process that doesn't run is taken for gone [s]."""
 KILLED = 0.05
 """Probability that the servers' process is killed before a batch."""
 
@@ -160,8 +164,40 @@ def test_calls_that_a_stopped_server_has_no_room_for_are_all_answered(
         target=lambda: futures.extend(asking.call_async(request) for _ in range(1000)), daemon=True
     )
     calling.start()
-    calling.join(0.5)  # it waits where the wire keeps what the server has not received
-    server.signal(signal.SIGCONT)
     calling.join(30)
+    assert len(futures) == 1000  # no call waits until the wire has room, which it has when the server goes on
+    server.signal(signal.SIGCONT)
     spin_until(executor, lambda: all(future.done() for future in futures))
     assert Counter(map(outcome, futures)) == {"answered": 1000}
+
+
+BURST = """
+import sys
+import rclpy
+from rcl_interfaces.srv import GetParameters
+
+rclpy.init()
+node = rclpy.create_node("caller")
+asking = node.create_client(GetParameters, "/server/get_parameters")
+assert asking.wait_for_service(20)
+print("ready", flush=True)
+sys.stdin.readline()
+futures = [asking.call_async(GetParameters.Request(names=["x" * 2000])) for _ in range(1000)]
+print("called", flush=True)
+rclpy.spin(node)
+"""
+
+
+def test_a_caller_of_a_stopped_server_ends_on_ctrl_c_at_once(start: Start, start_program: Start) -> None:
+    server = start("service_server")
+    caller = start_program(sys.executable, "-c", BURST, stdin=subprocess.PIPE)
+    caller.wait_for("ready")
+    server.pause()
+    assert caller.process.stdin is not None
+    caller.process.stdin.write("\n")
+    caller.process.stdin.flush()
+    caller.wait_for("called")
+    begin_s = time.monotonic()
+    caller.signal(signal.SIGINT)
+    caller.wait()
+    assert time.monotonic() - begin_s < LEASE_S / 2

@@ -135,7 +135,7 @@ def _row_of(key: str, case: Any, theirs: Any, ours: Any, *, is_mistyped: bool) -
     if key == "equal" and None in (here, there):  # one could not be set
         return None
     if key in {"equal", "equal to what is received"} and is_refused_there(
-        here, there, is_fixed=case["kind"][-2:-1].isdigit() and "[" in case["kind"]
+        here, there, is_by_numpy=case["kind"][-2:-1].isdigit() or holds_array(case)
     ):
         return "messages-array-equality"
     if key == "equal" and is_lossy(case, "other") and str(here["to another"]).startswith("error"):
@@ -152,12 +152,19 @@ def _row_of(key: str, case: Any, theirs: Any, ours: Any, *, is_mistyped: bool) -
 SENT = {"sent", "received", "arrives", "all that is received", "equal to what is received", "published again"}
 
 
-def is_refused_there(here: Any, there: Any, *, is_fixed: bool) -> bool:
+def holds_array(case: Any) -> bool:
+    """Return whether a field of a single value was given an array of numpy."""
+    return "[" not in case["kind"] and any(case[part][0].startswith("ndarray") for part in ("value", "other"))
+
+
+def is_refused_there(here: Any, there: Any, *, is_by_numpy: bool) -> bool:
     """Return whether the real one can't compare arrays where ours answers."""
     if isinstance(there, str):
         return there == "error ValueError"
     # numpy compares each element of one array with the only one of the other.
-    refused: list[Any] = ["error ValueError", [True, True, False, True]] if is_fixed else ["error ValueError"]
+    refused: list[Any] = (
+        ["error ValueError", [True, True, False, True]] if is_by_numpy else ["error ValueError"]
+    )
     return (
         isinstance(here, dict)
         and isinstance(there, dict)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Sequence
 from typing import Any
 
@@ -9,7 +10,7 @@ from tfloom.cli.api.node import get_absolute_node_name
 from tfloom.cli.nodes.direct import DirectNode
 from tfloom.cli.nodes.strategy import GraphNode, node_of
 from tfloom.cli.param.common import TYPES
-from tfloom.interfaces.rcl_interfaces.msg import ParameterValue
+from tfloom.interfaces.rcl_interfaces.msg import Parameter, ParameterValue
 from tfloom.interfaces.rcl_interfaces.srv import (
     DescribeParameters_Response,
     GetParameters_Response,
@@ -18,6 +19,7 @@ from tfloom.interfaces.rcl_interfaces.srv import (
 from tfloom.node.builtin.parameter_client import AsyncParameterClient
 from tfloom.node.client_library import spin_until_future_complete
 from tfloom.node.executing.task import Future
+from tfloom.node.parameters.empty_lists import give_types, untyped_names
 from tfloom.node.parameters.parameter import parameter_dict_from_yaml_file, parameter_value_to_python
 from tfloom.terminal_text import report
 
@@ -62,7 +64,9 @@ def load_parameter_file(*, node: GraphNode, node_name: str, parameter_file: str,
     client = _client(node, node_name)
     full = get_absolute_node_name(node_name) or ""
     parameters = parameter_dict_from_yaml_file(parameter_file, use_wildcard, target_nodes=[full])
-    future = client.set_parameters(list(parameters.values()))
+    messages = list(parameters.values())
+    _give_types(node, client, node_name, messages)
+    future = client.set_parameters(messages)
     for name, result in zip(parameters, _response(node, future, node_name).results, strict=True):
         reason = f": {result.reason}" if result.reason else ""
         if result.successful:
@@ -105,7 +109,13 @@ def call_set_parameters(
     Raises:
         RuntimeError: the node's services aren't there, or don't respond.
     """
-    future = _client(node, node_name).set_parameters(list(parameters))
+    client = _client(node, node_name)
+    messages = [
+        one.to_parameter_msg() if hasattr(one, "to_parameter_msg") else copy.deepcopy(one)
+        for one in parameters
+    ]
+    _give_types(node, client, node_name, messages)
+    future = client.set_parameters(messages)
     response: SetParameters_Response = _response(node, future, node_name)
     return response
 
@@ -124,6 +134,17 @@ def call_list_parameters(
     future = client.list_parameters(list(prefixes or ()))
     spin_until_future_complete(node_of(node), future)
     return future
+
+
+def _give_types(
+    node: GraphNode, client: AsyncParameterClient, node_name: str, parameters: Sequence[Parameter]
+) -> None:
+    """Give empty lists, which were read from YAML, the types that the node has for them."""
+    types: dict[str, int] = {}
+    for name in untyped_names(parameters):
+        response = _response(node, client.get_parameter_types([name]), node_name)
+        types.update(zip([name], response.types, strict=False))
+    give_types(parameters, types)
 
 
 def _client(node: GraphNode, node_name: str) -> AsyncParameterClient:

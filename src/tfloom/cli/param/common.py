@@ -15,13 +15,12 @@ from tfloom.cli.names import did_you_mean, find_full_name
 from tfloom.cli.numbers import seconds
 from tfloom.interfaces.rcl_interfaces import srv
 from tfloom.interfaces.rcl_interfaces.msg import Parameter, ParameterDescriptor, ParameterValue
+from tfloom.node.parameters.empty_lists import give_types, untyped_names
 from tfloom.rmw.base import Graph
 
 TIMEOUT_S = 5.0
 """Wait for a node's response without --timeout [s]."""
 
-BYTE_ARRAY = 5
-"""The constant of `rcl_interfaces/msg/ParameterType`, the lowest of those of arrays."""
 TYPES = (
     "not set",
     "boolean",
@@ -93,13 +92,14 @@ class ParameterServices(NodeServices):
 
     def set(self, parameters: Sequence[Parameter]) -> list[Any]:
         """Set parameters and return the result of each. An empty list gets the type that the node has for it."""
-        # YAML doesn't tell the type of its items.
-        empty = [one for one in parameters if one.value.type == BYTE_ARRAY and not one.value.byte_array_value]
-        if empty:
-            asked = srv.GetParameterTypes.Request(names=[one.name for one in empty])
-            types = self.call("get_parameter_types", srv.GetParameterTypes, asked).types
-            for parameter, kind in zip(empty, types, strict=False):  # none, if one isn't declared
-                parameter.value.type = max(kind, BYTE_ARRAY)
+        types: dict[str, int] = {}
+        for name in untyped_names(
+            parameters
+        ):  # one by one: a node gives no types if one of them isn't declared
+            asked = srv.GetParameterTypes.Request(names=[name])
+            found = self.call("get_parameter_types", srv.GetParameterTypes, asked).types
+            types.update(zip([name], found, strict=False))
+        give_types(parameters, types)
         request = srv.SetParameters.Request(parameters=list(parameters))
         return self._one_each(parameters, self.call("set_parameters", srv.SetParameters, request).results)
 

@@ -17,6 +17,7 @@ from tfloom.interfaces.rcl_interfaces.srv import (
     SetParametersAtomically,
 )
 from tfloom.node.executing.task import Future
+from tfloom.node.parameters.empty_lists import give_types, untyped_names
 from tfloom.node.parameters.parameter import Parameter, ParameterType, parameter_dict
 from tfloom.node.parameters.parameter_file import EVERY_NODE, read_parameter_file
 from tfloom.node.qos.qos import QoSProfile, qos_profile_parameter_events, qos_profile_services_default
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
 __all__ = ["AsyncParameterClient"]
 
 _Callback = Callable[[Future[Any]], Any]
+_SetAll = Callable[[list[ParameterMsg], "_Callback | None"], Future[Any]]
 
 
 class AsyncParameterClient:
@@ -134,20 +136,55 @@ class AsyncParameterClient:
     ) -> Future[Any]:
         """Set one by one the parameters that a YAML file has for the other node, and for `/**` if `use_wildcard`.
 
-        If it has none for that node, set those that it has for other nodes.
+        If it has none for that node, set those that it has for other nodes. An empty list gets the type that the other
+        node has for it, which is asked for first.
 
         Raises:
             OSError: the file can't be read.
             ValueError: it isn't a parameter file.
             RuntimeError: it has no parameters.
         """
-        return self.set_parameters(self._read_parameters(parameter_file, use_wildcard), callback)
+        return self._load(self.set_parameters, self._read_parameters(parameter_file, use_wildcard), callback)
 
     def load_parameter_file_atomically(
         self, parameter_file: str, use_wildcard: bool = False, callback: _Callback | None = None
     ) -> Future[Any]:
         """Set all parameters of a YAML file, or none; otherwise as `load_parameter_file`."""
-        return self.set_parameters_atomically(self._read_parameters(parameter_file, use_wildcard), callback)
+        return self._load(
+            self.set_parameters_atomically, self._read_parameters(parameter_file, use_wildcard), callback
+        )
+
+    def _load(
+        self, set_all: _SetAll, parameters: list[ParameterMsg], callback: _Callback | None
+    ) -> Future[Any]:
+        names = untyped_names(parameters)
+        if not names:
+            return set_all(parameters, callback)
+        end: Future[Any] = Future()
+        if callback is not None:
+            end.add_done_callback(callback)
+
+        def set_typed(types: dict[str, int]) -> None:
+            give_types(parameters, types)
+            set_all(parameters, lambda future: _pass_on(future, end, end.set_result))
+
+        self._ask_types(names, {}, end, set_typed)
+        return end
+
+    def _ask_types(
+        self, names: list[str], types: dict[str, int], end: Future[Any], then: Callable[[dict[str, int]], Any]
+    ) -> None:
+        """Ask for the types one by one, because a node gives none if one of several names is not declared."""
+        if not names:
+            then(types)
+            return
+        name, *others = names
+
+        def go_on(response: Any) -> None:
+            types.update(zip([name], response.types, strict=False))
+            self._ask_types(others, types, end, then)
+
+        self.get_parameter_types([name], lambda future: _pass_on(future, end, go_on))
 
     def _read_parameters(self, parameter_file: str, use_wildcard: bool) -> list[ParameterMsg]:
         rules = [
@@ -184,6 +221,19 @@ def _call_service(client: Client, request: Any, callback: _Callback | None) -> F
     if callback is not None:
         future.add_done_callback(callback)
     return future
+
+
+def _pass_on(future: Future[Any], end: Future[Any], go_on: Callable[[Any], Any]) -> None:
+    """Go on with a future's result; end with its exception, or that of going on, or as it was cancelled."""
+    if future.cancelled():
+        end.cancel()
+        return
+    if end.cancelled():
+        return
+    try:
+        go_on(future.result())
+    except Exception as error:  # noqa: BLE001  # it belongs to whoever waits for the end
+        end.set_exception(error)
 
 
 def _parameter_messages(parameters: Sequence[Parameter | ParameterMsg]) -> list[ParameterMsg]:

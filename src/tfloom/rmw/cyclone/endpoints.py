@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable
+from functools import partial
 from typing import Any, cast
 
 from tfloom._native import DdsReader, DdsWriter, ReadyQueue, Sink
@@ -168,6 +170,30 @@ class CycloneWriter(CycloneEndpoint):
             return error
         kind = ClosedError if self._closed else WireError
         return kind(f"cannot {what} {self.topic_name}: {error}")
+
+
+class CycloneRequestWriter(CycloneWriter):
+    """The writer of a client: one that doesn't wait for readers that lag behind."""
+
+    native_type = staticmethod(partial(DdsWriter, waits=False))  # type: ignore[assignment]
+
+    def __init__(self, *arguments: Any) -> None:
+        super().__init__(*arguments)
+        self._write_lock = threading.Lock()
+        """Held by a write, because the native writer takes back what it can't send, the last one."""
+
+    def try_write(self, data: bytes) -> bool:
+        """Send one sample; return False if readers lag behind, and nothing was sent.
+
+        Raises:
+            ClosedError: the writer has left its topic.
+            ValueError: as `write`.
+        """
+        try:
+            with self._write_lock:
+                return self._native.write(data)
+        except RuntimeError as error:
+            raise self._error("write to", error) from None
 
 
 class CycloneReader(CycloneEndpoint):

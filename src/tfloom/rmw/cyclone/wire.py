@@ -20,7 +20,7 @@ from tfloom.rmw.base import NodeName, Participant, Service, Topic
 from tfloom.rmw.compatibility import chosen_qos
 from tfloom.rmw.cyclone import config as cyclone_config
 from tfloom.rmw.cyclone import discovery_info
-from tfloom.rmw.cyclone.endpoints import CycloneEndpoint, CycloneReader, CycloneWriter
+from tfloom.rmw.cyclone.endpoints import CycloneEndpoint, CycloneReader, CycloneRequestWriter, CycloneWriter
 from tfloom.rmw.cyclone.graph import NODE_LIST_USER_DATA, CycloneGraph
 from tfloom.rmw.cyclone.library import Library, open_copy, open_library
 from tfloom.rmw.cyclone.services import (
@@ -51,8 +51,8 @@ MAX_TIME_NS = 2**32 * 1_000_000_000 - 1
 """The latest time that a packet of DDS can hold [ns since the epoch]: its seconds are a uint32."""
 _WRITE_LAST = QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL, depth=1)
 
-_End = TypeVar("_End", CycloneWriter, CycloneReader)
-_End2 = TypeVar("_End2", CycloneWriter, CycloneReader)
+_End = TypeVar("_End", CycloneWriter, CycloneRequestWriter, CycloneReader)
+_End2 = TypeVar("_End2", CycloneWriter, CycloneRequestWriter, CycloneReader)
 
 
 _open_participants: WeakSet[CycloneParticipant] = WeakSet()
@@ -225,7 +225,9 @@ class CycloneParticipant:
         Raises:
             WireError: the library refuses it; the text has the reason.
         """
-        requests, responses = self._open_service(CLIENT_KEY, CycloneWriter, CycloneReader, node, service, qos)
+        requests, responses = self._open_service(
+            CLIENT_KEY, CycloneRequestWriter, CycloneReader, node, service, qos
+        )
         servers = CycloneServers(requests, responses, service.name, self._vendors)
         key = os.urandom(8)
         requests.join_service(responses, service.name, key)

@@ -91,6 +91,11 @@ class LocalWriter(LocalEndpoint):
         for reader in readers:
             reader.flush()
 
+    def try_write(self, data: bytes) -> bool:
+        """Put a sample into every matched reader; see `services.RequestWriter`."""
+        self.write(data)
+        return True
+
     def _expiry_ns(self, now_ns: int) -> int:
         lifespan_ns = self.info.qos.lifespan_ns
         return INFINITE_NS if lifespan_ns == INFINITE_NS else now_ns + lifespan_ns
