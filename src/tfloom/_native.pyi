@@ -136,9 +136,9 @@ class DdsParticipant:
 class DdsWriter:
     """A writer of a DDS topic."""
 
-    def __init__(self, participant: DdsParticipant, topic_name: str, type_name: str, qos: tuple[int, int, int, int, int, int, int, int], user_data: bytes) -> None:
+    def __init__(self, participant: DdsParticipant, topic_name: str, type_name: str, qos: tuple[int, int, int, int, int, int, int, int], user_data: bytes, waits: bool = True) -> None:
         """
-        Create a writer of a topic, given by its names on the wire; `qos` is a resolved tfloom.rmw.qos.QoS.
+        Create a writer of a topic, given by its names on the wire; `qos` is a resolved tfloom.rmw.qos.QoS. `waits` is whether a write waits for readers that lag behind.
         """
 
     @property
@@ -161,8 +161,10 @@ class DdsWriter:
         Return the fields of the event's status, padded with zeros, or None if nothing has changed.
         """
 
-    def write(self, data: bytes) -> None:
-        """Send a sample: encapsulation header 00 01 xx xx and little-endian CDR."""
+    def write(self, data: bytes) -> bool:
+        """
+        Send a sample: encapsulation header 00 01 xx xx and little-endian CDR. Return False if readers lag behind and this writer doesn't wait for them: then nothing was sent.
+        """
 
     def join_service(self, reader: DdsReader, service: str, client: bytes | None) -> None:
         """

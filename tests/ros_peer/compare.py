@@ -42,6 +42,8 @@ DEVIATIONS = HERE.parents[1] / "docs" / "deviations.md"
 
 BATCH_SIZE = 500
 MAX_CASE_S = 20.0
+MAX_START_S = 120.0
+"""The longest time for the start of a process on a busy machine, before its first case [s]."""
 MAX_SHOWN = 20
 """Number of differences that are printed, unless --all is given."""
 
@@ -97,7 +99,7 @@ class Side:
             answers: list[Any] = []
             end = {"stalled": True}
             try:
-                for line in _lines(process.stdout, self.seconds):
+                for line in _lines(process.stdout, self.seconds, first_s=MAX_START_S + self.seconds):
                     answers.append(json.loads(line))  # noqa: PERF401  # those before a TimeoutError stay
                 end = {"ended": process.wait(self.seconds)}
             except (TimeoutError, subprocess.TimeoutExpired):
@@ -112,15 +114,17 @@ class Side:
             return answers if len(answers) == len(cases) else [*answers, end]
 
 
-def _lines(stream: IO[bytes], seconds: float) -> Iterator[bytes]:
+def _lines(stream: IO[bytes], seconds: float, first_s: float) -> Iterator[bytes]:
     """Yield the lines of a pipe to its end.
 
     Raises:
-        TimeoutError: the next line takes longer than this [s].
+        TimeoutError: the first line takes longer than `first_s`, or another one than `seconds` [s].
     """
     rest = b""
+    limit_s = first_s
     while True:
-        deadline_s = time.monotonic() + seconds
+        deadline_s = time.monotonic() + limit_s
+        limit_s = seconds
         while b"\n" not in rest:
             ready, _, _ = select.select([stream], [], [], max(0.0, deadline_s - time.monotonic()))
             if not ready:

@@ -164,9 +164,15 @@ def test_calls_that_a_stopped_server_has_no_room_for_are_all_answered(
         target=lambda: futures.extend(asking.call_async(request) for _ in range(1000)), daemon=True
     )
     calling.start()
-    calling.join(30)
-    assert len(futures) == 1000  # no call waits until the wire has room, which it has when the server goes on
+    if os.environ["RMW_IMPLEMENTATION"] == "rmw_cyclonedds_cpp":
+        calling.join(LEASE_S / 2)
+        assert len(futures) == 1000  # no call waits until the server goes on
+    else:
+        calling.join(
+            0.5
+        )  # Zenoh keeps little of what the server has not received, and leaves it after some seconds
     server.signal(signal.SIGCONT)
+    calling.join(30)
     spin_until(executor, lambda: all(future.done() for future in futures))
     assert Counter(map(outcome, futures)) == {"answered": 1000}
 
