@@ -191,7 +191,9 @@ std::u32string ObjectReader::wide(Value value) {
 
 ObjectReader::Held ObjectReader::open_list(Value value) {
   if (PyList_CheckExact(value) || PyTuple_CheckExact(value)) return nb::borrow(value);
-  if (PyUnicode_Check(value) || PyBytes_Check(value) || PyDict_Check(value)) throw_mismatch("a sequence", value);
+  // Bytes are no sequence of anything but numbers, and of length 0 the empty one of all types.
+  const bool is_text = PyUnicode_Check(value) || (PyBytes_Check(value) && PyBytes_GET_SIZE(value) != 0);
+  if (is_text || PyDict_Check(value)) throw_mismatch("a sequence", value);
   const auto held = nb::borrow(value);
   auto list = nb::steal(PySequence_Fast(value, ""));
   if (list.is_valid()) return list;

@@ -20,7 +20,13 @@ from tfloom.node.executing.event_handler import (
 from tfloom.node.executing.event_types import QoSPublisherEventType, QoSSubscriptionEventType
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
-from tfloom.node.qos.qos import ReliabilityPolicy, qos_profile_best_available, qos_profile_sensor_data
+from tfloom.node.qos.qos import (
+    QoSPolicyKind,
+    ReliabilityPolicy,
+    qos_policy_name_from_kind,
+    qos_profile_best_available,
+    qos_profile_sensor_data,
+)
 from tfloom.node.values.duration import Duration
 from tfloom.rmw.events import Count
 
@@ -88,7 +94,16 @@ def test_callback_or_opt_out_replaces_the_warning(
     loud = SubscriptionEventCallbacks(incompatible_qos=statuses.append)
     node.create_subscription(String, "chatter", print, 10, event_callbacks=loud)
     spin_until(lambda: statuses)
-    assert statuses[0].last_policy_kind.name == "RELIABILITY"
+    kind = statuses[0].last_policy_kind
+    assert (kind.name, str(kind)) == (
+        "RMW_QOS_POLICY_RELIABILITY",
+        "rmw_qos_policy_kind_t.RMW_QOS_POLICY_RELIABILITY",
+    )
+    assert repr(kind) == "<rmw_qos_policy_kind_t.RMW_QOS_POLICY_RELIABILITY: 16>"
+    assert kind == QoSPolicyKind.RELIABILITY
+    assert qos_policy_name_from_kind(kind) == "RELIABILITY"
+    assert [one.name for one in type(kind)] == [f"RMW_QOS_POLICY_{one.name}" for one in QoSPolicyKind]
+    assert list(type(kind)) == list(QoSPolicyKind)
     assert "incompatible" not in capsys.readouterr().err
 
 

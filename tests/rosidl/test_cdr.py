@@ -356,3 +356,14 @@ def test_a_text_ends_before_its_first_nul(octets: bytes, text: str) -> None:
     empty = b"\1\0\0\0\0\0\0\0"
     source = cdr.decode(TypeSource, LE + empty + empty + octets)
     assert source.raw_file_contents == text
+
+
+@pytest.mark.parametrize("empty", [b"", np.bytes_(b""), bytearray(), memoryview(b""), (), range(0)], ids=repr)
+def test_every_empty_sequence_is_the_empty_one_of_each_type(empty: Any) -> None:
+    message = ParameterValue()
+    names = [name for name in ParameterValue.get_fields_and_field_types() if name.endswith("array_value")]
+    for name in names:
+        setattr(message, name, empty)
+    assert cdr.encode(message) == cdr.encode(ParameterValue())
+    with pytest.raises(cdr.EncodeError, match="must be a sequence"):
+        cdr.encode(ParameterValue(byte_array_value=b"ab"))

@@ -39,7 +39,8 @@ class IncompatibleQoS(NamedTuple):
 
     total_count: int
     total_count_change: int
-    last_policy_kind: QoSPolicyKind
+    last_policy_kind: IntEnum
+    """A QoSPolicyKind; of what a node gives to callbacks, one of rclpy's names and the same number."""
 
 
 class LivelinessChanged(NamedTuple):

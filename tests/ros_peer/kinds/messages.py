@@ -195,9 +195,11 @@ def is_odd_byte(case: Any) -> bool:
 def is_lossy(case: Any, part: str) -> bool:
     """Return whether a number of an array is not one of its field's type."""
     base, bracket, _ = case["kind"].partition("[")
-    elements = case[part][-1]
-    if not bracket or not isinstance(elements, list):
+    if not bracket:
         return False
+    elements = case[part][-1]
+    if not isinstance(elements, list):
+        elements = [elements]  # of a single number numpy makes an array, too
     if any(isinstance(element, list) and element[0] in {"np.float16", "np.float32"} for element in elements):
         return True  # which round
     numbers = [element[1] if isinstance(element, list) else element for element in elements]

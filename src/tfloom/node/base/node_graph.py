@@ -82,7 +82,12 @@ class NodeGraph:
         return full_name
 
     def wait_for_node(self, full_name: str, timeout_s: float | None) -> bool:
-        """Wait until a node is on the graph; False if it isn't after `timeout_s` (None: no limit)."""
+        """Wait until a node is on the graph; False if it isn't after `timeout_s` (None: no limit).
+
+        Without time, a node that was destroyed answers False, as that of rclpy does.
+        """
+        if timeout_s == 0.0 and self._has_left:
+            return False
         end = math.inf if timeout_s is None else time.monotonic() + timeout_s
         if not full_name.startswith("/"):
             full_name = f"/{full_name}"

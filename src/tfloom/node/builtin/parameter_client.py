@@ -232,7 +232,7 @@ def _pass_on(future: Future[Any], end: Future[Any], go_on: Callable[[Any], Any])
         return
     try:
         go_on(future.result())
-    except Exception as error:  # noqa: BLE001  # it belongs to whoever waits for the end
+    except Exception as error:  # it belongs to whoever waits for the end
         end.set_exception(error)
 
 

@@ -24,6 +24,7 @@ from tfloom.node.values.callback_errors import print_error
 from tfloom.node.values.exceptions import (
     ExternalShutdownException,
     ForkedProcessError,
+    InvalidHandle,
     NotInitializedException,
     RCLError,
     ROSInterruptException,
@@ -174,12 +175,12 @@ class Context:
         """Return the id of the context's domain.
 
         Raises:
-            NotInitializedException: before `init`.
+            RuntimeError: before `init`.
         """
         from tfloom.rmw.backends import domain_id_from_environment
 
         if not self._initialized:
-            raise NotInitializedException("cannot return the domain id")
+            raise RuntimeError("Context must be initialized before it can have a domain id")
         return domain_id_from_environment() if self._domain_id is None else self._domain_id
 
     def ok(self) -> bool:
@@ -223,7 +224,7 @@ class Context:
     def is_caused_by_signal(self, error: BaseException) -> bool:
         """Return whether an error follows from the context being shut down by a signal, or at the program's end."""
         return (self._interrupted or _is_ending) and isinstance(
-            error, (RCLError, NotInitializedException, ROSInterruptException, ClosedError)
+            error, (RCLError, NotInitializedException, ROSInterruptException, ClosedError, InvalidHandle)
         )
 
     def end_daemon_thread_at_exit(self) -> None:

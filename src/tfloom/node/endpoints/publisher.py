@@ -62,9 +62,9 @@ class Publisher(Endpoint["Writer"], Generic[MsgType]):
         elif isinstance(msg, bytes):
             data = msg
         else:
+            self._check_exists()
             raise TypeError(wrong_message(self.msg_type, msg))
-        if self._destroyed:
-            raise InvalidHandle(f"cannot publish on {self._name}: the publisher was destroyed")
+        self._check_exists()
         if not self._context.ok():
             self._context.check_not_from_parent_process(f"cannot publish on {self._name}")
             self._context.end_daemon_thread_at_exit()
@@ -74,6 +74,10 @@ class Publisher(Endpoint["Writer"], Generic[MsgType]):
         except ClosedError:
             self._context.end_daemon_thread_at_exit()
             raise
+
+    def _check_exists(self) -> None:
+        if self._destroyed:
+            raise InvalidHandle(f"cannot publish on {self._name}: the publisher was destroyed")
 
     def get_subscription_count(self) -> int:
         """Return the number of connected subscriptions.

@@ -11,6 +11,7 @@ from tfloom.node.endpoints.service_introspection import Introspection, ServiceIn
 from tfloom.node.endpoints.type_variables import SrvType, SrvTypeRequest, SrvTypeResponse
 from tfloom.node.executing.task import Future
 from tfloom.node.qos.qos import QoSProfile
+from tfloom.rmw.errors import ClosedError
 from tfloom.rosidl import cdr
 from tfloom.rosidl.service import Service as ServiceType
 
@@ -137,13 +138,18 @@ class Service(ServiceEndpoint["Responder", SrvTypeRequest, SrvTypeResponse]):
         Raises:
             TypeError: `response` isn't of the service's response type.
             EncodeError: the value of a field doesn't fit its type.
+            InvalidHandle: the service was destroyed.
         """
         if not isinstance(response, self.srv_type.Response):
             raise TypeError(
                 f"the callback of {self._name} must return a {self.srv_type.Response.__name__}, "
                 f"not {type(response).__name__}"
             )
-        self._endpoint.send(header, cdr.encode(response))
+        try:
+            self._endpoint.send(header, cdr.encode(response))
+        except ClosedError:
+            self._alive()
+            raise
         self._introspection.response_sent(response, header)
 
     def take(self) -> Any:

@@ -108,7 +108,15 @@ class WatchedEvent:
 
     def take(self) -> Any:
         """Return the status if it has changed, else None."""
-        return None if self._destroyed else self._endpoint.take_event(self._event)
+        if self._destroyed:
+            return None
+        status = self._endpoint.take_event(self._event)
+        if isinstance(status, IncompatibleQoS):
+            # Imported here, because few programs have such an event.
+            from tfloom.node.executing.event_types import rmw_qos_policy_kind_t
+
+            return status._replace(last_policy_kind=rmw_qos_policy_kind_t(status.last_policy_kind))
+        return status
 
 
 class EventHandler(WatchedEvent, Entity):

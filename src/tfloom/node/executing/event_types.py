@@ -31,6 +31,24 @@ class QoSSubscriptionEventType(IntEnum):
     RCL_SUBSCRIPTION_MATCHED = 5
 
 
+class rmw_qos_policy_kind_t(IntEnum):  # noqa: N801  # rclpy's name, which programs print
+    """The policies, as the status of an incompatible peer names them. Each equals that of `QoSPolicyKind`."""
+
+    RMW_QOS_POLICY_INVALID = 1 << 0
+    RMW_QOS_POLICY_DURABILITY = 1 << 1
+    RMW_QOS_POLICY_DEADLINE = 1 << 2
+    RMW_QOS_POLICY_LIVELINESS = 1 << 3
+    RMW_QOS_POLICY_RELIABILITY = 1 << 4
+    RMW_QOS_POLICY_HISTORY = 1 << 5
+    RMW_QOS_POLICY_LIFESPAN = 1 << 6
+    RMW_QOS_POLICY_DEPTH = 1 << 7
+    RMW_QOS_POLICY_LIVELINESS_LEASE_DURATION = 1 << 8
+    RMW_QOS_POLICY_AVOID_ROS_NAMESPACE_CONVENTIONS = 1 << 9
+
+    def __str__(self) -> str:
+        return f"{type(self).__name__}.{self.name}"
+
+
 # Two tables, because members of the two enumerations are equal where their numbers are.
 _PUBLISHER_EVENTS = {
     QoSPublisherEventType.RCL_PUBLISHER_OFFERED_DEADLINE_MISSED: Event.DEADLINE_MISSED,

@@ -250,7 +250,7 @@ class Rate:
             RuntimeError: the rate was destroyed.
         """
         if self._destroyed:
-            raise RuntimeError("Rate cannot sleep: it was destroyed")
+            raise RuntimeError("Rate cannot sleep because it has been destroyed")
         if not self._context.ok():
             self._context.check_not_from_parent_process("cannot sleep")
             raise ROSInterruptException

@@ -5,7 +5,7 @@ from __future__ import annotations
 from tfloom.rmw.base import EndpointInfo, Graph
 from tfloom.rmw.compatibility import incompatible_policies
 from tfloom.rmw.events import IncompatibleQoS
-from tfloom.rmw.qos import INFINITE_NS, QoS
+from tfloom.rmw.qos import INFINITE_NS, QoS, QoSPolicyKind
 from tfloom.terminal_text import shown_part
 
 MAX_DIFFERENCES = 5
@@ -31,7 +31,7 @@ def mismatch_text(
     )
     if graph.delivers_incompatible():
         consequence = "Messages pass all the same on this wire, but don't on others"
-    policy = status.last_policy_kind.name
+    policy = QoSPolicyKind(status.last_policy_kind).name
     return (
         f"New {peer} discovered on topic '{topic_name}', {verb} incompatible QoS. {consequence}. "
         f"Last incompatible policy: {policy}{_both_sides(topic_name, gid, graph, is_publisher)}"
