@@ -358,7 +358,11 @@ def test_a_text_ends_before_its_first_nul(octets: bytes, text: str) -> None:
     assert source.raw_file_contents == text
 
 
-@pytest.mark.parametrize("empty", [b"", np.bytes_(b""), bytearray(), memoryview(b""), (), range(0)], ids=repr)
+@pytest.mark.parametrize(
+    "empty",
+    [b"", np.bytes_(b""), bytearray(), memoryview(b""), (), range(0)],
+    ids=lambda empty: type(empty).__name__,
+)
 def test_every_empty_sequence_is_the_empty_one_of_each_type(empty: Any) -> None:
     message = ParameterValue()
     names = [name for name in ParameterValue.get_fields_and_field_types() if name.endswith("array_value")]

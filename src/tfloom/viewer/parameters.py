@@ -123,9 +123,9 @@ class Parameters:
             raise PageError(f"the value of {name} can't be used: {error}") from None
         parameters = [Parameter(name=name, value=parsed)]
         if untyped_names(parameters):
-            asked = srv.GetParameterTypes.Request(names=[name])
-            types = self._call(node, "get_parameter_types", srv.GetParameterTypes, asked).types
-            give_types(parameters, dict(zip([name], types, strict=False)))
+            asked = srv.DescribeParameters.Request(names=[name])
+            described = self._call(node, "describe_parameters", srv.DescribeParameters, asked).descriptors
+            give_types(parameters, {found.name: found.type for found in described})
         request = srv.SetParameters.Request(parameters=parameters)
         results = self._call(node, "set_parameters", srv.SetParameters, request).results
         if len(results) != 1 or not results[0].successful:

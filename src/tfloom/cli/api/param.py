@@ -142,8 +142,8 @@ def _give_types(
     """Give empty lists, which were read from YAML, the types that the node has for them."""
     types: dict[str, int] = {}
     for name in untyped_names(parameters):
-        response = _response(node, client.get_parameter_types([name]), node_name)
-        types.update(zip([name], response.types, strict=False))
+        response = _response(node, client.describe_parameters([name]), node_name)
+        types.update((found.name, found.type) for found in response.descriptors)
     give_types(parameters, types)
 
 

@@ -96,9 +96,9 @@ class ParameterServices(NodeServices):
         for name in untyped_names(
             parameters
         ):  # one by one: a node gives no types if one of them isn't declared
-            asked = srv.GetParameterTypes.Request(names=[name])
-            found = self.call("get_parameter_types", srv.GetParameterTypes, asked).types
-            types.update(zip([name], found, strict=False))
+            asked = srv.DescribeParameters.Request(names=[name])
+            described = self.call("describe_parameters", srv.DescribeParameters, asked).descriptors
+            types.update((found.name, found.type) for found in described)
         give_types(parameters, types)
         request = srv.SetParameters.Request(parameters=list(parameters))
         return self._one_each(parameters, self.call("set_parameters", srv.SetParameters, request).results)

@@ -174,17 +174,17 @@ class AsyncParameterClient:
     def _ask_types(
         self, names: list[str], types: dict[str, int], end: Future[Any], then: Callable[[dict[str, int]], Any]
     ) -> None:
-        """Ask for the types one by one, because a node gives none if one of several names is not declared."""
+        """Ask for the declared types one by one: a node gives none if one of several names isn't declared."""
         if not names:
             then(types)
             return
         name, *others = names
 
         def go_on(response: Any) -> None:
-            types.update(zip([name], response.types, strict=False))
+            types.update((found.name, found.type) for found in response.descriptors)
             self._ask_types(others, types, end, then)
 
-        self.get_parameter_types([name], lambda future: _pass_on(future, end, go_on))
+        self.describe_parameters([name], lambda future: _pass_on(future, end, go_on))
 
     def _read_parameters(self, parameter_file: str, use_wildcard: bool) -> list[ParameterMsg]:
         rules = [

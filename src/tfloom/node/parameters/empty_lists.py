@@ -20,7 +20,10 @@ def untyped_names(parameters: Iterable[Parameter]) -> list[str]:
 
 
 def give_types(parameters: Iterable[Parameter], types: Mapping[str, int]) -> None:
-    """Give the empty lists among them the types that a node has for them, by name; where it has none, they stay."""
+    """Give the empty lists among them the types that a node's descriptors have, by name; where there is none, they stay.
+
+    A parameter that was declared by its type has this type there, also while it has no value.
+    """
     for parameter in parameters:
         if _is_untyped(parameter):
             parameter.value.type = max(types.get(parameter.name, 0), _BYTE_ARRAY)
