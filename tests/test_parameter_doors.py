@@ -23,7 +23,7 @@ from tfloom.launch.ros.utilities.evaluate_parameters import evaluate_parameters
 from tfloom.launch.ros.utilities.normalize_parameters import normalize_parameters
 from tfloom.launch.ros.utilities.to_parameters_list import to_parameters_list
 from tfloom.node.builtin.parameter_client import AsyncParameterClient
-from tfloom.node.client_library import spin_until_future_complete
+from tfloom.node.client_library import init, spin_until_future_complete, try_shutdown
 from tfloom.node.node import Node
 from tfloom.node.parameters.parameter import (
     Parameter,
@@ -77,8 +77,11 @@ def read(domain_id: int) -> Iterator[Node]:
 
 @pytest.fixture
 def caller(domain_id: int) -> Iterator[Node]:
-    with running_node(domain_id, "caller") as node:
-        yield node
+    init(args=[], domain_id=domain_id)  # the functions spin it in the executor of the default context
+    node = Node("caller")
+    yield node
+    node.destroy_node()
+    try_shutdown()
 
 
 @pytest.fixture
@@ -105,7 +108,8 @@ def test_a_dump_is_loaded_by_a_client(dumped: Path, read: Node, caller: Node, fu
     future = getattr(client, function)(str(dumped), callback=lambda _: called.set())
     spin_until_future_complete(caller, future, timeout_sec=20.0)
     response = future.result()
-    assert all(result.successful for result in getattr(response, "results", [response.result]))
+    results = response.results if function == "load_parameter_file" else [response.result]
+    assert all(result.successful for result in results)
     assert called.is_set()
     assert held(read) == EXPECTED
 

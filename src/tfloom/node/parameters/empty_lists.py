@@ -20,7 +20,7 @@ def untyped_names(parameters: Iterable[Parameter]) -> list[str]:
 
 
 def give_types(parameters: Iterable[Parameter], types: Mapping[str, int]) -> None:
-    """Give the empty lists among them the types that a node's descriptors have, by name; where there is none, they stay.
+    """Give the empty lists among them the types of a node's descriptors, by name; where there is none, they stay.
 
     A parameter that was declared by its type has this type there, also while it has no value.
     """
