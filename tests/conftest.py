@@ -199,7 +199,7 @@ def planted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
 def is_made_by_the_finder(module: object) -> bool:
     """Return whether a package was imported from definitions alone, without any of its modules perhaps."""
     loader = getattr(getattr(module, "__spec__", None), "loader", None)
-    return type(loader).__module__ == "tfloom.ros_finder"
+    return type(loader).__module__ == "tfloom.ros_imports.finder"
 
 
 @pytest.fixture

@@ -193,7 +193,7 @@ VIOLATIONS: list[tuple[Rule, dict[str, str], list[str]]] = [
         {
             "cli/x.py": "def f():\n    import yaml\n    return yaml.safe_load('1'), yaml.safe_dump(1)\n",
             "node/x.py": "import yaml as y\n",
-            "rosidl/user_yaml.py": "import yaml\nyaml.safe_load('1')\n",
+            "common/yaml.py": "import yaml\nyaml.safe_load('1')\n",
             "workspace/x.py": "from yaml import CSafeLoader, safe_dump\n",
         },
         [
@@ -207,10 +207,10 @@ VIOLATIONS: list[tuple[Rule, dict[str, str], list[str]]] = [
         {
             "cli/x.py": "path.write_text('')\nopen(path, 'rb')\nopen(path, 'xb')\n",
             "tf2/x.py": "path.write_bytes(b'')\npath.open(\"w\")\n",
-            "whole_files.py": "open(path, 'wb')\n",
+            "common/files.py": "open(path, 'wb')\n",
         },
         [
-            f"{place} writes a file in place; use whole_files.py"
+            f"{place} writes a file in place; use common/files.py"
             for place in ("cli/x.py:1", "cli/x.py:3", "tf2/x.py:1", "tf2/x.py:2")
         ],
     ),
@@ -230,7 +230,7 @@ VIOLATIONS: list[tuple[Rule, dict[str, str], list[str]]] = [
         architecture.what_is_said_on_stderr_ends_nothing,
         {
             "rmw/x.py": "import sys\nprint('a', file=sys.stderr)\nsys.stderr.write('b')\n",
-            "terminal_text.py": "import sys\ndef report(text):\n    print(text, file=sys.stderr)\n",
+            "common/terminal.py": "import sys\ndef report(text):\n    print(text, file=sys.stderr)\n",
         },
         [
             "rmw/x.py:2 prints on stderr; use terminal_text.report",

@@ -88,8 +88,8 @@ def defers(node: ast.If) -> bool:
         and all(isinstance(statement, ast.ImportFrom) for statement in node.body)
         and otherwise
         in (
-            ["from tfloom.ros_modules import deferred", "__getattr__, __dir__ = deferred"],
-            ["from tfloom.ros_modules import submodules", "__getattr__ = submodules"],
+            ["from tfloom.ros_imports.modules import deferred", "__getattr__, __dir__ = deferred"],
+            ["from tfloom.ros_imports.modules import submodules", "__getattr__ = submodules"],
         )
     )
 
@@ -233,7 +233,7 @@ GOOD = '''"""Hand on."""
 
 from __future__ import annotations
 
-from tfloom.ros_guard import claim
+from tfloom.ros_imports.guard import claim
 
 __all__ = ["claim"]
 '''
@@ -244,7 +244,7 @@ if TYPE_CHECKING:
     from a import X as X
     from b import Y as Y
 else:
-    from tfloom.ros_modules import deferred
+    from tfloom.ros_imports.modules import deferred
 
     __getattr__, __dir__ = deferred(__name__, X="a", Y="b")
 """
@@ -253,7 +253,7 @@ if TYPE_CHECKING:
     from planted import gone as gone
     from planted import more as more
 else:
-    from tfloom.ros_modules import submodules
+    from tfloom.ros_imports.modules import submodules
 
     __getattr__ = submodules("planted")
 """
@@ -350,9 +350,8 @@ def test_frozen_program_imports_the_facades_from_any_folder(tmp_path: Path) -> N
     code = "import sys; sys.frozen = True; import tf2_ros; print(sys.modules['rclpy'].__file__)"
     result = python(code, PYTHONPATH=str(tmp_path))
     assert result.stdout.startswith(str(tmp_path)), result.stderr
-    without = (
-        "import sys; sys.frozen = True; sys.path.pop(); from tfloom.ros_guard import claim; claim('tf2_ros')"
-    )
+    claim = "from tfloom.ros_imports.guard import claim; claim('tf2_ros')"
+    without = f"import sys; sys.frozen = True; sys.path.pop(); {claim}"
     assert python(without).returncode == 0
 
 
@@ -376,7 +375,7 @@ def test_use_ros_names_works_without_the_pth_file() -> None:
 
 def test_deferred_names_and_submodules_load_on_first_use(planted: Path) -> None:
     (planted / "__init__.py").write_text(
-        "from tfloom.ros_modules import deferred\n"
+        "from tfloom.ros_imports.modules import deferred\n"
         '__getattr__, __dir__ = deferred(__name__, inner="planted", sep="os")\n',
         "utf-8",
     )

@@ -34,7 +34,7 @@ HOUSES = (
 GENERATED = (
     "ros_names/**/*",
     "interfaces/*/**/*",
-    "ros_homes.py",
+    "ros_imports/homes.py",
     "share/*/package.xml",
     "rosidl/definitions/*/package.xml",
     "definitions/*/package.xml",

@@ -13,7 +13,7 @@ from importlib.machinery import ModuleSpec, PathFinder
 from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
-GENERATED = re.compile(r"tfloom(_interfaces)?\.(interfaces\.\w+|ros_homes)")
+GENERATED = re.compile(r"tfloom(_interfaces)?\.(interfaces\.\w+|ros_imports\.homes)")
 """The generated modules of import packages; façades have the names of `tools/facades/names.yaml` and of definitions."""
 
 
@@ -34,7 +34,7 @@ class Finder:
         found = PathFinder.find_spec(name, path)
         if found is not None and found.origin is not None:
             return None
-        from tfloom import absent_modules
+        from tfloom.ros_imports import absent as absent_modules
 
         absent_modules.INSTEAD[name] = f"it is generated, and not there yet: run `make setup` in {ROOT}"
         return absent_modules.spec_of(name)

@@ -34,13 +34,13 @@ def use_ros_names() -> None:
     --target`, or in a notebook whose kernel has been running since before the install. Calling it again does
     nothing.
     """
-    from tfloom import absent_modules, ros_finder
-    from tfloom.distributions import installed_prefixes
+    from tfloom.ros_imports import absent, finder
+    from tfloom.ros_imports.distributions import installed_prefixes
 
     folders = [_ROS_NAMES, *(str(prefix / "ros_names") for prefix in installed_prefixes())]
     sys.path += [folder for folder in folders if folder not in sys.path]
-    ros_finder.install()
-    absent_modules.install()
+    finder.install()
+    absent.install()
 
 
 def view(

@@ -37,7 +37,7 @@ EACH = """
 import json, os
 import argcomplete
 from tfloom.cli import completion, graph, interfaces, launch_api, main, prototype, tab_key
-from tfloom.rosidl import user_yaml
+from tfloom.common import yaml as user_yaml
 folder, lines = sys.argv[1:]
 for number, line in enumerate(json.loads(lines)):
     if not os.fork():

@@ -10,7 +10,7 @@ import pytest
 import transcript
 from tests.conftest import Program
 
-from tfloom.distributions import INTERFACES, find_prefix
+from tfloom.ros_imports.distributions import INTERFACES, find_prefix
 from tfloom.workspace import index
 
 

@@ -7,12 +7,12 @@ from typing import Any
 import pytest
 
 from tfloom.cli.interfaces import fill_message, parse_yaml
+from tfloom.common.yaml import load
 from tfloom.interfaces.diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
 from tfloom.interfaces.rcl_interfaces.msg import ParameterValue
 from tfloom.interfaces.std_msgs.msg import Bool, Byte, ByteMultiArray, Float64, Int64, String
 from tfloom.interfaces.turtlesim.srv import SetPen
 from tfloom.rosidl.fill import set_message_fields
-from tfloom.rosidl.user_yaml import load
 from tfloom.rosidl.yaml_text import message_to_yaml
 
 

@@ -10,7 +10,7 @@ from tests.terminals import on_a_terminal
 PROGRAM = r"""
 import logging
 from tfloom.launch.logging import get_logger, get_output_loggers
-from tfloom.terminal_text import shown_on_terminals
+from tfloom.common.terminal import shown_on_terminals
 with shown_on_terminals():
     get_logger("launch.user").warning("careful")
     get_logger("launch.user").info("a\x1b[2Jb")

@@ -211,7 +211,8 @@ def test_import_loads_no_heavy_module() -> None:
 def test_facade_beside_a_real_ros_raises_import_error(tmp_path: Path) -> None:
     (tmp_path / "rclpy").mkdir()
     (tmp_path / "rclpy" / "__init__.py").write_text("")
-    code = f"import sys; sys.path.insert(0, {str(tmp_path)!r}); from tfloom.ros_guard import claim; claim('tf2_ros')"
+    claim = "from tfloom.ros_imports.guard import claim; claim('tf2_ros')"
+    code = f"import sys; sys.path.insert(0, {str(tmp_path)!r}); {claim}"
     result = run(code)
     assert result.returncode == 1
     last = result.stderr.strip().splitlines()[-1]
@@ -220,8 +221,8 @@ def test_facade_beside_a_real_ros_raises_import_error(tmp_path: Path) -> None:
 
 
 def test_guard_accepts_tflooms_rclpy() -> None:
-    assert run("import rclpy; from tfloom.ros_guard import claim; claim('tf2_ros')").returncode == 0
-    assert run("from tfloom.ros_guard import claim; claim('tf2_ros')").returncode == 0
+    assert run("import rclpy; from tfloom.ros_imports.guard import claim; claim('tf2_ros')").returncode == 0
+    assert run("from tfloom.ros_imports.guard import claim; claim('tf2_ros')").returncode == 0
 
 
 def test_submodules_are_available_after_import_rclpy() -> None:

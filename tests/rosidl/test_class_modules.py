@@ -17,8 +17,8 @@ import pytest
 from tests.each import for_each
 from tests.rosidl.workspaces import run_python, snake, write_files
 
-from tfloom.distributions import INTERFACES, find_prefix
-from tfloom.ros_modules import module_leaf
+from tfloom.ros_imports.distributions import INTERFACES, find_prefix
+from tfloom.ros_imports.modules import module_leaf
 from tfloom.rosidl.dynamic import define
 from tfloom.rosidl.registry import find_class, get_action_class, get_message_class, get_service_class
 

@@ -11,8 +11,9 @@ from pathlib import Path
 import pytest
 from tests.rosidl.workspaces import run_python, write_files
 
-from tfloom import ros_finder, use_ros_names
+from tfloom import use_ros_names
 from tfloom.interfaces.geometry_msgs.msg import Point
+from tfloom.ros_imports.finder import InterfaceFinder
 from tfloom.rosidl import cdr
 from tfloom.rosidl.parse import ParseError
 from tfloom.rosidl.registry import get_message_class, get_service_class
@@ -56,7 +57,7 @@ def test_a_script_imports_them_before_rclpy(workspace: Path, tmp_path: Path) -> 
         from my_interfaces.action import Roll
         import my_interfaces
         import rclpy, sys
-        from tfloom.ros_finder import InterfaceFinder
+        from tfloom.ros_imports.finder import InterfaceFinder
         print(Sphere(radius=2.0), Sphere.BIG, my_interfaces.srv.Weigh.Request, Roll.Impl.FeedbackMessage().feedback)
         assert any(isinstance(finder, InterfaceFinder) for finder in sys.meta_path)
     """
@@ -72,7 +73,7 @@ def test_a_script_imports_them_before_rclpy(workspace: Path, tmp_path: Path) -> 
 def test_a_python_that_no_workspace_was_sourced_for_has_no_finder(tmp_path: Path) -> None:
     code = """
         import sys
-        print([finder for finder in sys.meta_path if "ros_finder" in repr(finder)],
+        print([finder for finder in sys.meta_path if "ros_imports.finder" in repr(finder)],
               [name for name in sys.modules if name.startswith("tfloom.")])
     """
     assert run_python(code, tmp_path, AMENT_PREFIX_PATH="").stdout == "[] []\n"
@@ -82,7 +83,7 @@ def test_the_finder_loads_nothing_before_it_is_needed(workspace: Path, tmp_path:
     code = "import sys; print(*sorted(name for name in sys.modules if name.startswith('tfloom.')))"
     assert (
         run_python(code, tmp_path, AMENT_PREFIX_PATH=workspace).stdout
-        == "tfloom.ros_finder tfloom.ros_guard\n"
+        == "tfloom.ros_imports.finder tfloom.ros_imports.guard\n"
     )
 
 
@@ -202,7 +203,7 @@ def test_messages_nested_too_deep(sourced: Path) -> None:
 def test_use_ros_names_installs_one_finder() -> None:
     use_ros_names()
     use_ros_names()
-    assert [type(finder) for finder in sys.meta_path].count(ros_finder.InterfaceFinder) == 1
+    assert [type(finder) for finder in sys.meta_path].count(InterfaceFinder) == 1
 
 
 @pytest.mark.usefixtures("sourced")

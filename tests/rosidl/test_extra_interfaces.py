@@ -13,8 +13,8 @@ from rosbags.typesys.store import Typestore
 from tests.each import for_each
 from tests.test_facades import ROS_NAMES, RULES, Rule
 
-from tfloom.distributions import INTERFACES, find_prefix
-from tfloom.ros_modules import module_leaf
+from tfloom.ros_imports.distributions import INTERFACES, find_prefix
+from tfloom.ros_imports.modules import module_leaf
 from tfloom.rosidl import cdr, class_table, generate, spec
 from tfloom.rosidl.registry import find_class, get_message_class
 from tfloom.rosidl.type_hash import type_hash

@@ -10,7 +10,6 @@ import pytest
 from tests.rosidl.workspaces import run_python
 
 import tfloom
-from tfloom.distributions import INTERFACES
 from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.interfaces.geometry_msgs.msg import Twist
 from tfloom.interfaces.sensor_msgs.msg import CameraInfo
@@ -18,6 +17,7 @@ from tfloom.interfaces.std_msgs.msg import Header
 from tfloom.interfaces.std_srvs.srv import SetBool
 from tfloom.interfaces.turtlesim.action import RotateAbsolute
 from tfloom.interfaces.turtlesim.srv import Spawn
+from tfloom.ros_imports.distributions import INTERFACES
 from tfloom.rosidl import definition, runtime, sources
 from tfloom.rosidl.definition import UnboundedSequence
 from tfloom.rosidl.definition_files import interface_names

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from tests.test_facades import RULES, Rule
 
-from tfloom.distributions import SENSING, find_prefix
+from tfloom.ros_imports.distributions import SENSING, find_prefix
 
 ROOT = Path(__file__).parents[2]
 

@@ -113,7 +113,7 @@ LOADED = set(sys.modules)
 
 def test_start_imports_nothing_else():
     loaded = {name for name in LOADED if name.startswith("tfloom.")}
-    assert {name.split(".")[1] for name in loaded} <= {"launch", "testing", "ros_guard", "ros_finder"}
+    assert {name.split(".")[1] for name in loaded} <= {"launch", "testing", "ros_imports"}
     assert {name for name in loaded if name.startswith("tfloom.testing.")} == {"tfloom.testing.plugin"}
     assert "numpy" not in LOADED
 """

@@ -108,9 +108,9 @@ def test_packages_whose_source_has_gone_leave_no_folder(checkout: Path) -> None:
 def test_files_that_do_not_differ_are_left(checkout: Path) -> None:
     path = checkout / "src/tfloom/ros_names/rclpy/__init__.py"
     os.utime(path, (1, 1))
-    write(checkout, {**FILES, "src/tfloom/ros_homes.py": "HOMES = {}\n"})
+    write(checkout, {**FILES, "src/tfloom/ros_imports/homes.py": "HOMES = {}\n"})
     assert path.stat().st_mtime == 1
-    assert generated.files_there(checkout) == sorted([*FILES, "src/tfloom/ros_homes.py"])
+    assert generated.files_there(checkout) == sorted([*FILES, "src/tfloom/ros_imports/homes.py"])
 
 
 def test_a_file_that_cannot_be_written_whole_stays(checkout: Path, monkeypatch: pytest.MonkeyPatch) -> None:

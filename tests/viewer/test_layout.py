@@ -14,7 +14,7 @@ import pytest
 import yaml
 
 from tfloom.cli.view import read_config
-from tfloom.rosidl import user_yaml
+from tfloom.common import yaml as user_yaml
 from tfloom.viewer.layout.layout import DisplayLayout, Layout, LayoutError, PlotLayout, ViewPoint
 from tfloom.viewer.layout.layout_file import layout_text, read_layout
 

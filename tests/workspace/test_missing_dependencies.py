@@ -115,7 +115,7 @@ def test_a_distribution_beside_tfloom_is_named_where_it_is_missing(
     write_manifest(tmp_path / "src" / "camera", "ament_python", "rclpy", package)
     monkeypatch.chdir(tmp_path)
     assert check_workspace().verdict is Verdict.OK
-    monkeypatch.setattr("tfloom.distributions.find_prefix", lambda _distribution: None)
+    monkeypatch.setattr("tfloom.ros_imports.distributions.find_prefix", lambda _distribution: None)
     finding = check_workspace()
     assert finding.verdict is Verdict.WARNING
     assert finding.advice == f"{package}: pip install ./packages/{distribution}, in tfloom's sources"

@@ -43,7 +43,7 @@ if TYPE_CHECKING:
     from tfloom.bag.values import RawMessage as RawMessage
     from tfloom.bag.values import Topic as Topic
 else:
-    from tfloom.ros_modules import deferred
+    from tfloom.ros_imports.modules import deferred
 
     __getattr__, __dir__ = deferred(
         __name__,

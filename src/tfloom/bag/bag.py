@@ -40,7 +40,7 @@ class Bag:
         self.metadata = metadata
 
     def __repr__(self) -> str:
-        from tfloom.terminal_text import shown_name
+        from tfloom.common.terminal import shown_name
 
         try:
             topics = [

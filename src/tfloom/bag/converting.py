@@ -104,7 +104,7 @@ def parse_outputs(text: str, path: Path) -> list[Output]:
     Raises:
         BagError: an option is unknown or has no valid value.
     """
-    from tfloom.rosidl import user_yaml
+    from tfloom.common import yaml as user_yaml
 
     try:
         document = user_yaml.load(text)

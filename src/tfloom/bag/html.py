@@ -6,8 +6,8 @@ from collections.abc import Collection
 from html import escape
 from itertools import islice
 
-from tfloom.dates import utc_text
-from tfloom.notebook_html import code, faint, shortened, table
+from tfloom.common.dates import utc_text
+from tfloom.common.notebook import code, faint, shortened, table
 
 __all__ = ["error_html", "span_html", "topics_html"]
 

@@ -6,9 +6,9 @@ import threading
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 
-from tfloom.keyboard import Keyboard, NoTerminalError, without_repetitions
+from tfloom.common.keyboard import Keyboard, NoTerminalError, without_repetitions
+from tfloom.common.terminal import report
 from tfloom.node.values.callback_errors import report_exception
-from tfloom.terminal_text import report
 
 __all__ = ["handled_keys"]
 

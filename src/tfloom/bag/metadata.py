@@ -97,7 +97,7 @@ def parse_metadata(text: str, path: Path) -> Metadata:
     Raises:
         BagError: it isn't as it must be.
     """
-    from tfloom.rosidl import user_yaml
+    from tfloom.common import yaml as user_yaml
 
     try:
         document = user_yaml.load(text)

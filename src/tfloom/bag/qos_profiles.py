@@ -67,7 +67,7 @@ def parse_profiles(text: str) -> list[QoS]:
 
     What can't be read is left out, because a bag is readable without its profiles.
     """
-    from tfloom.rosidl import user_yaml
+    from tfloom.common import yaml as user_yaml
 
     try:
         values = user_yaml.load(text) if text else []
@@ -90,7 +90,7 @@ def read_overrides(path: str | Path) -> dict[str, QoS]:
     Raises:
         BagError: it can't be read, or isn't a map from topics to profiles.
     """
-    from tfloom.rosidl import user_yaml
+    from tfloom.common import yaml as user_yaml
 
     try:
         values = user_yaml.load(Path(path).read_text("utf-8"))

@@ -12,8 +12,8 @@ from tfloom.bag.metadata_from_files import metadata_from_files, storage_id_of
 from tfloom.bag.reading.bag_file import BagFile
 from tfloom.bag.reading.compression import COMPRESSED_SUFFIX
 from tfloom.bag.writing.metadata_text import metadata_file_text
+from tfloom.common.files import write_file
 from tfloom.node.log.logging import get_logger
-from tfloom.whole_files import write_file
 
 __all__ = ["reindex"]
 

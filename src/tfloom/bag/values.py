@@ -53,7 +53,7 @@ class Definition(NamedTuple):
     """The definition, and those of all types in it, separated by lines of `=`."""
 
     def __repr__(self) -> str:
-        from tfloom.terminal_text import shown_name
+        from tfloom.common.terminal import shown_name
 
         return f"<Definition {shown_name(self.encoding) or 'of no encoding'}, {len(self.text)} characters>"
 
@@ -77,7 +77,7 @@ class Topic(NamedTuple):
     """Number of its messages in the recording."""
 
     def __repr__(self) -> str:
-        from tfloom.terminal_text import shown_name
+        from tfloom.common.terminal import shown_name
 
         return f"<Topic {shown_name(self.name)}: {shown_name(self.type)}, {self.message_count} messages>"
 

@@ -12,11 +12,11 @@ from typing import Any, TypeVar
 from tfloom._native import ReadyQueue
 from tfloom.cli.errors import CommandError
 from tfloom.cli.names import did_you_mean
+from tfloom.common.terminal import report
 from tfloom.rmw.action_names import SEND_GOAL
 from tfloom.rmw.base import NodeName, Participant
 from tfloom.rmw.shared.service_request import ServiceRequest, ServiceRequestError
 from tfloom.rosidl import cdr
-from tfloom.terminal_text import report
 
 T = TypeVar("T")
 

@@ -8,7 +8,7 @@ import sys
 
 from tfloom.cli.finding import Finding, Verdict
 from tfloom.cli.health import checks
-from tfloom.terminal_text import unescaped
+from tfloom.common.terminal import unescaped
 
 COLOURS = {Verdict.OK: "32", Verdict.WARNING: "33", Verdict.FAILED: "31"}
 

@@ -11,9 +11,9 @@ from itertools import chain
 
 from tfloom._native import ReadyQueue
 from tfloom.cli.numbers import seconds
+from tfloom.common.terminal import report
 from tfloom.rmw.backends import open_participant
 from tfloom.rmw.base import EndpointInfo, Graph, Participant
-from tfloom.terminal_text import report
 
 QUIET_S = 0.15
 """Discovery is complete when nothing new has arrived for this time [s]."""

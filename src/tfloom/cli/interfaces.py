@@ -9,12 +9,12 @@ from itertools import chain
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from tfloom.cli.errors import CommandError
+from tfloom.common.written_values import PlainValue
 from tfloom.rosidl import cdr, registry
 from tfloom.rosidl.fill import Filler, StampSetter
 from tfloom.rosidl.message import Message
 from tfloom.rosidl.parse import ParseError, parse_type
 from tfloom.rosidl.spec import STRINGS, Type
-from tfloom.rosidl.written_values import PlainValue
 
 if TYPE_CHECKING:
     from tfloom.rmw.base import Participant
@@ -115,7 +115,7 @@ def parse_yaml(text: str) -> dict[str, Any]:
     Raises:
         CommandError: it isn't YAML, or not a mapping of fields; the text has the position of the mistake.
     """
-    from tfloom.rosidl import user_yaml
+    from tfloom.common import yaml as user_yaml
 
     try:
         values = user_yaml.load_plain(text)

@@ -11,7 +11,7 @@ from typing import Any
 from tfloom.cli import launch_api
 from tfloom.cli.errors import CommandError
 from tfloom.cli.names import did_you_mean, way_to_package
-from tfloom.ros_environment import set_ros_environment
+from tfloom.ros_imports.environment import set_ros_environment
 from tfloom.workspace import index
 
 ALL_OUTPUT_VARIABLE = "OVERRIDE_LAUNCH_PROCESS_OUTPUT"

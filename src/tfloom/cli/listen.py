@@ -13,6 +13,7 @@ from tfloom._native import ReadyQueue
 from tfloom.cli.errors import CommandError
 from tfloom.cli.graph import known_topics
 from tfloom.cli.names import did_you_mean
+from tfloom.common.terminal import report
 from tfloom.rmw.base import EndpointInfo, Graph, NodeName, Participant, Reader, Sample, Topic, Writer
 from tfloom.rmw.errors import UnsupportedEventError
 from tfloom.rmw.events import Count, Event, IncompatibleQoS
@@ -21,7 +22,6 @@ from tfloom.rmw.shared.typed_names import topic_of
 from tfloom.rmw.shared.waiting import wait_for_token
 from tfloom.rosidl import cdr
 from tfloom.rosidl.message import Message
-from tfloom.terminal_text import report
 
 PATIENCE_S = 1.0
 """Wait before the user gets a message about it [s]."""

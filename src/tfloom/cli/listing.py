@@ -7,8 +7,8 @@ import sys
 from collections.abc import Collection, Mapping
 from typing import Any
 
-from tfloom import terminal_text
 from tfloom.cli.json_text import json_text
+from tfloom.common import terminal as terminal_text
 
 
 def print_names(names: Collection[str], *, as_json: bool = False, only_count: bool = False) -> None:

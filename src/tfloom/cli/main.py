@@ -213,7 +213,7 @@ def _exit_code(argv: Sequence[str] | None, prog: str) -> int:
             raise error.__cause__ from None
         if (text := _sentence(error, prog)) is None:
             raise
-        from tfloom.terminal_text import report, shown_on_terminals
+        from tfloom.common.terminal import report, shown_on_terminals
 
         with shown_on_terminals():
             report(text)
@@ -269,7 +269,7 @@ def _run(argv: Sequence[str] | None, prog: str) -> int:
         sys.stdout.reconfigure(errors="backslashreplace")  # type: ignore[union-attr]
         if not args.use_python_default_buffering:
             sys.stdout.reconfigure(line_buffering=True)  # type: ignore[union-attr]
-    from tfloom.terminal_text import shown_on_terminals
+    from tfloom.common.terminal import shown_on_terminals
 
     with shown_on_terminals():
         return int(args.run_verb(args) or 0)

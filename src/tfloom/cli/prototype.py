@@ -32,6 +32,6 @@ def prototype(value: Any) -> str:
 
 def _key(name: str) -> str:
     """Return a field's name; in quotes where YAML reads it as a value, as `off`."""
-    from tfloom.rosidl.user_yaml import load
+    from tfloom.common.yaml import load
 
     return name if load(name) == name else f'"{name}"'

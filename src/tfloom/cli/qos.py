@@ -8,6 +8,7 @@ from typing import Any
 
 from tfloom.cli.errors import CommandError
 from tfloom.cli.numbers import count, seconds
+from tfloom.common.terminal import report
 from tfloom.rmw.base import EndpointInfo
 from tfloom.rmw.compatibility import best_available
 from tfloom.rmw.qos import (
@@ -20,7 +21,6 @@ from tfloom.rmw.qos import (
     ReliabilityPolicy,
     unknown_policies,
 )
-from tfloom.terminal_text import report
 
 
 def add_arguments(parser: argparse.ArgumentParser, default: str) -> None:

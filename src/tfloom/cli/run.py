@@ -11,8 +11,8 @@ from pathlib import Path
 
 from tfloom.cli.errors import CommandError, refuse_bytes
 from tfloom.cli.names import did_you_mean, way_to_package
-from tfloom.ros_environment import set_ros_environment
-from tfloom.terminal_text import report
+from tfloom.common.terminal import report
+from tfloom.ros_imports.environment import set_ros_environment
 from tfloom.workspace import index
 
 

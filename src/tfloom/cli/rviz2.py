@@ -8,8 +8,8 @@ from pathlib import Path
 
 from tfloom.cli import view
 from tfloom.cli.errors import CommandError
+from tfloom.common.terminal import report
 from tfloom.node.context.arguments import parse_arguments
-from tfloom.terminal_text import report
 from tfloom.tf2_tools.watch.model import STATIC_TOPIC, TF_TOPIC
 from tfloom.viewer.extra import MISSING, is_installed
 

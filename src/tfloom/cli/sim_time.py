@@ -8,11 +8,11 @@ from contextlib import contextmanager
 
 from tfloom._native import ReadyQueue
 from tfloom.cli.listen import decoded
+from tfloom.common.terminal import report
 from tfloom.interfaces.rosgraph_msgs.msg import Clock
 from tfloom.rmw.base import NodeName, Participant
 from tfloom.rmw.qos import QoS, ReliabilityPolicy
 from tfloom.rmw.shared.typed_names import topic_of
-from tfloom.terminal_text import report
 
 NowNs = Callable[[], int]
 """A function that returns the time [ns]; 0 before it is known."""

@@ -6,7 +6,7 @@ import difflib
 from collections.abc import Collection, Iterable
 
 from tfloom.cli.names import or_list
-from tfloom.terminal_text import report
+from tfloom.common.terminal import report
 from tfloom.workspace.interfaces import known_interfaces
 
 FAMILIAR = ("std_msgs", "geometry_msgs", "sensor_msgs", "nav_msgs", "tf2_msgs", "std_srvs", "turtlesim")

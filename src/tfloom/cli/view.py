@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 from tfloom.cli.errors import CommandError
 from tfloom.cli.names import full_topic_name
 from tfloom.cli.numbers import seconds
-from tfloom.terminal_text import report, shown_part
+from tfloom.common.terminal import report, shown_part
 from tfloom.tf2_tools.watch.model import STATIC_TOPIC, TF_TOPIC
 from tfloom.viewer.extra import MISSING, is_installed
 

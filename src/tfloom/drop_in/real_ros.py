@@ -10,7 +10,7 @@ from importlib import import_module
 from types import ModuleType
 from typing import Any
 
-from tfloom.ros_guard import is_elsewhere
+from tfloom.ros_imports.guard import is_elsewhere
 
 __all__ = ["find", "has_rclpy", "message_class", "module"]
 

@@ -9,7 +9,7 @@ from tfloom.launch.condition import Condition
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.substitution import SomeSubstitutionsType, Substitution, described
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
-from tfloom.ros_guard import ros_home
+from tfloom.ros_imports.guard import ros_home
 
 __all__ = [
     "VALID_FALSE_EXPRESSIONS",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tfloom.launch.utilities.private_names import HasPrivateNames
-from tfloom.ros_guard import ros_repr
+from tfloom.ros_imports.guard import ros_repr
 
 __all__ = ["Event"]
 

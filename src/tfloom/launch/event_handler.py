@@ -9,7 +9,7 @@ from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity, SomeEntitiesType
 from tfloom.launch.utilities.normalize_to_list_of_entities import normalize_to_list_of_entities
 from tfloom.launch.utilities.private_names import HasPrivateNames
-from tfloom.ros_guard import ros_repr
+from tfloom.ros_imports.guard import ros_repr
 
 __all__ = ["BaseEventHandler", "EventHandler"]
 

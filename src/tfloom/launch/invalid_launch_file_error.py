@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from tfloom.ros_guard import ros_home
+from tfloom.ros_imports.guard import ros_home
 
 __all__ = ["InvalidLaunchFileError"]
 

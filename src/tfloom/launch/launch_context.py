@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 from tfloom.launch.event import Event
 from tfloom.launch.logging import get_logger
 from tfloom.launch.run_state import HandlesEvents, RunState
-from tfloom.ros_guard import ros_repr
+from tfloom.ros_imports.guard import ros_repr
 
 if TYPE_CHECKING:
     from asyncio import AbstractEventLoop, Future

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Union
 
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.utilities.private_names import HasPrivateNames
-from tfloom.ros_guard import ros_repr
+from tfloom.ros_imports.guard import ros_repr
 
 if TYPE_CHECKING:
     from asyncio import Future

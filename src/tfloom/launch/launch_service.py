@@ -41,7 +41,7 @@ from tfloom.launch.utilities.normalize_to_list_of_entities import normalize_to_l
 from tfloom.launch.utilities.private_names import HasPrivateNames
 from tfloom.launch.utilities.signal_management import AsyncSafeSignalManager
 from tfloom.launch.utilities.visits import visit_all_entities
-from tfloom.ros_guard import ros_repr
+from tfloom.ros_imports.guard import ros_repr
 
 __all__ = ["LaunchService"]
 

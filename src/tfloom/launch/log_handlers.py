@@ -12,9 +12,9 @@ import weakref
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+from tfloom.common.terminal import is_terminal, report, shown, shown_in_colors, unescaped
 from tfloom.launch.background_writing import SCREEN, background_writing
 from tfloom.launch.terminal_colors import colors_of
-from tfloom.terminal_text import is_terminal, report, shown, shown_in_colors, unescaped
 
 __all__ = [
     "BraceFormatter",

@@ -12,8 +12,8 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any, ClassVar, Union
 
+from tfloom.common.terminal import report
 from tfloom.launch.log_handlers import BraceFormatter, FileHandler, StdoutHandler, close_handler
-from tfloom.terminal_text import report
 
 __all__ = [
     "LaunchConfig",

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import Union
 
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.ros_guard import ros_home, ros_repr
+from tfloom.ros_imports.guard import ros_home, ros_repr
 
 __all__ = [
     "SomeSubstitutionsType",

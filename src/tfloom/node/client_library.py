@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cache
 from typing import TYPE_CHECKING
 
+from tfloom.common.seconds import timeout_error
 from tfloom.node.context.context import Context
 from tfloom.node.context.utilities import (
     get_default_context,
@@ -23,8 +24,7 @@ from tfloom.node.executing.task import Future, future_error
 from tfloom.node.executing.temporarily_added import TemporarilyAdded
 from tfloom.node.parameters.parameter import Parameter
 from tfloom.node.values.node_errors import executor_error, node_error
-from tfloom.ros_environment import set_ros_environment
-from tfloom.seconds import timeout_error
+from tfloom.ros_imports.environment import set_ros_environment
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -16,7 +16,7 @@ from tfloom.node.endpoints.type_variables import MsgType, SrvType, SrvTypeReques
 from tfloom.node.parameters.parameter import PARAMETER_SEPARATOR_STRING, Parameter, no_parameter_error
 from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.names import namespace_error, node_name_error
-from tfloom.ros_guard import ros_repr
+from tfloom.ros_imports.guard import ros_repr
 
 if TYPE_CHECKING:
     from tfloom.node.context.context import Context

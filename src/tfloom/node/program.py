@@ -5,10 +5,10 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable
 
+from tfloom.common.terminal import shown_on_terminals
 from tfloom.node.client_library import init
 from tfloom.node.context.utilities import get_default_context, remove_ros_args, try_shutdown
 from tfloom.node.values.exceptions import ExternalShutdownException
-from tfloom.terminal_text import shown_on_terminals
 
 __all__ = ["expect_no_arguments", "run_program"]
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 import threading
 from typing import TYPE_CHECKING, Any
 
+from tfloom.common.seconds import checked_timeout
 from tfloom.node.executing.callback_groups import MutuallyExclusiveCallbackGroup
 from tfloom.node.executing.executor import executor_of
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.executing.task import Future
 from tfloom.node.qos.qos import QoSProfile
-from tfloom.seconds import checked_timeout
 
 if TYPE_CHECKING:
     from tfloom.node.node import Node

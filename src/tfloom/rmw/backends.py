@@ -7,8 +7,8 @@ import sys
 from importlib import import_module
 from typing import TYPE_CHECKING
 
+from tfloom.common.terminal import report
 from tfloom.rmw.errors import ConfigurationError, NoBackendError
-from tfloom.terminal_text import report
 
 if TYPE_CHECKING:
     from tfloom.rmw.base import Participant

@@ -6,10 +6,10 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
+from tfloom.common.terminal import report
 from tfloom.robot.description import Description
 from tfloom.robot.urdf import parse_urdf
 from tfloom.robot.urdf_error import UrdfError
-from tfloom.terminal_text import report
 
 __all__ = ["main"]
 

@@ -10,6 +10,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from tfloom.common.terminal import report
 from tfloom.interfaces.rcl_interfaces.msg import ParameterDescriptor
 from tfloom.interfaces.sensor_msgs.msg import JointState
 from tfloom.interfaces.std_msgs.msg import String
@@ -24,7 +25,6 @@ from tfloom.robot.description import Description
 from tfloom.robot.joint_ranges import range_of
 from tfloom.robot.mimicry import Dependence, LoopError, dependence_of, resolve
 from tfloom.robot.urdf import UrdfError, parse_urdf
-from tfloom.terminal_text import report
 
 __all__ = ["JointStatePublisher", "main"]
 

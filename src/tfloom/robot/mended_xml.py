@@ -9,8 +9,8 @@ import codecs
 import re
 from collections.abc import Callable, Iterator
 
+from tfloom.common.xml import declared_encoding
 from tfloom.robot.remarks import Remarks
-from tfloom.xml_parsers import declared_encoding
 
 __all__ = ["decoded", "mended"]
 

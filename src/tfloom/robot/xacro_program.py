@@ -18,8 +18,8 @@ from collections.abc import Callable, Iterator
 from importlib.util import find_spec
 from typing import Any, NoReturn
 
-from tfloom.terminal_text import report
-from tfloom.xml_parsers import guard_minidom
+from tfloom.common.terminal import report
+from tfloom.common.xml import guard_minidom
 
 __all__ = ["main"]
 

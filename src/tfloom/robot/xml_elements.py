@@ -6,10 +6,10 @@ import re
 from collections.abc import Iterator
 from xml.parsers import expat
 
+from tfloom.common.xml import make_parser, readable
 from tfloom.robot.mended_xml import mended
 from tfloom.robot.remarks import Remarks
 from tfloom.robot.urdf_error import UrdfError
-from tfloom.xml_parsers import make_parser, readable
 
 __all__ = ["Element", "read_xml"]
 

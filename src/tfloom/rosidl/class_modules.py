@@ -13,8 +13,8 @@ from __future__ import annotations
 
 import sys
 
-from tfloom.ros_guard import is_facade, serves_rclpy
-from tfloom.ros_modules import module_leaf, submodules
+from tfloom.ros_imports.guard import is_facade, serves_rclpy
+from tfloom.ros_imports.modules import module_leaf, submodules
 from tfloom.rosidl import class_table
 
 TYPE_CHECKING = False

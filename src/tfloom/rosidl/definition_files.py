@@ -10,7 +10,7 @@ import os
 from collections.abc import Iterator
 from pathlib import Path
 
-from tfloom.distributions import INTERFACES, find_prefix
+from tfloom.ros_imports.distributions import INTERFACES, find_prefix
 
 KINDS = ("msg", "srv", "action")
 IDL_SUFFIX = ".idl"

@@ -1,7 +1,7 @@
 """The content of modules, created from definitions: `my_interfaces`, `my_interfaces.msg`.
 
-`ros_finder` finds the modules of packages that hold definitions and no Python. A built package has such modules as
-files, each of which calls `fill_built_module`.
+`ros_imports/finder.py` finds the modules of packages that hold definitions and no Python. A built package has such
+modules as files, each of which calls `fill_built_module`.
 """
 
 from __future__ import annotations
@@ -12,8 +12,8 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from tfloom.ros_guard import claim
-from tfloom.ros_modules import module_leaf
+from tfloom.ros_imports.guard import claim
+from tfloom.ros_imports.modules import module_leaf
 from tfloom.rosidl import definition_files
 from tfloom.rosidl.class_modules import add_module
 from tfloom.rosidl.registry import find_by_definition

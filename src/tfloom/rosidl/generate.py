@@ -10,8 +10,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from keyword import iskeyword
 from pathlib import Path
 
-from tfloom.distributions import INTERFACES
-from tfloom.ros_modules import module_leaf
+from tfloom.ros_imports.distributions import INTERFACES
+from tfloom.ros_imports.modules import module_leaf
 from tfloom.rosidl import spec
 from tfloom.rosidl.array_codes import ARRAY_CODES
 from tfloom.rosidl.definition_files import definitions_folder
@@ -302,7 +302,7 @@ def _submodules(package: str, names: Iterable[str]) -> str:
         "if TYPE_CHECKING:\n"
         f"{imports}"
         "else:\n"
-        "    from tfloom.ros_modules import submodules\n\n"
+        "    from tfloom.ros_imports.modules import submodules\n\n"
         f'    __getattr__ = submodules("{package}")\n'
     )
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from html import escape
 from typing import Any
 
-from tfloom.notebook_html import drawing, folded, shortened, table
+from tfloom.common.notebook import drawing, folded, shortened, table
 
 __all__ = ["message_html"]
 

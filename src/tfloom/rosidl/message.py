@@ -179,7 +179,7 @@ def _convert(cls: type[Message], name: str, value: object) -> object:
         # A derived class is one of the value's own, or a UnicodeError.
         if type(error) not in (TypeError, ValueError, OverflowError):
             raise
-        from tfloom.given_text import given_text
+        from tfloom.common.text import given_text
 
         raise type(error)(f"{error}: {cls.__name__}.{name} is {kind}, got {given_text(value)}") from None
 

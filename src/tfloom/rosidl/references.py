@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Protocol
 
-from tfloom.distributions import INTERFACES
+from tfloom.ros_imports.distributions import INTERFACES
 from tfloom.rosidl import sources, spec
 from tfloom.rosidl.parse import ParseError
 

@@ -64,7 +64,7 @@ def _wire(request: pytest.FixtureRequest) -> str:
 def _expect_own_rclpy() -> None:
     from importlib.util import find_spec
 
-    from tfloom.ros_guard import is_elsewhere
+    from tfloom.ros_imports.guard import is_elsewhere
 
     if is_elsewhere("rclpy"):
         spec = find_spec("rclpy")

@@ -28,7 +28,7 @@ class Files(Arrays):
         Raises:
             OSError: the file can't be written.
         """
-        from tfloom.whole_files import write_file
+        from tfloom.common.files import write_file
 
         write_file(path, self.frozen())
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from html import escape
 from typing import TYPE_CHECKING
 
-from tfloom.notebook_html import code, drawing, faint, shortened, table
+from tfloom.common.notebook import code, drawing, faint, shortened, table
 
 if TYPE_CHECKING:
     import numpy as np

@@ -89,7 +89,7 @@ class Trajectory(NamedTuple):
         Raises:
             OSError: the file can't be written.
         """
-        from tfloom.whole_files import write_file
+        from tfloom.common.files import write_file
 
         write_file(path, self.tum_text())
 
@@ -99,7 +99,7 @@ class Trajectory(NamedTuple):
         Raises:
             OSError: the file can't be written.
         """
-        from tfloom.whole_files import write_file
+        from tfloom.common.files import write_file
 
         write_file(path, self.kitti_text())
 

@@ -8,6 +8,7 @@ import time as steady
 import weakref
 from typing import TYPE_CHECKING, Any
 
+from tfloom.common.seconds import checked_timeout
 from tfloom.interfaces.builtin_interfaces.msg import Duration as DurationMessage
 from tfloom.interfaces.builtin_interfaces.msg import Time as TimeMessage
 from tfloom.interfaces.tf2_msgs.msg import TF2Error
@@ -18,7 +19,6 @@ from tfloom.node.executing.task import Future
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.names import name_error
 from tfloom.node.values.node_errors import node_error
-from tfloom.seconds import checked_timeout
 from tfloom.tf2.errors import (
     ConnectivityException,
     ExtrapolationException,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from tfloom.given_text import given_text
+from tfloom.common.text import given_text
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
 from tfloom.node.log.logging import get_logger
 from tfloom.node.values.clock_type import ClockType

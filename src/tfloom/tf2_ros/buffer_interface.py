@@ -10,7 +10,7 @@ from tfloom.interfaces.std_msgs.msg import Header
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.exceptions import add_note
 from tfloom.node.values.time import Time
-from tfloom.ros_guard import ros_home
+from tfloom.ros_imports.guard import ros_home
 from tfloom.tf2.errors import TransformException
 from tfloom.tf2_ros.buffer_core import duration_error, frame_error, time_error
 

@@ -6,7 +6,7 @@ import reprlib
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from tfloom.given_text import given_text
+from tfloom.common.text import given_text
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.node.qos.qos import QoSProfile
 

@@ -8,13 +8,13 @@ import sys
 import time
 from typing import cast
 
+from tfloom.common.terminal import report
 from tfloom.node.client_library import ok
 from tfloom.node.context.utilities import remove_ros_args
 from tfloom.node.node import Node
 from tfloom.node.program import run_program
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.time import Time
-from tfloom.terminal_text import report
 from tfloom.tf2.errors import TransformException
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.transform_listener import TransformListener

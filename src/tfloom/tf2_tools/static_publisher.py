@@ -6,6 +6,7 @@ import secrets
 import string
 import sys
 
+from tfloom.common.terminal import report
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
 from tfloom.interfaces.rcl_interfaces.msg import ParameterDescriptor
 from tfloom.node.client_library import spin
@@ -14,7 +15,6 @@ from tfloom.node.cpp_nodes import EVENT_OVERRIDING, STATIC_OVERRIDING
 from tfloom.node.log.logging import get_logger
 from tfloom.node.node import Node
 from tfloom.node.program import run_program
-from tfloom.terminal_text import report
 from tfloom.tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
 from tfloom.tf2_tools.static_transforms.arguments import USAGE, ArgumentsError, parse
 from tfloom.tf2_tools.static_transforms.transform import StaticTransform

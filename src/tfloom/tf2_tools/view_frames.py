@@ -12,6 +12,7 @@ from itertools import chain
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from tfloom.common.files import write_file
 from tfloom.node.client_library import spin_once
 from tfloom.node.context.utilities import ok, remove_ros_args
 from tfloom.node.node import Node
@@ -24,7 +25,6 @@ from tfloom.tf2_tools.tree_pictures.records import FrameRecord, parse_frames_yam
 from tfloom.tf2_tools.tree_pictures.tree import FrameTree, build_tree, tree_json
 from tfloom.tf2_tools.watch.live import LiveWatch
 from tfloom.tf2_tools.watch.model import Observation
-from tfloom.whole_files import write_file
 
 COPY_NAME = "frames.pdf"
 """The name of the file in tutorials."""

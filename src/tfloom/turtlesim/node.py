@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from tfloom.common.terminal import report
 from tfloom.interfaces.rcl_interfaces.msg import SetParametersResult
 from tfloom.interfaces.std_srvs.srv import Empty
 from tfloom.node.client_library import spin
@@ -18,7 +19,6 @@ from tfloom.node.parameters.parameter import Parameter
 from tfloom.node.program import run_program
 from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.names import NameValidationException
-from tfloom.terminal_text import report
 from tfloom.turtlesim import parameters
 from tfloom.turtlesim.endpoints import TurtleEndpoints, check_names
 from tfloom.turtlesim.messages import Kill, Spawn

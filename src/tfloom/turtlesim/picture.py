@@ -9,7 +9,7 @@ from typing import Any, TypeAlias
 
 from PIL import Image, ImageDraw
 
-from tfloom.whole_files import write_file
+from tfloom.common.files import write_file
 
 Color: TypeAlias = tuple[int, int, int]
 Point: TypeAlias = tuple[float, float]

@@ -10,8 +10,8 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any, Protocol, TypeAlias
 
+from tfloom.common.files import Replacement
 from tfloom.turtlesim.picture import Picture, from_rgb, save
-from tfloom.whole_files import Replacement
 
 FRAME_MS = 40
 """Time between two pictures [ms]: 25 a second, which GIF can express."""

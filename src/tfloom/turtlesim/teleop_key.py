@@ -8,8 +8,9 @@ import threading
 from contextlib import suppress
 from typing import Any
 
+from tfloom.common.keyboard import Keyboard, NoTerminalError, without_repetitions
+from tfloom.common.terminal import report
 from tfloom.interfaces.geometry_msgs.msg import Twist
-from tfloom.keyboard import Keyboard, NoTerminalError, without_repetitions
 from tfloom.node.action.client import ActionClient
 from tfloom.node.client_library import ok, spin
 from tfloom.node.context.utilities import remove_ros_args
@@ -17,7 +18,6 @@ from tfloom.node.node import Node
 from tfloom.node.program import run_program
 from tfloom.node.values.exceptions import ExternalShutdownException
 from tfloom.node.velocities import Velocities
-from tfloom.terminal_text import report
 from tfloom.turtlesim.messages import RotateAbsolute
 
 BANNER = """\

@@ -14,10 +14,10 @@ from xml.parsers.expat import ExpatError
 
 import numpy as np
 
-from tfloom.regular_files import open_regular, read_at_most
+from tfloom.common.regular_files import open_regular, read_at_most
+from tfloom.common.xml import make_parser
 from tfloom.viewer.shapes import Color, DisplayError, Model
 from tfloom.workspace.ament import PackageNotFoundError, get_package_share_path
-from tfloom.xml_parsers import make_parser
 
 __all__ = ["read_model"]
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tfloom.terminal_text import report
+from tfloom.common.terminal import report
 from tfloom.tf2.buffer import LATEST
 from tfloom.tf2.errors import TransformException
 from tfloom.tf2.transform import Transform

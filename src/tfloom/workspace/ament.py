@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Literal
 
 from tfloom.node.values.exceptions import add_note
-from tfloom.ros_guard import ros_home
+from tfloom.ros_imports.guard import ros_home
 from tfloom.rosidl.definition_files import KINDS, interfaces_of
 from tfloom.workspace import index
 from tfloom.workspace.unsourced import how_to_find

@@ -10,7 +10,7 @@ from contextlib import contextmanager
 from fnmatch import fnmatchcase
 from pathlib import Path, PurePosixPath
 
-from tfloom.ros_environment import ROS_DISTRO
+from tfloom.ros_imports.environment import ROS_DISTRO
 from tfloom.workspace.cmake_configure import configured
 from tfloom.workspace.cmake_plan import (
     BINARY_FOLDER,

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from tfloom.terminal_text import report
+from tfloom.common.terminal import report
 from tfloom.workspace.licenses import LICENSES, find_license
 
 EXTENSIONS = (".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp", ".hxx", ".cmake", ".py")

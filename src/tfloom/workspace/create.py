@@ -10,7 +10,7 @@ from shutil import rmtree
 from typing import NamedTuple
 from xml.sax.saxutils import escape
 
-from tfloom.whole_files import write_file
+from tfloom.common.files import write_file
 from tfloom.workspace import package_templates as templates
 from tfloom.workspace.licenses import find_license_text
 

@@ -157,7 +157,7 @@ def find_package(package: str) -> str | None:
 
 def own_packages() -> dict[str, Path]:
     """Return tfloom's own packages in order of name, each with its prefix: programs, interfaces and Python packages."""
-    from tfloom.distributions import installed_prefixes
+    from tfloom.ros_imports.distributions import installed_prefixes
 
     prefixes = dict.fromkeys((*PROGRAMS, *NAMED_OTHERWISE), OWN_PREFIX)
     for prefix in (*installed_prefixes(), OWN_PREFIX):

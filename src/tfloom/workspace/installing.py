@@ -10,7 +10,7 @@ from contextlib import contextmanager
 from fnmatch import fnmatchcase
 from pathlib import Path
 
-from tfloom.whole_files import write_file
+from tfloom.common.files import write_file
 from tfloom.workspace import index
 from tfloom.workspace.cmake_plan import (
     Install,

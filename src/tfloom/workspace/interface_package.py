@@ -18,8 +18,8 @@ from contextlib import suppress
 from pathlib import Path
 from typing import NamedTuple
 
+from tfloom.common.files import write_file
 from tfloom.rosidl import definition_files
-from tfloom.whole_files import write_file
 from tfloom.workspace import index
 from tfloom.workspace.interface_stubs import typed_modules
 from tfloom.workspace.listed_files import ListedFile, find_listed

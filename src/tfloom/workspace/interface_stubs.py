@@ -6,11 +6,11 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import NamedTuple
 
+from tfloom.common.files import write_file
 from tfloom.rosidl import definition_files, sources, spec
 from tfloom.rosidl.generate import definition_modules, generate
 from tfloom.rosidl.references import check_references
 from tfloom.rosidl.type_hash import FindSpec
-from tfloom.whole_files import write_file
 from tfloom.workspace import index
 
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from contextlib import suppress
 from pathlib import Path
 
-from tfloom.whole_files import write_file
+from tfloom.common.files import write_file
 
 RECORD = "install_manifest.txt"
 """The list, in a package's build folder, of the files that the last build installed, as CMake names it."""

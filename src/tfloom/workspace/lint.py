@@ -13,7 +13,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from unittest import SkipTest
 
-from tfloom.terminal_text import report
+from tfloom.common.terminal import report
 from tfloom.workspace.listed_sources import add_paths, files_of
 
 FLAKE8_SETTINGS = (

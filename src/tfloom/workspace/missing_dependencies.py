@@ -11,10 +11,10 @@ from pathlib import Path
 from typing import NamedTuple
 from xml.etree import ElementTree as ET
 
-from tfloom.distributions import distribution_with
+from tfloom.common.xml import read_tree
+from tfloom.ros_imports.distributions import distribution_with
 from tfloom.workspace import index
 from tfloom.workspace.rosdep_keys import library_key, pypi_name
-from tfloom.xml_parsers import read_tree
 
 _BUILD_TOOLS = re.compile(
     r"ament_(cmake|lint|python|package|mypy|uncrustify|cpplint|cppcheck)(_\w+)?"

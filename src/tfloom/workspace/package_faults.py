@@ -7,7 +7,7 @@ import re
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
-from tfloom.xml_parsers import read_tree
+from tfloom.common.xml import read_tree
 
 MAX_NAME = 200
 """Letters that the name of a package may have: files are named after it, with more behind, and have at most 255."""

@@ -28,7 +28,7 @@ def read_manifest(path: Path) -> Manifest:
     """
     from xml.etree import ElementTree as ET
 
-    from tfloom.xml_parsers import read_tree
+    from tfloom.common.xml import read_tree
 
     try:
         root = read_tree(path.read_bytes())

@@ -6,7 +6,7 @@ import shlex
 import sys
 from pathlib import Path
 
-from tfloom.whole_files import write_file
+from tfloom.common.files import write_file
 
 __all__ = ["first_line", "write_script"]
 

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
-from tfloom.terminal_text import report
+from tfloom.common.terminal import report
+from tfloom.common.xml import read_tree
 from tfloom.workspace.listed_sources import add_paths, files_of
-from tfloom.xml_parsers import read_tree
 
 
 def xmllint_main(argv: Sequence[str] | None = None) -> int:

@@ -27,8 +27,9 @@ from rclpy.time import Time
 from sensor_msgs.msg import PointCloud2, PointField
 
 import tfloom.tf2.errors
-from tfloom import drop_in, ros_guard
+from tfloom import drop_in
 from tfloom.drop_in import Buffer, StaticTransformListener, TransformListener, real_ros, sources
+from tfloom.ros_imports import guard as ros_guard
 
 SECOND = 1_000_000_000
 

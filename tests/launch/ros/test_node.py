@@ -89,7 +89,7 @@ def test_parameters_have_the_types_that_they_were_given(words: Words) -> None:
         "quoted": "it's: #1",
     }
     lines = content(words(show(name="t", namespace="/", parameters=[given])))
-    from tfloom.rosidl.user_yaml import load
+    from tfloom.common.yaml import load
 
     assert load("\n".join(lines)) == {
         "/t": {

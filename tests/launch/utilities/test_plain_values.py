@@ -7,9 +7,9 @@ import sys
 import pytest
 from tests.conftest import run_to_end
 
+from tfloom.common.yaml import load
 from tfloom.launch.utilities.plain_values import plain_value
 from tfloom.launch.utilities.type_utils import get_typed_value
-from tfloom.rosidl.user_yaml import load
 
 PLAIN = [
     *(

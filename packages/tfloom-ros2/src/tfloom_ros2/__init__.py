@@ -18,7 +18,7 @@ def main() -> int:
         from importlib.util import find_spec
 
         from tfloom.cli.main import main as tfloom_main
-        from tfloom.ros_guard import is_elsewhere
+        from tfloom.ros_imports.guard import is_elsewhere
     if is_elsewhere("ros2cli") and is_elsewhere("rclpy"):
         real = find_spec("ros2cli")
         print(
@@ -33,7 +33,7 @@ def main() -> int:
 def launch_test() -> int:
     """Run a launch test file; where Python would import a real launch_testing, say so and stop."""
     with QuietImports():
-        from tfloom.ros_guard import is_elsewhere
+        from tfloom.ros_imports.guard import is_elsewhere
     if is_elsewhere("launch_testing"):
         print(
             "launch_test: this is tfloom's, and it stands before that of a real ROS.\n"

@@ -11,7 +11,7 @@ from tfloom.bag.node_running import spin_until
 from tfloom.bag.opening import open_bag
 from tfloom.bag.playing.play_options import PlayOptions
 from tfloom.bag.playing.player import Player
-from tfloom.terminal_text import report
+from tfloom.common.terminal import report
 
 __all__ = ["play"]
 

@@ -22,8 +22,8 @@ from tfloom.bag.writing.metadata_text import (
 from tfloom.bag.writing.storage import STORAGES, StorageFile, StorageSettings
 from tfloom.bag.writing.storage_files import open_storage_file
 from tfloom.bag.writing.topic_table import TopicTable
-from tfloom.ros_environment import ROS_DISTRO
-from tfloom.whole_files import write_file
+from tfloom.common.files import write_file
+from tfloom.ros_imports.environment import ROS_DISTRO
 
 __all__ = ["BagWriter", "State", "WriterSettings"]
 

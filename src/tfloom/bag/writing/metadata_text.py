@@ -97,7 +97,7 @@ def scalar(value: str) -> str:
     # of a split recording gets the names of all files before it.
     if _PLAIN.fullmatch(value) and value.lower() not in _WORDS:
         return value
-    from tfloom.rosidl import user_yaml
+    from tfloom.common import yaml as user_yaml
 
     try:
         is_plain = "\n" not in value and user_yaml.load(value) == value

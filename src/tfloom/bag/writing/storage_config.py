@@ -64,7 +64,7 @@ def storage_settings(storage_id: str, preset: str = "", config_file: str = "") -
 
 
 def _read(path: Path) -> dict[str, Any]:
-    from tfloom.rosidl import user_yaml
+    from tfloom.common import yaml as user_yaml
 
     try:
         values = user_yaml.load(path.read_text("utf-8")) or {}

@@ -6,7 +6,7 @@ import argparse
 
 from tfloom.cli.action.common import ends_of_action
 from tfloom.cli.listing import print_json
-from tfloom.terminal_text import report
+from tfloom.common.terminal import report
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

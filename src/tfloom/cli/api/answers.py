@@ -7,8 +7,8 @@ from collections.abc import Hashable, Mapping
 from typing import Any, NamedTuple, TypeVar
 
 from tfloom.cli.nodes.strategy import GraphNode, node_of
+from tfloom.common.seconds import checked_timeout
 from tfloom.node.client_library import spin_until_future_complete
-from tfloom.seconds import checked_timeout
 
 __all__ = ["TIMEOUT_S", "Call", "call_services"]
 

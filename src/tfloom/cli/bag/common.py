@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tfloom.cli.errors import CommandError
-from tfloom.terminal_text import report
+from tfloom.common.terminal import report
 
 if TYPE_CHECKING:
     from tfloom.rmw.base import Participant

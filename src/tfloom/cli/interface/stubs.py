@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 
 from tfloom.cli.errors import CommandError
-from tfloom.terminal_text import report
+from tfloom.common.terminal import report
 from tfloom.workspace.interface_stubs import write_stubs
 
 

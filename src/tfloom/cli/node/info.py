@@ -9,8 +9,8 @@ from tfloom.cli import graph
 from tfloom.cli.errors import CommandError
 from tfloom.cli.listing import print_json
 from tfloom.cli.names import find_full_name
+from tfloom.common.terminal import report
 from tfloom.rmw.base import Graph, NodeName
-from tfloom.terminal_text import report
 
 ACTION_SUFFIX = "/_action/send_goal"
 ACTION_TYPE_SUFFIX = "_SendGoal"

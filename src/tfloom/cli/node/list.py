@@ -6,7 +6,7 @@ import argparse
 
 from tfloom.cli import graph
 from tfloom.cli.listing import print_names
-from tfloom.terminal_text import report
+from tfloom.common.terminal import report
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

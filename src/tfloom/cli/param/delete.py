@@ -6,8 +6,8 @@ import argparse
 
 from tfloom.cli.param.common import add_arguments as add_common_arguments
 from tfloom.cli.param.common import requested_node
+from tfloom.common.terminal import report
 from tfloom.interfaces.rcl_interfaces.msg import Parameter
-from tfloom.terminal_text import report
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -8,8 +8,8 @@ from typing import Any
 from tfloom.cli.errors import CommandError
 from tfloom.cli.param.common import add_arguments as add_common_arguments
 from tfloom.cli.param.common import nodes_with_parameters
+from tfloom.common.terminal import report
 from tfloom.interfaces.rcl_interfaces.msg import Parameter
-from tfloom.terminal_text import report
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

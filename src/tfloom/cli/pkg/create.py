@@ -9,7 +9,7 @@ from itertools import groupby
 from pathlib import Path
 
 from tfloom.cli.errors import CommandError
-from tfloom.terminal_text import report
+from tfloom.common.terminal import report
 from tfloom.workspace.create import BUILD_TYPES, Package, create_package
 from tfloom.workspace.licenses import LICENSES
 

@@ -26,7 +26,7 @@ def main(args: argparse.Namespace) -> int:
         return 0
     from xml.etree import ElementTree as ET
 
-    from tfloom.xml_parsers import read_tree
+    from tfloom.common.xml import read_tree
 
     try:
         tags = list(read_tree(text).iter(args.tag))

@@ -9,7 +9,7 @@ import time
 from collections.abc import Callable
 from typing import Any, TypeVar
 
-from tfloom.seconds import checked_timeout
+from tfloom.common.seconds import checked_timeout
 
 __all__ = [
     "before_invocation",

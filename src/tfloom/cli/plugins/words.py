@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 from tfloom.cli.errors import CommandError
 from tfloom.cli.plugins.entry_points import get_entry_points, get_first_line_doc
-from tfloom.entry_points import may_have_entry_points
-from tfloom.ros_guard import is_elsewhere
-from tfloom.terminal_text import report
+from tfloom.common.terminal import report
+from tfloom.ros_imports.entry_points import may_have_entry_points
+from tfloom.ros_imports.guard import is_elsewhere
 
 if TYPE_CHECKING:
     from importlib.metadata import EntryPoint

@@ -12,8 +12,8 @@ from tfloom.cli.listen import decoded, publishers_of, samples, wait_for_publishe
 from tfloom.cli.names import full_topic_name
 from tfloom.cli.qos import suiting_qos
 from tfloom.cli.service.common import service_types
+from tfloom.common.terminal import report
 from tfloom.rmw.base import Graph
-from tfloom.terminal_text import report
 
 KINDS = ("REQUEST_SENT", "REQUEST_RECEIVED", "RESPONSE_SENT", "RESPONSE_RECEIVED")
 """The constants of service_msgs/msg/ServiceEventInfo."""

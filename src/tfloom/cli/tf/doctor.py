@@ -18,7 +18,7 @@ from tfloom.cli.errors import CommandError
 from tfloom.cli.graph import MAX_WAIT_S
 from tfloom.cli.names import full_topic_name
 from tfloom.cli.numbers import seconds, tolerance
-from tfloom.terminal_text import report, unescaped
+from tfloom.common.terminal import report, unescaped
 from tfloom.tf2_tools.doctor.catalogue import KINDS, Severity
 from tfloom.tf2_tools.doctor.limits import Limits
 from tfloom.tf2_tools.watch.model import STATIC_TOPIC, TF_TOPIC

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from tfloom.cli.errors import CommandError
 from tfloom.cli.numbers import seconds
 from tfloom.cli.tf import source
-from tfloom.terminal_text import report
+from tfloom.common.terminal import report
 from tfloom.tf2_tools.text.counts import counted
 
 if TYPE_CHECKING:
@@ -63,10 +63,10 @@ def _output(text: str) -> Path:
 
 def main(args: argparse.Namespace) -> int:
     """Write the picture, and print what it shows; fail if there is no transform between the frames."""
+    from tfloom.common.files import write_file
     from tfloom.tf2.buffer import Buffer
     from tfloom.tf2.errors import TransformException
     from tfloom.tf2_tools.plot.motion import motion_of
-    from tfloom.whole_files import write_file
 
     buffer = Buffer(None)
     buffer.set_log_callback(None)

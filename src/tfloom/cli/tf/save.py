@@ -8,7 +8,7 @@ from typing import TextIO
 
 from tfloom.cli.errors import CommandError
 from tfloom.cli.tf import source
-from tfloom.terminal_text import report
+from tfloom.common.terminal import report
 from tfloom.tf2_tools.text.counts import counted
 
 
@@ -20,9 +20,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Write the file; fail if there is no static transform."""
+    from tfloom.common.files import write_file
     from tfloom.tf2_tools.static_transforms.file import file_text
     from tfloom.tf2_tools.watch.statics import last_statics, quarrels, unusable
-    from tfloom.whole_files import write_file
 
     with source.open_source(args) as opened:
         seen = source.settled(opened, args.wait, only_static=True)

@@ -14,12 +14,12 @@ from tfloom.cli.listen import decoded, find_type, mismatch_reason, publishers_of
 from tfloom.cli.names import full_topic_name
 from tfloom.cli.numbers import seconds
 from tfloom.cli.selection import field_picker, message_filter
+from tfloom.common.terminal import report
 from tfloom.rmw.base import Participant, Sample
 from tfloom.rmw.events import Count
 from tfloom.rmw.qos import QoS, ReliabilityPolicy
 from tfloom.rmw.shared.typed_names import topic_of
 from tfloom.rosidl.message import Message
-from tfloom.terminal_text import report
 
 SENSOR_DATA = QoS(reliability=ReliabilityPolicy.BEST_EFFORT, depth=5)
 

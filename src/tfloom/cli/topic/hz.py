@@ -8,9 +8,9 @@ from itertools import pairwise
 from tfloom.cli.listen import decoded
 from tfloom.cli.selection import message_filter
 from tfloom.cli.topic import rates
+from tfloom.common.terminal import report
 from tfloom.rmw.base import Sample
 from tfloom.rosidl.message import Message
-from tfloom.terminal_text import report
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

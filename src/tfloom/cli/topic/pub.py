@@ -15,12 +15,12 @@ from tfloom.cli.listen import HINT_S, cli_node, mismatch_reason, shown_node, war
 from tfloom.cli.names import full_topic_name, named_node
 from tfloom.cli.numbers import count, rate, seconds
 from tfloom.cli.sim_time import NowNs, clock, wait_until_known
+from tfloom.common.terminal import report
 from tfloom.rmw.base import Writer
 from tfloom.rmw.qos import QoS
 from tfloom.rmw.shared.typed_names import topic_of
 from tfloom.rosidl import cdr
 from tfloom.rosidl.message import Message
-from tfloom.terminal_text import report
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 
 from tfloom.cli.errors import CommandError
 from tfloom.cli.plugins.extensions import VerbExtension
-from tfloom.terminal_text import report
+from tfloom.common.terminal import report
 
 __all__ = ["BuiltinVerb"]
 

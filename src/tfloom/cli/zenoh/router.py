@@ -9,7 +9,7 @@ from typing import Any, NoReturn
 
 from tfloom.cli.ctrl_c import LOOK_S, wait_for_ctrl_c
 from tfloom.cli.errors import CommandError
-from tfloom.terminal_text import report
+from tfloom.common.terminal import report
 
 NO_LINK_S = 3.0
 """How long a link to another router may be missing before a message says so [s]."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from tfloom.common.terminal import report
 from tfloom.node.builtin.parameter_client import AsyncParameterClient
 from tfloom.node.client_library import ok, spin_until_future_complete
 from tfloom.node.executing.task import Future
@@ -15,7 +16,6 @@ from tfloom.node.parameters.parameter import (
     parameter_value_to_python,
 )
 from tfloom.node.program import expect_no_arguments, run_program
-from tfloom.terminal_text import report
 
 __all__ = ["main"]
 

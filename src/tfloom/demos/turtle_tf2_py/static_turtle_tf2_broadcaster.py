@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 import sys
 
+from tfloom.common.terminal import report
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
 from tfloom.node.client_library import spin
 from tfloom.node.context.utilities import remove_ros_args
 from tfloom.node.node import Node
 from tfloom.node.program import run_program
-from tfloom.terminal_text import report
 from tfloom.tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
 
 USAGE = (

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from tfloom.interrupted_imports import LAUNCHED
+from tfloom.common.seconds import checked_timeout
 from tfloom.launch.action import Action
 from tfloom.launch.actions.process_output import ProcessOutput
 from tfloom.launch.conditions import evaluate_condition_expression
@@ -37,7 +37,7 @@ from tfloom.launch.utilities.type_utils import (
     normalize_typed_substitution,
     perform_typed_substitution,
 )
-from tfloom.seconds import checked_timeout
+from tfloom.ros_imports.interrupted import LAUNCHED
 
 if TYPE_CHECKING:
     import asyncio

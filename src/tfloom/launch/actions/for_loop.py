@@ -165,7 +165,7 @@ class ForLoop(Action):
 
 
 def _read_sets(text: str) -> list[dict[str, Any]]:
-    from tfloom.rosidl.user_yaml import load
+    from tfloom.common.yaml import load
 
     sets = []
     for part in filter(None, map(str.strip, text.split(ForEach.SEPARATOR))):

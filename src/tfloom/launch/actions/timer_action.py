@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, Any, cast
 
+from tfloom.common.seconds import checked_timeout
 from tfloom.launch.action import Action
 from tfloom.launch.event import Event
 from tfloom.launch.event_handler import BaseEventHandler
@@ -19,7 +20,6 @@ from tfloom.launch.logging import get_logger
 from tfloom.launch.substitution import SomeSubstitutionsType, described
 from tfloom.launch.utilities.argument_errors import entities_error
 from tfloom.launch.utilities.type_utils import normalize_typed_substitution, perform_typed_substitution
-from tfloom.seconds import checked_timeout
 
 if TYPE_CHECKING:
     import asyncio

@@ -24,7 +24,7 @@ from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.substitution import Substitution
 from tfloom.launch.utilities.error_places import describe_error, place_error
 from tfloom.launch.utilities.nearest import did_you_mean
-from tfloom.ros_guard import ros_home
+from tfloom.ros_imports.guard import ros_home
 
 __all__ = ["InvalidFrontendLaunchFileError", "Parser"]
 

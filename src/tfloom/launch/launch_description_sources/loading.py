@@ -18,7 +18,7 @@ from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.missing import marked_as_missing
 from tfloom.launch.utilities.error_places import describe_error
 from tfloom.launch.utilities.nearest import did_you_mean, nearest
-from tfloom.ros_guard import ros_home
+from tfloom.ros_imports.guard import ros_home
 
 __all__ = [
     "InvalidPythonLaunchFileError",

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, List, Union, cast
 
+from tfloom.common.seconds import plain_value
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.substitution import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple, Substitution
 from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
@@ -20,7 +21,6 @@ from tfloom.launch.utilities.type_utils import (
     normalize_typed_substitution,
     perform_typed_substitution,
 )
-from tfloom.seconds import plain_value
 
 __all__ = ["EvaluatedParameterValue", "Parameter", "ParameterFile", "ParameterValue"]
 
@@ -234,10 +234,10 @@ def _substitutions_of_path(path: FilePath | SomeSubstitutionsType) -> list[Subst
 
 
 def _file_with_substitutions(context: LaunchContext, path: Path) -> Path:
+    from tfloom.common.yaml import YamlError, compose_all
     from tfloom.launch.frontend.parse_substitution import parse_substitution
     from tfloom.launch.ros.temporary_files import write_temporary_file
     from tfloom.launch.substitution import SubstitutionFailure
-    from tfloom.rosidl.user_yaml import YamlError, compose_all
 
     try:
         text = perform_substitutions(context, parse_substitution(path.read_text("utf-8")))

@@ -9,9 +9,9 @@ import uuid
 import weakref
 from pathlib import Path
 
+from tfloom.common.files import write_file
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.processes.guard import guard_of
-from tfloom.whole_files import write_file
 
 __all__ = ["folder_of", "write_temporary_file"]
 

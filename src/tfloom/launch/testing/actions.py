@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from typing import Any
 
+from tfloom.common.seconds import checked_timeout
 from tfloom.launch.action import Action
 from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.actions.opaque import OpaqueFunction
@@ -16,7 +17,6 @@ from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.logging import get_logger
 from tfloom.launch.substitution import SomeSubstitutionsType
-from tfloom.seconds import checked_timeout
 
 __all__ = ["GTest", "PyTest", "ReadyToTest", "Test", "TestsCanBegin"]
 

@@ -19,7 +19,7 @@ from tfloom.launch.testing.loader import (
 )
 from tfloom.launch.testing.test_result import FailResult, SkipResult
 from tfloom.launch.testing.test_runner import LaunchTestRunner
-from tfloom.ros_guard import ros_home
+from tfloom.ros_imports.guard import ros_home
 
 __all__ = [
     "LaunchTestFailure",

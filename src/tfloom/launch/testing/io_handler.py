@@ -7,6 +7,7 @@ import threading
 from collections.abc import Callable, Iterator
 from typing import Any, cast
 
+from tfloom.common.seconds import checked_timeout
 from tfloom.launch.action import Action
 from tfloom.launch.actions.execute_local import ExecuteLocal
 from tfloom.launch.actions.execute_process import ExecuteProcess
@@ -20,7 +21,6 @@ from tfloom.launch.testing.proc_lookup import (
     process_name,
 )
 from tfloom.launch.testing.text import Expected
-from tfloom.seconds import checked_timeout
 
 __all__ = ["ActiveIoHandler", "IoHandler"]
 

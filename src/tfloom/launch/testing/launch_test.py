@@ -11,13 +11,13 @@ from io import BytesIO
 from pathlib import Path
 from types import ModuleType
 
+from tfloom.common.files import write_file
+from tfloom.common.terminal import report
 from tfloom.launch.testing.arguments import print_arguments_of_launch_description
 from tfloom.launch.testing.junitxml import unittestResultsToXml
 from tfloom.launch.testing.loader import DescriptionError, LoadTestsFromPythonModule
 from tfloom.launch.testing.test_result import FailResult
 from tfloom.launch.testing.test_runner import LaunchTestRunner
-from tfloom.terminal_text import report
-from tfloom.whole_files import write_file
 
 __all__ = ["add_arguments", "main", "parse_arguments", "run"]
 

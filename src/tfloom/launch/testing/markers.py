@@ -9,7 +9,7 @@ import unittest
 from collections.abc import Callable
 from typing import Any, TypeVar
 
-from tfloom.seconds import checked_timeout
+from tfloom.common.seconds import checked_timeout
 
 __all__ = ["is_kept_alive", "keep_alive", "post_shutdown_test", "retry_on_failure"]
 

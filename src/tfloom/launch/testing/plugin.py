@@ -13,7 +13,7 @@ from typing import Any
 
 import pytest
 
-from tfloom.ros_guard import is_elsewhere
+from tfloom.ros_imports.guard import is_elsewhere
 
 __all__ = [
     "pytest_addhooks",

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TypeAlias, cast
 
+from tfloom.common.seconds import checked_timeout
 from tfloom.launch.action import Action
 from tfloom.launch.actions.execute_local import ExecuteLocal
 from tfloom.launch.actions.execute_process import ExecuteProcess
@@ -17,7 +18,6 @@ from tfloom.launch.testing.proc_lookup import (
     process_name,
     resolveProcesses,
 )
-from tfloom.seconds import checked_timeout
 
 __all__ = ["ActiveProcInfoHandler", "ProcInfoHandler"]
 

@@ -7,7 +7,7 @@ from typing import Final, Protocol
 
 from tfloom.launch.actions.execute_local import ExecuteLocal
 from tfloom.launch.substitutions.text_substitution import TextSubstitution
-from tfloom.ros_guard import ros_home
+from tfloom.ros_imports.guard import ros_home
 
 __all__ = ["NO_CMD_ARGS", "CmdArgs", "NoMatchingProcessException", "Process", "resolveProcesses"]
 

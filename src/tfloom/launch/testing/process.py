@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
+from tfloom.common.seconds import checked_timeout
 from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.events.include_launch_description import IncludeLaunchDescription
 from tfloom.launch.events.process import ProcessExited, ProcessStarted, ShutdownProcess, matches_action
@@ -15,7 +16,6 @@ from tfloom.launch.testing.assert_output import text_of
 from tfloom.launch.testing.io_handler import ActiveIoHandler
 from tfloom.launch.testing.proc_info_handler import ActiveProcInfoHandler
 from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
-from tfloom.seconds import checked_timeout
 
 __all__ = ["ProcessProxy", "launch_process"]
 

@@ -9,7 +9,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from tfloom.given_text import given_text
+from tfloom.common.text import given_text
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.substitution import Substitution
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from tfloom.ros_guard import ros_class_repr
+from tfloom.ros_imports.guard import ros_class_repr
 
 __all__ = ["ensure_argument_type"]
 

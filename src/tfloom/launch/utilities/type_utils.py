@@ -227,7 +227,7 @@ def _from_yaml(text: str, fault: str, can_be_str: bool) -> Any:
     value = plain_value(text)
     if value is not None:
         return value
-    from tfloom.rosidl.user_yaml import YamlError, load  # loads yaml
+    from tfloom.common.yaml import YamlError, load  # loads yaml
 
     try:
         value = load(text)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from xml.parsers import expat
 
-from tfloom.xml_parsers import make_parser, readable
+from tfloom.common.xml import make_parser, readable
 
 __all__ = ["Element", "XmlError", "read_elements"]
 

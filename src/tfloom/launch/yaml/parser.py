@@ -37,7 +37,7 @@ class Parser(BaseParser):
 
 
 def _root(content: bytes, name: str) -> Entity:
-    from tfloom.rosidl.user_yaml import YamlError, load_placed  # loads yaml
+    from tfloom.common.yaml import YamlError, load_placed  # loads yaml
 
     try:
         tree, lines = load_placed(content.decode(), mark_quoted=True)

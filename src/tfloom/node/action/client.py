@@ -9,6 +9,7 @@ from collections import OrderedDict
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
+from tfloom.common.seconds import checked_timeout
 from tfloom.interfaces.action_msgs.msg import GoalInfo, GoalStatus, GoalStatusArray
 from tfloom.interfaces.action_msgs.srv import CancelGoal, CancelGoal_Response
 from tfloom.interfaces.builtin_interfaces.msg import Time
@@ -42,9 +43,8 @@ from tfloom.rmw.action_names import (
     key_of,
     new_goal_id,
 )
-from tfloom.ros_guard import ros_repr
+from tfloom.ros_imports.guard import ros_repr
 from tfloom.rosidl.service import Action
-from tfloom.seconds import checked_timeout
 
 if TYPE_CHECKING:
     from typing_extensions import Self

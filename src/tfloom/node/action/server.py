@@ -10,6 +10,7 @@ from enum import Enum
 from functools import partial
 from typing import TYPE_CHECKING, Any, Generic
 
+from tfloom.common.seconds import checked_timeout, to_nanoseconds
 from tfloom.interfaces.action_msgs.msg import GoalInfo, GoalStatus, GoalStatusArray
 from tfloom.interfaces.action_msgs.srv import CancelGoal_Request, CancelGoal_Response
 from tfloom.interfaces.unique_identifier_msgs.msg import UUID
@@ -36,9 +37,8 @@ from tfloom.rmw.action_names import (
     STATUS,
     key_of,
 )
-from tfloom.ros_guard import ros_repr
+from tfloom.ros_imports.guard import ros_repr
 from tfloom.rosidl.service import Action
-from tfloom.seconds import checked_timeout, to_nanoseconds
 
 if TYPE_CHECKING:
     from typing import TypeAlias

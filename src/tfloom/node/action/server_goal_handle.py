@@ -12,7 +12,7 @@ from tfloom.node.action.goal_states import ACTIVE, GoalEvent, next_state
 from tfloom.node.endpoints.type_variables import FeedbackT, GoalT, ResultT
 from tfloom.node.executing.task import Future
 from tfloom.rmw.action_names import key_of
-from tfloom.ros_guard import ros_repr
+from tfloom.ros_imports.guard import ros_repr
 
 __all__ = ["GoalServer", "ServerGoalHandle"]
 

@@ -6,6 +6,7 @@ import warnings
 from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NoReturn, TypeVar, overload
 
+from tfloom.common.seconds import checked_timeout, not_a_number, to_nanoseconds, too_long
 from tfloom.interfaces.rcl_interfaces import msg as rcl_msg
 from tfloom.node.base.node_entities import NodeEntities
 from tfloom.node.base.node_graph import NamesAndTypes, NodeGraph
@@ -50,7 +51,6 @@ from tfloom.node.values.type_support import (
 )
 from tfloom.rmw.shared.typed_names import service_of, topic_of
 from tfloom.rosidl.service import Service as ServiceType
-from tfloom.seconds import checked_timeout, not_a_number, to_nanoseconds, too_long
 
 if TYPE_CHECKING:
     from types import TracebackType

@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
+from tfloom.common.seconds import checked_timeout
 from tfloom.interfaces.rcl_interfaces.msg import Parameter as ParameterMsg
 from tfloom.interfaces.rcl_interfaces.msg import ParameterEvent
 from tfloom.interfaces.rcl_interfaces.srv import (
@@ -22,7 +23,6 @@ from tfloom.node.parameters.parameter import Parameter, ParameterType, parameter
 from tfloom.node.parameters.parameter_file import EVERY_NODE, read_parameter_file
 from tfloom.node.qos.qos import QoSProfile, qos_profile_parameter_events, qos_profile_services_default
 from tfloom.node.values.names import full_node_name
-from tfloom.seconds import checked_timeout
 
 if TYPE_CHECKING:
     from tfloom.node.base.node_base import NodeBase

@@ -15,7 +15,7 @@ from tfloom.node.qos.qos import QoSProfile, ReliabilityPolicy
 from tfloom.node.values.callback_errors import call_all
 from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.time import Time
-from tfloom.ros_guard import ros_repr
+from tfloom.ros_imports.guard import ros_repr
 
 if TYPE_CHECKING:
     from tfloom.node.base.node_base import NodeBase

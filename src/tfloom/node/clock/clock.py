@@ -8,6 +8,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING
 
+from tfloom.common.seconds import duration_error
 from tfloom.node.clock.time_jump import ANY_JUMP, SOURCE_CHANGES, ClockChange, JumpThreshold, TimeJump
 from tfloom.node.context.utilities import get_default_context
 from tfloom.node.values.callback_errors import call_all
@@ -18,7 +19,6 @@ from tfloom.node.values.exceptions import NotInitializedException
 from tfloom.node.values.handle import Handle
 from tfloom.node.values.readable_clock import ReadableClock
 from tfloom.node.values.time import Time
-from tfloom.seconds import duration_error
 
 if TYPE_CHECKING:
     from types import TracebackType

@@ -23,7 +23,7 @@ from tfloom.node.values.names import (
     validate_topic_name,
 )
 from tfloom.node.values.scalars import parse_value
-from tfloom.ros_guard import ros_home
+from tfloom.ros_imports.guard import ros_home
 
 __all__ = [
     "Arguments",

@@ -31,7 +31,7 @@ from tfloom.node.values.exceptions import (
 )
 from tfloom.node.values.handle import Handle
 from tfloom.rmw.errors import ClosedError
-from tfloom.ros_guard import ros_repr
+from tfloom.ros_imports.guard import ros_repr
 
 if TYPE_CHECKING:
     from typing_extensions import Self

@@ -7,11 +7,11 @@ import sys
 import threading
 from collections.abc import Sequence
 
+from tfloom.common.seconds import checked_timeout, to_nanoseconds
 from tfloom.node.context import arguments
 from tfloom.node.context.context import Context
 from tfloom.node.context.defaults import current_defaults
 from tfloom.node.values.constants import S_TO_NS
-from tfloom.seconds import checked_timeout, to_nanoseconds
 
 __all__ = [
     "S_TO_NS",

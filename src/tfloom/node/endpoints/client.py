@@ -10,6 +10,7 @@ from contextlib import suppress
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tfloom._native import ReadyQueue
+from tfloom.common.seconds import checked_timeout
 from tfloom.node.context.context import WAKE
 from tfloom.node.context.postponed_interrupt import postponed
 from tfloom.node.endpoints.endpoint import UNREADABLE
@@ -28,7 +29,6 @@ from tfloom.rmw.base import RequestId
 from tfloom.rmw.shared.waiting import LOOK_AGAIN_S, wait_for_token, wait_until_ready
 from tfloom.rosidl import cdr
 from tfloom.rosidl.service import Service as ServiceType
-from tfloom.seconds import checked_timeout
 
 if TYPE_CHECKING:
     from tfloom.node.context.context import Context

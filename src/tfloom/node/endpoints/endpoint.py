@@ -11,7 +11,7 @@ from tfloom.node.executing.entity import Entity
 from tfloom.node.log.throttled_warning import ThrottledWarning
 from tfloom.node.values.exceptions import InvalidHandle
 from tfloom.node.values.handle import Handle
-from tfloom.ros_guard import ros_repr
+from tfloom.ros_imports.guard import ros_repr
 from tfloom.rosidl import cdr
 
 if TYPE_CHECKING:

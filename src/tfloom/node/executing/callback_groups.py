@@ -6,8 +6,8 @@ import threading
 import weakref
 from typing import TYPE_CHECKING, Any
 
-from tfloom.given_text import given_text
-from tfloom.ros_guard import ros_repr
+from tfloom.common.text import given_text
+from tfloom.ros_imports.guard import ros_repr
 
 if TYPE_CHECKING:
     from collections.abc import Callable

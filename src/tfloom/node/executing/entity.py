@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from tfloom.node.values.exceptions import InvalidHandle
 from tfloom.node.values.handle import Handle
-from tfloom.ros_guard import ros_repr
+from tfloom.ros_imports.guard import ros_repr
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable

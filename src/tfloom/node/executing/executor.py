@@ -9,6 +9,7 @@ from contextlib import ExitStack, contextmanager
 from types import CoroutineType, TracebackType
 from typing import TYPE_CHECKING, Any, Protocol
 
+from tfloom.common.seconds import checked_timeout, timeout_error
 from tfloom.node.context.context import Context
 from tfloom.node.context.utilities import get_default_context, timeout_sec_to_nsec
 from tfloom.node.executing.callback_groups import MutuallyExclusiveCallbackGroup
@@ -28,8 +29,7 @@ from tfloom.node.values.callback_errors import report_exception
 from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.exceptions import ExternalShutdownException
 from tfloom.node.values.node_errors import node_error
-from tfloom.ros_guard import ros_repr
-from tfloom.seconds import checked_timeout, timeout_error
+from tfloom.ros_imports.guard import ros_repr
 
 if TYPE_CHECKING:
     from typing_extensions import Self

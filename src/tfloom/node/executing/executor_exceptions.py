@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tfloom.ros_guard import ros_home
+from tfloom.ros_imports.guard import ros_home
 
 __all__ = [
     "ConditionReachedException",

@@ -8,11 +8,11 @@ from collections.abc import Callable, Coroutine, Generator, Iterable, Mapping
 from contextlib import AbstractContextManager, nullcontext
 from typing import Any, Generic, Protocol, TypeVar, cast
 
-from tfloom.given_text import given_text
+from tfloom.common.terminal import report
+from tfloom.common.text import given_text
 from tfloom.node.executing.asyncio_wait import is_driven_by_asyncio, step, wait_in_asyncio
 from tfloom.node.values.callback_errors import call_all, print_error
-from tfloom.ros_guard import ros_repr
-from tfloom.terminal_text import report
+from tfloom.ros_imports.guard import ros_repr
 
 __all__ = ["Future", "Task", "TaskRunner", "future_error"]
 

@@ -7,13 +7,13 @@ import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from tfloom.common.seconds import too_long
 from tfloom.node.clock.clock import Clock, JumpHandle, ROSClock
 from tfloom.node.clock.time_jump import ANY_JUMP, SOURCE_CHANGES, TimeJump
 from tfloom.node.executing.entity import CallbackEntity
 from tfloom.node.values.constants import INT64_MAX
 from tfloom.node.values.exceptions import ROSInterruptException
-from tfloom.ros_guard import ros_repr
-from tfloom.seconds import too_long
+from tfloom.ros_imports.guard import ros_repr
 
 if TYPE_CHECKING:
     from tfloom._native import ReadyQueue

@@ -8,7 +8,7 @@ import threading
 import time
 from typing import TYPE_CHECKING, TextIO
 
-from tfloom.terminal_text import report
+from tfloom.common.terminal import report
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -8,10 +8,10 @@ import threading
 import time
 from collections.abc import Callable
 
+from tfloom.common.terminal import is_terminal, shown, shown_name, unescaped
 from tfloom.node.log.log_file import LogFile
 from tfloom.node.log.logging_severity import LoggingSeverity
 from tfloom.node.values.constants import S_TO_NS
-from tfloom.terminal_text import is_terminal, shown, shown_name, unescaped
 
 __all__ = [
     "Record",

@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
-from tfloom.given_text import given_text
+from tfloom.common.text import given_text
 from tfloom.interfaces.rcl_interfaces import msg as rcl_msg
 from tfloom.node.parameters.exceptions import (
     InvalidParameterException,

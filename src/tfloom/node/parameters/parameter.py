@@ -6,7 +6,8 @@ from collections.abc import Callable, Iterable, Sequence
 from enum import Enum
 from typing import TYPE_CHECKING, Any
 
-from tfloom.given_text import given_text
+from tfloom.common.seconds import plain_value
+from tfloom.common.text import given_text
 from tfloom.interfaces.rcl_interfaces import msg as rcl_msg
 from tfloom.node.parameters.parameter_file import (
     EVERY_NODE,
@@ -16,7 +17,6 @@ from tfloom.node.parameters.parameter_file import (
 )
 from tfloom.node.values.names import full_node_name
 from tfloom.node.values.scalars import parse_value
-from tfloom.seconds import plain_value
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -223,7 +223,7 @@ def get_parameter_value(string_value: str) -> rcl_msg.ParameterValue:
         value = parse_value(string_value, nothing=string_value, letters=False)
         return Parameter("", value=checked_value("", value)).get_parameter_value()
     except (TypeError, ValueError) as error:
-        from tfloom.rosidl.user_yaml import YamlLimitError
+        from tfloom.common.yaml import YamlLimitError
 
         if isinstance(error, YamlLimitError):
             raise

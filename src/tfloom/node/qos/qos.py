@@ -5,6 +5,7 @@ from __future__ import annotations
 from enum import Enum, IntEnum
 from typing import TYPE_CHECKING, Any
 
+from tfloom.common.seconds import duration_error
 from tfloom.node.values.duration import Duration
 from tfloom.rmw import qos as wire
 from tfloom.rmw.qos import (
@@ -15,8 +16,7 @@ from tfloom.rmw.qos import (
     QoSPolicyKind,
     ReliabilityPolicy,
 )
-from tfloom.ros_guard import ros_home
-from tfloom.seconds import duration_error
+from tfloom.ros_imports.guard import ros_home
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping

@@ -16,7 +16,7 @@ from tfloom.node.qos.qos import (
     ReliabilityPolicy,
 )
 from tfloom.node.values.duration import Duration
-from tfloom.ros_guard import ros_home
+from tfloom.ros_imports.guard import ros_home
 
 if TYPE_CHECKING:
     from tfloom.node.parameters.node_parameters import NodeParameters

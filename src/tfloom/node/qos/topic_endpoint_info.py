@@ -9,7 +9,7 @@ from tfloom.node.qos.qos import QoSProfile, qos_profile_unknown
 from tfloom.node.values.type_hash import TypeHash
 from tfloom.rmw.base import NodeName
 from tfloom.rmw.shared.endpoint_text import UNKNOWN_NODE, endpoint_text
-from tfloom.ros_guard import ros_repr
+from tfloom.ros_imports.guard import ros_repr
 
 if TYPE_CHECKING:
     from typing_extensions import Self

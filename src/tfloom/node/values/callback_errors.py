@@ -7,7 +7,7 @@ import threading
 from collections.abc import Callable, Iterable
 from contextlib import suppress
 
-from tfloom.terminal_text import report
+from tfloom.common.terminal import report
 
 __all__ = ["call_all", "print_error", "report_exception"]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from tfloom.given_text import given_text
+from tfloom.common.text import given_text
 
 __all__ = ["not_callable"]
 

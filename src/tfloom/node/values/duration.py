@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Protocol
 
+from tfloom.common.seconds import given_time, no_time_of, not_a_number, to_nanoseconds
 from tfloom.node.values.constants import INT64_MAX, S_TO_NS
-from tfloom.seconds import given_time, no_time_of, not_a_number, to_nanoseconds
 
 if TYPE_CHECKING:
     from tfloom.interfaces.builtin_interfaces import msg as builtin_msg

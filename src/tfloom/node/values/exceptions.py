@@ -14,7 +14,7 @@ Exception
 
 from __future__ import annotations
 
-from tfloom.ros_guard import ros_home
+from tfloom.ros_imports.guard import ros_home
 
 __all__ = [
     "ExternalShutdownException",

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-from tfloom.ros_guard import ros_home
+from tfloom.ros_imports.guard import ros_home
 
 # ROS's own names end in "Exception".
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tfloom.given_text import given_text
+from tfloom.common.text import given_text
 
 __all__ = ["executor_error", "node_error"]
 

@@ -132,7 +132,7 @@ def parse_documents(text: str, *, letters: bool = True) -> list[Any]:
     Mappings of one key, given twice, are merged; of other values the last counts. What `<<` merges into a mapping gives
     way to the keys that stand in it.
     """
-    from tfloom.rosidl.user_yaml import compose_all
+    from tfloom.common.yaml import compose_all
 
     return [_construct(node, letters) for node in compose_all(text)]
 

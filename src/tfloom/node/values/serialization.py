@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TypeVar
 
-from tfloom.given_text import given_text
+from tfloom.common.text import given_text
 from tfloom.node.values.type_support import msg_type_error
 from tfloom.rosidl import cdr
 from tfloom.rosidl.message import Message

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, overload
 
+from tfloom.common.seconds import given_time, no_time_of, to_nanoseconds
 from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.constants import INT64_MAX, S_TO_NS
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.exceptions import RCLError
 from tfloom.rmw.machine_clock import describe_machine_clock
-from tfloom.seconds import given_time, no_time_of, to_nanoseconds
 
 if TYPE_CHECKING:
     from tfloom.interfaces.builtin_interfaces import msg as builtin_msg

@@ -5,7 +5,7 @@ from __future__ import annotations
 import reprlib
 from typing import Any
 
-from tfloom.given_text import given_text
+from tfloom.common.text import given_text
 from tfloom.rosidl.message import Message
 from tfloom.rosidl.service import Action
 from tfloom.rosidl.service import Service as ServiceType

@@ -14,8 +14,8 @@ from functools import lru_cache
 from importlib.machinery import PathFinder
 from typing import NamedTuple
 
+from tfloom.common.terminal import report
 from tfloom.rmw.errors import ForkedError, NoBackendError
-from tfloom.terminal_text import report
 
 __all__ = ["VARIABLE", "Library", "candidates", "find_library", "open_copy", "open_library"]
 

@@ -16,10 +16,10 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from tfloom._native import dds_inline_client, dds_knows_address, intercept_dds_packets
+from tfloom.common.terminal import shown_part
 from tfloom.rmw.cyclone.endpoints import CycloneReader, CycloneWriter
 from tfloom.rmw.cyclone.graph import FAST_DDS
 from tfloom.rmw.topic_names import key_values
-from tfloom.terminal_text import shown_part
 
 CYCLONE_VENDOR = b"\x01\x10"
 """The first bytes of Cyclone's GUIDs, its vendor id (RTPS 2.5, 8.3.3.1.3)."""

@@ -15,10 +15,10 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
+from tfloom.common.terminal import report
 from tfloom.rmw.cyclone.config import discovery_range, lease_s, why_peers_are_ignored
 from tfloom.rmw.errors import ConfigurationError
 from tfloom.rmw.zenoh.library import open_library
-from tfloom.terminal_text import report
 
 __all__ = [
     "CHECKS_VARIABLE",
@@ -326,7 +326,7 @@ def _json5_values(text: str) -> Any:
 
 
 def _yaml_values(text: str) -> Any:
-    from tfloom.rosidl.user_yaml import load  # here, because few configurations are in YAML
+    from tfloom.common.yaml import load  # here, because few configurations are in YAML
 
     return load(text)
 

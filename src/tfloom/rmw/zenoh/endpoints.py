@@ -15,6 +15,7 @@ from contextlib import nullcontext
 from typing import Any
 
 from tfloom._native import ReadyQueue, Sink
+from tfloom.common.terminal import report, shown_part
 from tfloom.rmw.base import EndpointInfo, Sample
 from tfloom.rmw.compatibility import incompatible_policies
 from tfloom.rmw.endpoint_events import READER_EVENTS, WRITER_EVENTS, EndpointEvents
@@ -36,7 +37,6 @@ from tfloom.rmw.zenoh.feeder import Feeder
 from tfloom.rmw.zenoh.graph import Peer, ZenohGraph, peer_name
 from tfloom.rmw.zenoh.library import open_library, signals_deferred
 from tfloom.rmw.zenoh.tokens import Kind
-from tfloom.terminal_text import report, shown_part
 
 __all__ = ["ZenohEndpoint", "ZenohReader", "ZenohWriter"]
 

@@ -11,6 +11,7 @@ from contextlib import suppress
 from typing import Any, Protocol
 
 from tfloom._native import ReadyQueue
+from tfloom.common.terminal import report, shown_part
 from tfloom.rmw.base import EndpointInfo, NodeName, ParticipantInfo, ServiceEndInfo, Topic
 from tfloom.rmw.topic_names import type_to_dds
 from tfloom.rmw.uninterrupted_files import uninterrupted_files
@@ -18,7 +19,6 @@ from tfloom.rmw.zenoh.announced import AnnouncedTokens
 from tfloom.rmw.zenoh.library import open_library, signals_deferred
 from tfloom.rmw.zenoh.session import refuse_fork
 from tfloom.rmw.zenoh.tokens import PREFIX, End, Kind, Token, TokenError, gid_of, parse_token, token_pattern
-from tfloom.terminal_text import report, shown_part
 
 __all__ = ["Peer", "Watcher", "ZenohGraph", "peer_name"]
 

@@ -19,6 +19,7 @@ import time
 from contextlib import closing, suppress
 from typing import Any
 
+from tfloom.common.terminal import report
 from tfloom.rmw.errors import WireError
 from tfloom.rmw.zenoh.config import (
     default_configuration,
@@ -30,7 +31,6 @@ from tfloom.rmw.zenoh.config import (
 from tfloom.rmw.zenoh.library import open_library
 from tfloom.rmw.zenoh.port_holder import find_port_owner
 from tfloom.rmw.zenoh.router import open_router, open_where_free
-from tfloom.terminal_text import report
 
 __all__ = ["MeetingPoint", "open_lone_router"]
 

@@ -10,6 +10,7 @@ import time
 import weakref
 from typing import Any, NoReturn
 
+from tfloom.common.terminal import report
 from tfloom.rmw.errors import ClosedError, ForkedError, WireError
 from tfloom.rmw.zenoh.config import (
     endpoints_of,
@@ -22,7 +23,6 @@ from tfloom.rmw.zenoh.config import (
 from tfloom.rmw.zenoh.library import open_library, signals_deferred
 from tfloom.rmw.zenoh.links import why_no_links
 from tfloom.rmw.zenoh.meeting_point import MeetingPoint
-from tfloom.terminal_text import report
 
 __all__ = ["FORK_ADVICE", "ZenohSession", "open_session", "refuse_fork"]
 

@@ -17,7 +17,7 @@ from itertools import product
 from time import monotonic
 from typing import TYPE_CHECKING, Any
 
-from tfloom.given_text import given_text
+from tfloom.common.text import given_text
 from tfloom.node.clock.time_jump import ClockChange, JumpThreshold
 from tfloom.node.values.callback_errors import call_all
 from tfloom.node.values.callbacks import not_callable

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tfloom.given_text import given_text
+from tfloom.common.text import given_text
 from tfloom.tf2.transform import Transform
 
 if TYPE_CHECKING:

@@ -81,7 +81,7 @@ def read_statics(path: Path) -> list[StaticTransform]:
             rotation that is none, names a frame twice as a child, or closes a loop.
         OSError: it can't be read.
     """
-    from tfloom.rosidl.user_yaml import YamlError, load_placed
+    from tfloom.common.yaml import YamlError, load_placed
 
     try:
         value, lines = load_placed(path.read_bytes().decode("utf-8-sig"))

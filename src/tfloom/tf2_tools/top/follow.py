@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from tfloom.terminal_text import shown_name
+from tfloom.common.terminal import shown_name
 from tfloom.tf2.buffer import Buffer
 from tfloom.tf2.errors import TransformException
 from tfloom.tf2_tools.text.transform import matrix_from_quaternion, rpy_from_matrix

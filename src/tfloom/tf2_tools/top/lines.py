@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from rich.cells import cell_len, set_cell_size
 
-from tfloom.terminal_text import shown_name
+from tfloom.common.terminal import shown_name
 from tfloom.tf2_tools.text.counts import counted
 from tfloom.tf2_tools.top.rows import Health, Row
 from tfloom.tf2_tools.top.view import HELP, View

@@ -16,7 +16,7 @@ from tfloom.tf2_tools.watch.model import Observation
 from tfloom.tf2_tools.watch.sources import Source
 
 if TYPE_CHECKING:
-    from tfloom.keyboard import Keyboard
+    from tfloom.common.keyboard import Keyboard
     from tfloom.tf2_tools.top.terminal import Screen
 
 OpenSource = Callable[[Buffer], AbstractContextManager[Source]]

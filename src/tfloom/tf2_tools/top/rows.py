@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 from enum import IntEnum
 from typing import Any, NamedTuple
 
-from tfloom.terminal_text import shown_name
+from tfloom.common.terminal import shown_name
 from tfloom.tf2_tools.watch.model import Edge, Observation
 from tfloom.tf2_tools.watch.tree import Tree
 

@@ -11,7 +11,7 @@ from rich.color import ColorSystem
 from rich.console import Console
 from rich.style import Style
 
-from tfloom.keyboard import Keyboard
+from tfloom.common.keyboard import Keyboard
 from tfloom.tf2_tools.top.lines import Line
 
 ENTER = "\x1b[?1049h\x1b[?25l\x1b[?7l"

@@ -5,9 +5,9 @@ from __future__ import annotations
 import sys
 from importlib.util import find_spec
 
+from tfloom.common.terminal import report
 from tfloom.node.client_library import spin
 from tfloom.node.program import expect_no_arguments, run_program
-from tfloom.terminal_text import report
 from tfloom.viewer.access import is_loopback
 
 __all__ = ["main"]

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, TypeVar
 
-from tfloom.rosidl import user_yaml
+from tfloom.common import yaml as user_yaml
 from tfloom.viewer.layout.layout import LayoutError
 
 __all__ = ["PlacedYaml"]

@@ -7,8 +7,8 @@ from pathlib import Path
 
 from colcon_core.environment import EnvironmentExtensionPoint
 
-from tfloom.ros_environment import ROS_ENVIRONMENT
-from tfloom.whole_files import write_file
+from tfloom.common.files import write_file
+from tfloom.ros_imports.environment import ROS_ENVIRONMENT
 
 _LINES = {
     "dsv": "set-if-unset;{name};{value}",

@@ -7,7 +7,7 @@ from typing import Any
 
 from colcon_core.shell import ShellExtensionPoint
 
-from tfloom.whole_files import write_file
+from tfloom.common.files import write_file
 
 __all__ = ["QuotedPython"]
 

@@ -13,7 +13,7 @@ from colcon_core.event.test import TestFailure
 from colcon_core.shell import get_command_environment
 from colcon_core.task import run
 
-from tfloom.whole_files import write_file
+from tfloom.common.files import write_file
 from tfloom.workspace.cmake_plan import BINARY_FOLDER, PytestTest
 
 _TESTS_FAILED = 1

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, cast
 
+from tfloom.common.seconds import plain_value
 from tfloom.launch.ros.parameter_descriptions import Parameter, ParameterFile
 from tfloom.launch.ros.parameter_descriptions import ParameterValue as ParameterValueDescription
 from tfloom.launch.ros.parameters_type import (
@@ -22,7 +23,6 @@ from tfloom.launch.substitutions.text_substitution import TextSubstitution
 from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions
 from tfloom.node.values.scalars import parse_scalar
-from tfloom.seconds import plain_value
 
 __all__ = ["normalize_parameter_dict", "normalize_parameters", "parameters_error"]
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tfloom.ros_guard import ros_home
+from tfloom.ros_imports.guard import ros_home
 
 __all__ = ["PluginException", "get_upper_bound_caret_version", "satisfies_version"]
 

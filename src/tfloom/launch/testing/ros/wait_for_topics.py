@@ -10,11 +10,11 @@ from collections.abc import Callable, Iterable
 from types import TracebackType
 from typing import Any
 
+from tfloom.common.seconds import checked_timeout
 from tfloom.node.context.context import Context
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import QoSProfile
-from tfloom.seconds import checked_timeout
 
 __all__ = ["WaitForTopics"]
 

@@ -11,7 +11,14 @@ from pathlib import Path
 import pytest
 from tests.terminals import on_a_terminal
 
-from tfloom.terminal_text import TerminalOutput, report, shown, shown_in_colors, shown_on_terminals, unescaped
+from tfloom.common.terminal import (
+    TerminalOutput,
+    report,
+    shown,
+    shown_in_colors,
+    shown_on_terminals,
+    unescaped,
+)
 
 HOSTILE = "a\x1b[2J\x07\r\x7f\x9b1m\u202eb\u2066c\td\nä\u200f漢"
 SHOWN = "a\\x1b[2J\\x07\\x0d\\x7f\\x9b1m\\u202eb\\u2066c\td\nä\u200f漢"
@@ -177,7 +184,7 @@ STDERRS = {
 
 @pytest.mark.parametrize("stderr", STDERRS.values(), ids=STDERRS)
 def test_report_that_nobody_can_read_ends_nothing(stderr: str) -> None:
-    program = "from tfloom.terminal_text import report; report('said'); report('again'); print('done')"
+    program = "from tfloom.common.terminal import report; report('said'); report('again'); print('done')"
     done = subprocess.run(
         ["sh", "-c", f'exec "$0" -c "$1" 2{stderr}', sys.executable, program],
         stdout=subprocess.PIPE,

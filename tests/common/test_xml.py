@@ -12,10 +12,10 @@ from xml.parsers import expat
 import pytest
 
 import tfloom
+from tfloom.common.xml import MAX_TREE, guard_minidom, read_tree
 from tfloom.launch.xml.elements import XmlError, read_elements
 from tfloom.robot.urdf_error import UrdfError
 from tfloom.robot.xml_elements import read_xml
-from tfloom.xml_parsers import MAX_TREE, guard_minidom, read_tree
 
 READERS: list[Callable[[bytes], object]] = [read_tree, read_xml, lambda data: read_elements(data, "a.xml")]
 
@@ -152,4 +152,4 @@ def test_no_other_module_makes_a_parser() -> None:
         for path in house.rglob("*.py")
         if any(mark in path.read_text("utf-8") for mark in marks)
     }
-    assert found == {"xml_parsers.py"}
+    assert found == {"common/xml.py"}

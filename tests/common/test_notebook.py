@@ -17,12 +17,12 @@ from tfloom.bag import open_bag
 from tfloom.bag.bag import Bag
 from tfloom.bag.reading.bag_file import BagFile
 from tfloom.bag.values import Topic, Topics
+from tfloom.common.notebook import MAX_POINTS, drawing
 from tfloom.interfaces.geometry_msgs.msg import Point
 from tfloom.interfaces.sensor_msgs.msg import LaserScan
 from tfloom.interfaces.std_msgs.msg import Header, String
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.interfaces.visualization_msgs.msg import Marker, MarkerArray
-from tfloom.notebook_html import MAX_POINTS, drawing
 from tfloom.tf2.buffer import Buffer
 from tfloom.tf2_ros.buffer import Buffer as RosBuffer
 from tfloom.turtlesim.canvas import Canvas

@@ -15,7 +15,7 @@ import os
 import sys
 from importlib.machinery import ModuleSpec
 
-from tfloom.ros_guard import serves_rclpy
+from tfloom.ros_imports.guard import serves_rclpy
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -18,8 +18,8 @@ from yaml.constructor import SafeConstructor
 from yaml.parser import Parser
 from yaml.resolver import Resolver
 
-from tfloom.rosidl.written_values import PlainValue, QuotedText
-from tfloom.rosidl.yaml_scanner import TabScanner
+from tfloom.common.written_values import PlainValue, QuotedText
+from tfloom.common.yaml_scanner import TabScanner
 
 __all__ = ["YamlError", "YamlLimitError", "compose_all", "load", "load_placed", "load_plain"]
 

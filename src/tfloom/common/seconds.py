@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from tfloom.given_text import given_text
+from tfloom.common.text import given_text
 
 __all__ = [
     "MAX_S",

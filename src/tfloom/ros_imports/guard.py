@@ -7,7 +7,8 @@ import sys
 
 __all__ = ["claim", "is_elsewhere", "is_facade", "ros_class_repr", "ros_home", "ros_repr", "serves_rclpy"]
 
-_ROS_NAMES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "ros_names") + os.sep
+_HOUSE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+_ROS_NAMES = os.path.join(_HOUSE, "ros_names") + os.sep
 
 
 _DROP_IN_LINE = "from tfloom.drop_in import Buffer, TransformListener"
@@ -94,7 +95,7 @@ def ros_class_repr(cls: type) -> str:
 
 
 def _ros_name(cls: type) -> str:
-    from tfloom.ros_homes import HOMES  # a table that few programs read
+    from tfloom.ros_imports.homes import HOMES  # a table that few programs read
 
     own = f"{cls.__module__}.{cls.__qualname__}"
     home = HOMES.get(own)
@@ -122,7 +123,7 @@ def _is_frozen_facade(package: str) -> bool:
         module = __import__(package)
     except ModuleNotFoundError:
         return False
-    return getattr(getattr(module, "__getattr__", None), "__module__", "") == "tfloom.ros_modules"
+    return getattr(getattr(module, "__getattr__", None), "__module__", "") == "tfloom.ros_imports.modules"
 
 
 def _is_frozen_rclpy_ours() -> bool:

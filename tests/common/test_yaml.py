@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
-from tfloom.rosidl import user_yaml
-from tfloom.rosidl.user_yaml import MAX_DEPTH, YamlError, YamlLimitError, compose_all, load
+from tfloom.common import yaml as user_yaml
+from tfloom.common.yaml import MAX_DEPTH, YamlError, YamlLimitError, compose_all, load
 
 LAUGHS = "\n".join(
     [

@@ -10,7 +10,7 @@ import pytest
 from tests.conftest import run_to_end
 
 from tfloom import use_ros_names
-from tfloom.absent_modules import INSTEAD
+from tfloom.ros_imports.absent import INSTEAD
 
 
 def python(code: str, folder: Path) -> subprocess.CompletedProcess[str]:
@@ -63,7 +63,7 @@ for name in ("tf", "rospy"):
 
 def test_a_module_of_the_name_takes_precedence(tmp_path: Path) -> None:
     (tmp_path / "tf.py").write_text("here = True\n")
-    run = python("import tf, sys; print(tf.here, 'tfloom.absent_modules' in sys.modules)", tmp_path)
+    run = python("import tf, sys; print(tf.here, 'tfloom.ros_imports.absent' in sys.modules)", tmp_path)
     assert run.stdout == "True False\n"
 
 

@@ -13,7 +13,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tfloom.keyboard import (
+from tfloom.common.keyboard import (
     FINALS,
     NAMES,
     NUMBERS,
@@ -67,7 +67,7 @@ def test_input_without_terminal_raises(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 SCRIPT = """
-from tfloom.keyboard import Keyboard
+from tfloom.common.keyboard import Keyboard
 with Keyboard() as keyboard:
     print("ready", flush=True)
     keys = []

@@ -8,7 +8,7 @@ from pathlib import Path
 import psutil
 import pytest
 
-from tfloom.regular_files import open_regular, read_at_most
+from tfloom.common.regular_files import open_regular, read_at_most
 
 
 def test_regular_file_is_read_up_to_a_limit(tmp_path: Path) -> None:

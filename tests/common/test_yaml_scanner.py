@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 import yaml
 
-from tfloom.rosidl.user_yaml import YamlError, compose_all, load
+from tfloom.common.yaml import YamlError, compose_all, load
 
 PLACES: dict[str, Any] = {
     "d: 5\t# five": {"d": 5},
@@ -52,7 +52,7 @@ def test_a_tab_separates_and_does_not_indent(text: str) -> None:
 def test_tabs_are_read_without_the_c_extension() -> None:
     code = (
         "import sys; sys.modules['yaml._yaml'] = None; import yaml; assert not yaml.__with_libyaml__\n"
-        "from tfloom.rosidl.user_yaml import load\n"
+        "from tfloom.common.yaml import load\n"
         "print([load(text) for text in eval(sys.argv[1])])"
     )
     readable = [text for text, value in PLACES.items() if value is not None]

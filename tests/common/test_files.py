@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from tests.conftest import run_to_end
 
-from tfloom.whole_files import Replacement, write_file
+from tfloom.common.files import Replacement, write_file
 
 IS_ROOT = hasattr(os, "geteuid") and os.geteuid() == 0
 
@@ -51,7 +51,7 @@ def test_a_full_disk_leaves_the_previous_file(tmp_path: Path) -> None:
     lines = run_on_a_small_disk(
         tmp_path,
         """
-from tfloom.whole_files import write_file
+from tfloom.common.files import write_file
 write_file("a", "old")
 try:
     write_file("a", b"x" * 1_000_000)
@@ -146,7 +146,7 @@ def test_a_named_pipe_is_written_directly(tmp_path: Path) -> None:
 
 
 def test_standard_output_is_written_directly(tmp_path: Path) -> None:
-    program = "from tfloom.whole_files import write_file\nwrite_file('/dev/stdout', 'text')\nprint('more')"
+    program = "from tfloom.common.files import write_file\nwrite_file('/dev/stdout', 'text')\nprint('more')"
     with (tmp_path / "out").open("a") as out:
         subprocess.run([sys.executable, "-c", program], stdout=out, check=True)
     assert "more" in (tmp_path / "out").read_text()

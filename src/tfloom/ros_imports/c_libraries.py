@@ -76,4 +76,4 @@ def _folder(package: str | None) -> Path:
     spec = PathFinder.find_spec(package.partition(".")[0]) if package else None
     if package and spec and spec.submodule_search_locations:
         return Path(spec.submodule_search_locations[0], *package.split(".")[1:])
-    return Path(__file__).parents[1]
+    return Path(__file__).parents[2]

@@ -1,0 +1,9 @@
+"""What all rooms use, and what knows none of them.
+
+- files, regular_files: files that appear complete or not at all; files whose names come from outside
+- yaml, yaml_scanner, written_values: the one door for reading YAML, with limits; tabs as libyaml takes them
+- xml: the one door for XML: launch files, package.xml, URDF
+- terminal, keyboard: what a terminal would obey, shown; single keys from a terminal
+- text, dates, seconds: values, times and durations in the texts of errors and in output
+- notebook: tables and drawings that objects show in notebooks
+"""
