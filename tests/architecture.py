@@ -24,7 +24,7 @@ SHELVES = [
     ["tf2_ros", "workspace"],
     ["bag"],
     ["tf2_tools", "turtlesim", "robot", "demos", "drop_in", "launch"],
-    ["viewer"],
+    ["viewer", "foxglove"],
     ["cli", "pyinstaller", "testing"],
 ]
 """The rooms, from the bottom up; rooms on one shelf don't import each other, except those of UPWARDS."""
@@ -60,12 +60,12 @@ DOORS = {
     "viser": ("viewer/",),
     "websockets": (
         "viewer/page_server.py",
-        "viewer/foxglove_bridge/own_client.py",
-        "viewer/foxglove_bridge/relay.py",
+        "foxglove/own_client.py",
+        "foxglove/relay.py",
     ),
     "msgspec": ("viewer/viser_private.py",),
     "trimesh": ("viewer/",),
-    "foxglove": ("viewer/foxglove_bridge/",),
+    "foxglove": ("foxglove/",),
     "psutil": ("launch/processes/",),
     "transforms3d": ("tf2_ros/transformations/transformations.py",),
     "pandas": ("tf2/trajectory.py",),

@@ -39,13 +39,13 @@ class Room(NamedTuple):
 
 ROOMS = {
     "viewer": Room(
-        ("src/tfloom/viewer/*.py", "src/tfloom/viewer/[!f]*/*.py", "src/tfloom/viewer/forms/*.py"),
+        ("src/tfloom/viewer/*.py", "src/tfloom/viewer/*/*.py"),
         ("tests/viewer",),
     ),
     "driving": Room(
         ("src/tfloom/viewer/driving/*.py",), ("tests/viewer/test_driver.py", "tests/viewer/test_driving.py")
     ),
-    "foxglove_bridge": Room(("src/tfloom/viewer/foxglove_bridge/*.py",), ("tests/viewer/foxglove_bridge",)),
+    "foxglove_bridge": Room(("src/tfloom/foxglove/*.py",), ("tests/foxglove",)),
     "zenoh": Room(("src/tfloom/rmw/zenoh/*.py",), ("tests/rmw", "tests/node/wire")),
     "services": Room(
         (

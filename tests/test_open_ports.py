@@ -28,7 +28,7 @@ OPENERS = {
     ),
     *("SimpleXMLRPCServer", "BaseManager", "SyncManager"),
 }
-CONNECTS_FROM = {"viewer/inner_port.py"}
+CONNECTS_FROM = {"common/inner_port.py"}
 """Modules that bind a socket to connect from there."""
 
 

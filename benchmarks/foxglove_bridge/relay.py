@@ -23,8 +23,8 @@ import foxglove
 from foxglove import Channel, Context, Schema
 from websockets.sync.client import connect
 
-from tfloom.viewer.foxglove_bridge.relay import SWITCH_INTERVAL_S, Relay, listen
-from tfloom.viewer.inner_port import InnerPort
+from tfloom.common.inner_port import InnerPort
+from tfloom.foxglove.relay import SWITCH_INTERVAL_S, Relay, listen
 
 SECONDS = 5.0
 CASES = ((100, 1000.0), (10_000, 1000.0), (1_000_000, 50.0))

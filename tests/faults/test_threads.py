@@ -94,15 +94,11 @@ PLACES = {
     "tf2_ros/deadlines.py": ["deadline"],
     "tf2_ros/listener_base.py": ["listener"],
     "turtlesim/teleop_key.py": [TOLD],
-    "viewer/foxglove_bridge/bridge.py": [
-        "stopped by the caller: tests/viewer/foxglove_bridge/test_stuck_clients.py, which refuses the thread"
+    "foxglove/bridge.py": [
+        "stopped by the caller: tests/foxglove/test_stuck_clients.py, which refuses the thread"
     ],
-    "viewer/foxglove_bridge/relay.py": [
-        "the bridge doesn't start: tests/viewer/foxglove_bridge/test_relay.py, which refuses the thread"
-    ],
-    "viewer/foxglove_bridge/own_client.py": [
-        "a warning: tests/viewer/foxglove_bridge/test_own_client.py, which refuses the thread"
-    ],
+    "foxglove/relay.py": ["the bridge doesn't start: tests/foxglove/test_relay.py, which refuses the thread"],
+    "foxglove/own_client.py": ["a warning: tests/foxglove/test_own_client.py, which refuses the thread"],
     "viewer/driving/link.py": [
         "refused: tests/viewer/test_driving.py, where a page hears it, and drives later"
     ]

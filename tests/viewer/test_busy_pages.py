@@ -219,7 +219,7 @@ def test_names_of_nodes_and_topics_are_data(domain_id: int, viewer: Viewer, open
 
 REMOTE = """
 import sys
-from tfloom.viewer import access
+from tfloom.common import access
 access.is_loopback = lambda _: False
 from tfloom.cli.main import main
 raise SystemExit(main(["view", "--no-open", "--host", "127.0.0.1", "--port", "0"]))

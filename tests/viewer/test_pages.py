@@ -534,9 +534,9 @@ def test_requests_of_other_sites_and_for_other_files_are_refused(viewer: Viewer)
 def test_other_addresses_than_loopback_need_the_token(
     viewer: Viewer, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from tfloom.viewer.access import Access
+    from tfloom.common.access import Access
 
-    monkeypatch.setattr("tfloom.viewer.access.is_loopback", lambda _: False)
+    monkeypatch.setattr("tfloom.common.access.is_loopback", lambda _: False)
     access = viewer.pages._access = Access("127.0.0.1", viewer.pages._port)
     assert f"?token={access.token}" in viewer.pages.address
     with pytest.raises(urllib.error.HTTPError, match="403"):

@@ -6,4 +6,5 @@
 - terminal, keyboard: what a terminal would obey, shown; single keys from a terminal
 - text, dates, seconds: values, times and durations in the texts of errors and in output
 - notebook: tables and drawings that objects show in notebooks
+- access: who may open a page or a WebSocket;  inner_port: ports of libraries, closed to other processes
 """

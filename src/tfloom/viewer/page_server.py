@@ -23,7 +23,7 @@ from websockets.datastructures import Headers
 from websockets.exceptions import ConnectionClosed
 from websockets.http11 import Request, Response
 
-from tfloom.viewer.access import Access
+from tfloom.common.access import Access
 from tfloom.viewer.page_command import PageError
 from tfloom.viewer.scene_server import KEY_HEADER, PAGE_HEADER
 from tfloom.viewer.viser_private import is_readable

@@ -8,13 +8,13 @@ from itertools import count
 from typing import TYPE_CHECKING, Any, Protocol
 
 from tfloom.rmw.errors import WireError
+from tfloom.rmw.shared.type_searches import TypeSearches
 from tfloom.rosidl import cdr
 from tfloom.rosidl.class_search import UnknownTypeError, find_class_of_kind
 from tfloom.rosidl.message import Message
 from tfloom.viewer.shapes import DisplayError
 from tfloom.viewer.topic_log import TopicLog, header_stamp_ns
 from tfloom.viewer.topic_reader import TopicReader, is_latched
-from tfloom.viewer.type_searches import TypeSearches
 
 if TYPE_CHECKING:
     from tfloom.rmw.base import EndpointInfo, NodeName, Participant

@@ -43,7 +43,7 @@ PROGRAMS: dict[str, dict[str, str]] = {
         "use_logger_service": "tfloom.demos.demo_nodes_py.use_logger_service:main",
     },
     "foxglove_bridge": {
-        "foxglove_bridge": "tfloom.viewer.foxglove_bridge.program:main",
+        "foxglove_bridge": "tfloom.foxglove.program:main",
     },
     "joint_state_publisher": {
         "joint_state_publisher": "tfloom.robot.joint_state_publisher:main",

@@ -17,8 +17,8 @@ import psutil
 import pytest
 from tests.conftest import wait_until
 
-from tfloom.viewer.foxglove_bridge import relay as module
-from tfloom.viewer.foxglove_bridge.relay import MAX_HEAD_BYTES, MAX_WAITING, Relay, listen
+from tfloom.foxglove import relay as module
+from tfloom.foxglove.relay import MAX_HEAD_BYTES, MAX_WAITING, Relay, listen
 
 TIMEOUT_S = 30.0
 LARGE = 50_000_000

@@ -11,7 +11,7 @@ from tfloom.common.regular_files import open_regular, read_at_most
 from tfloom.workspace.ament import PackageNotFoundError, get_package_share_path
 
 if TYPE_CHECKING:
-    from tfloom.viewer.foxglove_bridge.settings import Settings
+    from tfloom.foxglove.settings import Settings
 
 __all__ = ["AssetError", "read_asset"]
 

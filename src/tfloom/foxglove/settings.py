@@ -7,10 +7,10 @@ import ssl
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from tfloom.common.access import is_origin
 from tfloom.interfaces.rcl_interfaces.msg import ParameterDescriptor
 from tfloom.node.log.logging_severity import LoggingSeverity
 from tfloom.node.parameters.parameter import Parameter
-from tfloom.viewer.access import is_origin
 
 if TYPE_CHECKING:
     from tfloom.node.node import Node

@@ -5,10 +5,10 @@ from __future__ import annotations
 import sys
 from importlib.util import find_spec
 
+from tfloom.common.access import is_loopback
 from tfloom.common.terminal import report
 from tfloom.node.client_library import spin
 from tfloom.node.program import expect_no_arguments, run_program
-from tfloom.viewer.access import is_loopback
 
 __all__ = ["main"]
 
@@ -28,9 +28,9 @@ def main(args: list[str] | None = None) -> int:
 
 
 def _serve() -> int:
-    from tfloom.viewer.foxglove_bridge.bridge import BridgeError, FoxgloveBridge
-    from tfloom.viewer.foxglove_bridge.relay import SWITCH_INTERVAL_S
-    from tfloom.viewer.foxglove_bridge.settings import SettingsError
+    from tfloom.foxglove.bridge import BridgeError, FoxgloveBridge
+    from tfloom.foxglove.relay import SWITCH_INTERVAL_S
+    from tfloom.foxglove.settings import SettingsError
 
     sys.setswitchinterval(SWITCH_INTERVAL_S)
     try:

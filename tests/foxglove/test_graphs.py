@@ -17,8 +17,7 @@ from typing import Any
 
 import pytest
 from tests.conftest import Program, wait_until
-from tests.viewer.conftest import OWN_TYPES
-from tests.viewer.foxglove_bridge.clients import (
+from tests.foxglove.clients import (
     Client,
     bridging,
     connected,
@@ -26,9 +25,13 @@ from tests.viewer.foxglove_bridge.clients import (
     port_of,
     spun_node,
 )
+from tests.viewer.conftest import OWN_TYPES
 from websockets.exceptions import InvalidMessage, InvalidStatus
 from websockets.sync.client import connect
 
+from tfloom.foxglove import bridge, program
+from tfloom.foxglove.complaints import MAX_IN_PERIOD, PERIOD_S, Complaints
+from tfloom.foxglove.settings import CAPABILITIES, Settings, SettingsError
 from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.interfaces.rosgraph_msgs.msg import Clock
 from tfloom.interfaces.std_msgs.msg import String, UInt8MultiArray
@@ -40,9 +43,6 @@ from tfloom.rmw.base import NodeName, Topic
 from tfloom.rmw.qos import QoS
 from tfloom.rosidl import cdr
 from tfloom.rosidl.registry import get_message_class, get_service_class
-from tfloom.viewer.foxglove_bridge import bridge, program
-from tfloom.viewer.foxglove_bridge.complaints import MAX_IN_PERIOD, PERIOD_S, Complaints
-from tfloom.viewer.foxglove_bridge.settings import CAPABILITIES, Settings, SettingsError
 
 pytestmark = pytest.mark.wire
 StartBridge = Callable[..., tuple[Program, int]]
@@ -154,7 +154,7 @@ def test_service_whose_process_is_killed_during_a_call(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """The call fails with a reason, other calls go on, and the service is there again when it comes back."""
-    monkeypatch.setattr("tfloom.viewer.foxglove_bridge.services.TIMEOUT_S", 1.0)
+    monkeypatch.setattr("tfloom.foxglove.services.TIMEOUT_S", 1.0)
     node.create_service(SetBool, "/lasting", lambda _, response: response)
     with connected(domain_id) as client:
         program = start_program("python", "-c", VANISHING)

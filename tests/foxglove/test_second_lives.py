@@ -10,14 +10,14 @@ from typing import Any
 
 import pytest
 from tests.conftest import wait_until
-from tests.viewer.foxglove_bridge.clients import Client, bridging, connect_to, connected
+from tests.foxglove.clients import Client, bridging, connect_to, connected
 
+from tfloom.foxglove import services
 from tfloom.interfaces.std_msgs.msg import Int64, String
 from tfloom.interfaces.std_srvs.srv import SetBool, Trigger
 from tfloom.node.node import Node
 from tfloom.node.parameters.parameter import Parameter
 from tfloom.rosidl import cdr
-from tfloom.viewer.foxglove_bridge import services
 
 pytestmark = pytest.mark.wire
 

@@ -25,8 +25,8 @@ if TYPE_CHECKING:
     from foxglove.websocket import WebSocketServer
     from websockets.sync.connection import Connection
 
+    from tfloom.common.inner_port import InnerPort
     from tfloom.node.log.rcutils_logger import RcutilsLogger
-    from tfloom.viewer.inner_port import InnerPort
 
 __all__ = ["OwnClient"]
 

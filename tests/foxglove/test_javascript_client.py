@@ -12,14 +12,14 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 from tests.conftest import Program, run_to_end, wait_until
-from tests.viewer.foxglove_bridge.clients import SUBPROTOCOL, TIMEOUT_S, bridging
+from tests.foxglove.clients import SUBPROTOCOL, TIMEOUT_S, bridging
 
+from tfloom.foxglove.assets import read_asset
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.interfaces.std_srvs.srv import SetBool
 from tfloom.interfaces.visualization_msgs.msg import Marker, MarkerArray
 from tfloom.node.node import Node
 from tfloom.rosidl import cdr
-from tfloom.viewer.foxglove_bridge.assets import read_asset
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

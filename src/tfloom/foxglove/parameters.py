@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING, Any
 
 from foxglove import Parameter, ParameterType, ParameterValue
 
+from tfloom.foxglove.calls import Call
 from tfloom.interfaces.rcl_interfaces import msg, srv
 from tfloom.node.parameters import parameter as ros
-from tfloom.viewer.foxglove_bridge.calls import Call
 
 if TYPE_CHECKING:
+    from tfloom.foxglove.calls import Calls
+    from tfloom.foxglove.settings import Settings
     from tfloom.node.node import Node
-    from tfloom.viewer.foxglove_bridge.calls import Calls
-    from tfloom.viewer.foxglove_bridge.settings import Settings
 
 __all__ = ["ParameterError", "Parameters", "from_message"]
 

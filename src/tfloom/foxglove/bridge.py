@@ -13,6 +13,20 @@ import foxglove
 from foxglove import ConnectionGraph, Context
 from foxglove.websocket import Capability, ServerListener
 
+from tfloom.common.access import ClientAccess
+from tfloom.common.inner_port import InnerPort
+from tfloom.foxglove.assets import AssetError, read_asset
+from tfloom.foxglove.calls import Calls
+from tfloom.foxglove.channels import Channels
+from tfloom.foxglove.client_topics import ClientTopic, ClientTopicError, ClientTopics
+from tfloom.foxglove.commands import Commands
+from tfloom.foxglove.complaints import Complaints
+from tfloom.foxglove.known_types import KnownTypes
+from tfloom.foxglove.own_client import OwnClient
+from tfloom.foxglove.parameters import Parameters, from_message
+from tfloom.foxglove.relay import Relay, listen
+from tfloom.foxglove.services import Services
+from tfloom.foxglove.settings import TIME, Settings
 from tfloom.interfaces.rcl_interfaces.msg import ParameterEvent
 from tfloom.interfaces.rosgraph_msgs.msg import Clock as ClockMessage
 from tfloom.node.clock.clock import Clock
@@ -20,20 +34,6 @@ from tfloom.node.node import Node
 from tfloom.node.qos.qos import QoSProfile
 from tfloom.node.values.clock_type import ClockType
 from tfloom.rmw.qos import ReliabilityPolicy
-from tfloom.viewer.access import ClientAccess
-from tfloom.viewer.foxglove_bridge.assets import AssetError, read_asset
-from tfloom.viewer.foxglove_bridge.calls import Calls
-from tfloom.viewer.foxglove_bridge.channels import Channels
-from tfloom.viewer.foxglove_bridge.client_topics import ClientTopic, ClientTopicError, ClientTopics
-from tfloom.viewer.foxglove_bridge.commands import Commands
-from tfloom.viewer.foxglove_bridge.complaints import Complaints
-from tfloom.viewer.foxglove_bridge.known_types import KnownTypes
-from tfloom.viewer.foxglove_bridge.own_client import OwnClient
-from tfloom.viewer.foxglove_bridge.parameters import Parameters, from_message
-from tfloom.viewer.foxglove_bridge.relay import Relay, listen
-from tfloom.viewer.foxglove_bridge.services import Services
-from tfloom.viewer.foxglove_bridge.settings import TIME, Settings
-from tfloom.viewer.inner_port import InnerPort
 
 if TYPE_CHECKING:
     from foxglove import Parameter, SystemInfoPublisher

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from tfloom.rmw.shared.type_searches import TypeSearches
 from tfloom.rosidl.class_search import UnknownTypeError, find_class_of_kind
 from tfloom.rosidl.message import Message
 from tfloom.rosidl.service import Service
-from tfloom.viewer.type_searches import TypeSearches
 
 if TYPE_CHECKING:
     from tfloom.node.node import Node

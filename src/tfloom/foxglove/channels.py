@@ -13,10 +13,10 @@ from tfloom.node.qos.qos import QoSProfile
 from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, ReliabilityPolicy
 
 if TYPE_CHECKING:
+    from tfloom.foxglove.known_types import KnownTypes
+    from tfloom.foxglove.settings import Settings
     from tfloom.node.endpoints.subscription import Subscription
     from tfloom.node.node import Node
-    from tfloom.viewer.foxglove_bridge.known_types import KnownTypes
-    from tfloom.viewer.foxglove_bridge.settings import Settings
 
 __all__ = ["Channels", "schema_of"]
 

@@ -16,8 +16,7 @@ from typing import Any
 
 import pytest
 from tests.conftest import Program, run_to_end, wait_until
-from tests.viewer.conftest import running_node
-from tests.viewer.foxglove_bridge.clients import (
+from tests.foxglove.clients import (
     SUBPROTOCOL,
     TIMEOUT_S,
     Client,
@@ -26,7 +25,13 @@ from tests.viewer.foxglove_bridge.clients import (
     connected,
     expect_refusal,
 )
+from tests.viewer.conftest import running_node
 
+from tfloom.foxglove.assets import AssetError, read_asset
+from tfloom.foxglove.bridge import BridgeError
+from tfloom.foxglove.calls import Call, Calls
+from tfloom.foxglove.commands import Commands
+from tfloom.foxglove.settings import SettingsError
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.interfaces.std_srvs.srv import SetBool
 from tfloom.interfaces.visualization_msgs.msg import MarkerArray
@@ -37,11 +42,6 @@ from tfloom.node.values.exceptions import InvalidHandle
 from tfloom.rmw.errors import ClosedError
 from tfloom.rmw.qos import DurabilityPolicy, ReliabilityPolicy
 from tfloom.rosidl import cdr
-from tfloom.viewer.foxglove_bridge.assets import AssetError, read_asset
-from tfloom.viewer.foxglove_bridge.bridge import BridgeError
-from tfloom.viewer.foxglove_bridge.calls import Call, Calls
-from tfloom.viewer.foxglove_bridge.commands import Commands
-from tfloom.viewer.foxglove_bridge.settings import SettingsError
 
 pytestmark = pytest.mark.wire
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
@@ -169,7 +169,7 @@ def test_client_calls_services(domain_id: int, node: Node) -> None:
 def test_server_that_does_not_respond_is_an_error(
     domain_id: int, node: Node, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("tfloom.viewer.foxglove_bridge.services.TIMEOUT_S", 0.3)
+    monkeypatch.setattr("tfloom.foxglove.services.TIMEOUT_S", 0.3)
     go_on = threading.Event()
 
     def hold(_: Any, response: Any) -> Any:
@@ -432,7 +432,7 @@ def test_program_that_can_not_serve_says_why_in_one_sentence(
 def test_missing_extra_is_one_sentence() -> None:
     program = (
         "import sys; sys.modules['foxglove'] = None\n"
-        "from tfloom.viewer.foxglove_bridge import program\n"
+        "from tfloom.foxglove import program\n"
         "program.find_spec = lambda _: None\n"
         "raise SystemExit(program.main([]))"
     )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tfloom.viewer.access import Access, ClientAccess, is_loopback, is_origin
+from tfloom.common.access import Access, ClientAccess, is_loopback, is_origin
 
 
 @pytest.mark.parametrize(

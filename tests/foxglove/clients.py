@@ -17,9 +17,9 @@ from tests.viewer.conftest import running_node, spinning
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
 
+from tfloom.foxglove.bridge import FoxgloveBridge
 from tfloom.node.context.context import Context
 from tfloom.node.node import Node
-from tfloom.viewer.foxglove_bridge.bridge import FoxgloveBridge
 
 TIMEOUT_S = 30.0
 SUBPROTOCOL = "foxglove.sdk.v1"

@@ -17,7 +17,7 @@ from websockets.server import ServerProtocol
 if TYPE_CHECKING:
     import ssl
 
-    from tfloom.viewer.inner_port import InnerPort
+    from tfloom.common.inner_port import InnerPort
 
 __all__ = ["SWITCH_INTERVAL_S", "Relay", "listen"]
 

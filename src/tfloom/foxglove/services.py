@@ -7,16 +7,16 @@ from typing import TYPE_CHECKING, Any
 
 from foxglove import MessageSchema, Service, ServiceRequest, ServiceSchema
 
+from tfloom.foxglove.calls import Call
+from tfloom.foxglove.channels import schema_of
 from tfloom.rosidl import cdr
-from tfloom.viewer.foxglove_bridge.calls import Call
-from tfloom.viewer.foxglove_bridge.channels import schema_of
 
 if TYPE_CHECKING:
     from foxglove.websocket import WebSocketServer
 
-    from tfloom.viewer.foxglove_bridge.calls import Calls
-    from tfloom.viewer.foxglove_bridge.known_types import KnownTypes
-    from tfloom.viewer.foxglove_bridge.settings import Settings
+    from tfloom.foxglove.calls import Calls
+    from tfloom.foxglove.known_types import KnownTypes
+    from tfloom.foxglove.settings import Settings
 
 __all__ = ["Services"]
 

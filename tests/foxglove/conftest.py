@@ -21,7 +21,7 @@ collect_ignore_glob = [] if HAS_SDK else ["test_*.py"]
 @pytest.fixture
 def node(domain_id: int) -> Iterator[Node]:
     """Another node of the graph, which is spun."""
-    from tests.viewer.foxglove_bridge.clients import spun_node
+    from tests.foxglove.clients import spun_node
 
     with spun_node(domain_id, "other") as made:
         yield made
@@ -30,6 +30,6 @@ def node(domain_id: int) -> Iterator[Node]:
 @pytest.fixture
 def start_bridge(start_program: Callable[..., Program]) -> Callable[..., tuple[Program, int]]:
     """Start bridges as processes, with parameters: `start_bridge("tls:=true")`; return each with its port."""
-    from tests.viewer.foxglove_bridge.clients import start_bridge_by
+    from tests.foxglove.clients import start_bridge_by
 
     return partial(start_bridge_by, start_program)

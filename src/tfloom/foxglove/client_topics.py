@@ -9,9 +9,9 @@ from tfloom.rosidl import cdr
 from tfloom.rosidl.registry import get_message_class
 
 if TYPE_CHECKING:
+    from tfloom.foxglove.settings import Settings
     from tfloom.node.endpoints.publisher import Publisher
     from tfloom.node.node import Node
-    from tfloom.viewer.foxglove_bridge.settings import Settings
 
 __all__ = ["ClientTopic", "ClientTopicError", "ClientTopics"]
 

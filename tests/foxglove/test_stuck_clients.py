@@ -11,7 +11,7 @@ from contextlib import closing, contextmanager
 import psutil
 import pytest
 from tests.conftest import Program, wait_until
-from tests.viewer.foxglove_bridge.clients import TIMEOUT_S, Client, RawClient, bridging, connected
+from tests.foxglove.clients import TIMEOUT_S, Client, RawClient, bridging, connected
 
 from tfloom.interfaces.std_msgs.msg import UInt8MultiArray
 from tfloom.node.endpoints.publisher import Publisher
@@ -64,7 +64,7 @@ def test_client_that_takes_nothing_delays_nobody(domain_id: int, node: Node) -> 
 def test_close_returns_while_a_client_takes_nothing(
     domain_id: int, node: Node, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr("tfloom.viewer.foxglove_bridge.bridge.STOP_S", 0.3)
+    monkeypatch.setattr("tfloom.foxglove.bridge.STOP_S", 0.3)
     publisher = node.create_publisher(UInt8MultiArray, "/big", 1)
     with bridging(domain_id) as bridge:
         assert bridge.server is not None

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import psutil
 import pytest
 from tests.conftest import Program, wait_until
-from tests.viewer.foxglove_bridge.clients import Client, RawClient, spun_node, start_bridge_by
+from tests.foxglove.clients import Client, RawClient, spun_node, start_bridge_by
 
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.interfaces.std_srvs.srv import SetBool

@@ -9,17 +9,17 @@ from typing import Any
 
 import pytest
 from tests.conftest import Program, wait_until
-from tests.viewer.foxglove_bridge.clients import SUBPROTOCOL, TIMEOUT_S, bridging, connect_to, expect_refusal
+from tests.foxglove.clients import SUBPROTOCOL, TIMEOUT_S, bridging, connect_to, expect_refusal
 from tests.viewer.open_ports import EVIL, answers_to_a_page, open_ports
 from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect
 
+from tfloom.common.inner_port import InnerPort
+from tfloom.foxglove.bridge import OPEN_INSIDE, FoxgloveBridge
+from tfloom.foxglove.settings import SettingsError
 from tfloom.interfaces.geometry_msgs.msg import Twist
 from tfloom.node.node import Node
 from tfloom.rosidl import cdr
-from tfloom.viewer.foxglove_bridge.bridge import OPEN_INSIDE, FoxgloveBridge
-from tfloom.viewer.foxglove_bridge.settings import SettingsError
-from tfloom.viewer.inner_port import InnerPort
 
 pytestmark = pytest.mark.wire
 StartBridge = Callable[..., tuple[Program, int]]
@@ -74,7 +74,7 @@ def test_reasons_that_are_told_are_limited(
     bridge: FoxgloveBridge, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:
     """A site has as many names as it likes."""
-    monkeypatch.setattr("tfloom.viewer.foxglove_bridge.bridge.MAX_REFUSALS", 3)
+    monkeypatch.setattr("tfloom.foxglove.bridge.MAX_REFUSALS", 3)
     for number in range(6):
         assert status(bridge.port, Origin=f"https://{number}.evil.example") == 403
     assert capfd.readouterr().err.count("A connection is refused") == 3

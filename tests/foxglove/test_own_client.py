@@ -12,11 +12,11 @@ from typing import Any
 import pytest
 from foxglove import ConnectionGraph, Parameter
 from tests.conftest import Program, wait_until
-from tests.viewer.foxglove_bridge.clients import Client, bridging, connected
+from tests.foxglove.clients import Client, bridging, connected
 
+from tfloom.foxglove import own_client
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.node.node import Node
-from tfloom.viewer.foxglove_bridge import own_client
 
 ROUNDS = 8
 """Number of times that a client subscribes and unsubscribes."""
