@@ -8,9 +8,9 @@ from __future__ import annotations
 from pathlib import Path
 
 from tfloom.cli.tf.doctor import LIMIT_OPTIONS
-from tfloom.tf2_tools.doctor.catalogue import GROUPS, KINDS, Kind
-from tfloom.tf2_tools.doctor.limits import GAP_PERIODS, MAX_SPIN_DEG_S, Limits
-from tfloom.tf2_tools.doctor.value_checks import SUDDEN
+from tfloom.tf2_tools.diagnosis.catalogue import GROUPS, KINDS, Kind
+from tfloom.tf2_tools.diagnosis.limits import GAP_PERIODS, MAX_SPIN_DEG_S, Limits
+from tfloom.tf2_tools.diagnosis.value_checks import SUDDEN
 
 PAGE = Path(__file__).with_suffix(".md")
 

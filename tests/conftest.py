@@ -439,7 +439,7 @@ class Program:
 def python_with(constants: Mapping[str, object], code: str, *words: str | Path) -> list[str | Path]:
     """Return the Python command line that runs `code` with the arguments `words`, after replacing module constants.
 
-    For example {"tfloom.cli.calls.HINT_S": 1.0}, because a wait of full length tests no more than a short one.
+    For example {"tfloom.cli.shared.calls.HINT_S": 1.0}, because a wait of full length tests no more than a short one.
     """
     lines = ["import importlib, sys"]
     for constant, value in constants.items():

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from tests.conftest import Program
 
-from tfloom.cli.graph import joined_participant
+from tfloom.cli.shared.graph import joined_participant
 from tfloom.node.context.context import Context
 from tfloom.node.node import Node
 from tfloom.rmw.base import NodeName

@@ -20,8 +20,8 @@ from tests.conftest import python_with
 from tests.each import for_each
 
 from tfloom.cli.completion import find_offer
-from tfloom.cli.interfaces import action_class, fill_message, message_class, parse_yaml, service_class
-from tfloom.cli.prototype import prototype
+from tfloom.cli.shared.interfaces import action_class, fill_message, message_class, parse_yaml, service_class
+from tfloom.cli.shared.prototype import prototype
 from tfloom.interfaces.geometry_msgs.msg import Vector3
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.rosidl.message import Message
@@ -30,13 +30,16 @@ from tfloom.workspace.interfaces import known_interfaces
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="completion is a shell's")
 
 
-PATIENT = {"tfloom.cli.completion.MAX_WAIT_S": 10.0, "tfloom.cli.type_names.LIVE_S": 10.0}
+PATIENT = {"tfloom.cli.completion.MAX_WAIT_S": 10.0, "tfloom.cli.shared.type_names.LIVE_S": 10.0}
 
 
 EACH = """
 import json, os
 import argcomplete
-from tfloom.cli import completion, graph, interfaces, launch_api, main, prototype, tab_key
+from tfloom.cli import completion, launch_api, main, tab_key
+from tfloom.cli.shared import graph
+from tfloom.cli.shared import interfaces
+from tfloom.cli.shared import prototype
 from tfloom.common import yaml as user_yaml
 folder, lines = sys.argv[1:]
 for number, line in enumerate(json.loads(lines)):

@@ -12,9 +12,9 @@ import pytest
 import transcript
 from tests.zenoh_ports import use_port_of
 
-from tfloom.cli import health
-from tfloom.cli.finding import Verdict
-from tfloom.cli.health import Interface, check_domain, check_network, check_reach
+from tfloom.cli.doctor import checks as health
+from tfloom.cli.doctor.checks import Interface, check_domain, check_network, check_reach
+from tfloom.cli.doctor.finding import Verdict
 from tfloom.interfaces.std_msgs.msg import Empty
 from tfloom.rmw.backends import open_participant
 from tfloom.rmw.base import NodeName

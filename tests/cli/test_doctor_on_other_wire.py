@@ -8,8 +8,8 @@ import pytest
 from tests.conftest import Program
 from tests.zenoh_ports import NEEDS_ZENOH, use_port_of
 
-from tfloom.cli.finding import Verdict
-from tfloom.cli.other_wire import check_other_wire
+from tfloom.cli.doctor.finding import Verdict
+from tfloom.cli.doctor.wires import check_other_wire
 from tfloom.rmw.cyclone import ports as cyclone_ports
 from tfloom.rmw.cyclone.config import discovery_port
 

@@ -9,9 +9,9 @@ import pytest
 from tests.conftest import Program
 from tests.zenoh_ports import NEEDS_ZENOH, use_port_of
 
-from tfloom.cli.finding import Verdict
-from tfloom.cli.health import check_domain
-from tfloom.cli.peer_health import check_peers
+from tfloom.cli.doctor.checks import check_domain
+from tfloom.cli.doctor.finding import Verdict
+from tfloom.cli.doctor.peers import check_peers
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.rmw.backends import open_participant
 from tfloom.rmw.base import NodeName

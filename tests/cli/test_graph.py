@@ -9,7 +9,7 @@ from types import SimpleNamespace
 import pytest
 
 from tfloom._native import ReadyQueue
-from tfloom.cli import graph
+from tfloom.cli.shared import graph
 
 
 class FakeGraph:

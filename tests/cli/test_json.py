@@ -15,7 +15,7 @@ import transcript
 from test_usage import VERBS
 from tests.spun import Stage, staging
 
-from tfloom.cli.json_text import json_text
+from tfloom.cli.shared.json_text import json_text
 from tfloom.interfaces.geometry_msgs.msg import Vector3
 from tfloom.interfaces.sensor_msgs.msg import LaserScan
 from tfloom.node.lifecycle.node import LifecycleNode
@@ -59,7 +59,7 @@ ELSEWHERE = {
     "component list": "tests/cli/test_component.py",
     "service echo": "tests/cli/test_service.py",
     "tf diff": "tests/cli/test_tf_statics.py",
-    "tf doctor": "tests/tf2_tools/doctor/test_command.py",
+    "tf doctor": "tests/tf2_tools/diagnosis/test_command.py",
     "tf explain": "tests/cli/test_tf_explain.py",
 }
 WITHOUT = {
@@ -119,7 +119,7 @@ def test_each_verb_has_json_or_a_stated_reason() -> None:
 def nodes(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     """Run turtlesim and a node with a lifecycle on the wire inside this process, where discovery needs no wait."""
     for name in ("MIN_WAIT_S", "QUIET_S"):
-        monkeypatch.setattr(f"tfloom.cli.graph.{name}", 0.0)
+        monkeypatch.setattr(f"tfloom.cli.shared.graph.{name}", 0.0)
     with staging(Stage) as start:
         stage = start()
         stage.add(TurtlesimNode())

@@ -17,7 +17,7 @@ from tests.conftest import run_to_end
 from tests.each import for_each
 
 from tfloom.cli import main as cli
-from tfloom.cli.parser import Group, VerbParser
+from tfloom.cli.parser import Group, VerbParser, command_module
 
 
 def verb_modules() -> list[str]:
@@ -26,7 +26,7 @@ def verb_modules() -> list[str]:
         if isinstance(command, Group):
             modules += [f"tfloom.cli.{word}.{verb}" for verb in command.verbs]
         else:
-            modules.append(f"tfloom.cli.{word}")
+            modules.append(command_module(word))
     return modules
 
 
@@ -61,7 +61,7 @@ def test_flags_on_the_commands_page_exist(word: str) -> None:
     page = (Path(__file__).parents[2] / "docs" / "commands.md").read_text("utf-8")
     asked = re.findall(rf"`(?:ros2 )?{word} ?(\w*)[^`]*?(--[\w-]+)", page)
     for verb, flag in asked:
-        module = import_module(f"tfloom.cli.{word}.{verb}" if verb else f"tfloom.cli.{word}")
+        module = import_module(f"tfloom.cli.{word}.{verb}" if verb else command_module(word))
         parser = VerbParser()
         module.add_arguments(parser)
         assert flag in parser.flags(), (word, verb, flag)

@@ -12,7 +12,7 @@ import pytest
 from test_usage import VERBS
 
 from tfloom.cli import main as cli
-from tfloom.cli.numbers import finite, rate, whole
+from tfloom.cli.shared.numbers import finite, rate, whole
 
 NAMES = [
     "",
@@ -78,8 +78,8 @@ def fails(capsys: pytest.CaptureFixture[str], *words: str) -> str:
 def alone(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("tfloom.cli.graph.MIN_WAIT_S", 0.0)
-    monkeypatch.setattr("tfloom.cli.graph.QUIET_S", 0.0)
+    monkeypatch.setattr("tfloom.cli.shared.graph.MIN_WAIT_S", 0.0)
+    monkeypatch.setattr("tfloom.cli.shared.graph.QUIET_S", 0.0)
 
 
 ONE = ["topic info", "topic type", "topic echo", "node info", "service type", "service info", "service echo",
@@ -166,7 +166,7 @@ FLAGS_WITH_NUMBERS = [
     (verb, flag)
     for verb, parser in VERBS.items()
     for flag in parser.flags()
-    if getattr(type_of(verb, flag), "__module__", "") == "tfloom.cli.numbers"
+    if getattr(type_of(verb, flag), "__module__", "") == "tfloom.cli.shared.numbers"
 ]
 
 

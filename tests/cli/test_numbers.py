@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 import pytest
 
-from tfloom.cli import numbers
+from tfloom.cli.shared import numbers
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,7 @@ import pytest
 import transcript
 from tests.conftest import Program, wait_until
 
-from tfloom.cli.graph import joined_participant
+from tfloom.cli.shared.graph import joined_participant
 
 A_SERVER = Path(__file__).with_name("a_server.py")
 
@@ -133,7 +133,7 @@ def test_waiting_for_a_misspelt_service_gives_the_nearest(
     start_program: Callable[..., object],
 ) -> None:
     words = ("service", "call", "/spwn", "turtlesim/srv/Spawn")
-    quick = {"tfloom.cli.calls.HINT_S": 1.0}
+    quick = {"tfloom.cli.shared.calls.HINT_S": 1.0}
     call = start_program("python", *transcript.python_words(*words, constants=quick))
     call.wait_for("did you mean /spawn?")
     assert call.lines[:2] == ["waiting for service to become available...", "no server of /spwn yet"]

@@ -16,8 +16,8 @@ from tfloom.node.node import Node
 @pytest.fixture(autouse=True)
 def local_wire(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
-    monkeypatch.setattr("tfloom.cli.graph.MIN_WAIT_S", 0.0)
-    monkeypatch.setattr("tfloom.cli.graph.QUIET_S", 0.0)
+    monkeypatch.setattr("tfloom.cli.shared.graph.MIN_WAIT_S", 0.0)
+    monkeypatch.setattr("tfloom.cli.shared.graph.QUIET_S", 0.0)
 
 
 @pytest.fixture

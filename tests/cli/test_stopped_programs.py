@@ -14,7 +14,7 @@ import transcript
 from tests.conftest import Program
 from tests.zenoh_ports import NEEDS_ZENOH, use_port_of
 
-from tfloom.cli.graph import MISSING
+from tfloom.cli.shared.graph import MISSING
 
 SILENT = Path(__file__).parent / "a_silent_node.py"
 

@@ -15,7 +15,7 @@ import yaml
 from tests.conftest import Program
 
 from tfloom.cli import main as cli
-from tfloom.cli.graph import joined_participant
+from tfloom.cli.shared.graph import joined_participant
 from tfloom.interfaces.std_msgs.msg import Int32
 from tfloom.interfaces.turtlesim.msg import Pose
 from tfloom.rmw.base import NodeName, Sample

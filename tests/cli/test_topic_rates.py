@@ -18,7 +18,7 @@ from tfloom.interfaces.std_msgs.msg import Header
 from tfloom.interfaces.turtlesim.msg import Pose
 from tfloom.rosidl.message import Message
 
-QUICK = {"tfloom.cli.topic.rates.REPORT_S": 0.4, "tfloom.cli.sim_time.PATIENCE_S": 0.4}
+QUICK = {"tfloom.cli.topic.rates.REPORT_S": 0.4, "tfloom.cli.shared.sim_time.PATIENCE_S": 0.4}
 
 
 def test_report_period_has_its_default() -> None:

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 import transcript
 
-from tfloom.cli.type_names import did_you_mean_type, nearest_types
+from tfloom.cli.shared.type_names import did_you_mean_type, nearest_types
 from tfloom.workspace.interfaces import known_interfaces
 
 

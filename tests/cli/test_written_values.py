@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from tfloom.cli.interfaces import fill_message, parse_yaml
+from tfloom.cli.shared.interfaces import fill_message, parse_yaml
 from tfloom.common.yaml import load
 from tfloom.interfaces.diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
 from tfloom.interfaces.rcl_interfaces.msg import ParameterValue

@@ -97,7 +97,7 @@ VERB = f"""
 import sys
 from types import ModuleType
 from tfloom.cli import main as cli
-from tfloom.cli.errors import CommandError
+from tfloom.cli.shared.errors import CommandError
 import tfloom.cli.topic.list as verb
 def main(args):
     print({HOSTILE!r})
@@ -146,7 +146,7 @@ def test_doctors_colours_are_obeyed() -> None:
 
 
 def test_a_list_on_a_terminal_has_a_line_for_each_name() -> None:
-    program = "from tfloom.cli.listing import print_names\nprint_names(['/a\\n/b\\tc', '/d'])"
+    program = "from tfloom.cli.shared.listing import print_names\nprint_names(['/a\\n/b\\tc', '/d'])"
     assert on_a_terminal(program) == "/a\\x0a/b\\x09c\n/d\n"
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
     assert done.stdout == "/a\n/b\tc\n/d\n"
@@ -155,10 +155,10 @@ def test_a_list_on_a_terminal_has_a_line_for_each_name() -> None:
 def test_echo_on_a_terminal_obeys_nothing() -> None:
     program = f"""
 import sys
-from tfloom.cli import message_text
+from tfloom.cli.shared import message_text
 from tfloom.cli.main import main
 import tfloom.cli.topic.echo as verb
-from tfloom.cli.selection import field_picker
+from tfloom.cli.shared.selection import field_picker
 from tfloom.interfaces.std_msgs.msg import String
 def echo(args):
     print(message_text.message_text(args)(field_picker(args.field)(String(data={HOSTILE!r}))))

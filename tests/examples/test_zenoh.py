@@ -14,8 +14,8 @@ import pytest
 from tests.conftest import Program, wait_until
 from tests.zenoh_ports import hold_zenoh_port
 
-from tfloom.cli.finding import Verdict
-from tfloom.cli.zenoh_health import check_router
+from tfloom.cli.doctor.finding import Verdict
+from tfloom.cli.doctor.zenoh import check_router
 from tfloom.rmw.errors import WireError
 from tfloom.rmw.zenoh import config as zenoh_config
 from tfloom.rmw.zenoh.config import SESSION_VARIABLE, session_configuration

@@ -36,7 +36,7 @@ from tfloom.bag.recording.record_options import RecordOptions
 from tfloom.bag.recording.recorder import Recorder
 from tfloom.bag.topic_choice import TopicChoice
 from tfloom.bag.writing.bag_writer import BagWriter, WriterSettings
-from tfloom.cli import child
+from tfloom.cli.shared import child
 from tfloom.demos import processes
 from tfloom.interfaces.std_msgs.msg import Int32
 from tfloom.launch.background_writing import BackgroundWriting
@@ -68,7 +68,7 @@ PLACES = {
     "bag/playing/player.py": ["player"],
     "bag/playing/read_ahead.py": ["read_ahead"],
     "bag/recording/recorder.py": ["recorder"],
-    "cli/child.py": ["child"],
+    "cli/shared/child.py": ["child"],
     "demos/child.py": [TOLD],
     "demos/demo_nodes_py/use_logger_service.py": [TOLD],
     "demos/processes.py": ["demo_process"],

@@ -14,8 +14,8 @@ from typing import Any
 from tfloom._native import StateTransforms
 from tfloom.bag import BagError, frames, open_bag
 from tfloom.bag.message_classes import class_of
-from tfloom.cli.errors import CommandError
-from tfloom.cli.interfaces import fill_message, parse_yaml
+from tfloom.cli.shared.errors import CommandError
+from tfloom.cli.shared.interfaces import fill_message, parse_yaml
 from tfloom.interfaces.diagnostic_msgs.msg import DiagnosticArray
 from tfloom.interfaces.nav_msgs.msg import OccupancyGrid
 from tfloom.interfaces.sensor_msgs.msg import JointState

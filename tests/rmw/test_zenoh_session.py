@@ -20,10 +20,10 @@ from tests.conftest import Program, run_to_end, wait_until
 from tests.rmw.conftest import ask, outputs_by_end, tell
 from tests.zenoh_ports import hold_zenoh_port
 
-from tfloom.cli import health
-from tfloom.cli.finding import Verdict
-from tfloom.cli.health import check_round_trip
-from tfloom.cli.zenoh_health import check_router
+from tfloom.cli.doctor import checks as health
+from tfloom.cli.doctor.checks import check_round_trip
+from tfloom.cli.doctor.finding import Verdict
+from tfloom.cli.doctor.zenoh import check_router
 from tfloom.rmw.errors import ClosedError, ConfigurationError, WireError
 from tfloom.rmw.zenoh import meeting_point as zenoh_meeting_point
 from tfloom.rmw.zenoh import router as zenoh_router

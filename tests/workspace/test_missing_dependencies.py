@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from tests.workspace.conftest import write_files, write_manifest
 
-from tfloom.cli.health import Verdict, check_workspace
+from tfloom.cli.doctor.checks import Verdict, check_workspace
 from tfloom.workspace import index
 from tfloom.workspace.missing_dependencies import (
     find_missing,

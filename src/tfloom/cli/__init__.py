@@ -5,6 +5,8 @@
 - api/: what programs import from the packages of the other commands, as ros2topic.api
 - nodes/: a node for a block, for these and for extensions
 - plugins/: commands and verbs of installed packages
+- shared/: what verbs share;  doctor/: the checks of `tfloom doctor`
+- parser, completion, tab_key: arguments, and their completion
 - verb_classes/: the verbs as classes for programs, as ros2topic.verb.echo.EchoVerb
 
 Each verb is a file, imported when it is called; those of a group, as `topic`, are in its folder.

@@ -5,9 +5,9 @@ from __future__ import annotations
 import argparse
 from collections.abc import Callable, Iterable
 
-from tfloom.cli.errors import CommandError
-from tfloom.cli.names import full_name
 from tfloom.cli.parser import VerbParser
+from tfloom.cli.shared.errors import CommandError
+from tfloom.cli.shared.names import full_name
 from tfloom.workspace import index
 from tfloom.workspace.interfaces import interface_packages, known_interfaces
 
@@ -42,7 +42,7 @@ def find_offer(verb: list[str], argument: str) -> Callable[[argparse.Namespace],
 
 
 def _topics(_: argparse.Namespace) -> list[str]:
-    from tfloom.cli import graph
+    from tfloom.cli.shared import graph
 
     with graph.settled_graph(MAX_WAIT_S) as found:
         names = graph.known_topics(found.endpoints())
@@ -52,7 +52,7 @@ def _topics(_: argparse.Namespace) -> list[str]:
 
 def _types_of_topic(args: argparse.Namespace) -> list[str]:
     """Return the type of the topic; all messages if there is no such topic."""
-    from tfloom.cli import graph
+    from tfloom.cli.shared import graph
 
     with graph.settled_graph(MAX_WAIT_S) as found:
         types = graph.known_topics(found.endpoints())
@@ -60,14 +60,14 @@ def _types_of_topic(args: argparse.Namespace) -> list[str]:
 
 
 def _nodes(_: argparse.Namespace) -> list[str]:
-    from tfloom.cli import graph
+    from tfloom.cli.shared import graph
 
     with graph.settled_graph(MAX_WAIT_S) as found:
         return [node.full for node in found.nodes() if not graph.is_hidden(node.full)]
 
 
 def _services(_: argparse.Namespace) -> list[str]:
-    from tfloom.cli import graph
+    from tfloom.cli.shared import graph
 
     with graph.settled_graph(MAX_WAIT_S) as found:
         names = sorted({end.name for end in found.service_ends() if end.is_server})
@@ -76,7 +76,7 @@ def _services(_: argparse.Namespace) -> list[str]:
 
 def _type_of_service(args: argparse.Namespace) -> list[str]:
     """Return the type of the service; all services if there is no such service."""
-    from tfloom.cli import graph
+    from tfloom.cli.shared import graph
 
     with graph.settled_graph(MAX_WAIT_S) as found:
         ends = found.service_ends()
@@ -99,8 +99,8 @@ def _type_of_action(args: argparse.Namespace) -> list[str]:
 
 def _prototype(args: argparse.Namespace) -> list[str]:
     """Return a message, a request or a goal of the typed type with its defaults; nothing for an unknown type."""
-    from tfloom.cli.interfaces import action_class, message_class, service_class
-    from tfloom.cli.prototype import prototype
+    from tfloom.cli.shared.interfaces import action_class, message_class, service_class
+    from tfloom.cli.shared.prototype import prototype
 
     try:
         if "message_type" in args:
@@ -121,16 +121,16 @@ def _parameters(args: argparse.Namespace) -> list[str]:
 
 
 def _lifecycle_nodes(_: argparse.Namespace) -> list[str]:
-    from tfloom.cli import graph
     from tfloom.cli.lifecycle.common import lifecycle_nodes
+    from tfloom.cli.shared import graph
 
     with graph.settled_graph(MAX_WAIT_S) as found:
         return lifecycle_nodes(found, hidden=False)
 
 
 def _containers(_: argparse.Namespace) -> list[str]:
-    from tfloom.cli import graph
     from tfloom.cli.component.common import container_names
+    from tfloom.cli.shared import graph
 
     with graph.settled_graph(MAX_WAIT_S) as found:
         return container_names(found)

@@ -9,7 +9,7 @@ import argparse
 import os
 import sys
 
-from tfloom.cli.numbers import seconds
+from tfloom.cli.shared.numbers import seconds
 
 INTRODUCTION = """\
 One turtle draws a figure, with a laser mounted on it; another follows it by their transforms on tf.
@@ -54,7 +54,7 @@ def main(args: argparse.Namespace) -> int:
     """Run the demonstration; return the exit code."""
     import signal
 
-    from tfloom.cli.errors import CommandError
+    from tfloom.cli.shared.errors import CommandError
     from tfloom.demos.program_group import ShowError
     from tfloom.viewer.extra import MISSING, is_installed
 

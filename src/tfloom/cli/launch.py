@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Any
 
 from tfloom.cli import launch_api
-from tfloom.cli.errors import CommandError
-from tfloom.cli.names import did_you_mean, way_to_package
+from tfloom.cli.shared.errors import CommandError
+from tfloom.cli.shared.names import did_you_mean, way_to_package
 from tfloom.ros_imports.environment import set_ros_environment
 from tfloom.workspace import index
 

@@ -14,9 +14,9 @@ from contextlib import suppress
 from types import FrameType
 from typing import Any
 
-from tfloom.cli.errors import CommandError, refuse_bytes
 from tfloom.cli.parser import Group, VerbParser, build_parser
 from tfloom.cli.quiet_imports import INTERRUPTED
+from tfloom.cli.shared.errors import CommandError, refuse_bytes
 
 COMMANDS: dict[str, str | Group] = {
     "action": Group(

@@ -178,6 +178,9 @@ class VerbParser(argparse.ArgumentParser):
 VERB_ALIASES = {"doctor": ("wtf",)}
 """Other words for first words that have no verbs."""
 
+_FOLDERS = frozenset({"doctor"})
+"""Commands without verbs whose files are in a folder."""
+
 
 def build_parser(
     prog: str, commands: Mapping[str, str | Group], add_extensions: AddExtensions | None = None
@@ -207,12 +210,17 @@ def build_parser(
     for word, command in commands.items():
         if isinstance(command, str):
             summary = command
-            options: dict[str, Any] = {"aliases": VERB_ALIASES.get(word, ()), "module": f"tfloom.cli.{word}"}
+            options: dict[str, Any] = {"aliases": VERB_ALIASES.get(word, ()), "module": command_module(word)}
         else:
             summary = command.summary
             options = {"aliases": command.aliases, "group": command, "add_extensions": add_extensions}
         words.add_parser(word, help=summary, description=summary, prog=f"{prog} {word}", **options)
     return top
+
+
+def command_module(word: str) -> str:
+    """Return the module of a command without verbs: `cli/WORD.py`, or `command.py` in a folder of that name."""
+    return f"tfloom.cli.{word}.command" if word in _FOLDERS else f"tfloom.cli.{word}"
 
 
 def _fill_group(parser: VerbParser, group: Group) -> None:

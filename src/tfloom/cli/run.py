@@ -9,8 +9,8 @@ import sys
 from importlib import import_module
 from pathlib import Path
 
-from tfloom.cli.errors import CommandError, refuse_bytes
-from tfloom.cli.names import did_you_mean, way_to_package
+from tfloom.cli.shared.errors import CommandError, refuse_bytes
+from tfloom.cli.shared.names import did_you_mean, way_to_package
 from tfloom.common.terminal import report
 from tfloom.ros_imports.environment import set_ros_environment
 from tfloom.workspace import index
@@ -70,7 +70,7 @@ def main(args: argparse.Namespace) -> int:
     else:
         import shlex
 
-        from tfloom.cli.child import run_child
+        from tfloom.cli.shared.child import run_child
 
         if isinstance(command, str):
             command = [sys.executable, "-m", "tfloom.cli", "run", args.package_name, args.executable_name]

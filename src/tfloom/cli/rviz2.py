@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 from tfloom.cli import view
-from tfloom.cli.errors import CommandError
+from tfloom.cli.shared.errors import CommandError
 from tfloom.common.terminal import report
 from tfloom.node.context.arguments import parse_arguments
 from tfloom.tf2_tools.watch.model import STATIC_TOPIC, TF_TOPIC

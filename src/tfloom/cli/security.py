@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli.errors import CommandError
+from tfloom.cli.shared.errors import CommandError
 
 __all__ = ["add_arguments", "main"]
 

@@ -12,9 +12,9 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from tfloom.cli.errors import CommandError
-from tfloom.cli.names import full_topic_name
-from tfloom.cli.numbers import seconds
+from tfloom.cli.shared.errors import CommandError
+from tfloom.cli.shared.names import full_topic_name
+from tfloom.cli.shared.numbers import seconds
 from tfloom.common.terminal import report, shown_part
 from tfloom.tf2_tools.watch.model import STATIC_TOPIC, TF_TOPIC
 from tfloom.viewer.extra import MISSING, is_installed
@@ -198,7 +198,7 @@ def read_config(path: Path) -> Layout:
 def _open_viewer(args: argparse.Namespace) -> Iterator[Viewer]:
     topics = full_topic_name(args.tf_topic), full_topic_name(args.tf_static_topic)
     if args.bag is None:
-        from tfloom.cli.graph import joined_participant, wait_until_quiet
+        from tfloom.cli.shared.graph import joined_participant, wait_until_quiet
         from tfloom.viewer.live import live_viewer
 
         with (

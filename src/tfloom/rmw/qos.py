@@ -1,7 +1,7 @@
 """The table of policies and named profiles, and the quality of service that a wire takes.
 
 `tfloom.node.qos.qos` also has rclpy's `QoSProfile`, because that one is mutable, checks assigned values and holds
-`Duration` objects; `tfloom.cli.qos` makes the flags of the command line from this table, without loading a node.
+`Duration` objects; `tfloom.cli.shared.qos` makes the flags of the command line from this table, without loading a node.
 """
 
 from __future__ import annotations

@@ -8,7 +8,7 @@
 - tree_pictures/: of view_frames: records, the tree with the health of its edges, graph, table, web page
 - drawing/: shapes, fonts, layout of trees, as PDF, SVG and PNG
 - explanation/: of a lookup: chain, time-line, advice
-- doctor/: checks, and the catalogue of what they find
+- diagnosis/: checks, and the catalogue of what they find
 - top/: the tree in a terminal
 - plot/: motion, axis, chart
 """

@@ -14,8 +14,8 @@ from tfloom.common.terminal import report
 from tfloom.tf2.buffer import LATEST
 from tfloom.tf2.errors import TransformException
 from tfloom.tf2.transform import Transform
-from tfloom.tf2_tools.doctor.diagnosis import diagnose
-from tfloom.tf2_tools.doctor.subject import Subject
+from tfloom.tf2_tools.diagnosis.diagnosis import diagnose
+from tfloom.tf2_tools.diagnosis.subject import Subject
 from tfloom.tf2_tools.text.transform import matrix_from_quaternion, rpy_from_matrix, transform_text
 from tfloom.tf2_tools.top.rows import Health, Rates, Row, rows_of
 from tfloom.tf2_tools.watch.model import stored_name
@@ -43,7 +43,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from tfloom.tf2.buffer import Buffer
-    from tfloom.tf2_tools.doctor.finding import Finding
+    from tfloom.tf2_tools.diagnosis.finding import Finding
     from tfloom.tf2_tools.watch.sources import Source
     from tfloom.viewer.scene import Scene
     from tfloom.viewer.topic_log import Entry

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 
 from tfloom.cli.action.common import ends_of_action
-from tfloom.cli.listing import print_json
+from tfloom.cli.shared.listing import print_json
 from tfloom.common.terminal import report
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import argparse
 
 from tfloom.cli.action.common import settled_ends
-from tfloom.cli.graph import types_by_name
-from tfloom.cli.listing import print_types
+from tfloom.cli.shared.graph import types_by_name
+from tfloom.cli.shared.listing import print_types
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

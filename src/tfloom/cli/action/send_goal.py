@@ -7,12 +7,12 @@ import time
 from contextlib import ExitStack
 from typing import Any
 
-from tfloom.cli import graph
-from tfloom.cli.calls import Client, service_client
-from tfloom.cli.errors import standard_input
-from tfloom.cli.interfaces import action_class, fill_message, parse_yaml
-from tfloom.cli.listen import cli_node, decoded, shown_node
-from tfloom.cli.names import full_topic_name
+from tfloom.cli.shared import graph
+from tfloom.cli.shared.calls import Client, service_client
+from tfloom.cli.shared.errors import standard_input
+from tfloom.cli.shared.interfaces import action_class, fill_message, parse_yaml
+from tfloom.cli.shared.listen import cli_node, decoded, shown_node
+from tfloom.cli.shared.names import full_topic_name
 from tfloom.rmw.action_names import (
     CANCEL_GOAL,
     CANCEL_REFUSALS,

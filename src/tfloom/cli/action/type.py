@@ -5,8 +5,8 @@ from __future__ import annotations
 import argparse
 
 from tfloom.cli.action.common import ends_of_action
-from tfloom.cli.errors import CommandError
-from tfloom.cli.listing import print_names
+from tfloom.cli.shared.errors import CommandError
+from tfloom.cli.shared.listing import print_names
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

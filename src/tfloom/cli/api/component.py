@@ -9,9 +9,9 @@ from tfloom.cli.api.answers import TIMEOUT_S, Call, call_services
 from tfloom.cli.api.node import NodeName, get_node_names
 from tfloom.cli.component.common import LIST, LOAD, SERVICES, UNLOAD, is_container
 from tfloom.cli.component.load import add_component_arguments, log_level_number, parameters_of
-from tfloom.cli.errors import CommandError
-from tfloom.cli.names import full_name
 from tfloom.cli.nodes.strategy import GraphNode, NodeStrategy
+from tfloom.cli.shared.errors import CommandError
+from tfloom.cli.shared.names import full_name
 from tfloom.interfaces.composition_interfaces.srv import ListNodes, LoadNode, UnloadNode
 from tfloom.workspace.ament import get_resource, get_resources
 

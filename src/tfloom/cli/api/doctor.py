@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection
 
-from tfloom.cli.finding import Finding, Verdict
+from tfloom.cli.doctor.finding import Finding, Verdict
 
 __all__ = ["DoctorCheck", "DoctorReport", "Report", "Result", "generate_reports", "run_checks"]
 
@@ -111,7 +111,7 @@ def generate_reports(
 
 
 def _findings(exclude_packages: bool, categories: Collection[str] | None = None) -> dict[str, Finding]:
-    from tfloom.cli.health import checks
+    from tfloom.cli.doctor.checks import checks
 
     chosen: dict[str, Callable[[], Finding]] = checks(exclude_packages=exclude_packages)
     return {name: check() for name, check in chosen.items() if categories is None or name in categories}

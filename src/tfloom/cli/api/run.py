@@ -8,8 +8,8 @@ from typing import Any
 
 from tfloom.cli.api.pkg import PackageNotFound, get_executable_paths
 from tfloom.cli.api.values import argument_key
-from tfloom.cli.child import run_child
 from tfloom.cli.run import how_it_ended, package_programs
+from tfloom.cli.shared.child import run_child
 from tfloom.common.terminal import report
 from tfloom.workspace import index
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from tfloom.cli.api.values import argument_key
-from tfloom.cli.names import full_name
 from tfloom.cli.nodes.strategy import GraphNode, NodeStrategy
+from tfloom.cli.shared.names import full_name
 from tfloom.node.values.names import topic_or_service_is_hidden
 from tfloom.rosidl.runtime import get_service
 from tfloom.rosidl.yaml_text import message_to_yaml

@@ -8,8 +8,8 @@ import time
 from typing import Any
 
 from tfloom.cli.api.values import argument_key, positive_float, positive_int
-from tfloom.cli.names import full_name
 from tfloom.cli.nodes.strategy import GraphNode, NodeStrategy
+from tfloom.cli.shared.names import full_name
 from tfloom.node.qos.qos import (
     QoSDurabilityPolicy,
     QoSHistoryPolicy,

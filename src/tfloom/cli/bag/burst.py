@@ -5,8 +5,8 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from tfloom.cli import numbers
 from tfloom.cli.bag import common, play_arguments
+from tfloom.cli.shared import numbers
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from tfloom.cli.errors import CommandError
+from tfloom.cli.shared.errors import CommandError
 from tfloom.common.terminal import report
 
 if TYPE_CHECKING:
@@ -110,7 +110,7 @@ def running_context(log_level: str) -> Iterator[None]:
 
 def learn_type(participant: Participant, type_name: str) -> None:
     """Make the classes of a type from the descriptions of the nodes that use it, where there are any."""
-    from tfloom.cli.peer_types import learn
+    from tfloom.cli.shared.peer_types import learn
 
     kind = type_name.split("/")[1] if type_name.count("/") == 2 else "msg"
     learn(participant, type_name.removesuffix("_Event") if kind == "srv" else type_name, kind)

@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 
 from tfloom.cli.bag import common
-from tfloom.cli.errors import CommandError
+from tfloom.cli.shared.errors import CommandError
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

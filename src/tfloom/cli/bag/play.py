@@ -6,8 +6,8 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from tfloom.cli import numbers
 from tfloom.cli.bag import common, play_arguments
+from tfloom.cli.shared import numbers
 
 if TYPE_CHECKING:
     from tfloom.bag.playing.play_options import PlayOptions

@@ -5,8 +5,8 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING
 
-from tfloom.cli import numbers
 from tfloom.cli.bag import common
+from tfloom.cli.shared import numbers
 
 if TYPE_CHECKING:
     from tfloom.bag.playing.play_options import PlayOptions

@@ -7,11 +7,11 @@ from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from tfloom.cli import graph
-from tfloom.cli.calls import NodeServices
-from tfloom.cli.errors import CommandError
-from tfloom.cli.listen import cli_node, shown_node
-from tfloom.cli.names import find_full_name
+from tfloom.cli.shared import graph
+from tfloom.cli.shared.calls import NodeServices
+from tfloom.cli.shared.errors import CommandError
+from tfloom.cli.shared.listen import cli_node, shown_node
+from tfloom.cli.shared.names import find_full_name
 from tfloom.interfaces.composition_interfaces import srv
 from tfloom.rmw.base import Graph
 

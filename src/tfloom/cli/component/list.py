@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli import graph
-from tfloom.cli.calls import call_each
 from tfloom.cli.component.common import containers
-from tfloom.cli.listing import print_json
+from tfloom.cli.shared import graph
+from tfloom.cli.shared.calls import call_each
+from tfloom.cli.shared.listing import print_json
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -5,9 +5,9 @@ from __future__ import annotations
 import argparse
 from collections.abc import Sequence
 
-from tfloom.cli import graph
 from tfloom.cli.component.common import containers
-from tfloom.cli.errors import CommandError
+from tfloom.cli.shared import graph
+from tfloom.cli.shared.errors import CommandError
 from tfloom.interfaces.composition_interfaces.srv import LoadNode
 from tfloom.interfaces.rcl_interfaces.msg import Parameter
 

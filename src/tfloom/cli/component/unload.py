@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli import graph
 from tfloom.cli.component.common import containers
-from tfloom.cli.numbers import unsigned
+from tfloom.cli.shared import graph
+from tfloom.cli.shared.numbers import unsigned
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

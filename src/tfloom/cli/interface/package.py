@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli.errors import CommandError
 from tfloom.cli.interface.common import add_kind_flags, requested_kinds
-from tfloom.cli.listing import print_names
-from tfloom.cli.names import did_you_mean
+from tfloom.cli.shared.errors import CommandError
+from tfloom.cli.shared.listing import print_names
+from tfloom.cli.shared.names import did_you_mean
 from tfloom.rosidl.definition_files import interfaces_of
 from tfloom.workspace.interfaces import interface_packages
 

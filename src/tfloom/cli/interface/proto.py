@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli.interfaces import action_class, message_class, service_class
+from tfloom.cli.shared.interfaces import action_class, message_class, service_class
 from tfloom.rosidl.message import Message
 from tfloom.rosidl.yaml_text import message_to_yaml
 

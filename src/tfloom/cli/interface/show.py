@@ -6,7 +6,7 @@ import argparse
 from collections.abc import Iterable
 from itertools import chain
 
-from tfloom.cli.errors import CommandError, standard_input
+from tfloom.cli.shared.errors import CommandError, standard_input
 from tfloom.workspace.interfaces import expanded_definition
 
 

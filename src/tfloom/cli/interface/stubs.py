@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from tfloom.cli.errors import CommandError
+from tfloom.cli.shared.errors import CommandError
 from tfloom.common.terminal import report
 from tfloom.workspace.interface_stubs import write_stubs
 

@@ -7,10 +7,10 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from tfloom.cli import graph
-from tfloom.cli.calls import NodeServices
-from tfloom.cli.listen import cli_node, shown_node
-from tfloom.cli.names import find_full_name
+from tfloom.cli.shared import graph
+from tfloom.cli.shared.calls import NodeServices
+from tfloom.cli.shared.listen import cli_node, shown_node
+from tfloom.cli.shared.names import find_full_name
 from tfloom.interfaces.lifecycle_msgs import srv
 from tfloom.rmw.base import Graph
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli.calls import call_each
 from tfloom.cli.lifecycle.common import add_arguments as add_common_arguments
 from tfloom.cli.lifecycle.common import lifecycles
-from tfloom.cli.listing import print_json
+from tfloom.cli.shared.calls import call_each
+from tfloom.cli.shared.listing import print_json
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

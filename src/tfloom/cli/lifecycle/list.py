@@ -6,7 +6,7 @@ import argparse
 
 from tfloom.cli.lifecycle.common import add_arguments as add_common_arguments
 from tfloom.cli.lifecycle.common import lifecycles
-from tfloom.cli.listing import print_json
+from tfloom.cli.shared.listing import print_json
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

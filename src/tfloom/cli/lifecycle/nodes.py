@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli import graph
 from tfloom.cli.lifecycle.common import lifecycle_nodes
-from tfloom.cli.listing import print_names
+from tfloom.cli.shared import graph
+from tfloom.cli.shared.listing import print_names
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli.errors import CommandError
 from tfloom.cli.lifecycle.common import add_arguments as add_common_arguments
 from tfloom.cli.lifecycle.common import lifecycles
+from tfloom.cli.shared.errors import CommandError
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

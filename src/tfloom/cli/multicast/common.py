@@ -7,7 +7,7 @@ import ipaddress
 import os
 import socket
 
-from tfloom.cli.errors import CommandError
+from tfloom.cli.shared.errors import CommandError
 from tfloom.rmw.cyclone.config import DEFAULT_RANGE
 
 GROUP = "225.0.0.1"

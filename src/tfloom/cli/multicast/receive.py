@@ -7,10 +7,10 @@ import os
 import socket
 import sys
 
-from tfloom.cli.errors import CommandError
 from tfloom.cli.multicast.common import GROUP, MAX_DATAGRAM_SIZE, PORT, interface, udp_socket
 from tfloom.cli.multicast.common import add_arguments as add_common_arguments
-from tfloom.cli.numbers import seconds
+from tfloom.cli.shared.errors import CommandError
+from tfloom.cli.shared.numbers import seconds
 
 IP_MULTICAST_ALL = 49
 """Linux: 0 excludes the memberships of other sockets on other interfaces."""

@@ -5,10 +5,10 @@ from __future__ import annotations
 import argparse
 from collections.abc import Iterable
 
-from tfloom.cli import graph
-from tfloom.cli.errors import CommandError
-from tfloom.cli.listing import print_json
-from tfloom.cli.names import find_full_name
+from tfloom.cli.shared import graph
+from tfloom.cli.shared.errors import CommandError
+from tfloom.cli.shared.listing import print_json
+from tfloom.cli.shared.names import find_full_name
 from tfloom.common.terminal import report
 from tfloom.rmw.base import Graph, NodeName
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli import graph
-from tfloom.cli.listing import print_names
+from tfloom.cli.shared import graph
+from tfloom.cli.shared.listing import print_names
 from tfloom.common.terminal import report
 
 

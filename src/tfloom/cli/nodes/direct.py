@@ -7,9 +7,9 @@ import os
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
-from tfloom.cli.graph import MAX_WAIT_S, wait_until_quiet
 from tfloom.cli.nodes.names import NODE_NAME_PREFIX
-from tfloom.cli.numbers import seconds
+from tfloom.cli.shared.graph import MAX_WAIT_S, wait_until_quiet
+from tfloom.cli.shared.numbers import seconds
 from tfloom.node.action import graph as action_graph
 from tfloom.node.client_library import init
 from tfloom.node.context.utilities import ok, try_shutdown

@@ -7,12 +7,12 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any
 
-from tfloom.cli import graph
-from tfloom.cli.calls import NodeServices
-from tfloom.cli.errors import CommandError
-from tfloom.cli.listen import cli_node, shown_node
-from tfloom.cli.names import did_you_mean, find_full_name
-from tfloom.cli.numbers import seconds
+from tfloom.cli.shared import graph
+from tfloom.cli.shared.calls import NodeServices
+from tfloom.cli.shared.errors import CommandError
+from tfloom.cli.shared.listen import cli_node, shown_node
+from tfloom.cli.shared.names import did_you_mean, find_full_name
+from tfloom.cli.shared.numbers import seconds
 from tfloom.interfaces.rcl_interfaces import srv
 from tfloom.interfaces.rcl_interfaces.msg import Parameter, ParameterDescriptor, ParameterValue
 from tfloom.node.parameters.empty_lists import give_types, untyped_names

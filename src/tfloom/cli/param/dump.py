@@ -6,9 +6,9 @@ import argparse
 from collections.abc import Mapping
 from typing import Any
 
-from tfloom.cli.listing import print_json
 from tfloom.cli.param.common import add_arguments as add_common_arguments
 from tfloom.cli.param.common import nodes_with_parameters
+from tfloom.cli.shared.listing import print_json
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -6,11 +6,11 @@ import argparse
 import re
 from functools import partial
 
-from tfloom.cli.calls import call_each
-from tfloom.cli.errors import CommandError
-from tfloom.cli.listing import print_json
 from tfloom.cli.param.common import TYPES, ParameterServices, nodes_with_parameters
 from tfloom.cli.param.common import add_arguments as add_common_arguments
+from tfloom.cli.shared.calls import call_each
+from tfloom.cli.shared.errors import CommandError
+from tfloom.cli.shared.listing import print_json
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

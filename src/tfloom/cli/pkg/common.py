@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from tfloom.cli.errors import CommandError
-from tfloom.cli.names import way_to_package
+from tfloom.cli.shared.errors import CommandError
+from tfloom.cli.shared.names import way_to_package
 from tfloom.workspace import index
 
 

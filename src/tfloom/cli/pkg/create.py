@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from itertools import groupby
 from pathlib import Path
 
-from tfloom.cli.errors import CommandError
+from tfloom.cli.shared.errors import CommandError
 from tfloom.common.terminal import report
 from tfloom.workspace.create import BUILD_TYPES, Package, create_package
 from tfloom.workspace.licenses import LICENSES

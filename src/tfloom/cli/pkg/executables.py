@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli.listing import print_json
 from tfloom.cli.pkg.common import package_prefix
+from tfloom.cli.shared.listing import print_json
 from tfloom.workspace import index
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli.listing import print_names
+from tfloom.cli.shared.listing import print_names
 from tfloom.workspace import index
 
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli.errors import CommandError
 from tfloom.cli.pkg.common import package_prefix
+from tfloom.cli.shared.errors import CommandError
 from tfloom.workspace import index
 
 

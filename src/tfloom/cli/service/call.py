@@ -8,13 +8,13 @@ from collections.abc import Iterable
 from itertools import repeat
 from typing import Any
 
-from tfloom.cli import graph
-from tfloom.cli.calls import printer, service_client
-from tfloom.cli.errors import CommandError, standard_input
-from tfloom.cli.interfaces import fill_message, parse_yaml, service_class, yaml_documents
-from tfloom.cli.listen import cli_node, shown_node
-from tfloom.cli.names import full_topic_name
-from tfloom.cli.numbers import rate, seconds
+from tfloom.cli.shared import graph
+from tfloom.cli.shared.calls import printer, service_client
+from tfloom.cli.shared.errors import CommandError, standard_input
+from tfloom.cli.shared.interfaces import fill_message, parse_yaml, service_class, yaml_documents
+from tfloom.cli.shared.listen import cli_node, shown_node
+from tfloom.cli.shared.names import full_topic_name
+from tfloom.cli.shared.numbers import rate, seconds
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

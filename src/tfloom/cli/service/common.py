@@ -5,9 +5,9 @@ from __future__ import annotations
 import argparse
 from collections.abc import Iterable
 
-from tfloom.cli import graph
-from tfloom.cli.errors import CommandError
-from tfloom.cli.names import did_you_mean, full_topic_name
+from tfloom.cli.shared import graph
+from tfloom.cli.shared.errors import CommandError
+from tfloom.cli.shared.names import did_you_mean, full_topic_name
 from tfloom.rmw.base import ServiceEndInfo
 
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 import argparse
 import re
 
-from tfloom.cli import graph, message_text
-from tfloom.cli.errors import CommandError
-from tfloom.cli.interfaces import service_class
-from tfloom.cli.listen import decoded, publishers_of, samples, wait_for_publishers
-from tfloom.cli.names import full_topic_name
-from tfloom.cli.qos import suiting_qos
 from tfloom.cli.service.common import service_types
+from tfloom.cli.shared import graph, message_text
+from tfloom.cli.shared.errors import CommandError
+from tfloom.cli.shared.interfaces import service_class
+from tfloom.cli.shared.listen import decoded, publishers_of, samples, wait_for_publishers
+from tfloom.cli.shared.names import full_topic_name
+from tfloom.cli.shared.qos import suiting_qos
 from tfloom.common.terminal import report
 from tfloom.rmw.base import Graph
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli import graph
-from tfloom.cli.listing import print_types
 from tfloom.cli.service.common import add_hidden_flag, service_types
+from tfloom.cli.shared import graph
+from tfloom.cli.shared.listing import print_types
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -11,8 +11,8 @@ import math
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from tfloom.cli.errors import CommandError
-from tfloom.cli.numbers import tolerance
+from tfloom.cli.shared.errors import CommandError
+from tfloom.cli.shared.numbers import tolerance
 from tfloom.cli.tf import source
 
 if TYPE_CHECKING:
@@ -67,7 +67,7 @@ def main(args: argparse.Namespace) -> int:
         before, after, translation=args.translation, rotation_rad=math.radians(args.rotation)
     )
     if args.json:
-        from tfloom.cli.listing import print_json
+        from tfloom.cli.shared.listing import print_json
 
         print_json([_plain(difference) for difference in tree_differences])
     elif tree_differences:

@@ -14,19 +14,19 @@ from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from tfloom.cli.errors import CommandError
-from tfloom.cli.graph import MAX_WAIT_S
-from tfloom.cli.names import full_topic_name
-from tfloom.cli.numbers import seconds, tolerance
+from tfloom.cli.shared.errors import CommandError
+from tfloom.cli.shared.graph import MAX_WAIT_S
+from tfloom.cli.shared.names import full_topic_name
+from tfloom.cli.shared.numbers import seconds, tolerance
 from tfloom.common.terminal import report, unescaped
-from tfloom.tf2_tools.doctor.catalogue import KINDS, Severity
-from tfloom.tf2_tools.doctor.limits import Limits
+from tfloom.tf2_tools.diagnosis.catalogue import KINDS, Severity
+from tfloom.tf2_tools.diagnosis.limits import Limits
 from tfloom.tf2_tools.watch.model import STATIC_TOPIC, TF_TOPIC
 
 if TYPE_CHECKING:
-    from tfloom.tf2_tools.doctor.finding import Finding
-    from tfloom.tf2_tools.doctor.report import Report
-    from tfloom.tf2_tools.doctor.subject import Subject
+    from tfloom.tf2_tools.diagnosis.finding import Finding
+    from tfloom.tf2_tools.diagnosis.report import Report
+    from tfloom.tf2_tools.diagnosis.subject import Subject
 
 DURATION_S = 5.0
 MIN_WIDTH = 50
@@ -114,8 +114,8 @@ def main(args: argparse.Namespace) -> int:
         args.verb_parser.error("give one path, or --bag, not both")
     path = args.path if args.path is not None else args.bag
     from tfloom.rmw.errors import WireError
-    from tfloom.tf2_tools.doctor.diagnosis import diagnose
-    from tfloom.tf2_tools.doctor.report import Report
+    from tfloom.tf2_tools.diagnosis.diagnosis import diagnose
+    from tfloom.tf2_tools.diagnosis.report import Report
 
     try:
         subject = _listened(args) if path is None else _read(path, args)
@@ -125,7 +125,7 @@ def main(args: argparse.Namespace) -> int:
     origin = "the graph" if path is None else str(path)
     report = Report(subject, diagnose(subject, limits, args.ignore), origin, args.strict)
     if args.json:
-        from tfloom.cli.listing import print_json
+        from tfloom.cli.shared.listing import print_json
 
         print_json(report.as_dict())
     else:
@@ -134,8 +134,8 @@ def main(args: argparse.Namespace) -> int:
 
 
 def _listened(args: argparse.Namespace) -> Subject:
-    from tfloom.cli.graph import settled_participant
-    from tfloom.tf2_tools.doctor.live import listen
+    from tfloom.cli.shared.graph import settled_participant
+    from tfloom.tf2_tools.diagnosis.live import listen
 
     with settled_participant(args.spin_time) as participant:
         if sys.stderr.isatty():
@@ -145,7 +145,7 @@ def _listened(args: argparse.Namespace) -> Subject:
 
 def _read(path: Path, args: argparse.Namespace) -> Subject:
     from tfloom.bag.errors import BagError
-    from tfloom.tf2_tools.doctor.recorded import read
+    from tfloom.tf2_tools.diagnosis.recorded import read
     from tfloom.tf2_tools.static_transforms.file import StaticFileError
 
     try:
@@ -161,7 +161,7 @@ def _topics(args: argparse.Namespace) -> tuple[str, str]:
 
 
 def _print_codes(code: str | None) -> int:
-    from tfloom.tf2_tools.doctor.report import explanation
+    from tfloom.tf2_tools.diagnosis.report import explanation
 
     if code is not None:
         print(explanation(KINDS[code]))
@@ -172,7 +172,7 @@ def _print_codes(code: str | None) -> int:
 
 
 def _print_text(report: Report) -> None:
-    from tfloom.tf2_tools.doctor.report import MAX_WIDTH
+    from tfloom.tf2_tools.diagnosis.report import MAX_WIDTH
 
     columns = shutil.get_terminal_size().columns if sys.stdout.isatty() else MAX_WIDTH
     print(report.head())
@@ -186,7 +186,7 @@ def _print_text(report: Report) -> None:
 
 
 def _print_finding(finding: Finding, columns: int) -> None:
-    from tfloom.tf2_tools.doctor.report import body
+    from tfloom.tf2_tools.diagnosis.report import body
 
     lines = body(finding, columns)
     print()

@@ -12,8 +12,8 @@ from collections.abc import Callable
 from decimal import Decimal
 from typing import TYPE_CHECKING
 
-from tfloom.cli.errors import CommandError
-from tfloom.cli.numbers import seconds
+from tfloom.cli.shared.errors import CommandError
+from tfloom.cli.shared.numbers import seconds
 from tfloom.cli.tf import source
 
 if TYPE_CHECKING:
@@ -89,7 +89,7 @@ def main(args: argparse.Namespace) -> int:
             cache_time_ns=cache_time_ns,
         )
     if args.json:
-        from tfloom.cli.listing import print_json
+        from tfloom.cli.shared.listing import print_json
 
         print_json(plain_values(lookup))
     else:

@@ -8,8 +8,8 @@ import time
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from tfloom.cli.errors import CommandError
-from tfloom.cli.numbers import seconds
+from tfloom.cli.shared.errors import CommandError
+from tfloom.cli.shared.numbers import seconds
 from tfloom.cli.tf import source
 from tfloom.common.terminal import report
 from tfloom.tf2_tools.text.counts import counted

@@ -6,11 +6,11 @@ import argparse
 import re
 from pathlib import Path
 
-from tfloom.cli import graph
-from tfloom.cli.ctrl_c import wait_for_ctrl_c
-from tfloom.cli.errors import CommandError
-from tfloom.cli.listen import shown_node
-from tfloom.cli.names import full_topic_name, named_node
+from tfloom.cli.shared import graph
+from tfloom.cli.shared.ctrl_c import wait_for_ctrl_c
+from tfloom.cli.shared.errors import CommandError
+from tfloom.cli.shared.listen import shown_node
+from tfloom.cli.shared.names import full_topic_name, named_node
 from tfloom.tf2_tools.text.counts import counted
 from tfloom.tf2_tools.watch.model import STATIC_TOPIC
 
@@ -31,7 +31,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Publish all in one message, which late subscribers receive, too, until Ctrl-C."""
-    from tfloom.cli.sim_time import clock, wait_until_known
+    from tfloom.cli.shared.sim_time import clock, wait_until_known
     from tfloom.interfaces.tf2_msgs.msg import TFMessage
     from tfloom.rmw.qos import DurabilityPolicy, QoS
     from tfloom.rmw.shared.typed_names import topic_of

@@ -6,7 +6,7 @@ import argparse
 import sys
 from typing import TextIO
 
-from tfloom.cli.errors import CommandError
+from tfloom.cli.shared.errors import CommandError
 from tfloom.cli.tf import source
 from tfloom.common.terminal import report
 from tfloom.tf2_tools.text.counts import counted

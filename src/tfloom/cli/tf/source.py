@@ -8,11 +8,11 @@ from collections.abc import Callable, Iterator
 from contextlib import closing, contextmanager
 from pathlib import Path
 
-from tfloom.cli import graph
-from tfloom.cli.errors import CommandError
-from tfloom.cli.listen import cli_node, shown_node
-from tfloom.cli.names import full_topic_name
-from tfloom.cli.numbers import seconds
+from tfloom.cli.shared import graph
+from tfloom.cli.shared.errors import CommandError
+from tfloom.cli.shared.listen import cli_node, shown_node
+from tfloom.cli.shared.names import full_topic_name
+from tfloom.cli.shared.numbers import seconds
 from tfloom.rmw.backends import domain_id_from_environment
 from tfloom.tf2.buffer import Buffer
 from tfloom.tf2_tools.static_transforms.file import StaticFileError
@@ -97,7 +97,7 @@ def opened(name: str, args: argparse.Namespace, *, buffer: Buffer | None = None)
     if not is_live(name):
         yield _read(Path(name), topics, buffer)
         return
-    from tfloom.cli.sim_time import wait_until_known
+    from tfloom.cli.shared.sim_time import wait_until_known
     from tfloom.tf2_tools.watch.live import LiveWatch
 
     with (

@@ -9,8 +9,8 @@ import time
 from contextlib import closing
 from typing import TYPE_CHECKING
 
-from tfloom.cli.errors import CommandError
-from tfloom.cli.numbers import rate
+from tfloom.cli.shared.errors import CommandError
+from tfloom.cli.shared.numbers import rate
 from tfloom.cli.tf import source
 from tfloom.tf2_tools.top.rows import SORTS, Health
 
@@ -90,7 +90,7 @@ def _observe(opened: Source, top: Top, args: argparse.Namespace) -> None:
 
 
 def _print_once(top: Top, view: View, args: argparse.Namespace) -> None:
-    from tfloom.cli.listing import print_json
+    from tfloom.cli.shared.listing import print_json
     from tfloom.tf2_tools.top.lines import table
 
     rows, summary = top.look()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli.names import full_topic_name
+from tfloom.cli.shared.names import full_topic_name
 from tfloom.cli.topic import rates
 from tfloom.rmw.base import Sample
 from tfloom.rosidl.message import Message

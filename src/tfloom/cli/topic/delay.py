@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli.errors import CommandError
-from tfloom.cli.listen import decoded
+from tfloom.cli.shared.errors import CommandError
+from tfloom.cli.shared.listen import decoded
 from tfloom.cli.topic import rates
 from tfloom.rmw.base import Sample
 from tfloom.rosidl.message import Message

@@ -7,13 +7,20 @@ import time
 from collections.abc import Callable
 from typing import Any
 
-from tfloom.cli import graph, message_text, qos
-from tfloom.cli.errors import CommandError
-from tfloom.cli.interfaces import message_class
-from tfloom.cli.listen import decoded, find_type, mismatch_reason, publishers_of, samples, wait_for_publishers
-from tfloom.cli.names import full_topic_name
-from tfloom.cli.numbers import seconds
-from tfloom.cli.selection import field_picker, message_filter
+from tfloom.cli.shared import graph, message_text, qos
+from tfloom.cli.shared.errors import CommandError
+from tfloom.cli.shared.interfaces import message_class
+from tfloom.cli.shared.listen import (
+    decoded,
+    find_type,
+    mismatch_reason,
+    publishers_of,
+    samples,
+    wait_for_publishers,
+)
+from tfloom.cli.shared.names import full_topic_name
+from tfloom.cli.shared.numbers import seconds
+from tfloom.cli.shared.selection import field_picker, message_filter
 from tfloom.common.terminal import report
 from tfloom.rmw.base import Participant, Sample
 from tfloom.rmw.events import Count

@@ -5,8 +5,8 @@ from __future__ import annotations
 import argparse
 from itertools import pairwise
 
-from tfloom.cli.listen import decoded
-from tfloom.cli.selection import message_filter
+from tfloom.cli.shared.listen import decoded
+from tfloom.cli.shared.selection import message_filter
 from tfloom.cli.topic import rates
 from tfloom.common.terminal import report
 from tfloom.rmw.base import Sample

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli import graph
-from tfloom.cli.errors import CommandError
-from tfloom.cli.listing import print_json
-from tfloom.cli.names import did_you_mean, full_topic_name
+from tfloom.cli.shared import graph
+from tfloom.cli.shared.errors import CommandError
+from tfloom.cli.shared.listing import print_json
+from tfloom.cli.shared.names import did_you_mean, full_topic_name
 from tfloom.rmw.base import EndpointInfo
 from tfloom.rmw.shared.endpoint_text import UNKNOWN_NODE, endpoint_text, policy_texts
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import argparse
 from collections import Counter
 
-from tfloom.cli import graph
-from tfloom.cli.listing import print_json, print_types
+from tfloom.cli.shared import graph
+from tfloom.cli.shared.listing import print_json, print_types
 from tfloom.rmw.base import EndpointInfo
 
 

@@ -8,13 +8,13 @@ import time
 from collections.abc import Callable, Iterator
 from itertools import repeat
 
-from tfloom.cli import graph, qos
-from tfloom.cli.errors import CommandError, standard_input
-from tfloom.cli.interfaces import fill_message, message_class, parse_yaml, set_stamps, yaml_documents
-from tfloom.cli.listen import HINT_S, cli_node, mismatch_reason, shown_node, warn_of_mismatch
-from tfloom.cli.names import full_topic_name, named_node
-from tfloom.cli.numbers import count, rate, seconds
-from tfloom.cli.sim_time import NowNs, clock, wait_until_known
+from tfloom.cli.shared import graph, qos
+from tfloom.cli.shared.errors import CommandError, standard_input
+from tfloom.cli.shared.interfaces import fill_message, message_class, parse_yaml, set_stamps, yaml_documents
+from tfloom.cli.shared.listen import HINT_S, cli_node, mismatch_reason, shown_node, warn_of_mismatch
+from tfloom.cli.shared.names import full_topic_name, named_node
+from tfloom.cli.shared.numbers import count, rate, seconds
+from tfloom.cli.shared.sim_time import NowNs, clock, wait_until_known
 from tfloom.common.terminal import report
 from tfloom.rmw.base import Writer
 from tfloom.rmw.qos import QoS

@@ -7,13 +7,13 @@ import math
 from collections import deque
 from collections.abc import Callable, Sequence
 
-from tfloom.cli import graph
-from tfloom.cli.interfaces import message_class
-from tfloom.cli.listen import cli_node, find_type, samples_and_ticks, wait_for_publishers
-from tfloom.cli.names import full_topic_name
-from tfloom.cli.numbers import positive_count, seconds
-from tfloom.cli.qos import suiting_qos
-from tfloom.cli.sim_time import clock, wait_until_known
+from tfloom.cli.shared import graph
+from tfloom.cli.shared.interfaces import message_class
+from tfloom.cli.shared.listen import cli_node, find_type, samples_and_ticks, wait_for_publishers
+from tfloom.cli.shared.names import full_topic_name
+from tfloom.cli.shared.numbers import positive_count, seconds
+from tfloom.cli.shared.qos import suiting_qos
+from tfloom.cli.shared.sim_time import clock, wait_until_known
 from tfloom.rmw.base import Sample
 from tfloom.rosidl.message import Message
 

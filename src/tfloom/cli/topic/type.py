@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli import graph
-from tfloom.cli.errors import CommandError
-from tfloom.cli.listing import print_names
-from tfloom.cli.names import did_you_mean, full_topic_name
+from tfloom.cli.shared import graph
+from tfloom.cli.shared.errors import CommandError
+from tfloom.cli.shared.listing import print_names
+from tfloom.cli.shared.names import did_you_mean, full_topic_name
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -6,8 +6,8 @@ import argparse
 from importlib import import_module
 from typing import Any, ClassVar
 
-from tfloom.cli.errors import CommandError
 from tfloom.cli.plugins.extensions import VerbExtension
+from tfloom.cli.shared.errors import CommandError
 from tfloom.common.terminal import report
 
 __all__ = ["BuiltinVerb"]

@@ -7,8 +7,8 @@ import sys
 import time
 from typing import Any, NoReturn
 
-from tfloom.cli.ctrl_c import LOOK_S, wait_for_ctrl_c
-from tfloom.cli.errors import CommandError
+from tfloom.cli.shared.ctrl_c import LOOK_S, wait_for_ctrl_c
+from tfloom.cli.shared.errors import CommandError
 from tfloom.common.terminal import report
 
 NO_LINK_S = 3.0

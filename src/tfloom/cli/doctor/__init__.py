@@ -1,0 +1,6 @@
+"""Checks of the machine, the wire and the graph: `tfloom doctor`.
+
+- command: the verb;  finding: the finding of a check
+- checks: the checks of this machine and of the environment
+- peers, wires, zenoh, qualities: the checks of other participants, other wires, routers, and qualities of service
+"""

@@ -1,0 +1,94 @@
+"""The check of `doctor` on the other participants of the domain: vendor and version of their DDS, and what passes."""
+
+from __future__ import annotations
+
+from tfloom.cli.doctor.finding import Finding, Verdict
+from tfloom.cli.doctor.zenoh import check_sessions, is_zenoh_selected
+from tfloom.rmw.errors import WireError
+
+PEERS_TIMEOUT_S = 5.0
+"""The longest wait for the nodes of other participants [s]."""
+
+VENDORS = {
+    b"\x01\x01": "RTI Connext",
+    b"\x01\x02": "OpenSplice",
+    b"\x01\x03": "OpenDDS",
+    b"\x01\x0f": "Fast DDS",
+    b"\x01\x10": "Cyclone DDS",
+    b"\x01\x11": "GurumDDS",
+    b"\x01\x12": "RustDDS",
+}
+"""Vendors by the first bytes of their participants' gids (RTPS's vendor ids)."""
+
+
+def check_peers() -> Finding:
+    """Check what passes between this process and each participant on the domain: on DDS, by its vendor."""
+    from tfloom._native import dds_read_versions
+    from tfloom.cli.shared.graph import joined_participant, wait_until_quiet
+    from tfloom.rmw.cyclone.library import open_library
+    from tfloom.rmw.cyclone.services import start_translation
+
+    is_zenoh = is_zenoh_selected()
+    if not is_zenoh:
+        dds_read_versions()
+    try:
+        with joined_participant() as participant:
+            if participant.graph.participants()[0].gid.startswith(b"tfloom::"):
+                return Finding(Verdict.OK, "none: tfloom_local connects the nodes of one process")
+            wait_until_quiet(participant.graph, PEERS_TIMEOUT_S)
+            if is_zenoh:
+                return check_sessions(participant.graph)
+            peers = [peer for peer in participant.graph.participants() if not peer.is_own]
+        failure = start_translation(open_library().path)
+    except WireError as error:
+        return Finding(Verdict.FAILED, str(error))
+    if not peers:
+        return Finding(Verdict.OK, "no other participant on the domain")
+    counts: dict[str, int] = {}
+    details: dict[str, str] = {}
+    refused: list[str] = []
+    for gid, nodes, _ in peers:
+        product = product_of(gid)
+        counts[product] = counts.get(product, 0) + 1
+        names = ", ".join(node.full for node in nodes) or "no node"
+        passes, do_services = what_passes(gid, failure)
+        if not do_services:
+            refused.append(names)
+        details[f"participant {gid[:12].hex()}"] = f"{product} ({names}); services: {passes}"
+    summary = "other participants: " + ", ".join(f"{count} on {product}" for product, count in counts.items())
+    if not refused:
+        return Finding(Verdict.OK, f"{summary}; topics and services pass", details=details)
+    return Finding(
+        Verdict.WARNING,
+        f"{summary}; no services with {', '.join(refused)}",
+        "start these with RMW_IMPLEMENTATION=rmw_cyclonedds_cpp; a client there waits without an answer",
+        details,
+    )
+
+
+def product_of(gid: bytes) -> str:
+    """Return the vendor of a participant's DDS and the version that it announces."""
+    from tfloom._native import dds_version
+
+    vendor = VENDORS.get(gid[:2], f"vendor {gid[:2].hex()}")
+    return f"{vendor} {dds_version(gid) or 'of unknown version'}"
+
+
+def what_passes(gid: bytes, untranslated: str) -> tuple[str, bool]:
+    """Return the form of a participant's services in words, with what passes, and whether services do.
+
+    Args:
+        gid: The participant's.
+        untranslated: Why services of Fast DDS are not translated; empty if they are.
+    """
+    from tfloom.rmw.cyclone.graph import FAST_DDS
+    from tfloom.rmw.cyclone.services import CYCLONE_VENDOR
+
+    if gid.startswith(CYCLONE_VENDOR):
+        return "header in the message; all passes", True
+    if gid.startswith(FAST_DDS) and not untranslated:
+        return "inline QoS; all passes, services translated", True
+    form = (
+        f"inline QoS, not translated because {untranslated}" if gid.startswith(FAST_DDS) else "unknown form"
+    )
+    return f"{form}; topics pass, services, actions and parameters don't", False
