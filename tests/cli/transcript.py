@@ -19,8 +19,8 @@ from tests.conftest import python_with
 
 from tfloom.cli.graph import MISSING
 from tfloom.cli.main import main
-from tfloom.launch import logging as launch_logging
 from tfloom.launch.descriptions import executable
+from tfloom.launch.logs import logging as launch_logging
 
 GOLDEN = Path(__file__).parents[1] / "golden" / "cli"
 PROGRAM = Path(sys.executable).with_name("tfloom")

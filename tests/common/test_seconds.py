@@ -33,8 +33,8 @@ from tfloom.interfaces.std_srvs.srv import Trigger
 from tfloom.interfaces.tf2_msgs.action import LookupTransform
 from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.actions.timer_action import TimerAction
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.launch_description import LaunchDescription
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.entities.launch_description import LaunchDescription
 from tfloom.launch.launch_service import LaunchService
 from tfloom.launch.ros.actions.ros_timer import ROSTimer
 from tfloom.launch.testing.actions import GTest, PyTest, Test

@@ -38,10 +38,10 @@ def log_of_a_node(folder: Path) -> None:
 
 def log_of_a_launch(folder: Path) -> None:
     """Launch a process whose lines go to the screen, the launch's log and its own."""
-    from tfloom.launch import logging
     from tfloom.launch.actions.execute_process import ExecuteProcess
-    from tfloom.launch.launch_description import LaunchDescription
+    from tfloom.launch.entities.launch_description import LaunchDescription
     from tfloom.launch.launch_service import LaunchService
+    from tfloom.launch.logs import logging
 
     os.environ["ROS_LOG_DIR"] = str(folder / "log")
     process = ExecuteProcess(cmd=["echo", "on the screen"], output="full")

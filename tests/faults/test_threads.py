@@ -39,7 +39,7 @@ from tfloom.bag.writing.bag_writer import BagWriter, WriterSettings
 from tfloom.cli.shared import child
 from tfloom.demos import processes
 from tfloom.interfaces.std_msgs.msg import Int32
-from tfloom.launch.background_writing import BackgroundWriting
+from tfloom.launch.logs.background_writing import BackgroundWriting
 from tfloom.launch.ros.ros_adapters import ROSAdapter
 from tfloom.launch.testing.ros.message_pump import MessagePump
 from tfloom.node.context.context import Context
@@ -73,7 +73,7 @@ PLACES = {
     "demos/demo_nodes_py/use_logger_service.py": [TOLD],
     "demos/processes.py": ["demo_process"],
     "demos/threads.py": [TOLD],
-    "launch/background_writing.py": ["launch_output"],
+    "launch/logs/background_writing.py": ["launch_output"],
     "launch/ros/actions/lifecycle_node.py": ["raised in the event handler, which ends the launch"],
     "launch/ros/ros_adapters.py": ["ros_adapter"],
     "launch/testing/ros/message_pump.py": ["message_pump"],

@@ -46,7 +46,7 @@ def test_a_guard_forgets_a_group_that_has_ended_and_tells_the_guardian_all(
 
 KILLED_EARLY = """
 import os, signal
-from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.ros.temporary_files import folder_of
 print(folder_of(context := LaunchContext()), flush=True)
 os.kill(os.getpid(), signal.SIGKILL)

@@ -10,17 +10,17 @@ from collections.abc import Callable
 
 import pytest
 
-from tfloom.launch.action import Action
 from tfloom.launch.actions.event_actions import EmitEvent, RegisterEventHandler, UnregisterEventHandler
 from tfloom.launch.actions.opaque import OpaqueCoroutine, OpaqueFunction
 from tfloom.launch.actions.shutdown_action import Shutdown
 from tfloom.launch.actions.timer_action import TimerAction
-from tfloom.launch.condition import Condition
-from tfloom.launch.event import Event
-from tfloom.launch.event_handler import EventHandler
-from tfloom.launch.event_handlers import OnExecutionComplete, OnShutdown, event_named
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.launch_description import LaunchDescription
+from tfloom.launch.core.condition import Condition
+from tfloom.launch.core.event import Event
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.entities.action import Action
+from tfloom.launch.entities.event_handler import EventHandler
+from tfloom.launch.entities.launch_description import LaunchDescription
+from tfloom.launch.events.event_handlers import OnExecutionComplete, OnShutdown, event_named
 from tfloom.launch.launch_service import LaunchService
 
 Launch = Callable[..., tuple]

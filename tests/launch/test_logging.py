@@ -14,10 +14,10 @@ from pathlib import Path
 
 import pytest
 
-from tfloom.launch import logging as launch_logging
-from tfloom.launch import standard_handlers
-from tfloom.launch.log_handlers import BraceFormatter
-from tfloom.launch.logging import get_logger, get_output_loggers, launch_config
+from tfloom.launch.logs import library_handlers
+from tfloom.launch.logs import logging as launch_logging
+from tfloom.launch.logs.log_handlers import BraceFormatter
+from tfloom.launch.logs.logging import get_logger, get_output_loggers, launch_config
 
 
 def lines(capsys: pytest.CaptureFixture[str]) -> list[str]:
@@ -234,7 +234,7 @@ def test_the_handlers_that_a_logger_has_write_a_record_once(capsys: pytest.Captu
 def test_a_factory_makes_the_handlers_of_log_files() -> None:
     written: dict[str, list[str]] = {}
 
-    class Keeping(standard_handlers.Handler):
+    class Keeping(library_handlers.Handler):
         def __init__(self, path: str) -> None:
             super().__init__()
             self._path = path
@@ -251,9 +251,9 @@ def test_a_factory_makes_the_handlers_of_log_files() -> None:
     assert written.popitem()[0] == launch_config.get_log_file_path()
 
 
-def test_standard_handlers_format_by_logger() -> None:
+def test_library_handlers_format_by_logger() -> None:
     stream = io.StringIO()
-    handler = standard_handlers.StreamHandler(stream)
+    handler = library_handlers.StreamHandler(stream)
     handler.setFormatter(logging.Formatter("%(message)s"))
     loud, quiet = logging.Logger("loud"), logging.Logger("quiet")  # noqa: LOG001  # not in the registry
     for logger in (loud, quiet):
@@ -267,10 +267,10 @@ def test_standard_handlers_format_by_logger() -> None:
     assert handler.getFormatterFor(loud) is handler.formatter
 
 
-@pytest.mark.parametrize("name", standard_handlers.__all__)
+@pytest.mark.parametrize("name", library_handlers.__all__)
 def test_each_standard_handler_is_one_of_that_name(name: str) -> None:
     base = getattr(logging, name, None) or getattr(logging.handlers, name)
-    assert issubclass(getattr(standard_handlers, name), base)
+    assert issubclass(getattr(library_handlers, name), base)
 
 
 def test_private_names_that_programs_use(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

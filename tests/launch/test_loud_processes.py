@@ -20,22 +20,22 @@ import psutil
 import pytest
 from tests.conftest import python_with
 
-from tfloom.launch import background_writing
-from tfloom.launch import logging as launch_logging
 from tfloom.launch.actions import process_output
 from tfloom.launch.actions.event_actions import RegisterEventHandler
 from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.actions.opaque import OpaqueFunction
 from tfloom.launch.actions.shutdown_action import Shutdown
-from tfloom.launch.background_writing import SCREEN, BackgroundWriter
-from tfloom.launch.event_handlers import OnProcessIO
-from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.events.event_handlers import OnProcessIO
+from tfloom.launch.logs import background_writing
+from tfloom.launch.logs import logging as launch_logging
+from tfloom.launch.logs.background_writing import SCREEN, BackgroundWriter
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="the programs are of POSIX")
 
 Launch = Callable[..., tuple]
 
-SMALL_BACKLOG = {"tfloom.launch.background_writing.MAX_BACKLOG": 100_000}
+SMALL_BACKLOG = {"tfloom.launch.logs.background_writing.MAX_BACKLOG": 100_000}
 """Which is soon reached."""
 MAIN = "from tfloom.cli.start import main; sys.exit(main())"
 OBEYED_S = 20.0

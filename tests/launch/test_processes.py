@@ -18,7 +18,6 @@ from typing import Any
 import psutil
 import pytest
 
-from tfloom.launch import logging as launch_logging
 from tfloom.launch.actions.event_actions import EmitEvent, RegisterEventHandler
 from tfloom.launch.actions.execute_local import ExecuteLocal
 from tfloom.launch.actions.execute_process import ExecuteProcess
@@ -26,8 +25,10 @@ from tfloom.launch.actions.group_action import GroupAction
 from tfloom.launch.actions.opaque import OpaqueFunction
 from tfloom.launch.actions.shutdown_action import Shutdown
 from tfloom.launch.actions.timer_action import TimerAction
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.text_substitution import TextSubstitution
 from tfloom.launch.descriptions.executable import Executable
-from tfloom.launch.event_handlers import OnProcessExit, OnProcessIO, OnProcessStart
+from tfloom.launch.events.event_handlers import OnProcessExit, OnProcessIO, OnProcessStart
 from tfloom.launch.events.process import (
     ProcessExited,
     ProcessStarted,
@@ -39,10 +40,9 @@ from tfloom.launch.events.process import (
     matches_name,
     matches_pid,
 )
-from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.logs import logging as launch_logging
 from tfloom.launch.processes.family import KILL_S, TAG, end, find, members_of, tagged
 from tfloom.launch.processes.guard import guardian_command
-from tfloom.launch.substitutions.text_substitution import TextSubstitution
 from tfloom.launch.substitutions.variables import LaunchConfiguration
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="the programs are of a POSIX shell")

@@ -12,17 +12,17 @@ import pytest
 from tests.launch.conftest import Ran
 
 from tfloom.interfaces.lifecycle_msgs.msg import TransitionEvent
-from tfloom.launch.action import Action
 from tfloom.launch.actions.event_actions import EmitEvent, RegisterEventHandler
 from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.actions.for_loop import ForEach, ForLoop
 from tfloom.launch.actions.log import LogInfo
 from tfloom.launch.actions.opaque import OpaqueCoroutine, OpaqueFunction
 from tfloom.launch.actions.shutdown_action import Shutdown
-from tfloom.launch.condition import Condition
-from tfloom.launch.event import Event
-from tfloom.launch.event_handler import EventHandler
-from tfloom.launch.event_handlers import (
+from tfloom.launch.core.condition import Condition
+from tfloom.launch.core.event import Event
+from tfloom.launch.entities.action import Action
+from tfloom.launch.entities.event_handler import EventHandler
+from tfloom.launch.events.event_handlers import (
     OnActionEventBase,
     OnExecutionComplete,
     OnProcessExit,

@@ -9,7 +9,7 @@ from tests.terminals import on_a_terminal
 
 PROGRAM = r"""
 import logging
-from tfloom.launch.logging import get_logger, get_output_loggers
+from tfloom.launch.logs.logging import get_logger, get_output_loggers
 from tfloom.common.terminal import shown_on_terminals
 with shown_on_terminals():
     get_logger("launch.user").warning("careful")

@@ -90,7 +90,7 @@ def main(args: argparse.Namespace) -> int:
         if not args.skip_missing:
             _show(path, args.print)
             return 0
-        from tfloom.launch.missing import missing_packages_stood_in
+        from tfloom.launch.core.missing import missing_packages_stood_in
 
         with missing_packages_stood_in():
             _show(path, args.print)

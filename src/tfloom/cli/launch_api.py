@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from tfloom.workspace.ament import PackageNotFoundError, get_package_share_directory
 
 if TYPE_CHECKING:
-    from tfloom.launch.launch_description import LaunchDescription
+    from tfloom.launch.entities.launch_description import LaunchDescription
 
 __all__ = [
     "LaunchFileNameCompleter",
@@ -167,7 +167,7 @@ def launch_a_launch_file(
         RuntimeError: an argument isn't of this form.
     """
     from tfloom.launch.actions.include_launch_description import IncludeLaunchDescription
-    from tfloom.launch.launch_description import LaunchDescription
+    from tfloom.launch.entities.launch_description import LaunchDescription
     from tfloom.launch.launch_description_sources.sources import (
         AnyLaunchDescriptionSource,
     )
@@ -187,7 +187,7 @@ def launch_a_launch_file(
     )
     if not skip_missing:
         return int(service.run())
-    from tfloom.launch.missing import missing_packages_stood_in
+    from tfloom.launch.core.missing import missing_packages_stood_in
 
     # The file itself is not skipped: if it can't be loaded, nothing is left to launch.
     service.context.run_state.unskippable = included
@@ -207,7 +207,7 @@ def _warning_of_undeclared(source: Any, file_name: str, given: Sequence[str]) ->
     It runs when all of the file has been visited, because what a condition or a function includes is known then.
     """
     from tfloom.launch.actions.opaque import OpaqueFunction
-    from tfloom.launch.logging import get_logger
+    from tfloom.launch.logs.logging import get_logger
 
     def warn(context: Any) -> None:
         # Two sources, because a file declares by its description, and by what a condition or function included

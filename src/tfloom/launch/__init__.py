@@ -5,18 +5,14 @@ says how. Files hold what belongs together; the names of the reference's files a
 
 From the bottom up:
 
-- logging, terminal_colors: where lines go
-- log_handlers, background_writing: what the screen and the log files get, by threads while a launch runs
-- event, launch_context: the state that entities share; Protocols for what it holds
-- substitution, substitutions/, condition, conditions, utilities/: texts, and values of a type
-- frontend/: elements of launch files, and the tables of tags and substitutions
-- launch_description_entity, action, launch_description, launch_description_source: what a launch visits
-- event_handler, event_handlers, events/: what happens, and what is done then
+- logs/: where lines go;  core/: the state that entities share, and base classes
+- utilities/: texts, and values of a type
+- entities/: actions, conditions and descriptions;  events/: what happens, and what is done then
 - processes/: a process group, with pipes or terminals; who ends what is left, also if the launch is killed
-- descriptions/, actions/: `execute_local` runs a process from its start to its end
-- launch_description_sources/, xml/, yaml/: files
-- launch_service: the engine
-- launch_introspector: `--print`
+- frontend/: elements of launch files, and the tables of tags and substitutions;  substitutions/: texts at the run
+- descriptions/: executables;  launch_description_sources/, xml/, yaml/: files
+- actions/: `execute_local` runs a process from its start to its end
+- launch_service: the engine;  launch_introspector: `--print`
 - ros/: launch_ros: nodes, parameters, lifecycle; the one part that imports `tfloom.node`
 - testing/: launch_testing; in fixtures/ launch_pytest, in ros/ launch_testing_ros
 """

@@ -9,8 +9,8 @@ from tfloom.launch.actions.launch_configurations import (
     SetLaunchConfiguration,
     UnsetLaunchConfiguration,
 )
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.substitutions.text_substitution import TextSubstitution
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.text_substitution import TextSubstitution
 from tfloom.launch.substitutions.variables import LaunchConfiguration
 
 

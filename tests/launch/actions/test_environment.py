@@ -14,8 +14,8 @@ from tfloom.launch.actions.environment import (
     SetEnvironmentVariable,
     UnsetEnvironmentVariable,
 )
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.substitutions.text_substitution import TextSubstitution
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.text_substitution import TextSubstitution
 from tfloom.launch.substitutions.variables import LaunchConfiguration
 
 NAME = "TFLOOM_LAUNCH_TEST"

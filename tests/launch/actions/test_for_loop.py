@@ -8,7 +8,7 @@ import pytest
 
 from tfloom.launch.actions.for_loop import ForEach, ForLoop
 from tfloom.launch.actions.launch_configurations import SetLaunchConfiguration
-from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.substitutions.variables import LaunchConfiguration
 from tfloom.launch.utilities.visits import visit_all_entities_and_collect_futures
 

@@ -10,8 +10,8 @@ from tfloom.launch.actions.environment import SetEnvironmentVariable
 from tfloom.launch.actions.group_action import GroupAction
 from tfloom.launch.actions.launch_configurations import SetLaunchConfiguration
 from tfloom.launch.actions.opaque import OpaqueFunction
-from tfloom.launch.conditions import IfCondition
-from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.entities.conditions import IfCondition
 from tfloom.launch.substitutions.variables import LaunchConfiguration
 from tfloom.launch.utilities.visits import visit_all_entities_and_collect_futures
 

@@ -8,8 +8,8 @@ from collections.abc import Iterator
 import pytest
 
 from tfloom.launch.actions.log import Log, LogDebug, LogError, LogInfo, LogWarning
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.logging import get_logger
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.logs.logging import get_logger
 from tfloom.launch.substitutions.variables import LaunchConfiguration
 
 

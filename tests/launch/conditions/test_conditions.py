@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from tfloom.launch.conditions import (
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.text_substitution import TextSubstitution
+from tfloom.launch.entities.conditions import (
     IfCondition,
     InvalidConditionExpressionError,
     LaunchConfigurationEquals,
@@ -12,8 +14,6 @@ from tfloom.launch.conditions import (
     UnlessCondition,
     evaluate_condition_expression,
 )
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.substitutions.text_substitution import TextSubstitution
 from tfloom.launch.substitutions.variables import LaunchConfiguration
 
 

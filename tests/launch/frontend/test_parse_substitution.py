@@ -6,6 +6,9 @@ from typing import Any
 
 import pytest
 
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.substitution import Substitution
+from tfloom.launch.core.text_substitution import TextSubstitution
 from tfloom.launch.frontend import expose
 from tfloom.launch.frontend.exposed import SUBSTITUTION_MODULES
 from tfloom.launch.frontend.parse_substitution import (
@@ -14,9 +17,6 @@ from tfloom.launch.frontend.parse_substitution import (
     parse_substitution,
     replace_escaped_characters,
 )
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.substitution import Substitution
-from tfloom.launch.substitutions.text_substitution import TextSubstitution
 
 
 class Shown(Substitution):

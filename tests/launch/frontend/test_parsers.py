@@ -11,8 +11,8 @@ from typing import Any, List
 import pytest
 
 from tfloom.launch.actions.log import LogInfo
-from tfloom.launch.conditions import IfCondition, UnlessCondition
-from tfloom.launch.frontend.entity import Entity
+from tfloom.launch.core.entity import Entity
+from tfloom.launch.entities.conditions import IfCondition, UnlessCondition
 from tfloom.launch.frontend.parser import InvalidFrontendLaunchFileError, Parser
 from tfloom.launch.frontend.type_utils import check_is_list_entity, get_data_type_from_identifier
 from tfloom.launch.xml.entity import Entity as XmlEntity

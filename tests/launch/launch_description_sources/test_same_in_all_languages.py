@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
+from tfloom.launch.core.text_substitution import TextSubstitution
 from tfloom.launch.launch_description_sources.loading import get_launch_description_from_any_launch_file
-from tfloom.launch.substitutions.text_substitution import TextSubstitution
 
 HEAD = """
 from launch import LaunchDescription

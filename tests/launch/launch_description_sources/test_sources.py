@@ -10,12 +10,12 @@ import pytest
 
 from tfloom.launch.actions.declare_launch_argument import DeclareLaunchArgument
 from tfloom.launch.actions.include_launch_description import IncludeLaunchDescription
-from tfloom.launch.circular_includes import CircularIncludeError, refuse_circle
+from tfloom.launch.core.circular_includes import CircularIncludeError, refuse_circle
+from tfloom.launch.core.invalid_launch_file_error import InvalidLaunchFileError
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.entities.launch_description import LaunchDescription
+from tfloom.launch.entities.launch_description_source import LaunchDescriptionSource
 from tfloom.launch.frontend.parser import InvalidFrontendLaunchFileError
-from tfloom.launch.invalid_launch_file_error import InvalidLaunchFileError
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.launch_description import LaunchDescription
-from tfloom.launch.launch_description_source import LaunchDescriptionSource
 from tfloom.launch.launch_description_sources.loading import (
     InvalidPythonLaunchFileError,
     get_launch_description_from_any_launch_file,
@@ -34,7 +34,7 @@ from tfloom.launch.yaml.yaml_launch_description_source import YAMLLaunchDescript
 
 PYTHON = """
 from tfloom.launch.actions.declare_launch_argument import DeclareLaunchArgument
-from tfloom.launch.launch_description import LaunchDescription
+from tfloom.launch.entities.launch_description import LaunchDescription
 
 
 def generate_launch_description():

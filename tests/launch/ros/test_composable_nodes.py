@@ -12,8 +12,9 @@ from tests.launch.ros.conftest import make_package
 
 from tfloom.interfaces.composition_interfaces.srv import LoadNode
 from tfloom.launch.actions.group_action import GroupAction
-from tfloom.launch.conditions import IfCondition
-from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.text_substitution import TextSubstitution
+from tfloom.launch.entities.conditions import IfCondition
 from tfloom.launch.ros.actions.composable_nodes import (
     ComposableNodeContainer,
     LoadComposableNodes,
@@ -27,7 +28,6 @@ from tfloom.launch.ros.actions.node_defaults import (
 )
 from tfloom.launch.ros.descriptions.composable_node import ComposableNode
 from tfloom.launch.ros.utilities.names import get_node_name_count
-from tfloom.launch.substitutions.text_substitution import TextSubstitution
 from tfloom.node.context.context import Context
 from tfloom.node.endpoints.client import Client, NoResponseError
 from tfloom.node.executing.executors import SingleThreadedExecutor

@@ -9,7 +9,8 @@ import pytest
 
 from tfloom.launch.actions.group_action import GroupAction
 from tfloom.launch.actions.include_launch_description import IncludeLaunchDescription
-from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.text_substitution import TextSubstitution
 from tfloom.launch.launch_description_sources.sources import AnyLaunchDescriptionSource
 from tfloom.launch.ros.actions.composable_nodes import ComposableNodeContainer, LoadComposableNodes
 from tfloom.launch.ros.actions.lifecycle_node import LifecycleNode
@@ -23,7 +24,6 @@ from tfloom.launch.ros.actions.node_defaults import (
     SetUseSimTime,
 )
 from tfloom.launch.ros.actions.ros_timer import ROSTimer
-from tfloom.launch.substitutions.text_substitution import TextSubstitution
 
 XML = """\
 <launch>

@@ -12,8 +12,8 @@ from tfloom.interfaces.lifecycle_msgs.msg import State, Transition, TransitionEv
 from tfloom.launch.actions.event_actions import EmitEvent, RegisterEventHandler
 from tfloom.launch.actions.log import LogInfo
 from tfloom.launch.actions.shutdown_action import Shutdown
-from tfloom.launch.event import Event
-from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.core.event import Event
+from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.ros.actions.lifecycle_node import LifecycleNode
 from tfloom.launch.ros.actions.lifecycle_transition import (
     LifecycleTransition,

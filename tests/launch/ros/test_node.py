@@ -10,7 +10,8 @@ import pytest
 
 from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.actions.group_action import GroupAction
-from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.text_substitution import TextSubstitution
 from tfloom.launch.ros.actions.composable_nodes import ComposableNodeContainer
 from tfloom.launch.ros.actions.node import Node
 from tfloom.launch.ros.actions.node_defaults import (
@@ -22,7 +23,6 @@ from tfloom.launch.ros.actions.node_defaults import (
 )
 from tfloom.launch.ros.parameter_descriptions import Parameter, ParameterFile, ParameterValue
 from tfloom.launch.ros.substitutions.executable_in_package import ExecutableInPackage
-from tfloom.launch.substitutions.text_substitution import TextSubstitution
 
 Words = Callable[..., list[str]]
 

@@ -10,11 +10,11 @@ import pytest
 from tfloom.launch.actions.log import LogInfo
 from tfloom.launch.actions.opaque import OpaqueFunction
 from tfloom.launch.actions.shutdown_action import Shutdown
-from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.text_substitution import TextSubstitution
 from tfloom.launch.ros.actions.node_defaults import SetUseSimTime
 from tfloom.launch.ros.actions.ros_timer import ROSTimer
 from tfloom.launch.ros.ros_adapters import ROSAdapter, get_ros_adapter, get_ros_node
-from tfloom.launch.substitutions.text_substitution import TextSubstitution
 
 
 @pytest.fixture(autouse=True)

@@ -12,7 +12,7 @@ import pytest
 
 from tfloom.launch.actions.declare_launch_argument import DeclareLaunchArgument
 from tfloom.launch.actions.include_launch_description import IncludeLaunchDescription
-from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.launch_description_sources.sources import AnyLaunchDescriptionSource
 from tfloom.launch.ros.actions.node import Node
 from tfloom.launch.ros.actions.node_defaults import SetParameter

@@ -9,9 +9,10 @@ from pathlib import Path
 
 import pytest
 
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.logging import launch_config
-from tfloom.launch.substitution import Substitution, SubstitutionFailure
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.substitution import Substitution, SubstitutionFailure
+from tfloom.launch.core.text_substitution import TextSubstitution
+from tfloom.launch.logs.logging import launch_config
 from tfloom.launch.substitutions.anon_name import AnonName
 from tfloom.launch.substitutions.command import Command
 from tfloom.launch.substitutions.comparisons import (
@@ -29,7 +30,6 @@ from tfloom.launch.substitutions.find_executable import FindExecutable
 from tfloom.launch.substitutions.joins import PathJoinSubstitution, PathSubstitution, StringJoinSubstitution
 from tfloom.launch.substitutions.launch_files import LaunchLogDir, ThisLaunchFile, ThisLaunchFileDir
 from tfloom.launch.substitutions.python_expression import PythonExpression
-from tfloom.launch.substitutions.text_substitution import TextSubstitution
 from tfloom.launch.substitutions.variables import (
     EnvironmentVariable,
     ForEachVar,

@@ -15,7 +15,7 @@ from tests.conftest import PYTEST, run_to_end
 from tests.launch.testing.users import FAILING, LAUNCH, PASSING
 
 from tfloom.launch.actions.execute_process import ExecuteProcess
-from tfloom.launch.launch_description import LaunchDescription
+from tfloom.launch.entities.launch_description import LaunchDescription
 from tfloom.launch.launch_service import LaunchService
 from tfloom.launch.testing.launch_test import main
 

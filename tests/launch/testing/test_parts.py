@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 
 from tfloom.launch.actions.timer_action import TimerAction
-from tfloom.launch.launch_description import LaunchDescription
+from tfloom.launch.entities.launch_description import LaunchDescription
 from tfloom.launch.testing import legacy_output
 from tfloom.launch.testing.arguments import parse_launch_arguments
 from tfloom.launch.testing.junitxml import unittestResultsToXml

@@ -7,9 +7,9 @@ import pytest
 from tfloom.launch.actions.event_actions import EmitEvent
 from tfloom.launch.actions.include_launch_description import IncludeLaunchDescription
 from tfloom.launch.actions.shutdown_action import Shutdown
-from tfloom.launch.conditions import IfCondition
-from tfloom.launch.launch_description import LaunchDescription
-from tfloom.launch.launch_description_source import LaunchDescriptionSource
+from tfloom.launch.entities.conditions import IfCondition
+from tfloom.launch.entities.launch_description import LaunchDescription
+from tfloom.launch.entities.launch_description_source import LaunchDescriptionSource
 from tfloom.launch.launch_service import LaunchService
 from tfloom.launch.ros.actions.node import Node
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from tfloom.launch.action import Action
-from tfloom.launch.event import Event
-from tfloom.launch.event_handler import BaseEventHandler
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
+from tfloom.launch.core.event import Event
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
+from tfloom.launch.entities.action import Action
+from tfloom.launch.entities.event_handler import BaseEventHandler
 from tfloom.launch.utilities.class_tools import is_a_subclass
 from tfloom.launch.utilities.normalize_to_list_of_entities import normalize_to_list_of_entities
 

@@ -10,13 +10,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from tfloom.common.seconds import checked_timeout
-from tfloom.launch.action import Action
 from tfloom.launch.actions.process_output import ProcessOutput
-from tfloom.launch.conditions import evaluate_condition_expression
+from tfloom.launch.core.event import Event
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity, SomeEntitiesType
+from tfloom.launch.core.substitution import SomeSubstitutionsType
 from tfloom.launch.descriptions.executable import Executable
-from tfloom.launch.event import Event
-from tfloom.launch.event_handler import BaseEventHandler, EventHandler
-from tfloom.launch.event_handlers import OnProcessExit, OnShutdown
+from tfloom.launch.entities.action import Action
+from tfloom.launch.entities.conditions import evaluate_condition_expression
+from tfloom.launch.entities.event_handler import BaseEventHandler, EventHandler
+from tfloom.launch.events.event_handlers import OnProcessExit, OnShutdown
 from tfloom.launch.events.process import (
     ProcessExited,
     ProcessStarted,
@@ -25,10 +28,7 @@ from tfloom.launch.events.process import (
     ShutdownProcess,
     SignalProcess,
 )
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.launch_description_entity import LaunchDescriptionEntity, SomeEntitiesType
-from tfloom.launch.logging import OutputConfig, get_logger
-from tfloom.launch.substitution import SomeSubstitutionsType
+from tfloom.launch.logs.logging import OutputConfig, get_logger
 from tfloom.launch.substitutions.variables import LaunchConfiguration
 from tfloom.launch.utilities.normalize_to_list_of_entities import normalize_to_list_of_entities
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions

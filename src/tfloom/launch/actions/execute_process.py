@@ -6,14 +6,14 @@ import shlex
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from tfloom.launch.action import Action
 from tfloom.launch.actions.execute_local import ExecuteLocal
+from tfloom.launch.core.entity import Entity, ParsesActions
+from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution
+from tfloom.launch.core.text_substitution import TextSubstitution
 from tfloom.launch.descriptions.executable import Executable
-from tfloom.launch.frontend.entity import Entity, ParsesActions
+from tfloom.launch.entities.action import Action
 from tfloom.launch.frontend.expose import expose_action
 from tfloom.launch.frontend.pairs import parse_pairs
-from tfloom.launch.substitution import SomeSubstitutionsType, Substitution
-from tfloom.launch.substitutions.text_substitution import TextSubstitution
 from tfloom.launch.utilities.argument_errors import unknown_argument_error, words_error
 
 __all__ = ["ExecuteProcess"]

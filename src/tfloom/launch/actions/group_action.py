@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from tfloom.launch.action import Action
 from tfloom.launch.actions.environment import PopEnvironment, PushEnvironment, ResetEnvironment
 from tfloom.launch.actions.launch_configurations import (
     PopLaunchConfigurations,
@@ -14,11 +13,12 @@ from tfloom.launch.actions.launch_configurations import (
     SetLaunchConfiguration,
     parse_kept,
 )
-from tfloom.launch.frontend.entity import Entity, ParsesActions
+from tfloom.launch.core.entity import Entity, ParsesActions
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
+from tfloom.launch.core.substitution import SomeSubstitutionsType
+from tfloom.launch.entities.action import Action
 from tfloom.launch.frontend.expose import expose_action
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
-from tfloom.launch.substitution import SomeSubstitutionsType
 
 __all__ = ["GroupAction"]
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Coroutine, Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from tfloom.launch.action import Action
-from tfloom.launch.event_handler import BaseEventHandler
-from tfloom.launch.event_handlers import OnShutdown
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
+from tfloom.launch.entities.action import Action
+from tfloom.launch.entities.event_handler import BaseEventHandler
+from tfloom.launch.events.event_handlers import OnShutdown
 from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
 
 if TYPE_CHECKING:

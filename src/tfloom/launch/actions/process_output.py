@@ -6,10 +6,10 @@ import codecs
 import logging
 from typing import Any
 
+from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.events.process import ProcessStderr, ProcessStdout
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.log_handlers import around_field, is_behind, log_lines
-from tfloom.launch.logging import OutputConfig, get_output_loggers
+from tfloom.launch.logs.log_handlers import around_field, is_behind, log_lines
+from tfloom.launch.logs.logging import OutputConfig, get_output_loggers
 
 __all__ = ["ProcessOutput"]
 

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from typing import Any
 
-from tfloom.launch.action import Action
 from tfloom.launch.actions.event_actions import EmitEvent
+from tfloom.launch.core.entity import Entity, ParsesActions
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.entities.action import Action
 from tfloom.launch.events.process import ProcessExited
 from tfloom.launch.events.shutdown import Shutdown as ShutdownEvent
-from tfloom.launch.frontend.entity import Entity, ParsesActions
 from tfloom.launch.frontend.expose import expose_action
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.logging import get_logger
+from tfloom.launch.logs.logging import get_logger
 
 __all__ = ["Shutdown"]
 

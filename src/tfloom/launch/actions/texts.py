@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any, ClassVar
 
-from tfloom.launch.action import Action
-from tfloom.launch.frontend.entity import Entity, ParsesActions
-from tfloom.launch.substitution import SomeSubstitutionsType, Substitution
+from tfloom.launch.core.entity import Entity, ParsesActions
+from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution
+from tfloom.launch.entities.action import Action
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions
 
 __all__ = ["ActionOfTexts", "NamedValue"]

@@ -7,17 +7,17 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, Any, cast
 
 from tfloom.common.seconds import checked_timeout
-from tfloom.launch.action import Action
-from tfloom.launch.event import Event
-from tfloom.launch.event_handler import BaseEventHandler
-from tfloom.launch.event_handlers import OnShutdown
+from tfloom.launch.core.entity import Entity, ParsesActions
+from tfloom.launch.core.event import Event
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
+from tfloom.launch.core.substitution import SomeSubstitutionsType, described
+from tfloom.launch.entities.action import Action
+from tfloom.launch.entities.event_handler import BaseEventHandler
+from tfloom.launch.events.event_handlers import OnShutdown
 from tfloom.launch.events.timer_event import TimerEvent
-from tfloom.launch.frontend.entity import Entity, ParsesActions
 from tfloom.launch.frontend.expose import expose_action
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
-from tfloom.launch.logging import get_logger
-from tfloom.launch.substitution import SomeSubstitutionsType, described
+from tfloom.launch.logs.logging import get_logger
 from tfloom.launch.utilities.argument_errors import entities_error
 from tfloom.launch.utilities.type_utils import normalize_typed_substitution, perform_typed_substitution
 

@@ -9,14 +9,14 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.substitution import SomeSubstitutionsType, Substitution
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.private_names import HasPrivateNames
+from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution
 from tfloom.launch.substitutions.variables import LaunchConfiguration
-from tfloom.launch.utilities.private_names import HasPrivateNames
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 
 if TYPE_CHECKING:
-    from tfloom.launch.action import Action
+    from tfloom.launch.entities.action import Action
 
 __all__ = ["Executable"]
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from tfloom.launch.event import Event
-from tfloom.launch.launch_description import LaunchDescription
+from tfloom.launch.core.event import Event
+from tfloom.launch.entities.launch_description import LaunchDescription
 
 __all__ = ["IncludeLaunchDescription"]
 

@@ -6,8 +6,8 @@ import signal
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from tfloom.launch.action import Action
-from tfloom.launch.event import Event
+from tfloom.launch.core.event import Event
+from tfloom.launch.entities.action import Action
 
 __all__ = [
     "ProcessExited",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tfloom.launch.event import Event
+from tfloom.launch.core.event import Event
 
 __all__ = ["Shutdown"]
 

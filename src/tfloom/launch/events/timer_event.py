@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from tfloom.launch.action import Action
-from tfloom.launch.event import Event
+from tfloom.launch.core.event import Event
+from tfloom.launch.entities.action import Action
 
 __all__ = ["TimerEvent"]
 

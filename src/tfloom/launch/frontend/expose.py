@@ -8,10 +8,10 @@ from collections.abc import Callable, Iterable, Mapping
 from types import FunctionType, MethodType
 from typing import Any, TypeVar
 
-from tfloom.launch.frontend.entity import Entity, ParsesActions
+from tfloom.launch.core.entity import Entity, ParsesActions
+from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution
 from tfloom.launch.frontend.exposed import ACTION_MODULES, SUBSTITUTION_MODULES
 from tfloom.launch.frontend.extensions import load_launch_extensions
-from tfloom.launch.substitution import SomeSubstitutionsType, Substitution
 from tfloom.launch.utilities.nearest import did_you_mean
 
 __all__ = [

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from tfloom.launch.frontend.entity import Entity, ParsesActions
-from tfloom.launch.substitution import Substitution
+from tfloom.launch.core.entity import Entity, ParsesActions
+from tfloom.launch.core.substitution import Substitution
 
 __all__ = ["Pair", "parse_pairs"]
 

@@ -15,10 +15,10 @@ from __future__ import annotations
 import re
 from typing import Any
 
+from tfloom.launch.core.error_places import add_to_error
+from tfloom.launch.core.substitution import Substitution
+from tfloom.launch.core.text_substitution import TextSubstitution
 from tfloom.launch.frontend.expose import instantiate_substitution
-from tfloom.launch.substitution import Substitution
-from tfloom.launch.substitutions.text_substitution import TextSubstitution
-from tfloom.launch.utilities.error_places import add_to_error
 
 __all__ = [
     "SubstitutionSyntaxError",

@@ -8,10 +8,14 @@ import warnings
 from pathlib import Path
 from typing import Any, TextIO
 
-from tfloom.launch.action import Action
-from tfloom.launch.condition import Condition
-from tfloom.launch.conditions import IfCondition, UnlessCondition
-from tfloom.launch.frontend.entity import Entity
+from tfloom.launch.core.condition import Condition
+from tfloom.launch.core.entity import Entity
+from tfloom.launch.core.error_places import describe_error, place_error
+from tfloom.launch.core.invalid_launch_file_error import InvalidLaunchFileError
+from tfloom.launch.core.substitution import Substitution
+from tfloom.launch.entities.action import Action
+from tfloom.launch.entities.conditions import IfCondition, UnlessCondition
+from tfloom.launch.entities.launch_description import LaunchDescription
 from tfloom.launch.frontend.expose import instantiate_action
 from tfloom.launch.frontend.extensions import load_entry_points, load_launch_extensions
 from tfloom.launch.frontend.parse_substitution import (
@@ -19,10 +23,6 @@ from tfloom.launch.frontend.parse_substitution import (
     parse_substitution,
     replace_escaped_characters,
 )
-from tfloom.launch.invalid_launch_file_error import InvalidLaunchFileError
-from tfloom.launch.launch_description import LaunchDescription
-from tfloom.launch.substitution import Substitution
-from tfloom.launch.utilities.error_places import describe_error, place_error
 from tfloom.launch.utilities.nearest import did_you_mean
 from tfloom.ros_imports.guard import ros_home
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, List
 
-from tfloom.launch.frontend.entity import Entity
+from tfloom.launch.core.entity import Entity
 from tfloom.launch.utilities.type_utils import is_typing_list
 
 __all__ = ["check_is_list_entity", "get_data_type_from_identifier"]

@@ -12,11 +12,11 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+from tfloom.launch.core.error_places import describe_error
+from tfloom.launch.core.invalid_launch_file_error import InvalidLaunchFileError
+from tfloom.launch.core.missing import marked_as_missing
+from tfloom.launch.entities.launch_description import LaunchDescription
 from tfloom.launch.frontend.parser import InvalidFrontendLaunchFileError, Parser
-from tfloom.launch.invalid_launch_file_error import InvalidLaunchFileError
-from tfloom.launch.launch_description import LaunchDescription
-from tfloom.launch.missing import marked_as_missing
-from tfloom.launch.utilities.error_places import describe_error
 from tfloom.launch.utilities.nearest import did_you_mean, nearest
 from tfloom.ros_imports.guard import ros_home
 

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
+from tfloom.launch.core.substitution import SomeSubstitutionsType
+from tfloom.launch.entities.launch_description import LaunchDescription
+from tfloom.launch.entities.launch_description_source import LaunchDescriptionSource
 from tfloom.launch.frontend.parser import Parser
-from tfloom.launch.launch_description import LaunchDescription
-from tfloom.launch.launch_description_source import LaunchDescriptionSource
 from tfloom.launch.launch_description_sources.loading import (
     get_launch_description_from_any_launch_file,
     get_launch_description_from_frontend_launch_file,
     get_launch_description_from_python_launch_file,
 )
-from tfloom.launch.substitution import SomeSubstitutionsType
 
 __all__ = ["AnyLaunchDescriptionSource", "FrontendLaunchDescriptionSource", "PythonLaunchDescriptionSource"]
 

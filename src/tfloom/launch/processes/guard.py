@@ -13,7 +13,7 @@ from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 
-from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.processes.family import Groups, end, members_of, tagged, untagged
 
 __all__ = ["Guard", "guard_of", "guardian_command"]

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Any, Union, cast
 
-from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.core.launch_context import LaunchContext
 
 __all__ = [
     "GlobalParameter",

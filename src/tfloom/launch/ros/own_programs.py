@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.ros.temporary_files import folder_of
 from tfloom.workspace.program_scripts import write_script
 

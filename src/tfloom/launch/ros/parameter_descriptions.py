@@ -8,8 +8,12 @@ from pathlib import Path
 from typing import Any, List, Union, cast
 
 from tfloom.common.seconds import plain_value
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.substitution import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple, Substitution
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.substitution import (
+    SomeSubstitutionsType,
+    SomeSubstitutionsType_types_tuple,
+    Substitution,
+)
 from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 from tfloom.launch.utilities.type_utils import (
@@ -235,9 +239,9 @@ def _substitutions_of_path(path: FilePath | SomeSubstitutionsType) -> list[Subst
 
 def _file_with_substitutions(context: LaunchContext, path: Path) -> Path:
     from tfloom.common.yaml import YamlError, compose_all
+    from tfloom.launch.core.substitution import SubstitutionFailure
     from tfloom.launch.frontend.parse_substitution import parse_substitution
     from tfloom.launch.ros.temporary_files import write_temporary_file
-    from tfloom.launch.substitution import SubstitutionFailure
 
     try:
         text = perform_substitutions(context, parse_substitution(path.read_text("utf-8")))

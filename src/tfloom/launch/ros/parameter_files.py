@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from tfloom.launch.logging import get_logger
+from tfloom.launch.logs.logging import get_logger
 
 __all__ = ["warn_of_unmatched"]
 

@@ -6,13 +6,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Union
 
+from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution
 from tfloom.launch.ros.parameter_descriptions import (
     EvaluatedParameterValue,
     Parameter,
     ParameterFile,
 )
 from tfloom.launch.ros.parameter_descriptions import ParameterValue as ParameterValueDescription
-from tfloom.launch.substitution import SomeSubstitutionsType, Substitution
 
 __all__ = [
     "EvaluatedParameterValue",

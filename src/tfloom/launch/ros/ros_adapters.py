@@ -7,8 +7,8 @@ import os
 import threading
 from typing import TYPE_CHECKING
 
-from tfloom.launch.event_handlers import OnShutdown
-from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.events.event_handlers import OnShutdown
 
 if TYPE_CHECKING:
     from tfloom.node.context.context import Context

@@ -10,7 +10,7 @@ import weakref
 from pathlib import Path
 
 from tfloom.common.files import write_file
-from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.processes.guard import guard_of
 
 __all__ = ["folder_of", "write_temporary_file"]

@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.missing import marked_as_missing
+from tfloom.launch.core.substitution import (
+    SomeSubstitutionsType,
+    Substitution,
+    SubstitutionFailure,
+    described,
+)
 from tfloom.launch.frontend.expose import expose_substitution
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.missing import marked_as_missing
-from tfloom.launch.substitution import SomeSubstitutionsType, Substitution, SubstitutionFailure, described
 from tfloom.launch.substitutions.parsed import ParsedSubstitution
 from tfloom.launch.utilities.find_program import find_program
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, ClassVar
 
-from tfloom.launch.substitution import SomeSubstitutionsType, Substitution
+from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution
 
 __all__ = ["ParsedSubstitution"]
 

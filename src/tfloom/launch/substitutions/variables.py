@@ -5,9 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.substitution import (
+    SomeSubstitutionsType,
+    Substitution,
+    SubstitutionFailure,
+    described,
+)
 from tfloom.launch.frontend.expose import expose_substitution
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.substitution import SomeSubstitutionsType, Substitution, SubstitutionFailure, described
 from tfloom.launch.substitutions.parsed import ParsedSubstitution
 from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
 from tfloom.launch.utilities.nearest import did_you_mean

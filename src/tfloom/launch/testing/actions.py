@@ -6,17 +6,17 @@ import sys
 from typing import Any
 
 from tfloom.common.seconds import checked_timeout
-from tfloom.launch.action import Action
 from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.actions.opaque import OpaqueFunction
 from tfloom.launch.actions.timer_action import TimerAction
-from tfloom.launch.event import Event
-from tfloom.launch.event_handlers import OnProcessStart
+from tfloom.launch.core.event import Event
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
+from tfloom.launch.core.substitution import SomeSubstitutionsType
+from tfloom.launch.entities.action import Action
+from tfloom.launch.events.event_handlers import OnProcessStart
 from tfloom.launch.events.process import ShutdownProcess, matches_action
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
-from tfloom.launch.logging import get_logger
-from tfloom.launch.substitution import SomeSubstitutionsType
+from tfloom.launch.logs.logging import get_logger
 
 __all__ = ["GTest", "PyTest", "ReadyToTest", "Test", "TestsCanBegin"]
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from tfloom.launch.launch_description import LaunchDescription
-from tfloom.launch.substitution import described
+from tfloom.launch.core.substitution import described
+from tfloom.launch.entities.launch_description import LaunchDescription
 
 __all__ = ["parse_launch_arguments", "print_arguments_of_launch_description"]
 

@@ -8,9 +8,9 @@ from collections.abc import Callable, Iterator
 from typing import Any, cast
 
 from tfloom.common.seconds import checked_timeout
-from tfloom.launch.action import Action
 from tfloom.launch.actions.execute_local import ExecuteLocal
 from tfloom.launch.actions.execute_process import ExecuteProcess
+from tfloom.launch.entities.action import Action
 from tfloom.launch.events.process import ProcessIO
 from tfloom.launch.testing.active_record import ActiveRecord
 from tfloom.launch.testing.assert_output import assertInStream

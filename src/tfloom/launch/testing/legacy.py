@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Any
 
-from tfloom.launch.action import Action
 from tfloom.launch.actions.event_actions import EmitEvent, RegisterEventHandler
 from tfloom.launch.actions.execute_process import ExecuteProcess
-from tfloom.launch.event_handlers import OnExecutionComplete, OnProcessExit, OnProcessIO
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.entities.action import Action
+from tfloom.launch.entities.launch_description import LaunchDescription
+from tfloom.launch.events.event_handlers import OnExecutionComplete, OnProcessExit, OnProcessIO
 from tfloom.launch.events.process import ProcessExited, ProcessIO
 from tfloom.launch.events.shutdown import Shutdown
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.launch_service import LaunchService
 
 __all__ = ["LaunchTestService"]

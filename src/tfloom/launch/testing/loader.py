@@ -9,7 +9,7 @@ import warnings
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any, TypeAlias
 
-from tfloom.launch.launch_description import LaunchDescription
+from tfloom.launch.entities.launch_description import LaunchDescription
 from tfloom.launch.testing.actions import ReadyToTest
 from tfloom.launch.testing.markers import is_kept_alive
 from tfloom.launch.testing.readiness import timeout_of

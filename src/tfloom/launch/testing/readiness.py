@@ -9,9 +9,9 @@ from typing import Any, TypeVar
 
 from tfloom.common.seconds import checked_timeout
 from tfloom.launch.actions.execute_process import ExecuteProcess
-from tfloom.launch.event_handlers import OnProcessIO
+from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity, SomeEntitiesType
+from tfloom.launch.events.event_handlers import OnProcessIO
 from tfloom.launch.events.process import ProcessIO
-from tfloom.launch.launch_description_entity import LaunchDescriptionEntity, SomeEntitiesType
 
 __all__ = [
     "DEFAULT_TIMEOUT_S",

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from tfloom.launch.event import Event
-from tfloom.launch.event_handler import BaseEventHandler
-from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.core.event import Event
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.entities.event_handler import BaseEventHandler
 
 __all__ = ["Watcher"]
 

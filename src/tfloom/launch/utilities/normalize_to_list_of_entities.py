@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from tfloom.launch.launch_description_entity import LaunchDescriptionEntity, SomeEntitiesType
+from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity, SomeEntitiesType
 
 __all__ = ["normalize_to_list_of_entities"]
 

@@ -6,9 +6,9 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.substitution import SomeSubstitutionsType, Substitution, SubstitutionFailure
-from tfloom.launch.substitutions.text_substitution import TextSubstitution
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution, SubstitutionFailure
+from tfloom.launch.core.text_substitution import TextSubstitution
 
 __all__ = ["normalize_to_list_of_substitutions", "perform_some_substitutions", "perform_substitutions"]
 

@@ -6,8 +6,8 @@ import os
 from collections.abc import Iterable, Sequence
 from typing import Any, List, Union
 
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.substitution import SomeSubstitutionsType, Substitution
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution
 from tfloom.launch.utilities.plain_values import plain_value
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
-from tfloom.launch.logging import get_logger
-from tfloom.launch.missing import is_about_missing, skip_text
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
+from tfloom.launch.core.missing import is_about_missing, skip_text
+from tfloom.launch.logs.logging import get_logger
 
 if TYPE_CHECKING:
     from asyncio import Future

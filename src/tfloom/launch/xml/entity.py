@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any, Protocol
 
-from tfloom.launch.frontend.entity import Entity as BaseEntity
+from tfloom.launch.core.entity import Entity as BaseEntity
 from tfloom.launch.frontend.type_utils import check_is_list_entity
 from tfloom.launch.utilities.nearest import did_you_mean, names_with_hints
 from tfloom.launch.utilities.type_utils import get_typed_value

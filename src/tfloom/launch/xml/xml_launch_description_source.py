@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from tfloom.launch.core.substitution import SomeSubstitutionsType
 from tfloom.launch.launch_description_sources.sources import FrontendLaunchDescriptionSource
-from tfloom.launch.substitution import SomeSubstitutionsType
 from tfloom.launch.xml.parser import Parser
 
 __all__ = ["XMLLaunchDescriptionSource"]

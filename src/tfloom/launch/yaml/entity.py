@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
-from tfloom.launch.frontend.entity import Entity as BaseEntity
+from tfloom.launch.core.entity import Entity as BaseEntity
+from tfloom.launch.core.error_places import place_error
 from tfloom.launch.frontend.type_utils import check_is_list_entity
-from tfloom.launch.utilities.error_places import place_error
 from tfloom.launch.utilities.nearest import did_you_mean, names_with_hints
 from tfloom.launch.utilities.type_utils import is_instance_of
 

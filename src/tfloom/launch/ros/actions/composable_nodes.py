@@ -9,14 +9,19 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, List, Union  # the type that `Entity.get_attr` takes for children
 
-from tfloom.launch.action import Action
-from tfloom.launch.event_handlers import OnProcessStart
-from tfloom.launch.frontend.entity import Entity, ParsesActions
+from tfloom.launch.core.entity import Entity, ParsesActions
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
+from tfloom.launch.core.missing import marked_as_missing
+from tfloom.launch.core.substitution import (
+    SomeSubstitutionsType,
+    SomeSubstitutionsType_types_tuple,
+    SubstitutionFailure,
+)
+from tfloom.launch.entities.action import Action
+from tfloom.launch.events.event_handlers import OnProcessStart
 from tfloom.launch.frontend.expose import expose_action
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
-from tfloom.launch.logging import get_logger
-from tfloom.launch.missing import marked_as_missing
+from tfloom.launch.logs.logging import get_logger
 from tfloom.launch.ros import configurations
 from tfloom.launch.ros.actions.node import Node
 from tfloom.launch.ros.descriptions.composable_node import ComposableNode, parse_composable_nodes
@@ -30,11 +35,6 @@ from tfloom.launch.ros.utilities.names import (
     prefix_namespace,
 )
 from tfloom.launch.ros.utilities.to_parameters_list import to_parameters_list
-from tfloom.launch.substitution import (
-    SomeSubstitutionsType,
-    SomeSubstitutionsType_types_tuple,
-    SubstitutionFailure,
-)
 from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
 from tfloom.launch.utilities.substitutions import perform_some_substitutions, perform_substitutions
 from tfloom.workspace.ament import PackageNotFoundError

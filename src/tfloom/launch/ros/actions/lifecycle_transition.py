@@ -5,17 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Any, ClassVar, Union
 
-from tfloom.launch.action import Action
 from tfloom.launch.actions.event_actions import EmitEvent
 from tfloom.launch.actions.opaque import OpaqueFunction
-from tfloom.launch.event import Event
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
-from tfloom.launch.logging import get_logger
+from tfloom.launch.core.event import Event
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
+from tfloom.launch.core.substitution import SomeSubstitutionsType
+from tfloom.launch.entities.action import Action
+from tfloom.launch.logs.logging import get_logger
 from tfloom.launch.ros.event_handlers.on_state_transition import OnStateTransition
 from tfloom.launch.ros.events.lifecycle_events import ChangeState, StateTransition
 from tfloom.launch.ros.events.matchers import matches_node_name
-from tfloom.launch.substitution import SomeSubstitutionsType
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 
 __all__ = ["LifecycleTransition", "match_node_name_goal", "match_node_name_start_goal"]

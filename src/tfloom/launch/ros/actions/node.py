@@ -6,13 +6,14 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any, ClassVar
 
-from tfloom.launch.action import Action
 from tfloom.launch.actions.execute_process import ExecuteProcess
-from tfloom.launch.frontend.entity import Entity, ParsesActions
+from tfloom.launch.core.entity import Entity, ParsesActions
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
+from tfloom.launch.core.substitution import SomeSubstitutionsType
+from tfloom.launch.entities.action import Action
 from tfloom.launch.frontend.expose import expose_action
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
-from tfloom.launch.logging import get_logger
+from tfloom.launch.logs.logging import get_logger
 from tfloom.launch.ros import configurations
 from tfloom.launch.ros.parameter_descriptions import Parameter
 from tfloom.launch.ros.parameters_type import SomeParameters
@@ -27,7 +28,6 @@ from tfloom.launch.ros.utilities.names import (
     remappings_error,
 )
 from tfloom.launch.ros.utilities.normalize_parameters import normalize_parameters, parameters_error
-from tfloom.launch.substitution import SomeSubstitutionsType
 from tfloom.launch.substitutions.variables import LocalSubstitution
 from tfloom.launch.utilities.argument_errors import substitutions_error, unknown_argument_error, words_error
 from tfloom.launch.utilities.substitutions import (

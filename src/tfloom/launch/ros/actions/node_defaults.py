@@ -5,18 +5,18 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from tfloom.launch.action import Action
 from tfloom.launch.actions.texts import ActionOfTexts
-from tfloom.launch.frontend.entity import Entity, ParsesActions
+from tfloom.launch.core.entity import Entity, ParsesActions
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution, SubstitutionFailure
+from tfloom.launch.entities.action import Action
 from tfloom.launch.frontend.expose import expose_action
-from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.ros import configurations
 from tfloom.launch.ros.parameters_type import ParameterName, ParameterValue, SomeParameterValue
 from tfloom.launch.ros.ros_adapters import get_ros_node
 from tfloom.launch.ros.utilities.evaluate_parameters import evaluate_parameter_dict
 from tfloom.launch.ros.utilities.names import make_namespace_absolute, prefix_namespace
 from tfloom.launch.ros.utilities.normalize_parameters import normalize_parameter_dict
-from tfloom.launch.substitution import SomeSubstitutionsType, Substitution, SubstitutionFailure
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 
 __all__ = [

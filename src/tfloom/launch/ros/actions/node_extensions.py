@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 from typing import TYPE_CHECKING, Any
 
-from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.ros.utilities.plugin_support import PluginException, satisfies_version
 from tfloom.ros_imports.entry_points import may_have_entry_points
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from tfloom.launch.condition import Condition
-from tfloom.launch.frontend.entity import Entity, ParsesActions
+from tfloom.launch.core.condition import Condition
+from tfloom.launch.core.entity import Entity, ParsesActions
+from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution
 from tfloom.launch.ros.parameters_type import Parameters, SomeParameters
 from tfloom.launch.ros.utilities.names import RemapRules, SomeRemapRules, normalize_remap_rules
 from tfloom.launch.ros.utilities.normalize_parameters import normalize_parameters
 from tfloom.launch.ros.utilities.parse_node_tags import parse_parameters, parse_remappings
-from tfloom.launch.substitution import SomeSubstitutionsType, Substitution
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions
 
 __all__ = ["ComposableNode", "parse_composable_nodes"]

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from tfloom.launch.event import Event
-from tfloom.launch.event_handler import EventHandler
-from tfloom.launch.launch_description_entity import SomeEntitiesType
+from tfloom.launch.core.event import Event
+from tfloom.launch.core.launch_description_entity import SomeEntitiesType
+from tfloom.launch.core.substitution import SomeSubstitutionsType
+from tfloom.launch.entities.event_handler import EventHandler
 from tfloom.launch.ros.actions.lifecycle_node import LifecycleNode
 from tfloom.launch.ros.events.lifecycle_events import StateTransition
-from tfloom.launch.substitution import SomeSubstitutionsType
 
 __all__ = ["OnStateTransition"]
 

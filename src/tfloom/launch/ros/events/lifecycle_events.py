@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, ClassVar
 
-from tfloom.launch.event import Event
+from tfloom.launch.core.event import Event
 
 __all__ = ["ChangeState", "StateTransition"]
 

@@ -5,11 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterable
 from pathlib import Path
 
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.missing import marked_as_missing
+from tfloom.launch.core.substitution import (
+    SomeSubstitutionsType,
+    Substitution,
+    SubstitutionFailure,
+    described,
+)
 from tfloom.launch.frontend.expose import expose_substitution
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.missing import marked_as_missing
 from tfloom.launch.ros.substitutions.find_package import FindPackagePrefix
-from tfloom.launch.substitution import SomeSubstitutionsType, Substitution, SubstitutionFailure, described
 from tfloom.launch.utilities.nearest import did_you_mean
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 from tfloom.workspace import index

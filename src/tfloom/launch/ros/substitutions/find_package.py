@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import ClassVar
 
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution, described
 from tfloom.launch.frontend.expose import expose_substitution
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.substitution import SomeSubstitutionsType, Substitution, described
 from tfloom.launch.substitutions.parsed import ParsedSubstitution
 from tfloom.launch.utilities.nearest import did_you_mean
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions

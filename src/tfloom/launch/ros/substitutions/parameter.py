@@ -5,10 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.substitution import (
+    SomeSubstitutionsType,
+    Substitution,
+    SubstitutionFailure,
+    described,
+)
 from tfloom.launch.frontend.expose import expose_substitution
-from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.ros.configurations import global_parameters
-from tfloom.launch.substitution import SomeSubstitutionsType, Substitution, SubstitutionFailure, described
 from tfloom.launch.substitutions.parsed import ParsedSubstitution
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, cast
 
-from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.substitution import Substitution
 from tfloom.launch.ros.parameter_descriptions import Parameter, ParameterFile, ParameterValue
 from tfloom.launch.ros.parameters_type import (
     EvaluatedParameters,
@@ -14,7 +15,6 @@ from tfloom.launch.ros.parameters_type import (
     ParametersDict,
 )
 from tfloom.launch.ros.utilities.parameter_text import untyped_items, untyped_value
-from tfloom.launch.substitution import Substitution
 from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
 from tfloom.launch.utilities.substitutions import perform_substitutions
 

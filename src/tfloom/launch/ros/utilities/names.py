@@ -6,8 +6,8 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, TypeVar
 
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.substitution import SomeSubstitutionsType, Substitution
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution
 from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions
 

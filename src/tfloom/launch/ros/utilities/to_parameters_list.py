@@ -6,7 +6,7 @@ import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.ros.parameter_descriptions import Parameter as ParameterDescription
 from tfloom.launch.ros.parameters_type import EvaluatedParameters
 from tfloom.launch.ros.utilities.names import prefix_namespace

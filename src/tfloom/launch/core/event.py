@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tfloom.launch.utilities.private_names import HasPrivateNames
+from tfloom.launch.core.private_names import HasPrivateNames
 from tfloom.ros_imports.guard import ros_repr
 
 __all__ = ["Event"]

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from tfloom.launch.event import Event
-from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
+from tfloom.launch.core.event import Event
+from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
 
 __all__ = ["ExecutionComplete"]
 

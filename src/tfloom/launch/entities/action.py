@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from tfloom.launch.condition import Condition
-from tfloom.launch.events.execution_complete import ExecutionComplete
-from tfloom.launch.frontend.entity import Entity, ParsesActions
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
-from tfloom.launch.utilities.error_places import keep_place, place_of_construction
+from tfloom.launch.core.condition import Condition
+from tfloom.launch.core.entity import Entity, ParsesActions
+from tfloom.launch.core.error_places import keep_place, place_of_construction
+from tfloom.launch.core.execution_complete import ExecutionComplete
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
 
 __all__ = ["Action"]
 

@@ -6,8 +6,8 @@ import os
 from collections.abc import Sequence
 from typing import Any
 
-from tfloom.launch.invalid_launch_file_error import InvalidLaunchFileError
-from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.core.invalid_launch_file_error import InvalidLaunchFileError
+from tfloom.launch.core.launch_context import LaunchContext
 
 __all__ = ["CircularIncludeError", "refuse_circle"]
 

@@ -8,8 +8,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import TypeVar
 
-from tfloom.launch.logging import get_logger
-from tfloom.launch.utilities.error_places import describe_failure
+from tfloom.launch.core.error_places import describe_failure
+from tfloom.launch.logs.logging import get_logger
 from tfloom.workspace import ament
 
 __all__ = ["is_about_missing", "marked_as_missing", "missing_packages_stood_in", "skip_text"]

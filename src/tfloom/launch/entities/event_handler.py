@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from tfloom.launch.event import Event
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.launch_description_entity import LaunchDescriptionEntity, SomeEntitiesType
+from tfloom.launch.core.event import Event
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity, SomeEntitiesType
+from tfloom.launch.core.private_names import HasPrivateNames
 from tfloom.launch.utilities.normalize_to_list_of_entities import normalize_to_list_of_entities
-from tfloom.launch.utilities.private_names import HasPrivateNames
 from tfloom.ros_imports.guard import ros_repr
 
 __all__ = ["BaseEventHandler", "EventHandler"]

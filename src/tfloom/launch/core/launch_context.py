@@ -7,9 +7,9 @@ from collections.abc import Iterable, Mapping, MutableMapping, Sequence
 from queue import SimpleQueue
 from typing import TYPE_CHECKING, Any, Protocol
 
-from tfloom.launch.event import Event
-from tfloom.launch.logging import get_logger
-from tfloom.launch.run_state import HandlesEvents, RunState
+from tfloom.launch.core.event import Event
+from tfloom.launch.core.run_state import HandlesEvents, RunState
+from tfloom.launch.logs.logging import get_logger
 from tfloom.ros_imports.guard import ros_repr
 
 if TYPE_CHECKING:

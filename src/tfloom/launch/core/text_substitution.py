@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.substitution import Substitution
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.substitution import Substitution
 
 __all__ = ["TextSubstitution"]
 

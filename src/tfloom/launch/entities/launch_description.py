@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from tfloom.launch.action import Action
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
-from tfloom.launch.logging import get_logger
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
+from tfloom.launch.entities.action import Action
+from tfloom.launch.logs.logging import get_logger
 from tfloom.launch.utilities.argument_errors import entities_error, entity_error
 
 __all__ = ["LaunchDescription"]

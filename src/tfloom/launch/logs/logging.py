@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any, ClassVar, Union
 
 from tfloom.common.terminal import report
-from tfloom.launch.log_handlers import BraceFormatter, FileHandler, StdoutHandler, close_handler
+from tfloom.launch.logs.log_handlers import BraceFormatter, FileHandler, StdoutHandler, close_handler
 
 __all__ = [
     "LaunchConfig",

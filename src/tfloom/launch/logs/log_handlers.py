@@ -13,8 +13,8 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from tfloom.common.terminal import is_terminal, report, shown, shown_in_colors, unescaped
-from tfloom.launch.background_writing import SCREEN, background_writing
-from tfloom.launch.terminal_colors import colors_of
+from tfloom.launch.logs.background_writing import SCREEN, background_writing
+from tfloom.launch.logs.terminal_colors import colors_of
 
 __all__ = [
     "BraceFormatter",

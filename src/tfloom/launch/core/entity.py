@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any, Protocol, TypeVar
 
-from tfloom.launch.condition import Condition
-from tfloom.launch.substitution import Substitution
+from tfloom.launch.core.condition import Condition
+from tfloom.launch.core.substitution import Substitution
 
 __all__ = ["Entity", "ParsesActions", "TargetType"]
 

@@ -11,7 +11,7 @@ from pathlib import Path
 from traceback import extract_tb
 from types import FrameType
 
-from tfloom.launch.invalid_launch_file_error import InvalidLaunchFileError
+from tfloom.launch.core.invalid_launch_file_error import InvalidLaunchFileError
 
 __all__ = [
     "add_to_error",

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from queue import SimpleQueue
 from typing import TYPE_CHECKING, Any, Protocol
 
-from tfloom.launch.event import Event
+from tfloom.launch.core.event import Event
 
 if TYPE_CHECKING:
     from asyncio import AbstractEventLoop, Future

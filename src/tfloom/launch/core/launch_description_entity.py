@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, Union
 
-from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.utilities.private_names import HasPrivateNames
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.private_names import HasPrivateNames
 from tfloom.ros_imports.guard import ros_repr
 
 if TYPE_CHECKING:
