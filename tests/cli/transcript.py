@@ -17,8 +17,8 @@ from typing import NamedTuple
 import pytest
 from tests.conftest import python_with
 
-from tfloom.cli.graph import MISSING
 from tfloom.cli.main import main
+from tfloom.cli.shared.graph import MISSING
 from tfloom.launch.descriptions import executable
 from tfloom.launch.logs import logging as launch_logging
 
