@@ -51,6 +51,12 @@ LISTED = re.compile(r"^- ([\w/*]+(?:, [\w/*]+)*): ", re.MULTILINE)
 NODE_ROOMS = rooms_in_order(NODE)
 """The rooms inside node/, from the bottom up, as its docstring lists them; "" are the files beside them."""
 
+LAUNCH_ROOMS = rooms_in_order(NODE.parent / "launch")
+"""The rooms inside launch/, as NODE_ROOMS."""
+
+INNER_ROOMS = {"node": NODE_ROOMS, "launch": LAUNCH_ROOMS}
+"""The rooms that have rooms inside with an order."""
+
 DOORS = {
     "pygame": ("turtlesim/window.py",),
     "reportlab": ("tf2_tools/drawing/",),
@@ -165,21 +171,22 @@ def imports_point_down(house: Path) -> list[str]:
     return violations
 
 
-def node_rooms_point_down(house: Path) -> list[str]:
-    """Inside node/ a room imports only itself and the rooms before it in NODE_ROOMS."""
+def inner_rooms_point_down(house: Path) -> list[str]:
+    """Inside node/ and launch/ a room imports only itself and the rooms before it in INNER_ROOMS."""
 
-    def level(dotted: str) -> int | None:
+    def level(outer: str, dotted: str) -> int | None:
         parts = dotted.split(".")
-        if parts[:2] != ["tfloom", "node"] or len(parts) < 3:
+        if parts[:2] != ["tfloom", outer] or len(parts) < 3:
             return None
-        room = parts[2] if (house / "node" / parts[2]).is_dir() else ""
-        return NODE_ROOMS.index(room) if room in NODE_ROOMS else None
+        room = parts[2] if (house / outer / parts[2]).is_dir() else ""
+        return INNER_ROOMS[outer].index(room) if room in INNER_ROOMS[outer] else None
 
     violations = []
-    for statement in imports(house):
-        here, there = level(statement.importer), level(statement.imported)
-        if here is not None and there is not None and there > here:
-            violations.append(f"{_where(house, statement)}, which comes after node/{NODE_ROOMS[here]}")
+    for outer, rooms in INNER_ROOMS.items():
+        for statement in imports(house):
+            here, there = level(outer, statement.importer), level(outer, statement.imported)
+            if here is not None and there is not None and there > here:
+                violations.append(f"{_where(house, statement)}, which comes after {outer}/{rooms[here]}")
     return violations
 
 
@@ -284,25 +291,29 @@ def _folders(path: Path) -> set[str]:
 
 
 def each_room_has_its_place(house: Path) -> list[str]:
-    """Each folder of the house is on a shelf, and each one of node/ in the list of its `__init__.py`."""
+    """Each folder of the house is on a shelf, and each one of node/ and launch/ in INNER_ROOMS."""
     named = {room for rooms in SHELVES for room in rooms}
     violations = [
         f"{room}/ stands on no shelf: add it to SHELVES of tests/architecture.py"
         for room in sorted(_folders(house) - named)
     ]
     violations += [
-        f"node/{room}/ has no place: add it to the list of node/__init__.py"
-        for room in sorted(_folders(house / "node") - set(NODE_ROOMS))
+        f"{outer}/{room}/ has no place: add it to the list of {outer}/__init__.py"
+        for outer, rooms in INNER_ROOMS.items()
+        for room in sorted(_folders(house / outer) - set(rooms))
     ]
     return violations
 
 
 def nothing_is_named_that_does_not_exist(house: Path) -> list[str]:
-    """Each room of SHELVES and NODE_ROOMS exists, and each library of DOORS is imported by its door."""
+    """Each room of SHELVES and INNER_ROOMS exists, and each library of DOORS is imported by its door."""
     rooms = _folders(house) | {path.stem for path in house.glob("*.pyi")}
     violations = [f"SHELVES names {room}" for shelf in SHELVES for room in shelf if room not in rooms]
     violations += [
-        f"NODE_ROOMS names {room}" for room in NODE_ROOMS if room and not (house / "node" / room).is_dir()
+        f"INNER_ROOMS names {outer}/{room}"
+        for outer, inner_rooms in INNER_ROOMS.items()
+        for room in inner_rooms
+        if room and not (house / outer / room).is_dir()
     ]
     used = {library for _, _, library in libraries(house)}
     violations += [f"DOORS names {library}" for library in DOORS if library not in used]
@@ -569,7 +580,7 @@ Rule = Callable[[Path], list[str]]
 
 HOUSE_RULES: list[Rule] = [
     imports_point_down,
-    node_rooms_point_down,
+    inner_rooms_point_down,
     no_import_of_an_own_top,
     no_relative_import,
     no_ros_name,

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 from tests import architecture
-from tests.architecture import HOUSE_RULES, NATIVE_RULES, NODE_ROOMS, SHELVES, Rule
+from tests.architecture import HOUSE_RULES, INNER_ROOMS, NATIVE_RULES, SHELVES, Rule
 from tests.conftest import run_to_end
 from tools.native_readme import BEGIN
 
@@ -48,7 +48,12 @@ def sound_house(tmp_path: Path) -> Path:
     files = {
         f"{room}/__init__.py": '"""A room."""\n' for shelf in SHELVES for room in shelf if room != "_native"
     }
-    files |= {f"node/{room}/__init__.py": '"""A room."""\n' for room in NODE_ROOMS if room}
+    files |= {
+        f"{outer}/{room}/__init__.py": '"""A room."""\n'
+        for outer, rooms in INNER_ROOMS.items()
+        for room in rooms
+        if room
+    }
     files["_native.pyi"] = ""
     files["__init__.py"] = "import numpy, yaml\nif TYPE_CHECKING:\n    import typing_extensions\n"
     files["ros_names/rclpy/__init__.py"] = "from tfloom.node.node import Node\n"
@@ -82,15 +87,19 @@ VIOLATIONS: list[tuple[Rule, dict[str, str], list[str]]] = [
         ],
     ),
     (
-        architecture.node_rooms_point_down,
+        architecture.inner_rooms_point_down,
         {
             "node/qos/qos.py": (
                 "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from tfloom.node.clock import clock\n"
             ),
             "node/builtin/service.py": "from tfloom.node.node import Node\n",
             "node/program.py": "from tfloom.node.action import client\n",
+            "launch/core/event.py": "from tfloom.launch.logs import logging\nimport tfloom.launch.events.process\n",
+            "launch/launch_service.py": "from tfloom.launch.ros import actions\n",
         },
         [
+            "launch/core/event.py:2 imports tfloom.launch.events.process, which comes after launch/core",
+            "launch/launch_service.py:1 imports tfloom.launch.ros, which comes after launch/",
             "node/builtin/service.py:1 imports tfloom.node.node, which comes after node/builtin",
             "node/program.py:1 imports tfloom.node.action, which comes after node/",
             "node/qos/qos.py:3 imports tfloom.node.clock, which comes after node/qos",
@@ -171,14 +180,15 @@ VIOLATIONS: list[tuple[Rule, dict[str, str], list[str]]] = [
                 '    with base: an example\n"""\n'
             ),
             "rmw/base.py": "",
-            "rmw/local_services.py": "",
+            "rmw/local/services.py": "",
         },
         ["rmw/__init__.py lists old/, which isn't there", "rmw/__init__.py lists wire, which isn't there"],
     ),
     (
         architecture.each_room_has_its_place,
-        {"stage/reader.py": "", "node/helpers/x.py": ""},
+        {"stage/reader.py": "", "node/helpers/x.py": "", "launch/helpers/x.py": ""},
         [
+            "launch/helpers/ has no place: add it to the list of launch/__init__.py",
             "node/helpers/ has no place: add it to the list of node/__init__.py",
             "stage/ stands on no shelf: add it to SHELVES of tests/architecture.py",
         ],
@@ -242,7 +252,7 @@ VIOLATIONS: list[tuple[Rule, dict[str, str], list[str]]] = [
         {
             "rmw/local/ends.py": "def give(sink):\n    sink.push()\ndef other():\n    give(sink)\n",
             "rmw/x.py": (
-                "from tfloom.rmw.local.ends import give\n"
+                "from tfloom.rmw.local.wire.ends import give\n"
                 "def deliver(self):\n    give(self.sink)\n"
                 "def write(self):\n    with self._lock:\n"
                 "        later = lambda: give(self.sink)\n        self.deliver()\n"
@@ -272,12 +282,14 @@ def test_planted_violation_is_found(
 def test_name_of_a_missing_room_or_library_is_found(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     house = sound_house(tmp_path)
     monkeypatch.setattr(architecture, "SHELVES", [*SHELVES, ["stage"]])
-    monkeypatch.setattr(architecture, "NODE_ROOMS", [*NODE_ROOMS, "helpers"])
+    monkeypatch.setattr(
+        architecture, "INNER_ROOMS", INNER_ROOMS | {"node": [*INNER_ROOMS["node"], "helpers"]}
+    )
     monkeypatch.setattr(architecture, "DOORS", architecture.DOORS | {"rerun": ("viewer/",)})
     monkeypatch.setattr(architecture, "EVERYWHERE", architecture.EVERYWHERE | {"scipy"})
     assert architecture.nothing_is_named_that_does_not_exist(house) == [
         "SHELVES names stage",
-        "NODE_ROOMS names helpers",
+        "INNER_ROOMS names node/helpers",
         "DOORS names rerun",
         "EVERYWHERE names scipy",
     ]

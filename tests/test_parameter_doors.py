@@ -13,11 +13,11 @@ from tests.cli import transcript
 from tests.viewer.conftest import running_node, spinning
 
 from tfloom.cli.api.param import call_set_parameters, load_parameter_file
-from tfloom.cli.interfaces import fill_message, parse_yaml
+from tfloom.cli.shared.interfaces import fill_message, parse_yaml
 from tfloom.interfaces.rcl_interfaces.msg import Parameter as ParameterMsg
 from tfloom.interfaces.rcl_interfaces.msg import ParameterValue
 from tfloom.interfaces.std_msgs.msg import String
-from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.ros.parameter_descriptions import ParameterValue as LaunchValue
 from tfloom.launch.ros.utilities.evaluate_parameters import evaluate_parameters
 from tfloom.launch.ros.utilities.normalize_parameters import normalize_parameters

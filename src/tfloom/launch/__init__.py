@@ -5,14 +5,19 @@ says how. Files hold what belongs together; the names of the reference's files a
 
 From the bottom up:
 
-- logs/: where lines go;  core/: the state that entities share, and base classes
+- logs/: where lines go
+- core/: the state that entities share, and base classes
 - utilities/: texts, and values of a type
-- entities/: actions, conditions and descriptions;  events/: what happens, and what is done then
+- entities/: actions, conditions and descriptions
+- events/: what happens, and what is done then
 - processes/: a process group, with pipes or terminals; who ends what is left, also if the launch is killed
-- frontend/: elements of launch files, and the tables of tags and substitutions;  substitutions/: texts at the run
-- descriptions/: executables;  launch_description_sources/, xml/, yaml/: files
+- frontend/: elements of launch files, and the tables of tags and substitutions
+- substitutions/: texts at the run
+- descriptions/: executables
+- launch_description_sources/, xml/, yaml/: files
 - actions/: `execute_local` runs a process from its start to its end
-- launch_service: the engine;  launch_introspector: `--print`
+- launch_service: the engine
+- launch_introspector: `--print`
 - ros/: launch_ros: nodes, parameters, lifecycle; the one part that imports `tfloom.node`
 - testing/: launch_testing; in fixtures/ launch_pytest, in ros/ launch_testing_ros
 """

@@ -3,7 +3,7 @@
 - definitions/: the common packages' files, read by generate, which writes `tfloom.interfaces`
 - parse, spec, references, type_hash: a definition, and the hash of its type
 - message, cdr, fill: objects of messages, their bytes, their fields from plain values
-- yaml_text, user_yaml: as text, and from a user's; yaml_scanner, written_values: what the latter reads with, and marks
+- yaml_text: messages as text, and from a user's
 - adapter: rosidl_adapter.parser
 - dynamic, definition_modules: types at run time; class_modules: the modules that classes name as theirs
 - idl_tokens, idl_values, idl_reader, idl_types, idl_parser, idl_spec: .idl files

@@ -2,13 +2,12 @@
 
 - frames, camera, playback, shapes: what is shown, without viser
 - displays/: from a message to shapes, a file for each kind
-- type_searches: types that have no definition here
 - topic_log: the messages of one topic, from which displays, plots and the slider read
 - topics, topic_reader, recorded: those of a graph, or of a recording
 - feed, replay: what a display shows of them
 - shared_state: what all pages share, and what follows of it
 - drawing, scene, scene_server, viser_private, mesh_files: viser's scene and server
-- page_server, access, page_command: the server of our page
+- page_server, page_command: the server of our page
 - fault_text: an error as a sentence for a page
 - forms/: what pages publish, call and send as goals, by forms made from any type
 - driving/: velocities, by a separate process, which stops robots whose page or viewer is gone
@@ -16,6 +15,5 @@
 - layout/: what is shown from the start, of our files or RViz's
 - tools, log_lines, parameters, node_graph, pictures: what is beside the scene
 - inline, inline_page, extra: the page in a notebook; whether the extra is installed
-- foxglove_bridge/: the graph for Foxglove
 - program, live, live_parts: the loop, and what it needs of a graph
 """

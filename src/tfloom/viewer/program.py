@@ -8,6 +8,7 @@ import time
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
+from tfloom.common.files import write_file
 from tfloom.viewer.camera import floor_point
 from tfloom.viewer.displays.display import shown_text
 from tfloom.viewer.fault_text import fault_text
@@ -23,7 +24,6 @@ from tfloom.viewer.scene import Scene
 from tfloom.viewer.scene_server import SceneServer
 from tfloom.viewer.shared_state import MAX_TRAILS, SharedView
 from tfloom.viewer.topics import TypeNotYetKnownError
-from tfloom.whole_files import write_file
 
 if TYPE_CHECKING:
     from pathlib import Path

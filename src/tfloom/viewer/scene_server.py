@@ -15,8 +15,8 @@ import numpy as np
 import rich
 import viser
 
+from tfloom.common.inner_port import InnerPort
 from tfloom.viewer.camera import Camera
-from tfloom.viewer.inner_port import InnerPort
 from tfloom.viewer.layout.layout import ViewPoint
 from tfloom.viewer.viser_private import connections_of, open_connections
 

@@ -10,6 +10,7 @@ from tfloom.cli.api.node import get_absolute_node_name
 from tfloom.cli.nodes.direct import DirectNode
 from tfloom.cli.nodes.strategy import GraphNode, node_of
 from tfloom.cli.param.common import TYPES
+from tfloom.common.terminal import report
 from tfloom.interfaces.rcl_interfaces.msg import Parameter, ParameterValue
 from tfloom.interfaces.rcl_interfaces.srv import (
     DescribeParameters_Response,
@@ -21,7 +22,6 @@ from tfloom.node.client_library import spin_until_future_complete
 from tfloom.node.executing.task import Future
 from tfloom.node.parameters.empty_lists import give_types, untyped_names
 from tfloom.node.parameters.parameter import parameter_dict_from_yaml_file, parameter_value_to_python
-from tfloom.terminal_text import report
 
 __all__ = [
     "ParameterNameCompleter",

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from tfloom.common.terminal import shown_part
 from tfloom.rmw.base import EndpointInfo, Graph
 from tfloom.rmw.compatibility import incompatible_policies
 from tfloom.rmw.events import IncompatibleQoS
 from tfloom.rmw.qos import INFINITE_NS, QoS, QoSPolicyKind
-from tfloom.terminal_text import shown_part
 
 MAX_DIFFERENCES = 5
 """How many differences of a topic's endpoints a warning has."""
