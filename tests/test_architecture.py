@@ -180,7 +180,7 @@ VIOLATIONS: list[tuple[Rule, dict[str, str], list[str]]] = [
                 '    with base: an example\n"""\n'
             ),
             "rmw/base.py": "",
-            "rmw/local/services.py": "",
+            "rmw/local_services.py": "",
         },
         ["rmw/__init__.py lists old/, which isn't there", "rmw/__init__.py lists wire, which isn't there"],
     ),
@@ -252,7 +252,7 @@ VIOLATIONS: list[tuple[Rule, dict[str, str], list[str]]] = [
         {
             "rmw/local/ends.py": "def give(sink):\n    sink.push()\ndef other():\n    give(sink)\n",
             "rmw/x.py": (
-                "from tfloom.rmw.local.wire.ends import give\n"
+                "from tfloom.rmw.local.ends import give\n"
                 "def deliver(self):\n    give(self.sink)\n"
                 "def write(self):\n    with self._lock:\n"
                 "        later = lambda: give(self.sink)\n        self.deliver()\n"

@@ -42,7 +42,7 @@ def test_version_is_printed_without_loading_the_rooms() -> None:
     loaded = run_to_end([sys.executable, "-c", code]).stdout
     assert loaded.startswith(f"tfloom {tfloom.__version__}\n")
     ours = {name for name in loaded.splitlines() if name.startswith("tfloom.")}
-    files = ("errors", "main", "parser", "quiet_imports")
+    files = ("main", "parser", "quiet_imports", "shared", "shared.errors")
     assert ours == {"tfloom.cli", *(f"tfloom.cli.{name}" for name in files)}
     assert not {"numpy", "importlib.metadata"} & set(loaded.splitlines())
 
