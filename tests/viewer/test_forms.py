@@ -155,7 +155,7 @@ WRONG: list[tuple[type[Any], Any, str]] = [
     (PoseStamped, 3, "expected to be a dictionary"),
     (Int64, {"data": str(2**63)}, "data: .*outside"),
     (Int64, {"data": "9" * 10_000}, "data: "),
-    (Int64, {"data": 1.5}, "no whole number"),
+    (Int64, {"data": 1.5}, "not a whole number"),
     (Imu, {"orientation_covariance": [1, 2]}, "orientation_covariance"),
     (Imu, {"orientation_covariance": [[1]] * 9}, "orientation_covariance"),
     (MarkerArray, {"markers": [{"color": {"r": None}}]}, r"markers\[0\]\.color\.r"),
