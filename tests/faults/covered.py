@@ -17,14 +17,14 @@ _BY_FILE: dict[str, dict[str, str]] = {
         "OpaqueCoroutine.__init__(coroutine)": "opaque coroutine",
         "OpaqueFunction.__init__(function)": "opaque function",
     },
-    "launch.condition": {
+    "launch.core.condition": {
         "Condition.__init__(predicate)": "condition",
     },
-    "launch.event_handler": {
+    "launch.entities.event_handler": {
         "BaseEventHandler.__init__(matcher)": "matcher",
         "EventHandler.__init__(matcher)": "matcher",
     },
-    "launch.event_handlers": {
+    "launch.events.event_handlers": {
         "OnActionEventBase.__init__(action_matcher)": "matcher of actions",
         "OnActionEventBase.__init__(on_event)": "event of actions",
         "OnExecutionComplete.__init__(on_completion)": "completion",

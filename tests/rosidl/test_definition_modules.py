@@ -83,7 +83,7 @@ def test_the_finder_loads_nothing_before_it_is_needed(workspace: Path, tmp_path:
     code = "import sys; print(*sorted(name for name in sys.modules if name.startswith('tfloom.')))"
     assert (
         run_python(code, tmp_path, AMENT_PREFIX_PATH=workspace).stdout
-        == "tfloom.ros_imports.finder tfloom.ros_imports.guard\n"
+        == "tfloom.ros_imports tfloom.ros_imports.finder tfloom.ros_imports.guard\n"
     )
 
 

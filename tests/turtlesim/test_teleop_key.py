@@ -44,7 +44,7 @@ def test_keys_drive_and_turn_the_turtle(
     listener.spin_until(lambda: listener.poses)
     teleop = start_teleop()
     # Repeatedly, because the first press may precede discovery.
-    listener.spin_until(lambda: press(b"\x1b[A") and listener.poses[-1].x > 5.6)
+    listener.spin_until(lambda: press(b"\x1b[A") and listener.twists and listener.poses[-1].x > 5.6)
     assert listener.twists[-1].linear.x == 2.0
     assert listener.twists[-1].angular.z == 0.0
     for key, linear, angular in ((b"\x1b[B", -2.0, 0.0), (b"\x1b[C", 0.0, -2.0), (b"\x1b[D", 0.0, 2.0)):

@@ -7,6 +7,8 @@ reverses the direction of a line. On a terminal such characters appear as escape
 
 from __future__ import annotations
 
+import atexit
+import os
 import re
 import sys
 from collections.abc import Iterator
@@ -64,8 +66,26 @@ def report(text: object) -> None:
     Without a stderr, `print` would write it among the results, on stdout.
     """
     if sys.stderr is not None:
-        with suppress(OSError, ValueError):
+        try:
             print(text, file=sys.stderr)
+        except OSError:
+            # Its buffer keeps the text, and the interpreter's exit would fail to write it: exit code 120.
+            atexit.unregister(_drop_unwritten)
+            atexit.register(_drop_unwritten)
+        except ValueError:  # it is closed
+            pass
+
+
+def _drop_unwritten() -> None:
+    """Drop what stderr still can't write."""
+    if sys.stderr is not None:
+        try:
+            sys.stderr.flush()
+        except OSError:
+            with suppress(OSError, ValueError):
+                os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stderr.fileno())
+        except ValueError:  # it is closed
+            pass
 
 
 def shown_part(name: str) -> str:

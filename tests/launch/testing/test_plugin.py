@@ -80,7 +80,8 @@ def test_loaded():
     loaded = [name for name in sys.modules if name.split(".")[0] == "tfloom"]
     assert sorted(loaded) == [
         "tfloom", "tfloom.launch", "tfloom.launch.testing", "tfloom.launch.testing.hookspecs",
-        "tfloom.launch.testing.plugin", "tfloom.ros_imports.guard", "tfloom.testing", "tfloom.testing.plugin",
+        "tfloom.launch.testing.plugin", "tfloom.ros_imports", "tfloom.ros_imports.guard", "tfloom.testing",
+        "tfloom.testing.plugin",
     ], loaded
     import tfloom.tf2.transform
     assert "AssertionRewritingHook" not in repr(tfloom.tf2.transform.__loader__)
