@@ -78,5 +78,7 @@ def test_the_filter_leaves_the_cards_that_have_its_words(
     page.goto(f"{page_file.as_uri()}#node-task-order")  # a link to a card that is filtered out shows all
     page.wait_for_function("document.querySelector('.differences-filter input').value === ''")
     assert cards.count() == len(deviations)
-    assert 0 <= page.locator("#node-task-order").bounding_box()["y"] < 900
+    page.wait_for_function(  # the page scrolls smoothly
+        "(y => 0 <= y && y < innerHeight)(document.querySelector('#node-task-order').getBoundingClientRect().y)"
+    )
     page.close()
