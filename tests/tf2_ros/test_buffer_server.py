@@ -327,8 +327,9 @@ def test_rejected_goal_raises(server_node: Node, make_node: MakeNode) -> None:
     ActionServer(
         server_node, LookupTransform, ACTION, lambda _: None, goal_callback=lambda _: GoalResponse.REJECT
     )
+    client = connected(make_node("asker"), timeout_padding=Duration(seconds=10))
     with pytest.raises(TimeoutException, match="did not come back with accepted status"):
-        padded(make_node("asker")).lookup_transform("world", "robot", LATEST)
+        client.lookup_transform("world", "robot", LATEST)
 
 
 def test_timeout_of_the_reference_server_raises(server_node: Node, make_node: MakeNode) -> None:

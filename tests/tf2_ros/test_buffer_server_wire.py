@@ -107,7 +107,7 @@ def test_missing_and_killed_server(start: Callable[..., Program]) -> None:
     hasty = CLIENT.replace("wait_for_server(20)", "wait_for_server(0.2)")
     lines = (
         "ask('world', 'robot', Time(), 5)",
-        "client = BufferClient(node, 'tf2_buffer_server', timeout_padding=Duration(seconds=1))",
+        "client = BufferClient(node, 'tf2_buffer_server', timeout_padding=Duration(seconds=5))",
         "client.wait_for_server(20)",
         "ask('world', 'robot', Time(), 0.5)",
         "ask('world', 'robot', Time(), 3)",
