@@ -205,7 +205,9 @@ def _exit_code(argv: Sequence[str] | None, prog: str) -> int:
         if sys.stdout is not None:
             sys.stdout.flush()
     except BrokenPipeError:
-        _drop_output()
+        from tfloom.common.terminal import drop_unwritten
+
+        drop_unwritten(sys.stdout)
         return PIPE_CLOSED
     except Exception as error:
         if isinstance(error.__cause__, KeyboardInterrupt):
@@ -213,12 +215,12 @@ def _exit_code(argv: Sequence[str] | None, prog: str) -> int:
             raise error.__cause__ from None
         if (text := _sentence(error, prog)) is None:
             raise
-        from tfloom.common.terminal import report, shown_on_terminals
+        from tfloom.common.terminal import drop_unwritten, report, shown_on_terminals
 
         with shown_on_terminals():
             report(text)
         if isinstance(error, OSError):
-            _drop_output()
+            drop_unwritten(sys.stdout)
         return error.exit_code if isinstance(error, CommandError) else 1
     return code
 
@@ -279,11 +281,6 @@ def _add_extensions(parser: VerbParser, words: Any, group: str) -> Callable[[], 
     from tfloom.cli.plugins.words import add_installed_words
 
     return add_installed_words(parser, words, group)
-
-
-def _drop_output() -> None:
-    """Discard the rest of the buffer, because the interpreter's flush at exit would raise again."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _interrupt_again(error: sys.UnraisableHookArgs) -> None:

@@ -17,6 +17,7 @@ from typing import Any, TextIO
 
 __all__ = [
     "TerminalOutput",
+    "drop_unwritten",
     "is_terminal",
     "report",
     "shown",
@@ -70,22 +71,30 @@ def report(text: object) -> None:
             print(text, file=sys.stderr)
         except OSError:
             # Its buffer keeps the text, and the interpreter's exit would fail to write it: exit code 120.
-            atexit.unregister(_drop_unwritten)
-            atexit.register(_drop_unwritten)
+            atexit.unregister(_drop_what_stderr_refuses)
+            atexit.register(_drop_what_stderr_refuses)
         except ValueError:  # it is closed
             pass
 
 
-def _drop_unwritten() -> None:
+def _drop_what_stderr_refuses() -> None:
     """Drop what stderr still can't write."""
     if sys.stderr is not None:
         try:
             sys.stderr.flush()
         except OSError:
-            with suppress(OSError, ValueError):
-                os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stderr.fileno())
+            drop_unwritten(sys.stderr)
         except ValueError:  # it is closed
             pass
+
+
+def drop_unwritten(stream: TextIO | None) -> None:
+    """Drop what a standard stream holds and could not write, or the interpreter's exit would try again, and fail."""
+    if stream is not None:
+        null = os.open(os.devnull, os.O_WRONLY)
+        with suppress(OSError, ValueError):  # it has no descriptor, or is closed
+            os.dup2(null, stream.fileno())
+        os.close(null)
 
 
 def shown_part(name: str) -> str:
