@@ -19,7 +19,7 @@ from tfloom.rmw.cyclone import wire as cyclonedds
 from tfloom.rmw.cyclone.config import configuration
 from tfloom.rmw.cyclone.library import find_library
 from tfloom.rmw.cyclone.services import CycloneClients, CycloneServers, Vendors, end_id
-from tfloom.rmw.errors import ClosedError, ForeignPeerError
+from tfloom.rmw.errors import ClosedError, CongestedError, ForeignPeerError
 from tfloom.rmw.qos import HistoryPolicy, QoS
 from tfloom.rmw.services import HeaderRequester, HeaderResponder, RequestsInFlight
 
@@ -750,8 +750,27 @@ def test_held_requests_are_bounded(most: int, size: int, monkeypatch: pytest.Mon
     writer = FakeEnd((CYCLONE, b""))
     writer.room = 0
     client = client_on_cyclone(writer)
-    for _ in range(100):
+    for _ in range(20):
+        client.send(HEADER + b"ask!")
+    with pytest.raises(
+        CongestedError, match=f"20 earlier ones, of {20 * (len(HEADER) + 4)} bytes, wait for servers"
+    ):
         client.send(HEADER + b"ask!")
     writer.room = 1000
-    wait_until(lambda: numbers_of(writer) == list(range(81, 101)))
+    wait_until(lambda: numbers_of(writer) == list(range(1, 21)))
+    client.send(HEADER + b"ask!")  # there is room again
+    wait_until(lambda: numbers_of(writer) == [*range(1, 21), 22])
+    client.close()
+
+
+def test_request_larger_than_all_that_may_be_held_is_held(
+    monkeypatch: pytest.MonkeyPatch, wait_until
+) -> None:
+    monkeypatch.setattr(services, "MAX_HELD_SIZE", 10)
+    writer = FakeEnd((CYCLONE, b""))
+    writer.room = 0
+    client = client_on_cyclone(writer)
+    client.send(HEADER + b"more than ten bytes")
+    writer.room = 1
+    wait_until(lambda: numbers_of(writer) == [1])
     client.close()

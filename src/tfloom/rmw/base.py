@@ -259,6 +259,7 @@ class Requester(Protocol):
 
         Raises:
             ForeignPeerError: a server of this service uses another vendor's format and would misread the request.
+            CongestedError: too many requests wait for servers that do not take them.
             ClosedError: the requester is closed.
         """
 

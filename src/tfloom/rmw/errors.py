@@ -6,6 +6,7 @@ WireError (RuntimeError)
 ├── ClosedError            an endpoint was used after it was closed
 ├── ForkedError            it was opened before this process was forked
 ├── ForeignPeerError       a service's peer uses another vendor's format
+├── CongestedError         servers take no requests, and as many wait as are kept
 └── UnsupportedEventError  this wire, or this kind of endpoint, has no such event
 """
 
@@ -34,6 +35,10 @@ class ForkedError(WireError):
 
 class ForeignPeerError(WireError):
     """A request was not sent, because a server of another vendor would misread it."""
+
+
+class CongestedError(WireError):
+    """A request was not sent, because as many as are kept wait for servers that do not take them."""
 
 
 class UnsupportedEventError(WireError):

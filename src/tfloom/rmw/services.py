@@ -17,7 +17,7 @@ from typing import Protocol
 
 from tfloom._native import ReadyQueue
 from tfloom.rmw.base import Reader, Request, RequestId, Response, Sample, Writer
-from tfloom.rmw.errors import ClosedError, ForeignPeerError, WireError
+from tfloom.rmw.errors import ClosedError, CongestedError, ForeignPeerError, WireError
 from tfloom.rmw.events import Event
 from tfloom.rmw.qos import HistoryPolicy, QoS
 
@@ -40,7 +40,7 @@ MAX_SENT_AT_ONCE = 100
 """The most requests that are sent without giving other threads the lock."""
 
 MAX_HELD, MAX_HELD_SIZE = 100_000, 256 << 20
-"""The most requests, and bytes of them, that are held; of more, the oldest are dropped."""
+"""The most requests, and bytes of them, that are held; a further one is refused."""
 
 _HEADER = struct.Struct("<8sq")
 _ENCAPSULATION_SIZE = 4
@@ -178,6 +178,9 @@ class RequestsInFlight:
         """Let a client write a request, at once if fewer than its limit are in flight, or it has none.
 
         This never waits for a server: what its writer has no room for is held.
+
+        Raises:
+            CongestedError: `MAX_HELD` requests are held, or this one would make them more than `MAX_HELD_SIZE`.
         """
         # Without a limit there is nothing to count. But a request that is already held goes first, so that the requests
         # of a client arrive in order. `_held` is read without the lock: what another thread holds at this moment is
@@ -185,10 +188,16 @@ class RequestsInFlight:
         if not self._held and client.most_in_flight() is None and client.write(data, number):
             return
         with self._lock:
+            size = self._held_size + len(data)
+            # A single request may be larger than all that are held may be: nothing else would ever send it.
+            if len(self._held) >= MAX_HELD or (self._held and size > MAX_HELD_SIZE):
+                raise CongestedError(
+                    f"the request was not sent: {len(self._held)} earlier ones, of {self._held_size} bytes, wait for "
+                    "servers that do not take them. Await responses before you send more, or end the servers that "
+                    "do not answer"
+                )
             self._held[client.client_gid, number] = client, data
-            self._held_size += len(data)
-            while len(self._held) > MAX_HELD or self._held_size > MAX_HELD_SIZE > len(data):
-                self._drop(next(iter(self._held)))
+            self._held_size = size
             if self._room_timer is not None:  # it sends this one, too
                 return
         self._send_held()
@@ -326,6 +335,7 @@ class HeaderRequester:
 
         Raises:
             ForeignPeerError: a server of this service uses another vendor's format.
+            CongestedError: too many requests wait for servers that do not take them.
             ClosedError: the requester is closed.
         """
         if text := self._servers.incompatibility():

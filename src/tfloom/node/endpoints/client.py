@@ -249,6 +249,7 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
             TypeError: `request` isn't of the service's request type.
             EncodeError: the value of a field doesn't fit its type.
             ForeignPeerError: a server uses another vendor's format and would misread the request.
+            CongestedError: `rmw.services.MAX_HELD` requests wait for servers that do not take them.
             InvalidHandle: the client was destroyed.
             ForkedProcessError: this process is a fork of the one that created the client.
         """
