@@ -61,7 +61,9 @@ class Client:
     def wait_for(self, condition: Callable[[], Any], what: str = "") -> Any:
         end_s = time.monotonic() + TIMEOUT_S
         while not (value := condition()):
-            assert time.monotonic() < end_s, f"timed out waiting for {what}: {self.texts[-5:]}"
+            assert time.monotonic() < end_s, (
+                f"timed out waiting for {what}; {len(self.messages)} messages came, and at last {self.texts[-5:]}"
+            )
             try:
                 self.take(self.socket.recv(timeout=0.05))
             except TimeoutError:

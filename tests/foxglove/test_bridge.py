@@ -89,9 +89,9 @@ def test_each_client_gets_kept_messages_and_a_lost_one_is_forgotten(domain_id: i
         wait_until(lambda: publisher.get_subscription_count() == 0)
 
 
-@pytest.mark.parametrize(("publishers", "each"), [(200, 1), (1, 100)])
+@pytest.mark.parametrize(("publishers", "each", "backlog"), [(200, 1, 128), (1, 100, 128), (1, 100, 8)])
 def test_all_kept_messages_come_whatever_their_number(
-    publishers: int, each: int, domain_id: int, node: Node
+    publishers: int, each: int, backlog: int, domain_id: int, node: Node
 ) -> None:
     qos = QoSProfile(depth=each, durability=DurabilityPolicy.TRANSIENT_LOCAL)
     texts = [str(number) for number in range(publishers * each)]
@@ -99,11 +99,29 @@ def test_all_kept_messages_come_whatever_their_number(
         publisher = node.create_publisher(String, "/tf_static", qos)
         for text in texts[first : first + each]:
             publisher.publish(String(data=text))
-    with connected(domain_id) as client:
+    with connected(domain_id, f"message_backlog_size:={backlog}") as client:
         client.subscribe("/tf_static", 1)
         client.wait_for(lambda: len(client.messages) >= len(texts), "the kept messages")
-        got = {cdr.decode(String, data).data for _, data in client.messages}
-        assert got == set(texts)
+        assert sorted(int(cdr.decode(String, data).data) for _, data in client.messages) == [*map(int, texts)]
+
+
+def test_client_that_leaves_while_kept_messages_wait_leaves_none_to_the_next(
+    domain_id: int, node: Node
+) -> None:
+    qos = QoSProfile(depth=50, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+    publisher = node.create_publisher(String, "/tf_static", qos)
+    texts = [str(number) for number in range(50)]
+    for text in texts:
+        publisher.publish(String(data=text))
+    with bridging(domain_id, "message_backlog_size:=8") as bridge:
+        for count in (3, len(texts)):
+            client = connect_to(bridge)
+            client.subscribe("/tf_static", 1)
+            client.wait_for(lambda client=client, count=count: len(client.messages) >= count, "kept messages")
+            client.socket.close()
+            got = [cdr.decode(String, data).data for _, data in client.messages]
+            assert got == texts[: len(got)]
+            wait_until(lambda: publisher.get_subscription_count() == 0)
 
 
 def test_best_effort_publisher_that_comes_later_is_heard(domain_id: int, node: Node) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import time
+from collections import deque
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
@@ -9,13 +11,16 @@ from foxglove import Channel, Context, Schema
 
 from tfloom.bag.recording.requested_qos import adapted
 from tfloom.bag.writing.definition_text import find_definition
+from tfloom.node.clock.clock import Clock
 from tfloom.node.qos.qos import QoSProfile
+from tfloom.node.values.clock_type import ClockType
 from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, ReliabilityPolicy
 
 if TYPE_CHECKING:
     from tfloom.foxglove.known_types import KnownTypes
     from tfloom.foxglove.settings import Settings
     from tfloom.node.endpoints.subscription import Subscription
+    from tfloom.node.executing.timer import Timer
     from tfloom.node.node import Node
 
 __all__ = ["Channels", "schema_of"]
@@ -27,6 +32,8 @@ connections of clients for which too many messages wait."""
 KEPT_DEPTH = 1000
 """Least depth of a subscription to publishers that keep messages for late ones, all of which come at once; those on DDS
 don't say how many they keep."""
+BURST_S = 0.05
+"""Period in which a quarter of a client's backlog is sent at most, of messages that publishers keep [s]."""
 
 
 class Channels:
@@ -118,6 +125,13 @@ class _TopicChannel:
         self._clients: set[int] = set()
         self._subscription: Subscription[Any] | None = None
         self._qos = QoSProfile(depth=1)
+        self._waiting: deque[tuple[int, bytes]] = deque(maxlen=KEPT_DEPTH)
+        """Time [ns] and data of kept messages that are not sent yet."""
+        self._burst_s = 0.0
+        """When the present burst of them began, on the monotonic clock [s]."""
+        self._burst_count = 0
+        self._timer: Timer | None = None
+        """Sends what waits."""
 
     def subscribe(self, client: int) -> None:
         self._clients.add(client)
@@ -129,6 +143,7 @@ class _TopicChannel:
         self._clients.discard(client)
         if not self._clients:
             self._close_subscription()
+            self._forget_waiting()
 
     def follow(self) -> None:
         """Subscribe anew if the topic's publishers have changed so that this matters."""
@@ -145,7 +160,33 @@ class _TopicChannel:
         )
 
     def _log(self, data: bytes) -> None:
-        self._channel.log(bytes(data), log_time=self._node.get_clock().now().nanoseconds)
+        now_ns = self._node.get_clock().now().nanoseconds
+        if self._qos.durability is DurabilityPolicy.TRANSIENT_LOCAL:
+            self._waiting.append((now_ns, bytes(data)))
+            self._send_waiting()
+        else:
+            self._channel.log(bytes(data), log_time=now_ns)
+
+    def _send_waiting(self) -> None:
+        # All kept messages of a topic come at once. The SDK drops the oldest of those that are more than a client's
+        # backlog, which another thread sends; unlike others, these do not come again.
+        now_s = time.monotonic()
+        if now_s >= self._burst_s + BURST_S:
+            self._burst_s, self._burst_count = now_s, 0
+        while self._waiting and self._burst_count < max(1, self._settings.backlog // 4):
+            self._burst_count += 1
+            stamp_ns, data = self._waiting.popleft()
+            self._channel.log(data, log_time=stamp_ns)
+        if not self._waiting:
+            self._end_timer()
+        elif self._timer is None:
+            clock = Clock(clock_type=ClockType.STEADY_TIME)
+            self._timer = self._node.create_timer(BURST_S, self._send_waiting, clock=clock)
+
+    def _end_timer(self) -> None:
+        if self._timer is not None:
+            self._node.destroy_timer(self._timer)
+            self._timer = None
 
     def _wanted_qos(self) -> QoSProfile:
         """Return a quality of service that all publishers match, so reliable only if all of them are."""
@@ -170,6 +211,11 @@ class _TopicChannel:
             self._node.destroy_subscription(self._subscription)
             self._subscription = None
 
+    def _forget_waiting(self) -> None:
+        self._waiting.clear()
+        self._end_timer()
+
     def close(self) -> None:
         self._close_subscription()
+        self._forget_waiting()
         self._channel.close()
