@@ -147,6 +147,34 @@ def test_stop_waits_for_the_subscription_that_its_writer_does_not_know_yet(bench
     assert robot.velocities() == []
 
 
+def test_stop_of_a_driver_that_took_long_to_start_waits_for_the_robot(bench: Bench) -> None:
+    bench.go(speed=0.0, age_s=10.0)
+    bench.driver.step()
+    robot = Robot(bench.participant)
+    bench.driver.step()
+    assert robot.velocities() == [0.0]
+
+
+def test_stop_reaches_a_robot_that_is_found_after_other_subscriptions(
+    bench: Bench, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(driver_module, "SETTLE_S", 0.2)
+    other = Robot(bench.participant)
+    bench.go(speed=0.0)
+    robot = Robot(bench.participant)
+    bench.driver.step()
+    assert (other.velocities(), robot.velocities()) == ([0.0, 0.0], [0.0])
+    bench.driver.step()
+    bench.go()
+    bench.driver.step()
+    assert (other.velocities(), robot.velocities()) == ([1.0], [1.0])  # the page drives again: no stop waits
+    bench.driver.forget("a")
+    wait_until(lambda: bench.driver.step() > 1e9, what="nothing to do")
+    late = Robot(bench.participant)
+    bench.driver.step()
+    assert (robot.velocities(), late.velocities()) == ([0.0], [])
+
+
 def test_stop_that_nobody_subscribes_to_is_given_up(bench: Bench, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(driver_module, "MATCH_S", 0.05)
     monkeypatch.setattr(driver_module, "KEPT_S", 0.05)

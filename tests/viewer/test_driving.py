@@ -19,9 +19,11 @@ from websockets.sync.client import connect
 
 from tfloom.interfaces.geometry_msgs.msg import Twist, TwistStamped
 from tfloom.node.node import Node
+from tfloom.rmw.base import NodeName
 from tfloom.rmw.local import wire as local
 from tfloom.viewer.driving import link
 from tfloom.viewer.driving.driver import SILENCE_S
+from tfloom.viewer.driving.link import Driving
 from tfloom.viewer.live import live_viewer
 from tfloom.viewer.page_command import PageError
 from tfloom.viewer.program import Viewer
@@ -258,6 +260,72 @@ def test_driver_that_is_killed_is_replaced_and_the_next_one_stops_the_robot(
     drive(page, robot)
 
 
+def test_driver_whose_libraries_print_is_replaced_when_it_is_killed(
+    robot: Robot, viewer: Viewer, page: Page, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(link, "RESTART_S", 0.1)
+    driving: Any = viewer._live.driving
+    monkeypatch.setattr(link, "PROGRAM", "print('a trace\\n7\\n[1]', flush=True); " + link.PROGRAM)
+    driving._process.kill()
+    driving._process._command[2] = link.PROGRAM
+    drive(page, robot)
+    for _ in range(2):
+        driving._process._process.kill()
+        wait_until(lambda: robot.is_stopped, what="the stop by the next driver")
+        drive(page, robot)
+
+
+def test_robot_is_stopped_by_the_next_driver_although_that_one_can_not_be_started_at_first(
+    robot: Robot, viewer: Viewer, page: Page, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(link, "RESTART_S", 0.05)
+    driving: Any = viewer._live.driving
+    drive(page, robot)
+    tries: list[object] = []
+    with monkeypatch.context() as patch:
+
+        def refuse(*words: object, **_: object) -> None:
+            tries.append(words)
+            raise BlockingIOError(11, "Resource temporarily unavailable")
+
+        patch.setattr(link.subprocess, "Popen", refuse)
+        driving._process._process.kill()
+        wait_until(lambda: len(tries) > 3, what="more tries")
+        page.socket.close()
+        assert robot.is_moved
+    wait_until(lambda: robot.is_stopped, what="the stop")
+
+
+@pytest.mark.parametrize("is_frozen", [True, False])
+def test_robot_is_stopped_whose_driver_is_killed_as_its_page_closes(
+    is_frozen: bool, robot: Robot, viewer: Viewer, page: Page, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Whether the driver has read of the page's end or not."""
+    monkeypatch.setattr(link, "RESTART_S", 0.05)
+    driving: Any = viewer._live.driving
+    drive(page, robot)
+    process = driving._process._process
+    if is_frozen:
+        process.send_signal(signal.SIGSTOP)
+    page.socket.close()
+    wait_until(lambda: not viewer._is_open, what="the page's end")
+    process.kill()
+    wait_until(lambda: driving._process._process is not process, what="the next driver")
+    wait_until(lambda: robot.is_stopped, what="the stop")
+
+
+def test_viewer_that_ends_after_its_driver_was_killed_stops_the_robot(
+    robot: Robot, viewer: Viewer, page: Page, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(link, "RESTART_S", 1000.0)
+    driving: Any = viewer._live.driving
+    drive(page, robot)
+    driving._process._next_start_s = time.monotonic() + 1000.0
+    driving._process._process.kill()
+    driving.close()
+    wait_until(lambda: robot.is_stopped, what="the stop")
+
+
 def test_driver_that_hangs_is_ended_with_the_viewer(
     robot: Robot, viewer: Viewer, page: Page, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -359,6 +427,27 @@ def test_on_the_wire_within_a_process_a_thread_drives() -> None:
                 wait_until(lambda: said.extend(robot.take()) or said, what="a velocity")
                 assert viewer._live.driving._process is None
             wait_until(lambda: said.extend(robot.take()) or said[-1].linear.x == 0.0, what="the stop")
+    finally:
+        participant.close()
+
+
+def test_thread_that_drives_and_fails_is_told_and_started_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    participant = local.open_participant(198)
+    told: list[tuple[str, str]] = []
+    try:
+        participant.add_node(node := NodeName("/", "viewer"))
+        driving = Driving(participant, node, lambda: 0)
+        driving.on_refusal = lambda *said: told.append(said)
+        with monkeypatch.context() as patch:
+            patch.setattr(link, "run_driver", lambda *_: 1 / 0)
+            driving.open()
+            wait_until(lambda: told and driving._thread is not None and not driving._thread.is_alive())
+        assert told[0][1].startswith("driving has ended, until a page is opened: ZeroDivisionError")
+        driving.open()
+        assert driving._thread is not None
+        assert driving._thread.is_alive()
+        driving.close()
+        assert not driving._thread.is_alive()
     finally:
         participant.close()
 

@@ -24,8 +24,13 @@ __all__ = ["SILENCE_S", "TWIST_TYPES", "Driver", "Wish", "run_driver"]
 
 SILENCE_S = 0.5
 """A robot that is driven is stopped when its page says nothing for this time [s]."""
-MATCH_S = 2.0
+MATCH_S = 30.0
 """How long a stop is tried again whose writer has no subscription yet [s]."""
+SETTLE_S = 5.0
+"""How long after a writer was opened a stop is written again for each subscription that it finds [s]: the robot's may
+be found after those of others."""
+CLOSE_S = 2.0
+"""How long a stop is tried again at the end of a driver [s]."""
 RETRY_S = 0.02
 """Period of these tries [s]."""
 KEPT_S = 1.0
@@ -74,6 +79,12 @@ class _Topic:
         """Since when no page uses it [s, monotonic]."""
         self.stop: Wish | None = None
         """A stop that waits for a subscription."""
+        self.stop_end_s = math.inf
+        """When that ends [s, monotonic]."""
+        self.told_count = 0
+        """How many subscriptions there were when it was written last; -1 if it was not."""
+        self.settled_s = time.monotonic() + SETTLE_S
+        """From when on all subscriptions are known [s, monotonic]."""
 
 
 class Driver:
@@ -137,9 +148,9 @@ class Driver:
     def close(self) -> None:
         """Stop what is driven, wait until that has arrived, and close the writers."""
         self._stop(self._driven.values())
-        end_s = time.monotonic() + KEPT_S
+        end_s = time.monotonic() + CLOSE_S
         for topic in self._topics.values():
-            while topic.stop is not None and time.monotonic() < end_s:
+            while topic.stop is not None and topic.told_count <= 0 and time.monotonic() < end_s:
                 self._try_stop(topic, topic.stop)
                 time.sleep(RETRY_S)
             with suppress(WireError):
@@ -160,19 +171,24 @@ class Driver:
 
     def _write(self, topic: _Topic, wish: Wish) -> None:
         # A stop that the wire refuses, or that is written before a new writer knows the robot's subscription, is tried
-        # again, because what moves the robot may have arrived.
+        # again, because what moves the robot may have arrived: also from a driver before this one, which was killed.
         topic.stop = None if wish.moves else wish
+        topic.stop_end_s = time.monotonic() + MATCH_S
+        topic.told_count = -1
         self._publish(topic, wish)
-        if topic.writer.matched_count() > 0:
+        topic.told_count = topic.writer.matched_count()
+        if topic.told_count > 0 and time.monotonic() > topic.settled_s:
             topic.stop = None
 
     def _try_stop(self, topic: _Topic, stop: Wish) -> None:
-        """Write a stop again, when its writer has a subscription."""
-        if time.monotonic() > stop.told_s + MATCH_S:
-            topic.stop = None
-        elif topic.writer.matched_count() > 0:
+        """Write a stop again, when its writer has found a subscription."""
+        now_s, count = time.monotonic(), topic.writer.matched_count()
+        if count > topic.told_count:
             with suppress(WireError):
-                self._write(topic, stop)
+                self._publish(topic, stop)
+                topic.told_count = count
+        elif now_s > topic.stop_end_s or (count > 0 and now_s > topic.settled_s):
+            topic.stop = None
 
     @staticmethod
     def _publish(topic: _Topic, wish: Wish) -> None:

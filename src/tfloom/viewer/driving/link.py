@@ -18,6 +18,7 @@ from tfloom.rmw.backends import implementation_identifier
 from tfloom.rmw.base import NodeName
 from tfloom.rmw.local.wire import LocalParticipant
 from tfloom.viewer.driving.driver import TWIST_TYPES, Driver, Wish, run_driver
+from tfloom.viewer.fault_text import fault_text
 from tfloom.viewer.page_command import PageError
 
 if TYPE_CHECKING:
@@ -37,12 +38,14 @@ PROGRAM = (
 """What the process runs: without the current folder among those of modules, which anything may be in."""
 MAX_END_S = 3.0
 """How long the process has to stop everything and end [s]."""
+MAX_START_S = 10.0
+"""How long a process that is started at the end, to stop what a killed one has left, has for that [s]."""
 RESTART_S = 1.0
 """Least time between two starts of the process [s]."""
 MAX_DRIFT = 1e-3
 """How far two clocks drift apart in a second at most [s]."""
 MAX_LEFT_S = 5.0
-"""Age above which a wish is not stopped again by a new process [s]: the one before has done that."""
+"""Age above which a wish needs no stop by a new process if the one before is killed [s]: that one has stopped it."""
 
 
 class Driving:
@@ -78,13 +81,13 @@ class Driving:
         self._environment = {**os.environ, "RMW_IMPLEMENTATION": implementation_identifier()}
 
     def open(self) -> None:
-        """Start the driver, if that isn't done yet: the robot's subscriptions are found before a page drives.
+        """Start the driver, if none runs: the robot's subscriptions are found before a page drives.
 
         Raises:
             PageError: the system has no thread left.
         """
         with self._lock:
-            if self._thread is not None or self._is_closed:
+            if self._is_closed or (self._thread is not None and self._thread.is_alive()):
                 return
             is_here = isinstance(self._participant, LocalParticipant) or getattr(sys, "frozen", False)
             thread = threading.Thread(
@@ -149,11 +152,16 @@ class Driving:
         if self._thread is None:
             return
         self._thread.join(MAX_END_S + 1.0)
+        if self._process is not None and self._process.is_started_to_stop:
+            self._thread.join(MAX_START_S)
         if self._thread.is_alive() and self._process is not None:
             self._process.kill()  # a driver that takes no commands
 
     def _drive_here(self) -> None:
-        run_driver(Driver(self._participant, self._node, self._tell_refusal), self._commands)
+        try:
+            run_driver(Driver(self._participant, self._node, self._tell_refusal), self._commands)
+        except Exception as error:  # it has stopped what it drove
+            self._tell_refusal("", f"driving has ended, until a page is opened: {fault_text(error)}")
 
     def _drive_there(self) -> None:
         """Pass commands to the process, which is started again where it has ended."""
@@ -228,8 +236,11 @@ class _Process:
         self._wake = wake
         self._process: subprocess.Popen[bytes] | None = None
         self._next_start_s = 0.0
+        self.is_started_to_stop = False
+        """Whether `close` has started the process, because the one before was killed."""
         self._driven: dict[tuple[str, str], Wish] = {}
-        """By page and topic: wishes that move a robot, which are stopped if the process is killed."""
+        """By page and topic: the wishes of late that moved a robot, which the next process stops if this one is killed,
+        also those that this one was told to end: it may not have done that."""
 
     def start(self) -> None:
         """Start the process. A page hears why that can't be done."""
@@ -260,39 +271,36 @@ class _Process:
 
     def wait_s(self) -> float | None:
         """Return how long nothing is to be done without a command [s]; None: always."""
-        if self._is_running() or not self._driven:
+        if not self._driven:
             return None
+        if self._is_running():
+            return MAX_LEFT_S
         return max(0.0, self._next_start_s - time.monotonic())
 
     def send(self, command: Wish | str) -> None:
         """Let the process do a command: a wish, or the end of a page."""
+        if self._is_running():
+            since_s = time.monotonic() - MAX_LEFT_S
+            self._driven = {key: wish for key, wish in self._driven.items() if wish.told_s > since_s}
+        if isinstance(command, Wish) and command.moves:
+            self._driven[command.page, command.topic] = command
         if not self._is_running():
-            if isinstance(command, Wish) and command.moves:
-                self._driven[command.page, command.topic] = command
             self._replace()
         self._write(command)
-        if not self._is_running():
-            return  # what was driven is stopped by the next process, also that of pages that are closed meanwhile
-        if isinstance(command, str):
-            self._driven = {key: wish for key, wish in self._driven.items() if wish.page != command}
-        elif command.moves:
-            self._driven[command.page, command.topic] = command
-        else:
-            self._driven.pop((command.page, command.topic), None)
 
     def _is_running(self) -> bool:
         return self._process is not None and self._process.poll() is None
 
     def _replace(self) -> None:
         """Start another process after one that has ended, and let it stop what that one has left."""
-        now_s = time.monotonic()
-        if not self._driven or now_s < self._next_start_s:
+        if not self._driven or time.monotonic() < self._next_start_s:
             return
         self.start()
-        left, self._driven = self._driven, {}
-        for wish in left.values():
-            if now_s < wish.told_s + MAX_LEFT_S:
-                self._write(wish.stopped())
+        # Where it can't be started, that is tried again: until then nothing else stops the robots. What stays in
+        # `_driven` is stopped by yet another process, if this one is killed before it has done so.
+        for wish in self._driven.values():
+            self._write(wish.stopped())
+            self._write(wish.page)  # which may be closed; if not, it says how it wants to go on
 
     def _write(self, command: Wish | str) -> None:
         if self._process is not None and self._process.stdin is not None:
@@ -302,12 +310,17 @@ class _Process:
 
     def _read(self, process: subprocess.Popen[bytes]) -> None:
         """Pass on what the process says, until it has ended."""
-        with cast("IO[bytes]", process.stdout) as lines:  # it is a pipe
-            for line in lines:
-                page, reason = json.loads(line)
-                self._refuse(page, reason)
-        process.wait()
-        self._wake()
+        try:
+            with cast("IO[bytes]", process.stdout) as lines:  # it is a pipe
+                for line in lines:
+                    try:
+                        page, reason = json.loads(line)
+                    except (ValueError, TypeError):
+                        continue  # a library of the process has written it, such as Cyclone DDS's trace
+                    self._refuse(page, reason)
+        finally:  # or nobody would stop what a process drives that is killed
+            process.wait()
+            self._wake()
 
     def _close_pipes(self) -> None:
         if self._process is not None and self._process.stdin is not None:
@@ -315,11 +328,18 @@ class _Process:
                 self._process.stdin.close()
 
     def close(self) -> None:
-        """Let the process stop everything and end."""
+        """Let the process stop everything and end; if it was killed, another one does that."""
+        self._end(MAX_END_S)
+        if self._driven and (self._process is None or self._process.returncode < 0):
+            self._next_start_s, self.is_started_to_stop = 0.0, True
+            self._replace()
+            self._end(MAX_START_S + MAX_END_S)
+
+    def _end(self, limit_s: float) -> None:
         self._close_pipes()
         if self._process is not None:
             try:
-                self._process.wait(MAX_END_S)
+                self._process.wait(limit_s)
             except subprocess.TimeoutExpired:
                 self.kill()
 

@@ -23,6 +23,8 @@ __all__ = ["main"]
 
 MAX_END_S = 5.0
 """How long it has to stop everything and end when the viewer has ended [s]."""
+MAX_OPEN_S = 10.0
+"""How long it has to open the wire before that [s]: it may be started to stop what a killed one has left."""
 ENDS = ("SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT")
 """Signals that end it as the end of the viewer does: robots are stopped first."""
 
@@ -34,10 +36,12 @@ def main(arguments: list[str]) -> int:
         if hasattr(signal, name):
             signal.signal(getattr(signal, name), lambda *_: commands.put(None))
     node = NodeName("/", arguments[1])
+    is_open = threading.Event()
     try:
-        threading.Thread(target=_read, args=(commands,), daemon=True).start()
+        threading.Thread(target=_read, args=(commands, is_open), daemon=True).start()
         with closing(open_participant(int(arguments[0]))) as participant:
             participant.add_node(node)
+            is_open.set()
             run_driver(Driver(participant, node, _refuse), commands)
     except Exception as error:  # nothing else would report it
         _refuse("", f"nobody can drive: {error}")
@@ -45,7 +49,7 @@ def main(arguments: list[str]) -> int:
     return 0
 
 
-def _read(commands: queue.SimpleQueue[Wish | str | None]) -> None:
+def _read(commands: queue.SimpleQueue[Wish | str | None], is_open: threading.Event) -> None:
     # Not by sys.stdin, whose lock this thread would hold when the program ends by a signal: Python aborts then.
     rest = b""
     while data := os.read(0, 65536):
@@ -54,6 +58,7 @@ def _read(commands: queue.SimpleQueue[Wish | str | None]) -> None:
             command = json.loads(line)
             commands.put(command if isinstance(command, str) else Wish(*command))
     commands.put(None)
+    is_open.wait(MAX_OPEN_S)
     time.sleep(MAX_END_S)
     os._exit(1)  # the wire has not let it end, and nobody else would
 
