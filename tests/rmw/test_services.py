@@ -19,7 +19,7 @@ from tfloom.rmw.cyclone import wire as cyclonedds
 from tfloom.rmw.cyclone.config import configuration
 from tfloom.rmw.cyclone.library import find_library
 from tfloom.rmw.cyclone.services import CycloneClients, CycloneServers, Vendors, end_id
-from tfloom.rmw.errors import ClosedError, CongestedError, ForeignPeerError
+from tfloom.rmw.errors import ClosedError, CongestedError, ForeignPeerError, WireError
 from tfloom.rmw.qos import HistoryPolicy, QoS
 from tfloom.rmw.services import HeaderRequester, HeaderResponder, RequestsInFlight
 
@@ -707,9 +707,11 @@ def test_ids_are_written_as_rmw_cyclonedds_writes_them() -> None:
     assert end_id(gid, 8) == " 1.10.37.13.87.87.7a.8a.9d.40.3a.13.0.0.0.8"
 
 
-def client_on_cyclone(writer: FakeEnd, in_flight: RequestsInFlight | None = None) -> HeaderRequester:
+def client_on_cyclone(
+    writer: FakeEnd, in_flight: RequestsInFlight | None = None, key: bytes = b"client 1"
+) -> HeaderRequester:
     servers = CycloneServers(writer, FakeEnd(), "/kill", Vendors())
-    return HeaderRequester(writer, FakeEnd(), servers, b"client 1", in_flight or RequestsInFlight())
+    return HeaderRequester(writer, FakeEnd(), servers, key, in_flight or RequestsInFlight())
 
 
 def test_requests_that_a_writer_has_no_room_for_are_held_and_sent_in_order(wait_until) -> None:
@@ -725,6 +727,37 @@ def test_requests_that_a_writer_has_no_room_for_are_held_and_sent_in_order(wait_
     wait_until(lambda: len(writer.written) == 1000)
     client.send(HEADER + b"ask!")
     assert numbers_of(writer) == list(range(1, 1002))
+
+
+class BrokenEnd(FakeEnd):
+    """A writer that fails to write where it has room."""
+
+    error: WireError = ClosedError("the writer is closed")
+
+    def try_write(self, data: bytes) -> bool:
+        if self.room:
+            raise self.error
+        return False
+
+
+@pytest.mark.parametrize("error", [ClosedError("it is closed"), WireError("cannot write: bad parameter")])
+def test_request_that_fails_while_it_is_held_does_not_hold_up_those_of_other_clients(
+    error: WireError, wait_until, capsys: pytest.CaptureFixture[str]
+) -> None:
+    in_flight = RequestsInFlight()
+    broken, writer = BrokenEnd((CYCLONE, b"")), FakeEnd((CYCLONE, b""))
+    broken.error, broken.room, writer.room = error, 0, 0
+    first, second = client_on_cyclone(broken, in_flight), client_on_cyclone(writer, in_flight, b"client 2")
+    first.send(HEADER + b"ask!")
+    second.send(HEADER + b"ask!")
+    broken.room = writer.room = 100
+    wait_until(lambda: numbers_of(writer) == [1])
+    second.send(HEADER + b"ask!")
+    assert numbers_of(writer) == [1, 2]
+    assert ("was not sent: cannot write" in capsys.readouterr().err) == (not isinstance(error, ClosedError))
+    with pytest.raises(WireError, match=str(error)):
+        first.send(HEADER + b"ask!")
+    assert in_flight._held_size == 0
 
 
 def test_requests_that_wait_for_room_leave_with_their_client(wait_until) -> None:

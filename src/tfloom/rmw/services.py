@@ -16,6 +16,7 @@ from functools import partial
 from typing import Protocol
 
 from tfloom._native import ReadyQueue
+from tfloom.common.terminal import report
 from tfloom.rmw.base import Reader, Request, RequestId, Response, Sample, Writer
 from tfloom.rmw.errors import ClosedError, CongestedError, ForeignPeerError, WireError
 from tfloom.rmw.events import Event
@@ -200,7 +201,7 @@ class RequestsInFlight:
             self._held_size = size
             if self._room_timer is not None:  # it sends this one, too
                 return
-        self._send_held()
+        self._send_held((client.client_gid, number))
 
     def answered(self, client: HeaderRequester, number: int) -> None:
         """Note that a client has taken a response."""
@@ -227,8 +228,12 @@ class RequestsInFlight:
                     self._sent_s.pop(key, None)
         self._send_held()
 
-    def _send_held(self) -> None:
-        """Send as many of the held requests as the servers have room for now, the oldest first."""
+    def _send_held(self, own: _RequestKey | None = None) -> None:
+        """Send as many of the held requests as the servers have room for now, the oldest first.
+
+        Raises:
+            WireError: the caller's own request can't be sent.
+        """
         with self._lock:
             # This call decides anew when to look again, so the timer of the call before it is of no use.
             if self._timer is not None:
@@ -250,21 +255,31 @@ class RequestsInFlight:
                 if sent_s > now_s - UNANSWERED_S:
                     break
                 del self._sent_s[key]
-            if not self._write_held(limit, now_s):
+            if not self._write_held(limit, now_s, own):
                 if self._room_timer is None:
                     self._room_timer = _started_timer(self._room_s, self._look_for_room)
             elif self._held:
                 # If no response arrives from now on, nothing calls this function again but the timer.
                 self._timer = _started_timer(UNANSWERED_S, self._send_held)
 
-    def _write_held(self, limit: int | None, now_s: float) -> bool:
+    def _write_held(self, limit: int | None, now_s: float, own: _RequestKey | None) -> bool:
         """Write held requests up to the limit; return False if a writer has no room, or others shall get the lock."""
         # Written under the lock, which the caller holds: otherwise another thread could send a younger request between
         # the removal of this one and its write.
         sent_count = 0
         while self._held and (limit is None or len(self._sent_s) < limit):
             key, (client, data) = next(iter(self._held.items()))
-            if sent_count == MAX_SENT_AT_ONCE or not client.write(data, key[1]):
+            try:
+                is_written = sent_count < MAX_SENT_AT_ONCE and client.write(data, key[1])
+            except WireError as error:
+                # It would fail again, and those behind it, which may be other clients', would never be sent.
+                self._drop(key)
+                if key == own:
+                    raise
+                if not isinstance(error, ClosedError):
+                    report(f"tfloom: a request that waited for room was not sent: {error}")
+                continue
+            if not is_written:
                 self._room_s = MIN_ROOM_S if sent_count else min(2 * self._room_s, MAX_ROOM_S)
                 return False
             sent_count += 1
