@@ -79,7 +79,7 @@ class ForEach(Action):
         """Return the entities for all sets of values.
 
         Raises:
-            ValueError: a set is not YAML mapping.
+            ValueError: a set is not a YAML mapping.
         """
         sets = _read_sets(perform_substitutions(context, self._input_values))
         if not sets:

@@ -118,7 +118,7 @@ class IncludeLaunchDescription(Action):
         try:
             return super().visit(context)
         except BaseException:
-            self._outer_places.pop()
+            self.end_visit(context)
             raise
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity]:
@@ -147,7 +147,9 @@ class IncludeLaunchDescription(Action):
 
     def end_visit(self, context: LaunchContext) -> None:
         """Return to the place of the file that includes."""
-        for name, value in self._outer_places.pop().items():
+        # A subclass with a `visit` that doesn't call this class's has none.
+        places = self._outer_places.pop() if self._outer_places else {}
+        for name, value in places.items():
             context.remove_local(name)
             if value is not None:
                 context.extend_locals({name: value})
