@@ -86,7 +86,8 @@ bool Writer::write(std::span<const std::byte> data) {
 std::optional<bool> Writer::keep(std::span<const std::byte> data, std::size_t padding) {
   // Samples that have been acknowledged are not sent again, so their copies are released. A full store waits until all
   // are acknowledged, in short steps, so that `close` ends the wait; a reader that acknowledges nothing can delay a
-  // write by ten seconds only, and then misses the fragments that it asks for later.
+  // server's write by ten seconds only, and then misses the fragments that it asks for later. A client's write doesn't
+  // wait: the client holds the request until there is room.
   const auto is_inline = [](const Peer& peer) { return rtps::uses_inline_form(peer.gid); };
   if (std::ranges::none_of(peers_.matched(entity_.get()), is_inline)) return false;
   for (int waits = 0; service_end_->kept_size() > 0; ++waits) {

@@ -75,8 +75,14 @@ class Stage:
             buffer=buffer,
         )
         report = self.reports.append
+        options = {"is_simulated": True, **options}
         return SharedView(
-            Still(seen, buffer), self.topics, self.scene, is_live=True, report=report, **options
+            Still(seen, buffer),
+            self.topics,
+            self.scene,
+            is_live=True,
+            report=report,
+            **options,
         )
 
     def move(self, parent: str, child: str, *xs: float) -> None:

@@ -15,7 +15,7 @@ from tests.viewer.conftest import Page
 from tests.viewer.messages import header, marker, pose
 from tests.viewer.stages import Stage
 
-from tfloom.interfaces.geometry_msgs.msg import PoseStamped
+from tfloom.interfaces.geometry_msgs.msg import Point32, Pose2D, PoseStamped
 from tfloom.interfaces.std_msgs.msg import Float64, String
 from tfloom.interfaces.visualization_msgs.msg import Marker
 from tfloom.rmw.base import NodeName, Participant, Writer
@@ -29,6 +29,7 @@ from tfloom.viewer.feed import Feed
 from tfloom.viewer.frames import FramePoses
 from tfloom.viewer.layout.layout import DisplayLayout, Layout, PlotLayout
 from tfloom.viewer.page_command import PageError
+from tfloom.viewer.plots import plots as plots_module
 from tfloom.viewer.plots.plots import MAX_PLOTS, Plots
 from tfloom.viewer.plots.series import Series
 from tfloom.viewer.program import Viewer
@@ -295,7 +296,131 @@ def test_topic_whose_publisher_left_and_came_back_is_told_and_read(participant: 
     topics.close_all()
 
 
+def test_display_of_a_page_that_has_gone_is_read_when_the_next_one_comes(
+    stage: Stage, participant: Participant, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Its command is done after its end."""
+    monkeypatch.setattr(stage, "topics", LiveTopics(participant, NODE, 60 * S, lambda: 5 * S))
+    stage.move("map", "base", 1.0, 2.0)
+    writer_of(participant, "/marker", Marker)
+    stage.view.suspend()
+    stage.view.set_display("/marker", on=True)
+    assert readers_of(participant, "/marker") == 0
+    for _ in range(2):
+        stage.view.resume()
+        stage.draw()
+        assert readers_of(participant, "/marker") == 1
+    stage.view.suspend()
+    assert readers_of(participant, "/marker") == 0
+
+
+@pytest.mark.parametrize("failing", ["tfloom.viewer.feed.make_display", "tfloom.viewer.feed.Replay"])
+def test_display_that_can_not_be_made_leaves_no_reader(
+    failing: str, stage: Stage, participant: Participant, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(stage, "topics", LiveTopics(participant, NODE, 60 * S, lambda: 5 * S))
+    stage.move("map", "base", 1.0, 2.0)
+    writer_of(participant, "/marker", Marker)
+    with monkeypatch.context() as patch:
+        patch.setattr(failing, lambda *_: 1 / 0)
+        with pytest.raises(ZeroDivisionError):
+            stage.view.set_display("/marker", on=True)
+    assert readers_of(participant, "/marker") == 0
+    stage.view.set_display("/marker", on=True)
+    monkeypatch.setattr(failing, lambda *_: 1 / 0)
+    if failing.endswith("Replay"):
+        stage.view.resume()  # which reads anew
+        assert readers_of(participant, "/marker") == 0
+
+
+def test_topic_that_can_not_be_taken_from_does_not_keep_others_from_being_read(
+    participant: Participant, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    writers = [writer_of(participant, topic, String) for topic in ("/one", "/two", "/three")]
+    topics = LiveTopics(participant, NODE, 60 * S, lambda: 5 * S)
+    cursors = [topics.open(topic) for topic in ("/one", "/two", "/three")]
+    for writer in writers:
+        writer.write(cdr.encode(String(data="said")))
+    monkeypatch.setattr(next(iter(topics._logs.values()))[0], "take", lambda: 1 / 0)
+    with pytest.raises(ZeroDivisionError):
+        topics.poll()
+    assert [texts(cursor) for cursor in cursors] == [[], ["said"], ["said"]]
+    topics.close_all()
+
+
+def test_topic_whose_last_publisher_leaves_while_it_is_opened(
+    participant: Participant, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    writer_of(participant, "/text", String)
+    topics = LiveTopics(participant, NODE, 60 * S, lambda: 5 * S)
+    graph = topics._read_graph()
+    answers = [graph, graph, {}]
+    monkeypatch.setattr(topics, "_read_graph", lambda: answers.pop(0) if len(answers) > 1 else answers[0])
+    with pytest.raises(DisplayError, match="nobody publishes"):
+        topics.open("/text")
+
+
 # Plots.
+
+
+def test_plot_that_was_read_says_nothing_when_it_is_read_again(participant: Participant) -> None:
+    writer = writer_of(participant, "/number", Float64)
+    topics = LiveTopics(participant, NODE, 60 * S, lambda: 5 * S)
+    plots = Plots(topics, 60 * S)
+    plots.add("/number", "data")
+    assert plots.snapshot(None, None)[0]["status"] == "no message yet"
+    writer.write(cdr.encode(Float64(data=1.0)))
+    topics.poll()
+    plots.poll()
+    plots.suspend()
+    plots.look()
+    assert [(plot["status"], plot["values"]) for plot in plots.snapshot(None, None)] == [("", [1.0])]
+    topics.close_all()
+
+
+def test_plot_whose_field_is_not_in_the_type_of_a_later_publisher_does_not_end_the_others(
+    participant: Participant,
+) -> None:
+    now_ns = [5 * S]
+    topics = LiveTopics(participant, NODE, 60 * S, lambda: now_ns[0])
+    plots = Plots(topics, 60 * S)
+    writer = writer_of(participant, "/place", Pose2D)
+    for field in ("x", "theta"):
+        plots.add("/place", field)
+    plots.suspend()
+    writer.close()
+    writer = writer_of(participant, "/place", Point32)
+    plots.look()
+    writer.write(cdr.encode(Point32(x=7.0)))
+    topics.poll()
+    plots.poll()
+    shown = plots.snapshot(None, None)
+    assert [plot["values"] for plot in shown] == [[7.0], []]
+    assert "has no field theta" in shown[1]["status"]
+    topics.close_all()
+
+
+def test_plot_that_fails_does_not_end_the_others(
+    participant: Participant, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    writer = writer_of(participant, "/pose", PoseStamped)
+    topics = LiveTopics(participant, NODE, 60 * S, lambda: 5 * S)
+    plots = Plots(topics, 60 * S)
+    for axis in "xy":
+        plots.add("/pose", f"pose.position.{axis}")
+    number_at = plots_module.number_at
+    monkeypatch.setattr(
+        plots_module,
+        "number_at",
+        lambda message, path: 1 / 0 if "x" in str(path) else number_at(message, path),
+    )
+    writer.write(cdr.encode(PoseStamped(header=header(), pose=pose(1.0, 2.0))))
+    topics.poll()
+    plots.poll()
+    shown = plots.snapshot(None, None)
+    assert [plot["values"] for plot in shown] == [[], [2.0]]
+    assert "ZeroDivisionError" in shown[0]["status"]
+    topics.close_all()
 
 
 def test_plot_that_was_removed_or_suspended_is_read_again(participant: Participant) -> None:
@@ -532,6 +657,51 @@ def test_scan_of_before_is_not_shown_after_a_reset(stage: Stage, monkeypatch: py
     stage.view.look_at_clock()
     stage.draw()
     assert stage.drawn("/pose") == []
+    assert stage.reports == ["the time on /clock has gone back: what is shown begins anew"]
+
+
+def test_message_of_the_run_before_that_comes_late_does_not_hide_the_new_run(
+    participant: Participant, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    now_ns, now_s = [30 * S], [100.0]
+    monkeypatch.setattr("tfloom.viewer.topics.time.monotonic", lambda: now_s[0])
+    writer = writer_of(participant, "/pose", PoseStamped)
+    latched = writer_of(participant, "/kept", PoseStamped, latched=True)
+    topics = LiveTopics(participant, NODE, 60 * S, lambda: now_ns[0])
+    topics.poll()
+    now_ns[0] = 1 * S
+    cursors = {topic: topics.open(topic) for topic in ("/pose", "/kept")}
+
+    def newest(topic: str, *seconds: int) -> int:
+        for sec in seconds:
+            (writer if topic == "/pose" else latched).write(
+                cdr.encode(PoseStamped(header=header("map", sec), pose=pose()))
+            )
+            topics.poll()
+        entry = cursors[topic].log.newest(None)
+        assert entry is not None
+        return entry.stamp_ns // S
+
+    assert newest("/pose", 30, 1, 2) == 1  # those of 30 s, and of 2 s, are ahead of now
+    assert newest("/kept", 30) == 30  # it is sent again, for this run
+    now_s[0] += 2.0
+    assert newest("/pose", 2) == 2  # its publisher's clock is ahead
+    topics.close_all()
+
+
+def test_step_of_the_machines_clock_drops_nothing(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
+    now_ns = 50 * S
+    stage.topics.add("/pose", PoseStamped(header=header("map", 50), pose=pose()), 50 * S)
+    view = stage.view_of(Buffer(), is_simulated=False)
+    monkeypatch.setattr(view._source, "now_ns", lambda: now_ns, raising=False)
+    view.set_display("/pose", on=True)
+    view.look_at_clock()
+    now_ns = 1 * S
+    view.look_at_clock()
+    feed = view.feed("/pose")
+    assert feed is not None
+    assert feed.newest(None) is not None
+    assert stage.reports == []
 
 
 # A program without an stderr.

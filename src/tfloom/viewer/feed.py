@@ -61,17 +61,26 @@ class Feed:
         """Poses of shapes that have a stamp, by the shape's place: they are looked up once."""
         self._poses_of: tuple[str, list[Placed]] = "", []
         self._replay: Replay | None = None
+        self._cursor: Cursor = NOTHING
         self.read(cursor)
 
     def read(self, cursor: Cursor) -> None:
-        """Show what another reader has from now on; what is shown stays until the first message has come."""
-        base = self._replay.base() if self._replay is not None else None
+        """Show what another reader has from now on, and end the one before.
+
+        What is shown stays until the first message has come, unless a time is held at which the new one has none.
+        """
+        try:
+            base = self._replay.base() if self._replay is not None else None
+            if self.display is None or not self.display.keeps_all:
+                cursor.number = END  # the history is enough
+            else:
+                make = cast("Callable[[], KeepingDisplay]", partial(make_display, self.kind, self.topic))
+                self._replay = Replay(make, cursor, base)
+        except BaseException:
+            cursor.close()
+            raise
+        self._cursor.close()
         self._cursor = cursor
-        if self.display is None or not self.display.keeps_all:
-            cursor.number = END  # the history is enough
-            return
-        make = cast("Callable[[], KeepingDisplay]", partial(make_display, self.kind, self.topic))
-        self._replay = Replay(make, cursor, base)
 
     def close(self) -> None:
         """End reading; what is shown stays."""

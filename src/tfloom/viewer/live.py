@@ -70,7 +70,12 @@ def live_viewer(
             parts = LiveParts(participant, tools, driving, log, parameters, forms)
             try:
                 with Viewer(
-                    watch, live_topics, parts, history_ns=history_ns, fixed_frame=fixed_frame
+                    watch,
+                    live_topics,
+                    parts,
+                    is_simulated=simulated,
+                    history_ns=history_ns,
+                    fixed_frame=fixed_frame,
                 ) as viewer:
                     yield viewer
             finally:

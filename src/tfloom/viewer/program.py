@@ -69,6 +69,7 @@ class Viewer:
         source: The transforms, with a buffer.
         topics: The topics.
         live: What else a graph has; None for a recording.
+        is_simulated: Whether the time is that of /clock.
         history_ns: How long the numbers of plots are kept [ns], if they are of a graph.
         fixed_frame: The fixed frame; empty: a usual one, or the root of the largest tree.
     """
@@ -79,6 +80,7 @@ class Viewer:
         topics: Topics,
         live: LiveParts | None = None,
         *,
+        is_simulated: bool = False,
         history_ns: int = 60_000_000_000,
         fixed_frame: str = "",
     ) -> None:
@@ -96,6 +98,7 @@ class Viewer:
             topics,
             scene,
             is_live=live is not None,
+            is_simulated=is_simulated,
             history_ns=history_ns,
             fixed_frame=fixed_frame,
             report=self._note_once,

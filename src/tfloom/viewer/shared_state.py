@@ -38,6 +38,7 @@ from tfloom.viewer.page_command import MAX_TEXTS, PageError, flag, number, stamp
 from tfloom.viewer.playback import Playback
 from tfloom.viewer.plots.plots import Plots
 from tfloom.viewer.shapes import DisplayError
+from tfloom.viewer.topics import RESET_NS
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -63,9 +64,6 @@ MAX_DISPLAYS = 100
 MAX_ROWS = 1000
 """Number of rows of the tree that a page gets."""
 MAX_FINDINGS = 100
-RESET_NS = 100_000_000
-"""How far the time of a graph goes back when a simulation begins anew, at least: messages of /clock may overtake each
-other [ns]."""
 FAR_NOTE = f"further than {MAX_COORDINATE_M:g} m: not drawn"
 PLOT_POINTS = 300
 """Number of points of the plot of the selected frames."""
@@ -80,6 +78,7 @@ class SharedView:
         scene: The scene to draw in.
         is_live: Whether they are of a graph, whose newest time is shown until the user holds one; a recording is
             played.
+        is_simulated: Whether the time is that of /clock, which goes back where a simulation is reset.
         history_ns: How long the numbers of plots are kept [ns], if they are of a graph.
         fixed_frame: The fixed frame; empty: a usual one, or the root of the largest tree.
         report: Called with a sentence about a part of the view that can't be shown, which doesn't end the others.
@@ -92,6 +91,7 @@ class SharedView:
         scene: Scene,
         *,
         is_live: bool,
+        is_simulated: bool = False,
         history_ns: int = 60_000_000_000,
         fixed_frame: str = "",
         report: Callable[[str], None] = lambda _: None,
@@ -103,6 +103,7 @@ class SharedView:
         self._source = source
         self._scene = scene
         self._is_live = is_live
+        self._is_simulated = is_simulated
         self._report = report
         self._chosen_frame = _sendable(fixed_frame)
         self._now_ns = 0
@@ -240,6 +241,15 @@ class SharedView:
             return
         if topic in self._feeds:
             return
+        if self._is_suspended:  # the page that asked has gone
+            self.want(topic)
+            return
+        feed = self._feeds[topic] = self._opened_feed(topic)
+        choice = self._wanted.pop(topic, "")
+        if choice and feed.display is not None:
+            feed.display.choice = choice  # what there is to choose from is known by the first message
+
+    def _opened_feed(self, topic: str) -> Feed:
         type_name = self.topics.types().get(topic)
         if type_name is None:
             raise PageError(f"there is no topic {topic!r}")
@@ -252,10 +262,11 @@ class SharedView:
             cursor = self.topics.open(topic)
         except DisplayError as error:
             raise PageError(str(error)) from None
-        feed = self._feeds[topic] = Feed(topic, kind, cursor)
-        choice = self._wanted.pop(topic, "")
-        if choice and feed.display is not None:
-            feed.display.choice = choice  # what there is to choose from is known by the first message
+        try:
+            return Feed(topic, kind, cursor)
+        except BaseException:
+            cursor.close()
+            raise
 
     def feed(self, topic: str) -> Feed | None:
         """Return what a display shows; None if the topic isn't shown."""
@@ -338,14 +349,15 @@ class SharedView:
                 self.want(topic, choice)
 
     def look_at_clock(self) -> None:
-        """Begin anew where the time of a graph has gone back, as a simulation's does that is reset.
+        """Begin anew where the time on /clock has gone back, as that of a simulation does that is reset.
 
         What is shown belongs to the run before, and would stay, as newer than all that comes. Publishers that keep
         messages for late subscriptions send them again. Called also while nobody looks.
         """
         before_ns, self._now_ns = self._now_ns, self._source.now_ns()
-        if not self._is_live or self._now_ns > before_ns - RESET_NS:
+        if not self._is_simulated or self._now_ns > before_ns - RESET_NS:
             return
+        self._report("the time on /clock has gone back: what is shown begins anew")
         self._held_ns = None
         self.buffer.clear()
         self.plots.clear()

@@ -148,7 +148,8 @@ class TopicLog:
     ) -> None:
         self._length_ns = length_ns
         self._decode = decode
-        self._is_latched = is_latched
+        self.is_latched = is_latched
+        """Whether its publishers keep messages for late subscriptions."""
         self._max_bytes = max_bytes
         self._numbers = count() if numbers is None else numbers
         self._on_left = on_left
@@ -182,7 +183,7 @@ class TopicLog:
         if begins_anew:
             self._start, self._sizes[1] = len(self._entries), 0
             self._by_stamp.clear()
-        from_ns = 0 if self._is_latched and self._is_empty else stamp_ns
+        from_ns = 0 if self.is_latched and self._is_empty else stamp_ns
         self._is_empty = False
         entry = Entry(next(self._numbers), stamp_ns, from_ns, begins_anew, data, self._decode)
         self._entries.append(entry)
@@ -223,7 +224,7 @@ class TopicLog:
         index = len(history)
         if stamp_ns is not None:
             index = bisect.bisect_right(history, stamp_ns, key=lambda entry: entry.stamp_ns)
-        index = max(index, int(self._is_latched and bool(history)))
+        index = max(index, int(self.is_latched and bool(history)))
         return history[index - 1] if index else None
 
     def parts(

@@ -68,11 +68,11 @@ class TopicReader:
     Args:
         participant: The participant that reads.
         node: The node whose readers these are.
-        publishers: Returns the publishers, the same object while they are the same ones; at first, there is one at
-            least. Those of another type than the first one's are left out.
+        publishers: Returns the publishers, the same object while they are the same ones. Those of another type than
+            the first one's are left out.
 
     Raises:
-        WireError: the wire refuses a reader.
+        WireError: there are no publishers, or the wire refuses a reader.
     """
 
     def __init__(
@@ -83,6 +83,8 @@ class TopicReader:
         self._publishers = publishers
         self._known = publishers()
         """The publishers that are read."""
+        if not self._known:
+            raise WireError("nobody publishes it any longer")
         self._topic = self._known[0].topic
         self._readers: dict[Request, Reader] = {}
         self._seen: dict[tuple[bytes, int, int], None] = {}

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import time
 from collections.abc import Callable, Mapping
 from functools import partial
 from itertools import count
@@ -20,7 +22,13 @@ if TYPE_CHECKING:
     from tfloom.rmw.base import EndpointInfo, NodeName, Participant
     from tfloom.viewer.topic_log import Cursor
 
-__all__ = ["LiveTopics", "Topics", "TypeNotYetKnownError", "begins_with_header"]
+__all__ = ["RESET_NS", "LiveTopics", "Topics", "TypeNotYetKnownError", "begins_with_header"]
+
+RESET_NS = 100_000_000
+"""How far the time of a graph goes back when a simulation begins anew, at least: messages of /clock may overtake each
+other [ns]."""
+OLD_RUN_S = 1.0
+"""How long messages of the run before may come after that [s]."""
 
 
 class TypeNotYetKnownError(DisplayError):
@@ -76,6 +84,10 @@ class LiveTopics:
         """The publishers of each topic, as the graph was when it was read last."""
         self._changes = -1
         self._searches = TypeSearches(participant, node)
+        self._polled_ns = 0
+        """The time when `poll` was called last [ns since epoch]."""
+        self._old_run_end_s = -math.inf
+        """Until when messages of a simulation's run before may come, on the monotonic clock [s]."""
 
     def types(self) -> Mapping[str, str]:
         """Return the type of each topic that is published, by its name."""
@@ -159,17 +171,34 @@ class LiveTopics:
         """Take what has come. Never waits.
 
         Raises:
-            DisplayError: the wire refuses a reader of publishers that have come; the other messages are taken.
+            DisplayError: the wire refuses a reader of publishers that have come.
+            Exception: a topic can't be read. In both cases the messages of the other topics are taken.
         """
         self._searches.poll()
+        now_ns = self._now_ns()
+        if now_ns < self._polled_ns - RESET_NS:
+            self._old_run_end_s = time.monotonic() + OLD_RUN_S
+        self._polled_ns = now_ns
+        fault: Exception | None = None
         for (_, message_class), (reader, log) in self._logs.items():
-            has_header = begins_with_header(message_class)
-            for sample in reader.take():
-                stamp_ns = header_stamp_ns(sample.data) if has_header else 0
-                log.add(stamp_ns or self._now_ns(), sample.data)
-        for reader, _ in self._logs.values():
-            if reader.refusal:
-                raise DisplayError(reader.refusal)
+            try:
+                self._take(reader, log, has_header=begins_with_header(message_class))
+                if reader.refusal:
+                    fault = DisplayError(reader.refusal)
+            except Exception as error:  # of one topic: the others are read
+                fault = error
+        if fault is not None:
+            raise fault
+
+    def _take(self, reader: TopicReader, log: TopicLog, *, has_header: bool) -> None:
+        for sample in reader.take():
+            now_ns = self._now_ns()
+            stamp_ns = (header_stamp_ns(sample.data) if has_header else 0) or now_ns
+            # A message of the run before that was on its way would be the newest one until this run is as old. What is
+            # kept for late subscriptions is sent again, whatever its stamp.
+            is_of_old_run = stamp_ns > now_ns + RESET_NS and time.monotonic() < self._old_run_end_s
+            if log.is_latched or not is_of_old_run:
+                log.add(stamp_ns, sample.data)
 
 
 def begins_with_header(message_class: Any) -> bool:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from tfloom.rosidl.message import DecodeError
 from tfloom.viewer.displays.display import shown_text
+from tfloom.viewer.fault_text import fault_text
 from tfloom.viewer.page_command import PageError
 from tfloom.viewer.plots.field_path import number_at, numeric_paths, parse_path
 from tfloom.viewer.plots.series import Series
@@ -127,7 +127,18 @@ class Plots:
         cursor.number = min(plot.number, *others) if others else plot.number
         self._close(plot.topic)
         self._cursors[plot.topic] = cursor
-        plot.path, plot.status = path, "no message yet"
+        plot.path, plot.status = path, "" if len(plot.series) else "no message yet"
+        self._check_others(plot)
+
+    def _check_others(self, plot: _Plot) -> None:
+        """Look for the fields of a topic's other plots in its type, which may be another one than theirs was."""
+        message_class = self._topics.message_class(plot.topic)
+        for other in self._plots.values():
+            if other.topic == plot.topic and other is not plot and other.path is not None:
+                try:
+                    other.path = parse_path(message_class, other.field)
+                except (PageError, LookupError, ValueError) as error:
+                    other.path, other.status = None, shown_text(str(error))
 
     def _close(self, topic: str) -> None:
         if (cursor := self._cursors.pop(topic, None)) is not None:
@@ -167,14 +178,17 @@ class Plots:
         if plots:
             try:
                 message = entry.message()
-            except DecodeError as error:
-                status = shown_text(str(error))
+            except Exception as error:  # as a DecodeError
+                status = shown_text(fault_text(error))
         for plot in plots:
             plot.number, plot.status = entry.number, status
             if entry.begins_anew:
                 plot.series.clear()
             if message is not None and plot.path is not None:
-                plot.series.add(entry.stamp_ns, number_at(message, plot.path))
+                try:
+                    plot.series.add(entry.stamp_ns, number_at(message, plot.path))
+                except Exception as error:  # of one plot: the others go on
+                    plot.status = shown_text(fault_text(error))
 
     def snapshot(self, span: Span | None, held_ns: int | None) -> list[dict[str, Any]]:
         """Return the plots as values for JSON: all over the same time.
