@@ -64,6 +64,29 @@ def test_a_required_argument_without_a_value_is_an_error_before_anything_is_visi
     assert context.launch_configurations == {}
 
 
+def test_an_include_that_fails_leaves_the_place_of_the_outer_file() -> None:
+    """As with --skip-missing, after which the outer file goes on."""
+    context = LaunchContext()
+    context.extend_locals({"current_launch_file_path": "/outer.py", "current_launch_file_directory": "/"})
+    include = IncludeLaunchDescription(source(DeclareLaunchArgument("need")))
+    for _ in range(2):
+        with pytest.raises(RuntimeError, match="missing required argument"):
+            include.visit(context)
+        place = context.get_locals_as_dict()
+        assert place["current_launch_file_path"] == "/outer.py"
+        assert place["current_launch_file_directory"] == "/"
+
+
+def test_subclass_with_its_own_visit_ends_its_visit() -> None:
+    class OfAUser(IncludeLaunchDescription):
+        def visit(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
+            return self.execute(context)
+
+    context = LaunchContext()
+    visit_all_entities_and_collect_futures(OfAUser(source(SetLaunchConfiguration("a", "1"))), context)
+    assert context.launch_configurations == {"a": "1"}
+
+
 def test_an_argument_that_may_not_be_used_is_not_required() -> None:
     declared = DeclareLaunchArgument("need")
     assert (
