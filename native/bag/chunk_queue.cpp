@@ -37,7 +37,7 @@ void Chunk::append(std::uint16_t channel, std::span<const std::byte> data, std::
   write_integer(place, publish_time);
   const std::size_t offset = records.size();
   const std::size_t size = offset + head.size() + data.size();
-  // Doubled, because `reserve` itself makes room for no more than it is asked for.
+  // Doubled, because `reserve` makes room for exactly the requested size.
   if (size > records.capacity()) records.reserve(std::max(size, 2 * records.capacity()));
   index[channel].push_back({log_time, offset});
   records.insert(records.end(), head.begin(), head.end());

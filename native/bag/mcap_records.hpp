@@ -103,7 +103,7 @@ struct RunSummary {
 
 RunSummary summarise(std::span<const std::byte> data, std::size_t begin);
 
-// What message index records say of the messages of a chunk.
+// What message index records state about the messages of a chunk.
 struct IndexSummary {
   std::uint64_t count = 0;
   std::uint64_t first = UINT64_MAX, last = 0;  // log times

@@ -67,10 +67,10 @@ bool has_gil() {
 }
 
 #ifdef TFLOOM_THREADS_ARE_UNWOUND
-// Called by Python in place of pthread_exit, on a thread that does not have the GIL.
+// Called by Python instead of pthread_exit, on a thread that does not have the GIL.
 [[noreturn]] void exit_thread(void*) { block_forever(); }
 
-// Where this fails, as in a Python whose pthread_exit is no import, threads are unwound as before.
+// Where this fails, as in a Python that does not import pthread_exit, threads are unwound as before.
 void block_threads_in_place_of_their_exit() {
   Dl_info info;
   void* library = nullptr;
@@ -114,7 +114,7 @@ AcquiredGil::~AcquiredGil() {
   if (use_ != Use::acquired) return;
   --depth;
   PyGILState_Release(state_);
-  --users;  // last, because the ending thread goes on as soon as nobody is counted
+  --users;  // last, because the ending thread goes on as soon as the count is 0
 }
 
 void block_waits_at_exit() {
@@ -122,7 +122,7 @@ void block_waits_at_exit() {
 #ifdef TFLOOM_THREADS_ARE_UNWOUND
   block_threads_in_place_of_their_exit();
 #endif
-  // The thread before the phase: whoever reads the phase then reads the thread.
+  // The thread is stored before the phase, because other threads read the phase first.
   ending_thread = std::this_thread::get_id();
   phase = Phase::ending;
   // Threads that counted themselves before still acquire the GIL, and run callbacks to their end. Wait for them, because
@@ -141,7 +141,7 @@ void block_if_ending() {
 
 void count_threads_anew_in_forks() {
 #ifndef _WIN32
-  // The other threads do not exist in the child, so nobody would count them down.
+  // The other threads do not exist in the child, so they would never be counted down.
   pthread_atfork(nullptr, nullptr, [] { users = depth; });
 #endif
 }

@@ -13,9 +13,9 @@
 // before that, because the wires are closed at exit and wait for them; up to then they may acquire the GIL to finish what
 // they have begun.
 //
-// While the functions of `atexit` run, a thread may hold a lock of Python's that they need, to close the wires. So it goes
-// on until then, but for the end of a wait, where it holds none, and the end of a spin: on a daemon thread it would else
-// raise an exception, because its context has been closed.
+// While the functions of `atexit` run, a thread may hold a lock of Python's that they need, to close the wires. So it
+// goes on until then, except at the end of a wait, where it holds no lock, and at the end of a spin: a daemon thread
+// would otherwise raise an exception there, because its context has been closed.
 //
 // Python's functions for this are called here only: tests/architecture.py checks it.
 #pragma once

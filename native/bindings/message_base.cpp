@@ -68,7 +68,7 @@ Py_ssize_t take_check_fields(PyObject* self, PyObject* kwargs) {
   return value != nullptr ? 1 : 0;
 }
 
-// Return what is said of a call with positional arguments, as "Vector3 takes its fields by keyword: Vector3(x=…, …)".
+// Return the error text for positional arguments, as "Vector3 takes its fields by keyword: Vector3(x=…, …)".
 std::string by_keyword(PyTypeObject* type) {
   const std::string name = type->tp_name;
   std::string fields;
@@ -102,7 +102,7 @@ void init(PyObject* self, PyObject* args, PyObject* kwargs) {
     if (check) message_hooks().check(class_of(self), slot.name, converted);
     set_slot(self, plan.offsets[i], converted);
   }
-  // Keywords that are no fields are found by their number, so that the usual call costs no second search.
+  // Keywords that are not fields are detected by the number of keywords, so that the usual call costs no second search.
   if (kwargs != nullptr && PyDict_GET_SIZE(kwargs) > known_count) {
     message_hooks().warn_names(class_of(self), nb::borrow(kwargs));
   }

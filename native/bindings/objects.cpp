@@ -181,7 +181,7 @@ std::string_view ObjectReader::any_string(Value value) {
 }
 
 std::u32string ObjectReader::wide(Value value) {
-  string(value);  // throws if it is no text
+  string(value);  // throws if it is not a text
   const auto size = static_cast<std::size_t>(PyUnicode_GET_LENGTH(value));
   std::u32string text(size, U'\0');
   auto* to = reinterpret_cast<Py_UCS4*>(text.data());
@@ -191,7 +191,7 @@ std::u32string ObjectReader::wide(Value value) {
 
 ObjectReader::Held ObjectReader::open_list(Value value) {
   if (PyList_CheckExact(value) || PyTuple_CheckExact(value)) return nb::borrow(value);
-  // Bytes are no sequence of anything but numbers, and of length 0 the empty one of all types.
+  // Bytes are a sequence of numbers only; those of length 0 are the empty sequence of any type.
   const bool is_text = PyUnicode_Check(value) || (PyBytes_Check(value) && PyBytes_GET_SIZE(value) != 0);
   if (is_text || PyDict_Check(value)) throw_mismatch("a sequence", value);
   const auto held = nb::borrow(value);

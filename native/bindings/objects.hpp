@@ -59,7 +59,7 @@ const MessageHooks& message_hooks();
 // Return a value's repr, a long one cut, for the text of an error.
 [[nodiscard]] std::string shown(nb::handle value);
 
-// Return the plan of a message class, compiled at first use. Raise TypeError for a class that is no message class.
+// Return the plan of a message class, compiled at first use. Raise TypeError for any other class.
 ObjectPlan& plan_of(PyTypeObject* type);
 
 inline PyObject*& slot(PyObject* message, Py_ssize_t offset) noexcept {

@@ -197,7 +197,7 @@ void bind_states(nb::module_& m) {
            nb::sig("def convert(self, data: bytes, now_ns: int, interval_ns: int | None) -> bytes | None"),
            "Return the transforms of a serialized message; None if there are none or they are not due: the joint that "
            "was published least recently was so less than `interval_ns` before the message's stamp.\n\n"
-           "Raises ValueError if the bytes are no such message, or names and positions differ in number.")
+           "Raises ValueError if the bytes are not a JointState, or names and positions differ in number.")
       .def("forget_stamps", &StateTransforms::forget_stamps, "Make the next message due, after a jump in time.")
       .def_prop_ro("left_out", &StateTransforms::left_out,
                    "A joint of the last message that was left out because its position is not finite; or empty.")

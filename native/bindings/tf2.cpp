@@ -63,7 +63,7 @@ namespace {
 using tf2::Query;
 
 // The result of a lookup. The names are the str objects passed by the caller. They are exactly str, so that no cycle of
-// references can pass through them, and the garbage collector need not know of each answer.
+// references can pass through them, and the garbage collector need not track each answer.
 struct Answer {
   nb::object frame_id, child_frame_id;
   tf2::StampedTransform transform;

@@ -57,7 +57,7 @@ void bind_tf2_frozen(nb::class_<BufferHandle>& type) {
            nb::sig("def map_frozen(self, data: bytes | memoryview) -> None"),
            "Replace the whole contents and the cache time by those of a frozen buffer.\n\n"
            "`data` is what `frozen` returned. It is not copied, and must not change. Raises ValueError, with nothing "
-           "changed, if it is no frozen buffer.");
+           "changed, if it is not a frozen buffer.");
 }
 
 }  // namespace tfloom::bindings

@@ -168,7 +168,7 @@ void bind_snapshot(nb::module_& m) {
       .def_ro("messages", &TfTraffic::messages, "Number of messages.")
       .def_ro("transforms", &TfTraffic::transforms, "Number of transforms.")
       .def_ro("bytes", &TfTraffic::bytes, "Bytes of the messages.")
-      .def_ro("unreadable", &TfTraffic::unreadable, "Number of messages that are no TFMessage.")
+      .def_ro("unreadable", &TfTraffic::unreadable, "Number of messages that are not a TFMessage.")
       .def_ro("max_transforms", &TfTraffic::max_transforms, "The greatest number of transforms in one message.")
       .def_ro("first_received_ns", &TfTraffic::first_received, "Time of the first receipt [ns since epoch].")
       .def_ro("last_received_ns", &TfTraffic::last_received, "Time of the last receipt [ns since epoch].")

@@ -151,7 +151,7 @@ void bind_tf2_transform(nb::module_& m) {
                   "Create one from a rotation about `axis`, of any length, by `angle_rad`.\n\n"
                   "Raises ValueError if the axis is zero, unless the angle is zero too.")
       .def_static("from_matrix", &from_matrix, "matrix"_a,
-                  "Create one from a matrix (4, 4) or (3, 4); raises ValueError if it is no rigid transform.")
+                  "Create one from a matrix (4, 4) or (3, 4); raises ValueError if it is not a rigid transform.")
       .def_static("from_scipy", &from_scipy, "rotation"_a, "translation"_a = nb::make_tuple(0.0, 0.0, 0.0),
                   "Create one from a `scipy.spatial.transform.Rotation` and a position [m].")
       .def_prop_ro("translation", &translation, nb::sig("def translation(self) -> tuple[float, float, float]"),

@@ -95,7 +95,7 @@ void bind_tf2_wire(nb::module_& m, nb::class_<BufferHandle>& type) {
       .def("insert_cdr", &insert_cdr, "data"_a, "authority"_a = "", "static"_a = false,
            "Store the transforms of a `tf2_msgs/msg/TFMessage`, given as encapsulation header and CDR.\n\n"
            "Returns how many were stored; the others were rejected, as by `set`. Raises ValueError, with nothing "
-           "stored, if the bytes are no such message.");
+           "stored, if the bytes are not such a message.");
 }
 
 }  // namespace tfloom::bindings

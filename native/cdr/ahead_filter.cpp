@@ -82,7 +82,7 @@ AheadFilter::Message AheadFilter::filter(std::vector<tf2::Entry>& entries, const
   for (const tf2::Entry& entry : entries) {
     if (is_far_ahead(entry)) {
       publisher.hold(entry, seen(entry), reach);
-      // One warning tells of the publisher's clock; more of them would say the same.
+      // One warning for each publisher is enough: all of them have the same cause, its clock.
       if (!std::exchange(publisher.is_reported, true)) {
         message.first_held = Held{std::string(entry.frame_id), std::string(entry.child_frame_id), entry.stamp, {}};
       }

@@ -53,7 +53,7 @@ class AheadFilter {
  private:
   static constexpr std::size_t max_publishers = 256;  // then all are forgotten
   static constexpr std::size_t max_held = 128;        // of a publisher; then all of it are dropped
-  static constexpr std::size_t max_name_size = 256;   // a transform with a longer name is dropped in place of held
+  static constexpr std::size_t max_name_size = 256;   // a transform with a longer name is dropped, not held
 
   // A stamp, and how far it was ahead of now when it was received.
   struct Seen {

@@ -41,7 +41,7 @@ void TfSink::insert(std::span<const std::byte> data, const SampleInfo& info) {
                   " that is no tf2_msgs/msg/TFMessage: ", error.text()));
     return;
   }
-  // Without `on_held` nothing is held, because nobody would be told of it.
+  // Without `on_held` nothing is held, because it could not be reported.
   const AheadFilter::Message message = is_static_ || !on_held_ ? AheadFilter::Message{} : filter(entries, info);
   if (!message.released.empty()) {
     std::vector<tf2::Entry> released;

@@ -102,7 +102,7 @@ TfObserver::Id TfObserver::intern(std::string_view name) {
 
 TfObserver::Edge* TfObserver::find_edge(Id publisher, const tf2::Entry& entry) {
   if (std::max(entry.child_frame_id.size(), entry.frame_id.size()) > max_name_size) return nullptr;
-  // Look the names up before they are stored: an edge that finds no place leaves none of its names behind.
+  // Look the names up before they are stored: an edge for which there is no room then leaves no names behind.
   EdgeKey key{publisher, find_name(entry.child_frame_id), find_name(entry.frame_id)};
   if (const auto place = edge_ids_.find(key); place != edge_ids_.end()) return &edges_[place->second];
   // Two names at most are new with each edge, so that they are bounded. Those of edges that were dropped remain.

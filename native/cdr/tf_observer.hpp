@@ -28,7 +28,7 @@ struct TfTraffic {
   bool is_static = false;  // whether it publishes on /tf_static
   bool has_left = false;
   std::uint64_t messages = 0, transforms = 0, bytes = 0;  // `bytes` with the encapsulation header
-  std::uint64_t unreadable = 0;  // messages that are no TFMessage
+  std::uint64_t unreadable = 0;  // messages that are not a TFMessage
   std::uint64_t max_transforms = 0;  // in one message
   tf2::Stamp first_received = 0, last_received = 0;
   tf2::Spread period;   // between receipts of its messages [s]

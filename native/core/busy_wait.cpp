@@ -37,7 +37,7 @@ int usable_processors() {
   return static_cast<int>(std::thread::hardware_concurrency());
 }
 
-// Return whether a battery is being discharged. Only Linux is asked.
+// Return whether a battery is being discharged; false on systems other than Linux.
 bool is_on_battery() {
 #ifdef __linux__
   std::error_code error;
@@ -61,8 +61,8 @@ void note_message_sent() noexcept { messages_sent.fetch_add(1, std::memory_order
 
 bool BusyWait::wait(const std::atomic<bool>& is_over, std::optional<std::chrono::nanoseconds> limit) {
   const std::uint64_t sent = messages_sent.load(std::memory_order_relaxed);
-  // Without a message since the last wait, there is no reply to expect. The machine is asked last, and once,
-  // because that reads files.
+  // Without a message since the last wait, there is no reply to expect. `is_allowed` comes last, and looks once,
+  // because it reads files.
   const bool was_sent = sent != messages_sent_;
   messages_sent_ = sent;
   if (!was_sent || usual_ > short_wait || !is_allowed()) return false;

@@ -23,7 +23,7 @@ void ReadyQueue::post_quietly(Token token) {
     const std::lock_guard lock(mutex_);
     if (std::ranges::find(quiet_, token) != quiet_.end()) return;
     quiet_.push_back(token);
-    if (!is_quiet_wanted_) return;  // the token stays until a wait wants such ones
+    if (!is_quiet_wanted_) return;  // the token stays until a wait takes quiet ones
     has_tokens_.store(true, std::memory_order_release);
     if (!std::exchange(is_waiting_, false)) return;
   }
@@ -73,7 +73,7 @@ ReadyQueue::Outcome ReadyQueue::sleep(const Waker::Deadline& deadline, std::vect
   while (!take(tokens, quiet, true)) {
     switch (waker_.wait(deadline, interrupt_fd)) {
       case Waker::Outcome::woken: break;
-      // Once more, because a token may have come since; this also tells posts that nobody waits.
+      // Once more, because a token may have come since; this also notes that no thread waits, so posts don't wake one.
       case Waker::Outcome::timeout: return take(tokens, quiet) ? Outcome::ready : Outcome::timeout;
       case Waker::Outcome::interrupted: return Outcome::interrupted;
     }

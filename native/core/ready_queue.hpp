@@ -41,7 +41,7 @@ class ReadyQueue : public std::enable_shared_from_this<ReadyQueue> {
 
  private:
   Outcome sleep(const Waker::Deadline& deadline, std::vector<Token>& tokens, bool quiet, int interrupt_fd);
-  // Do as `take`. `will_sleep`: whether the next post has to wake this thread, if there are no tokens.
+  // As `take`. `will_sleep`: whether the next post must wake this thread, if there are no tokens.
   bool take(std::vector<Token>& tokens, bool quiet, bool will_sleep);
 
   std::mutex mutex_;

@@ -6,7 +6,7 @@ namespace tfloom {
 
 void Sink::notify(ReadyQueue::Shared queue, ReadyQueue::Token token) {
   const std::lock_guard lock(mutex_);
-  // A token that nobody has taken would wake the former queue for a sink that is no longer its own.
+  // A token that has not been taken would wake the former queue for a sink that no longer posts to it.
   if (queue_ != nullptr) queue_->withdraw(token_);
   queue_ = std::move(queue);
   token_ = token;

@@ -69,7 +69,7 @@ Graph::Graph(Participant& participant, const TopicName& node_lists, const Qos& q
 Graph::~Graph() { close(); }
 
 OwnedEntity Graph::create_reader(Entity topic, const Qos_* qos) const {
-  // Created on the participant, because the library reads its built-in topics through a subscriber of its own.
+  // Created on the participant, because the library reads its built-in topics through an internal subscriber.
   return {library_, library_.create_reader(participant_.entity(), topic, qos, nullptr), "cannot listen to the graph"};
 }
 
@@ -133,7 +133,7 @@ void Graph::update_participants() {
     const Gid gid = to_gid(sample.key.bytes);
     if (!is_alive) {
       participants_.erase(gid);
-      rtps::ServiceForms::of_process().forget(rtps::prefix_of(gid));  // it has said so, or its lease has ended
+      rtps::ServiceForms::of_process().forget(rtps::prefix_of(gid));  // it ended its presence, or its lease has ended
       return;
     }
     ParticipantInfo& info = participants_[gid];
@@ -176,7 +176,7 @@ void Graph::update_endpoints(Entity reader, bool is_writer) {
 // so a request that precedes its discovery would be lost. `rtps::ServiceForms::receive` inserts heartbeats for them.
 void Graph::prompt_heartbeats() {
   if (new_writers_.empty()) return;
-  // Only the topics that this participant reads reliably: nobody else here waits for the heartbeat.
+  // Only the topics that this participant reads reliably: other readers here don't wait for the heartbeat.
   for (const auto& [gid, info] : endpoints_) {
     if (info.is_writer || info.participant != participant_.gid() || info.qos.reliability != Reliability::reliable) continue;
     const auto is_topic = [&info](const TopicName& topic) {

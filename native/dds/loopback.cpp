@@ -64,7 +64,7 @@ std::optional<std::uint32_t> listening_port(int descriptor) {
 
 using SocketsByOffset = std::map<std::uint32_t, int>;  // from a domain's unicast port, less the first, to its descriptor
 
-// A descriptor that another thread closes or opens meanwhile is no candidate: a port belongs to one socket, and the
+// A descriptor that another thread closes or opens meanwhile is not a candidate: a port belongs to one socket, and the
 // library holds those of the domain.
 std::optional<SocketsByOffset> find_sockets(std::uint32_t domain_id) {
   const std::unique_ptr<DIR, int (*)(DIR*)> folder(opendir(descriptors_folder), closedir);

@@ -15,7 +15,7 @@ bool copy_if_readable(const void* place, void* copy, std::size_t size) {
   std::memcpy(copy, place, size);
   return true;
 #else
-  // The kernel reads it for us: where there is no memory, `write` returns an error instead of a signal.
+  // The kernel reads it: where there is no memory, `write` returns an error, and no signal is raised.
   int ends[2];
   if (place == nullptr || pipe(ends) != 0) return false;
   const auto expected = static_cast<ssize_t>(size);

@@ -6,7 +6,7 @@
 namespace tfloom::dds {
 
 // Copy `size` bytes, at most those that a pipe holds, from `place`. Return false if they can't be read, where the system
-// tells so: on Windows a place that isn't null is read at once.
+// reports that: on Windows a place that isn't null is read at once.
 bool copy_if_readable(const void* place, void* copy, std::size_t size);
 
 // Return whether the memory can be read.

@@ -73,8 +73,8 @@ std::vector<std::byte> joined(const msghdr& message) {
   return datagram;
 }
 
-// Called by libddsc in place of sendmsg, and with its result: the bytes that it wanted to send, though fewer or more
-// are sent.
+// Called by libddsc instead of sendmsg. Returns what sendmsg would: the number of bytes that libddsc passed, although
+// fewer or more are sent.
 ssize_t send(int descriptor, const msghdr* message, int flags) noexcept {
   rtps::ServiceForms& forms = rtps::ServiceForms::of_process();
   const auto address = address_of(*message);
@@ -94,12 +94,12 @@ ssize_t send(int descriptor, const msghdr* message, int flags) noexcept {
   return static_cast<ssize_t>(datagram.size());
 }
 
-// Called by libddsc in place of recvmsg.
+// Called by libddsc instead of recvmsg.
 ssize_t receive(int descriptor, msghdr* message, int flags) noexcept {
   const ssize_t size = ::recvmsg(descriptor, message, flags);
   if (size <= 0 || message->msg_iovlen != 1) return size;
   const std::span buffer(static_cast<std::byte*>(message->msg_iov[0].iov_base), message->msg_iov[0].iov_len);
-  if (static_cast<std::size_t>(size) > buffer.size()) return size;  // cut off, as MSG_TRUNC tells
+  if (static_cast<std::size_t>(size) > buffer.size()) return size;  // cut off: MSG_TRUNC was set
   return static_cast<ssize_t>(rtps::ServiceForms::of_process().receive(buffer, static_cast<std::size_t>(size)));
 }
 

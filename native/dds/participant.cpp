@@ -20,7 +20,7 @@ struct OpenDomain {
 
 std::mutex domains_mutex;  // held during calls of the library
 
-// The domains by library and id, because a forked process loads a library of its own. Guarded by domains_mutex.
+// The domains by library and id, because a forked process loads a separate library. Guarded by domains_mutex.
 std::map<std::pair<const Library*, std::uint32_t>, OpenDomain> domains;
 
 }  // namespace

@@ -57,7 +57,7 @@ class Writer {
 
  private:
   // Keep a large sample until it is acknowledged, if a peer may receive it in fragments in the other form of services.
-  // Return whether it was kept, and none if there is no room and this writer doesn't wait.
+  // Return whether it was kept; nullopt if there is no room and this writer doesn't wait.
   std::optional<bool> keep(std::span<const std::byte> data, std::size_t padding);
 
   Participant& participant_;

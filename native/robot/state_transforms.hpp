@@ -39,8 +39,8 @@ class StateTransforms {
   // or earlier; nullopt: always.
   //
   // Of several positions for one joint, the first is taken. Names of other joints are ignored. A joint whose position
-  // is not finite is left out. Throw DecodeError if the bytes are no such message, or if the numbers of names and of
-  // positions differ.
+  // is not finite is left out. Throw DecodeError if the bytes are not a JointState, or if the numbers of names and
+  // of positions differ.
   std::vector<std::byte> convert(std::span<const std::byte> data, std::int64_t now_ns,
                                  std::optional<std::int64_t> interval_ns);
 

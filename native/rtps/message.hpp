@@ -109,7 +109,7 @@ struct Submessage {
 // The submessages of a datagram, in turn.
 class Message {
  public:
-  // Return the view of a datagram, or nullopt if it is no RTPS message.
+  // Return the view of a datagram, or nullopt if it is not an RTPS message.
   static std::optional<Message> of(Bytes datagram) {
     if (datagram.size() < message_header_size || std::memcmp(datagram.data(), "RTPS", 4) != 0) return std::nullopt;
     return Message(datagram);
@@ -118,7 +118,7 @@ class Message {
   [[nodiscard]] Bytes header() const { return datagram_.first(message_header_size); }
   [[nodiscard]] GuidPrefix source() const { return bytes_at<12>(datagram_, 8); }
 
-  // Return the next submessage, or nullopt at the end, and where the rest is none.
+  // Return the next submessage; nullopt at the end, or if the rest is not a submessage.
   std::optional<Submessage> next() {
     const Bytes left = datagram_.subspan(at_);
     if (left.size() < submessage_header_size) return std::nullopt;
@@ -150,7 +150,7 @@ class Parameters {
 
   Parameters(Bytes bytes, bool is_little_endian) : fields_(bytes, is_little_endian) {}
 
-  // Return the next parameter, or nullopt at the sentinel, and where the rest is none.
+  // Return the next parameter; nullopt at the sentinel, or if the rest is not a parameter.
   std::optional<Parameter> next() {
     const Bytes bytes = fields_.bytes();
     if (bytes.size() - at_ < 4) return std::nullopt;
@@ -184,7 +184,7 @@ struct Data {
   Bytes inline_qos;           // includes its sentinel; empty if there is none
   Bytes payload;
 
-  // Return the view of a submessage, or nullopt if it is no such one, or too short.
+  // Return the view of a submessage, or nullopt if it is of another kind, or too short.
   static std::optional<Data> of(const Submessage& submessage) {
     const bool is_fragment = submessage.kind == Kind::data_frag;
     if (!is_fragment && submessage.kind != Kind::data) return std::nullopt;

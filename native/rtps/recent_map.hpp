@@ -16,8 +16,8 @@ class RecentMap {
  public:
   explicit RecentMap(std::size_t max_size) : max_size_(max_size) {}
 
-  // Return the value of a key, which is made where there is none, as the last used one. References to other values stay
-  // valid, but for that of the entry that is given up.
+  // Return the value of a key, as the last used one; create it if there is none. References to other values stay valid,
+  // except to that of the entry that is dropped.
   Value& use(const Key& key) {
     const auto [entry, is_new] = entries_.try_emplace(key);
     if (is_new) {

@@ -21,7 +21,7 @@ constexpr std::size_t related_sample_size = 24;
 constexpr std::uint64_t unknown_sequence_number = 0xffffffff'00000000;
 
 constexpr std::size_t header_end = encapsulation_size + ServiceHeader::size;
-constexpr std::size_t max_remembered = 200'000;  // requests and responses that nobody has taken yet
+constexpr std::size_t max_remembered = 200'000;  // requests and responses that have not been taken yet
 constexpr std::size_t max_sent = 1024;  // requests of a client: far more than the ten that a server on Fast DDS keeps
 constexpr std::size_t max_of_writer = max_remembered / 2;  // so that no writer displaces all others
 constexpr std::int64_t stamp_tolerance_ns = 2;  // a stamp on the wire has the unit 2^-32 s
@@ -104,7 +104,7 @@ void write_heartbeat(std::byte* at, const EntityId& reader, const EntityId& writ
   store(at + 28, static_cast<std::uint32_t>(last + 1));  // counts the heartbeats, and grows with the samples
 }
 
-// Append what tells a participant's readers that a sample is not for them: a gap of one sequence number (8.3.7.4).
+// Append a gap of one sequence number (8.3.7.4), so that a participant's readers don't wait for a sample of others.
 void append_gap(std::vector<std::byte>& out, const Data& data, const EntityId& reader) {
   constexpr std::size_t gap_size = 32;  // with an empty bitmap
   const std::size_t start = out.size();
@@ -246,7 +246,7 @@ std::size_t ServiceForms::receive(std::span<std::byte> buffer, std::size_t size)
   if (!message) return size;
   const GuidPrefix source = message->source();
   const bool is_inline = uses_inline_form(source);
-  // Where all participants use our form, datagrams pass without the lock, unless a command asks for versions. Once a
+  // Where all participants use our form, datagrams pass without the lock, unless a command reads versions. Once a
   // peer of the inline form is known, read what the others announce too: an address may pass from one participant to
   // another.
   if (!is_inline && !has_inline_peers_ && !reads_versions_) return size;
@@ -267,7 +267,7 @@ std::size_t ServiceForms::receive(std::span<std::byte> buffer, std::size_t size)
       }
     }
     if (!is_inline || !has_ends_) continue;
-    // What its own endpoints send. A related sample in the inline QoS tells that the writer is one of a service.
+    // What its own endpoints send. A related sample in the inline QoS means that the writer is one of a service.
     const auto at = static_cast<std::size_t>(submessage->bytes.data() - datagram.data());
     if (data && is_user_endpoint(data->writer)) {
       const Gid writer = gid_of(source, data->writer);
@@ -364,7 +364,7 @@ std::array<std::uint8_t, 8> ServiceForms::key_of(const Gid& client) {
   return key;
 }
 
-// The stamp selects the sample among those that arrived, because the reader does not tell its sequence number. Samples of
+// The stamp selects the sample among those that arrived, because the reader has no sequence numbers. Samples of
 // a writer are taken in their order, so all before it are forgotten.
 std::optional<ServiceHeader> ServiceForms::take_header(ServiceEnd& end, const Gid& writer,
                                                        std::int64_t source_stamp_ns) {
@@ -383,7 +383,7 @@ std::optional<ServiceHeader> ServiceForms::take_header(ServiceEnd& end, const Gi
     if (arrivals.empty()) end.responses_.erase(writer);
     return header;
   }
-  // All servers share the requests of a writer, because a datagram does not tell the service: it is known once a server
+  // All servers share the requests of a writer, because a datagram does not name the service: it is known once a server
   // has taken one. If several servers of a service are in this process, each takes each request: each has its place in
   // the list, and `forget_taken` erases only what all of them have passed.
   Requests* const requests = requests_.find(writer);
@@ -525,7 +525,7 @@ bool ServiceForms::rewrite(const Address& address, Bytes datagram, std::vector<s
 }
 
 // Append an acknowledgement that requests nothing as one that requests the first sample of a service's writer, if it has
-// arrived and nobody has taken it: it was dropped, because the writer was not matched yet. Return false if it is another
+// arrived and has not been taken: it was dropped, because the writer was not matched yet. Return false if it is another
 // acknowledgement.
 bool ServiceForms::append_request(const GuidPrefix& participant, const Submessage& acknack,
                                   std::vector<std::byte>& out) const {
@@ -586,7 +586,7 @@ bool ServiceForms::append_rewritten(ServiceEnd& end, const GuidPrefix& participa
     // The inline form is shorter by the header, so each of its fragments has other bytes than the one of that number
     // here: it needs the whole sample.
     const std::vector<std::byte>* const sample = end.kept_sample(data);
-    // Of a sample that was not kept, because nobody was there to receive it, no fragment is for this peer.
+    // A sample that was not kept had no reader then, so none of its fragments is for this peer.
     if (sample == nullptr) return true;
     header = read_header(*sample);
     fragment = inline_fragment(*sample, data);
@@ -602,7 +602,7 @@ bool ServiceForms::append_rewritten(ServiceEnd& end, const GuidPrefix& participa
     return true;
   }
   if (end.is_client_) {
-    // A response names the request's sequence number; the program knows the request by the number in its header.
+    // A response names the request's sequence number; the program identifies the request by the number in its header.
     end.request_numbers_[data.sequence_number] = header.number;
     erase_oldest(end.request_numbers_, max_sent);
   }

@@ -114,7 +114,7 @@ class ServiceForms {
  public:
   ServiceForms();
 
-  // Return the object of this process; a forked child has one of its own.
+  // Return the object of this process; a forked child has a separate one.
   static ServiceForms& of_process();
 
   // In a forked child: leave the parent's object as it is, because one of the parent's threads may have locked it.
@@ -126,14 +126,14 @@ class ServiceForms {
   // Register a server.
   std::shared_ptr<ServiceEnd> add_server(const std::string& service, const Gid& writer, const Gid& reader);
 
-  // Note what a received datagram says of participants, and of services in inline form. Return its size [bytes], which
+  // Store what a received datagram has about participants, and services in inline form. Return its size [bytes], which
   // grows where heartbeats are inserted; `buffer` begins with its `size` bytes.
   //
   // libddsc drops the samples of a writer that it has just matched until a heartbeat arrives, and those of another vendor's
   // writer that the first heartbeat counts, too. Fast DDS sends one every 3 s, or with each tenth sample, so the first
   // requests and responses would be lost. Until a reader has taken a sample of a writer, heartbeats before its samples
-  // tell where they begin, and request those that were dropped before; `rewrite` lets an acknowledgement that requests
-  // nothing request the first of these.
+  // state where they begin, and request those that were dropped before; `rewrite` changes an acknowledgement that
+  // requests nothing into one that requests the first of these.
   std::size_t receive(std::span<std::byte> buffer, std::size_t size);
 
   // Rewrite a datagram for an address whose participant uses the inline form. Return false if it can be sent as it is;
@@ -151,8 +151,8 @@ class ServiceForms {
   // requests; nullopt for other clients.
   [[nodiscard]] std::optional<Gid> inline_client(const std::array<std::uint8_t, 8>& key);
 
-  // Forget what is remembered of a participant that has left, but for its samples that nobody has taken yet, because a
-  // reader may still hold them.
+  // Forget what is remembered of a participant that has left, except its samples that have not been taken yet, because
+  // a reader may still hold them.
   void forget(const GuidPrefix& participant);
 
   // Return how much is remembered of other participants: writers, clients and their keys.
@@ -161,8 +161,8 @@ class ServiceForms {
   // Return whether the addresses of a participant are known, so that samples for it are rewritten.
   [[nodiscard]] bool knows(const GuidPrefix& participant);
 
-  // From here on, read also the versions that participants announce, of any vendor. A command asks for them; nodes are
-  // spared the time.
+  // From here on, read also the versions that participants announce, of any vendor. Only commands call it, because it
+  // costs time.
   void read_versions() { reads_versions_ = true; }
 
   // Return the version of a participant that was announced since `read_versions`; empty if none was.
@@ -210,7 +210,7 @@ class ServiceForms {
 
   std::atomic<bool> is_abandoned_ = false;
   std::mutex mutex_;
-  // The rest is guarded by mutex_, but for the flags.
+  // The rest is guarded by mutex_, except the flags.
   Addresses addresses_;
   Versions versions_;
   std::atomic<bool> reads_versions_ = false;

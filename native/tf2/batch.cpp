@@ -145,7 +145,7 @@ void for_each_chunk(std::span<const Stamp> stamps, Use&& use) {
       const std::size_t count = std::min(chunk_size, part.size() - start);
       Chunk chunk{part.subspan(start, count), begin + start, {}};
       if (!is_sorted) {
-        // The stamps of this chunk lie anywhere in the part: gather them; `order` tells where each one belongs.
+        // The stamps of this chunk lie anywhere in the part: gather them; `order` has the index of each one.
         chunk = {{gathered.data(), count}, begin, std::span(order).subspan(start, count)};
         for (std::size_t i = 0; i < count; ++i) gathered[i] = part[chunk.order[i]];
       }

@@ -19,7 +19,7 @@ class Column {
   ~Column() = default;
 
   [[nodiscard]] std::size_t size() const { return size_; }
-  [[nodiscard]] std::size_t capacity() const { return owned_.capacity(); }  // of its own memory
+  [[nodiscard]] std::size_t capacity() const { return owned_.capacity(); }  // of the memory that it owns
   const T& operator[](std::size_t index) const { return data_[index]; }
   [[nodiscard]] const T& back() const { return data_[size_ - 1]; }
   [[nodiscard]] const T* begin() const { return data_; }

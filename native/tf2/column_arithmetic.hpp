@@ -1,6 +1,6 @@
 // The functions of ColumnArithmetic for one width of vectors. columns.cpp includes this file once for each, in another
 // namespace, which defines `Lanes`, the numbers of `lane_count` rows, and `lanes_of`, which builds them; and it defines
-// TFLOOM_TARGET, which tells the compiler the processor. So there is no `#pragma once`.
+// TFLOOM_TARGET, the attribute that selects the processor. So there is no `#pragma once`.
 
 inline TFLOOM_TARGET Lanes load(const double* from) {
   Lanes lanes;

@@ -65,7 +65,7 @@ void NewestChain::find_meeting_frame(const FrameTable& frames, FrameId top) {
     source_count_ = static_cast<std::size_t>(meeting - all.begin());
     compute_stamp(frames);
     // The common time is known, and is the answer of `latest_common_time`. A lookup at it walks the target's branch up to
-    // the limit, and fails there; `is_uniform_` would spare it the walk.
+    // the limit, and fails there; with `is_uniform_` set, that walk would be skipped.
     is_uniform_ = false;
     return;
   }

@@ -354,7 +354,7 @@ class Transform:
     @staticmethod
     def from_matrix(matrix: object) -> Transform:
         """
-        Create one from a matrix (4, 4) or (3, 4); raises ValueError if it is no rigid transform.
+        Create one from a matrix (4, 4) or (3, 4); raises ValueError if it is not a rigid transform.
         """
 
     @staticmethod
@@ -652,7 +652,7 @@ class Buffer:
         """
         Replace the whole contents and the cache time by those of a frozen buffer.
 
-        `data` is what `frozen` returned. It is not copied, and must not change. Raises ValueError, with nothing changed, if it is no frozen buffer.
+        `data` is what `frozen` returned. It is not copied, and must not change. Raises ValueError, with nothing changed, if it is not a frozen buffer.
         """
 
     def set_message(self, transform: object, authority: str, static: bool = False) -> bool:
@@ -685,7 +685,7 @@ class Buffer:
         """
         Store the transforms of a `tf2_msgs/msg/TFMessage`, given as encapsulation header and CDR.
 
-        Returns how many were stored; the others were rejected, as by `set`. Raises ValueError, with nothing stored, if the bytes are no such message.
+        Returns how many were stored; the others were rejected, as by `set`. Raises ValueError, with nothing stored, if the bytes are not such a message.
         """
 
 class Edge:
@@ -990,7 +990,7 @@ class TfTraffic:
 
     @property
     def unreadable(self) -> int:
-        """Number of messages that are no TFMessage."""
+        """Number of messages that are not a TFMessage."""
 
     @property
     def max_transforms(self) -> int:
@@ -2065,7 +2065,7 @@ class StateTransforms:
         """
         Return the transforms of a serialized message; None if there are none or they are not due: the joint that was published least recently was so less than `interval_ns` before the message's stamp.
 
-        Raises ValueError if the bytes are no such message, or names and positions differ in number.
+        Raises ValueError if the bytes are not a JointState, or names and positions differ in number.
         """
 
     def forget_stamps(self) -> None:
