@@ -114,7 +114,7 @@ NO_ROOMS = {"__pycache__", "ros_names", "share"}
 """Folders that hold no code of the house; `share` has the files of tfloom's own packages, as launch files."""
 
 LAUNCH_FILE = ".launch.py"
-"""The end of a launch file's name. It imports ROS names, as a user's, and is no module."""
+"""The end of a launch file's name. It imports ROS names, as a user's, and is not a module."""
 
 
 @lru_cache(maxsize=4)

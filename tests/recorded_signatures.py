@@ -135,7 +135,7 @@ def _our_parameters(function: Any) -> list[Parameter]:
 
 
 def _differ(found: Parameter, expected: Parameter) -> bool:
-    """Return whether two defaults differ; False if one of the texts is no literal."""
+    """Return whether two defaults differ; False if one of the texts is not a literal."""
     if found.default is None:
         return True
     try:

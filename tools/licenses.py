@@ -91,7 +91,7 @@ def row_of(name: str, use: str) -> Row | None:
 
 
 def names_of(requirements: Iterable[str], extras: Iterable[str] = ("",)) -> Iterator[tuple[str, set[str]]]:
-    """Yield the names in requirements that hold here, each with the extras it asks for."""
+    """Yield the names in requirements that hold here, each with the extras that are required."""
     for text in requirements:
         requirement = Requirement(text)
         if requirement.marker is None or any(requirement.marker.evaluate({"extra": e}) for e in extras):

@@ -32,7 +32,7 @@ _OF_PROGRAMS = {
     "turtlesim": "A simulator of turtles, with its messages, services and actions.",
     "xacro": "Macros in XML, for descriptions of robots.",
 }
-"""What is in the packages that have programs, and no façade that tells it."""
+"""What is in the packages that have programs, and no façade whose docstring says it."""
 
 
 def generate_all() -> dict[str, str]:

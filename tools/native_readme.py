@@ -31,10 +31,8 @@ def listed(native: Path, room: str) -> Iterator[str]:
     """Yield the heading of a room, and a line for each file in it, or for a header and its source."""
     yield f"## {room}/\n"
     files: dict[str, Path] = {}
-    for path in sorted(
-        (native / room).iterdir()
-    ):  # .hpp after .cpp, and it is the one that tells what both are for
-        files[path.stem] = path
+    for path in sorted((native / room).iterdir()):
+        files[path.stem] = path  # .hpp after .cpp: the header's first sentence is for both
     yield "".join(f"- `{stem}`: {_first_sentence(path)}\n" for stem, path in files.items())
 
 

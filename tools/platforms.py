@@ -110,7 +110,7 @@ NOT_ON_MUSL = {"eclipse-zenoh", "opencv-python-headless", "pygame-ce"}
 """What tests of other folders need, and what has no wheel for musl: it would be compiled for long, or with Rust."""
 WIDE_VECTORS = "tests/tf2/test_vectors.py::test_wide_vectors_are_used_where_the_processor_has_them"
 TESTS_ON_MUSL = TESTS | {"core tests": f"{CORE} --deselect {WIDE_VECTORS}"}
-"""zig's runtime, unlike g++'s on Alpine, doesn't tell what the processor has."""
+"""zig's runtime, unlike g++'s on Alpine, doesn't report what the processor has."""
 ARM64_MAGIC = (
     r":M::\x7fELF\x02\x01\x01\x00\x00\x00\x00\x00\x00\x00\x00\x00\x02\x00\xb7\x00"
     r":\xff\xff\xff\xff\xff\xff\xff\x00\xff\xff\xff\xff\xff\xff\xff\xff\xfe\xff\xff\xff:/usr/bin/qemu-aarch64-static:F"
@@ -155,7 +155,7 @@ class Check(NamedTuple):
 
 
 class Chroot:
-    """A system in a folder of its own.
+    """A system in a separate folder.
 
     Args:
         name: A key of `SUITES`; the folder is named so.
@@ -201,7 +201,7 @@ class Chroot:
         return True, "ready"
 
     def command(self, text: str, **variables: str) -> list[str]:
-        """Return the command that runs a line of shell in the checkout there, in an environment of its own."""
+        """Return the command that runs a line of shell in the checkout there, with a separate set of variables."""
         kept = {name: value for name, value in os.environ.items() if name.startswith("PIP_INDEX")}
         environment = {
             "PATH": "/usr/sbin:/usr/bin:/sbin:/bin",
@@ -212,7 +212,7 @@ class Chroot:
             **variables,
         }
         words = [f"{name}={value}" for name, value in environment.items()]
-        # In a mount namespace of its own, so that what is mounted is gone with the command, however it ends: a folder
+        # In a separate mount namespace, so that what is mounted is gone with the command, however it ends: a folder
         # in which /dev of this machine stays mounted must not be removed.
         mounts = 'mount -t proc proc "$0/proc" && mount --rbind /dev "$0/dev" && exec env -i "$@"'
         inside = [*words, "chroot", str(self.folder), "sh", "-c", f"cd /{HERE} && {text}"]
@@ -229,8 +229,8 @@ class Chroot:
 def completed(command: Sequence[str | Path], **options: Any) -> subprocess.CompletedProcess[str]:
     """Run a command to its end, as subprocess.run does.
 
-    If this program is interrupted meanwhile, the command and its children are, too: the ones that run in a terminal of
-    their own wouldn't hear of it.
+    If this program is interrupted meanwhile, the command and its children are, too: those that run in a terminal of
+    their own would not receive the signal.
     """
     numbers = {signal.SIGINT, signal.SIGTERM}
     mask = signal.pthread_sigmask(
@@ -358,7 +358,7 @@ def installed_library(chroot: Chroot) -> str:
 
 
 def other_wheel() -> str:
-    """Return the commands that have tfloom take libddsc from another Python's wheel, in place of its own one."""
+    """Return the commands that have tfloom take libddsc from another Python's wheel, instead of its own."""
     folder = "/tmp/cyclonedds"  # noqa: S108  # that of a chroot
     return (
         f".venv/bin/{WHEEL_OF_ANOTHER_PYTHON.replace('DIR', folder)} && "
@@ -381,7 +381,7 @@ def chroot_output(chroot: Chroot, text: str) -> str:
 
 @contextmanager
 def mounted_binfmt() -> Iterator[None]:
-    """Have binfmt_misc mounted as long as the block runs; unmount it if it wasn't, and nobody else registers there."""
+    """Have binfmt_misc mounted as long as the block runs; unmount it if it wasn't, and nothing else is registered."""
     is_own = not (BINFMT / "register").exists()
     if is_own:
         succeed(["mount", "-t", "binfmt_misc", "binfmt_misc", BINFMT])
@@ -445,7 +445,7 @@ def build_for_arm64(chroot: Chroot) -> tuple[bool, str]:
         "CMAKE_INSTALL_PREFIX": str(chroot.folder / "usr/lib/python3/dist-packages"),
         "SKBUILD": "2",
         "TFLOOM_WARNINGS_AS_ERRORS": "ON",
-        # CMake asks the target's own Python for its version and file names; qemu runs it, with that system's libraries.
+        # CMake reads version and file names from the target's Python, which qemu runs, with that system's libraries.
         "Python_EXECUTABLE": str(python),
         "Python_INCLUDE_DIR": str(chroot.folder / "usr/include" / python.name),
         "nanobind_DIR": output_of([sys.executable, "-m", "nanobind", "--cmake_dir"]).strip(),
@@ -498,7 +498,7 @@ PURE_PACKAGES = (
     "pytest>=9",
     "pytest-xdist>=3.7",
     "pytest-rerunfailures>=16.3",
-    "hypothesis>=6.140,<6.156",  # Debian's warns by mistake of its own object; later ones are compiled
+    "hypothesis>=6.140,<6.156",  # Debian's warns by mistake about its own object; later ones are compiled
     "./packages/tfloom-ros2",
     "./packages/tfloom-interfaces",
 )

@@ -10,7 +10,7 @@ python3 -m venv $prefix/zig
 $prefix/zig/bin/pip install --quiet --disable-pip-version-check ziglang
 zig=$($prefix/zig/bin/python -c 'import ziglang; print(ziglang.__path__[0])')/zig
 for language in cc c++; do
-    # Debian's compilers let CPython tell the time at which it was compiled; zig doesn't.
+    # CPython states the time at which it was compiled, which Debian's compilers allow, and zig reports as an error.
     printf '#!/bin/sh\nexec %s %s -target x86_64-linux-musl -dynamic -Wno-error=date-time "$@"\n' "$zig" $language > $prefix/$language
     chmod +x $prefix/$language
 done

@@ -2,7 +2,7 @@
 
 Built are the sdists of tfloom and of the packages beside it, and wheels from these sdists. A wheel with native code is
 for this system and this Python alone; on Linux auditwheel names the C library that it needs. The wheels of all systems
-are built by .github/workflows/wheels.yml. The tools are installed in an environment of their own (build/release).
+are built by .github/workflows/wheels.yml. The tools are installed in a separate environment (build/release).
 `--check-tag v1.2.3` compares a tag with the versions of all projects, and builds nothing.
 """
 
@@ -107,7 +107,7 @@ def build(tools: Tools, folder: Path, projects: Sequence[Path] = PROJECTS) -> li
     for project in projects:
         with tempfile.TemporaryDirectory() as scratch:
             started = time.monotonic()
-            # Without an option, the wheel is built from the sdist, unpacked in a folder of its own.
+            # Without an option, the wheel is built from the sdist, unpacked in a temporary folder.
             tools.run("python", "-m", "build", "--outdir", scratch, project)
             (wheel,) = Path(scratch).glob("*.whl")
             (sdist,) = Path(scratch).glob("*.tar.gz")

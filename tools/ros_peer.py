@@ -1,6 +1,6 @@
 """Install the real rclpy as a peer for tests and benchmarks: `python -m tools.ros_peer`, or `make ros-peer`.
 
-The peer is rclpy 7.1.6 of ROS 2 Jazzy on Fast DDS, from wheels on PyPI, in an environment of its own. tf2_msgs and
+The peer is rclpy 7.1.6 of ROS 2 Jazzy on Fast DDS, from wheels on PyPI, in a separate environment. tf2_msgs and
 example_interfaces have no wheels, so they are generated from tfloom's definitions and compiled, if there is a compiler.
 A second run ends at once, and completes an environment that an interrupted one left.
 

@@ -190,7 +190,7 @@ def main() -> int:
     parts["others"] = run(f"{marks} and not timing", [f"--numprocesses={many}", *by_file, *rest, *slow])
     times = ", ".join(f"{name} {seconds:.0f} s" for name, (_, seconds) in parts.items())
     print(f"Tests that are {tier}: {times}")
-    # A part in which a selection matches nothing is no failure, unless it is so in both.
+    # A part in which a selection matches nothing is not a failure, unless it matches nothing in both.
     codes = [code for code, _ in parts.values() if code != NOTHING_SELECTED]
     if left := end_orphans():
         print("Tests left these processes, which were ended:", *left, sep="\n  ")

@@ -246,8 +246,8 @@ class Environment:
         """Run pip in the environment, and return whether it succeeded. Print its messages unless `quietly`.
 
         What it installs is compiled when it is first imported: pip would compile all files, most of which no program
-        here imports, and take as long for that as for the rest of the installation. It does so where Python was asked
-        to write no compiled files, because each process would compile anew what it imports.
+        here imports, and take as long for that as for the rest of the installation. It does so where Python is
+        configured to write no compiled files, because each process would compile anew what it imports.
 
         Raises:
             SetUpError: pip reached no package index, or failed, and `quietly` is false.
@@ -335,9 +335,9 @@ class Environment:
         self.pip("install", *needed)
         if not dds:
             return
-        # The DDS library is optional: it is installed from a wheel or not at all, and pip's failure is no error. The
-        # search for the module then tells both cases apart, and also finds a library from an earlier run. Where this
-        # Python has no wheel, the library comes from that of another one.
+        # The DDS library is optional: it is installed from a wheel or not at all, and a failure of pip is not an error.
+        # The search for the module then distinguishes both cases, and also finds a library from an earlier run. Where
+        # this Python has no wheel, the library comes from that of another one.
         if not self._without_dds:
             self.pip("install", "--only-binary", DDS, *dds, quietly=True)
             if not self._has(DDS):

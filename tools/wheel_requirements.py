@@ -1,7 +1,7 @@
 """The requirements in the metadata of tfloom's wheel: scikit-build-core calls these functions while it builds.
 
 They stand in pyproject.toml, but not as static ones: PyPI's wheels of cyclonedds for Linux need glibc. No marker of a
-requirement tells glibc from musl, so pip would compile it on Alpine.
+requirement distinguishes glibc and musl, so pip would compile it on Alpine.
 """
 
 from __future__ import annotations

@@ -51,7 +51,7 @@ def test_each_of_twenty_processes_knows_two_hundred_nodes_by_zenoh(
 def test_a_graph_that_lacks_a_node_is_not_complete(
     domain_id: int, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:
-    """A process that has a node less than all others expect is told by each of them."""
+    """A graph in which one node is missing is reported as incomplete by every process."""
     monkeypatch.setattr(discovery, "DOMAIN_ID", domain_id)
     total, timeout_s = 12, 2
     with hold_zenoh_port() as port:

@@ -407,7 +407,7 @@ WAITS: dict[str, Door] = {
     "ros2lifecycle.api.call_get_transition_graph timeout": lifecycle(call_get_transition_graph, states={}),
     "ros2lifecycle.api.call_change_states timeout": lifecycle(call_change_states, transitions={}),
 }
-"""The doors behind which a program waits: seconds that 64 bits of nanoseconds don't hold are no limit."""
+"""The calls in which a program waits: seconds that 64 bits of nanoseconds don't hold are not a limit."""
 
 PERIODS: dict[str, Door] = {
     "rclpy.node.Node.create_timer timer_period_sec": lambda ends, seconds, _: ends.node.create_timer(

@@ -285,7 +285,7 @@ def test_strangers_get_nothing(join: Callable[..., Machine], start_router: Start
     laptop = join("laptop.json5")
     laptop.subscribe(TF)
     # The link of a client with a certificate is made meanwhile, and gets what the strangers don't.
-    # A client without a link raises an error when it is opened, a peer seeks its router on and on.
+    # A client without a link raises an error when it is opened, a peer goes on to search for its router.
     linked = "a name without rules"
     denied = {
         stranger: join(

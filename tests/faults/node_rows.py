@@ -343,7 +343,7 @@ def done_callback_of_an_executors_future(world: World) -> list[Exception]:
 
 
 def resumption_of_a_future(world: World) -> list[Exception]:
-    """What completes with a future is told the exception; other tasks that await it go on."""
+    """The call that completes the future raises the exception; other tasks that await it go on."""
     fails, resumed = Fails(), []
     future: Future[int] = Future()
     future.when_complete(fails)

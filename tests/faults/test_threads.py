@@ -201,7 +201,7 @@ def test_pool_without_a_thread(local_context: Context) -> None:
 
 
 def test_pool_with_one_thread_of_two(local_context: Context) -> None:
-    """Where a thread is there, the callbacks run on it, and nobody is told."""
+    """If one thread could be started, the callbacks run on it, and nothing is reported."""
     called: list[int] = []
     with MultiThreadedExecutor(2, context=local_context) as executor:
         first = executor.create_task(lambda: called.append(0))

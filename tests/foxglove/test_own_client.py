@@ -1,4 +1,4 @@
-"""foxglove_bridge publishes changes of the graph and of parameters, whoever subscribes meanwhile."""
+"""foxglove_bridge publishes changes of the graph and of parameters, also while clients subscribe."""
 
 from __future__ import annotations
 

@@ -140,7 +140,7 @@ DIFFERENCES: dict[str, dict[str, Ours]] = {
     },
 }
 LISTS_NAMES = re.compile(r"3[0-3] ")
-"""Lines of `launch_testing_output` with the names of a module: more names are no difference for a program."""
+"""Lines of `launch_testing_output` with the names of a module: more names make no difference to a program."""
 
 
 @pytest.mark.parametrize(

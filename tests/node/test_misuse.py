@@ -25,7 +25,7 @@ def test_wait_with_a_wrong_timeout_leaves_no_request() -> None:
 
 
 def test_timer_without_a_callback_warns(node: Node) -> None:
-    """It is no error, because the reference accepts it; a rate has such a timer."""
+    """It is not an error, because the reference accepts it; a rate has such a timer."""
     with pytest.warns(UserWarning, match="without brackets") as caught:
         node.create_timer(1.0, None)
     assert caught[0].filename == __file__

@@ -28,7 +28,7 @@ def site(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def put(path: Path) -> str:
-    """Write a file that is no library, and return its path."""
+    """Write a file that is not a library, and return its path."""
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text("not a library")
     return str(path)

@@ -112,7 +112,7 @@ def test_a_router_says_why_it_is_not_linked_to_another_and_when_it_is(
 
 
 def test_endpoints_without_a_link(port: int) -> None:
-    """A host's name stands for its addresses; of two routers that seek each other, one makes the link of both."""
+    """A host's name stands for its addresses; of two routers that connect to each other, one makes the link of both."""
     elsewhere = "tcp/127.0.0.2:1"
     first = router_configuration({"connect/endpoints": [f"tcp/localhost:{port + 1}", elsewhere]})
     second = router_configuration(

@@ -248,7 +248,7 @@ def test_without_a_thread_a_session_that_is_not_linked_is_closed(monkeypatch: py
 def test_stock_nodes_meet_at_the_point(
     start: Callable[..., Program], port: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """A stock node doesn't open a router; two that find ours hear of each other, and of our programs."""
+    """A stock node doesn't open a router; two that find ours discover each other, and our programs."""
     ours = start("ours")
     file = tmp_path / "stock.json5"
     file.write_text(STOCK % port)
@@ -333,7 +333,7 @@ def test_a_router_asks_again_where_no_session_is_linked_yet(monkeypatch: pytest.
 def test_a_router_asks_again_where_a_session_did_not_hear_it(
     monkeypatch: pytest.MonkeyPatch, deaf: str
 ) -> None:
-    """After a change of owner, some sessions still seek its router, the owner's own one too, and others answer."""
+    """After a change of owner, some sessions still search for its router, the owner's own too, and others answer."""
     hear = MeetingPoint._on_request
     asked: list[MeetingPoint] = []
 

@@ -470,7 +470,7 @@ def test_route_wakes_waiters_where_no_thread_can_be_started(
 def test_signal_within_a_callback_of_zenoh_reaches_the_program(
     domain_id: int, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str], number: int
 ) -> None:
-    """Zenoh tells of an own token on the thread that declares it, and would print the handler's exception and go on."""
+    """Zenoh reports an own token on the thread that declares it; it would print the handler's exception and go on."""
     from tfloom.rmw.zenoh.wire import open_participant
 
     told: list[str] = []

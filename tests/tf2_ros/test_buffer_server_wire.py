@@ -120,7 +120,7 @@ def test_missing_and_killed_server(start: Callable[..., Program]) -> None:
     server.signal(signal.SIGKILL)
     assert asker.wait() == 0, asker.output
     why = " in the specified time"
-    if implementation_identifier() == "rmw_zenoh_cpp":  # which tells of its end at once
+    if implementation_identifier() == "rmw_zenoh_cpp":  # which reports its end at once
         why = r": no response from /tf2_buffer_server/_action/\w+: its server left the graph without one"
     assert re.fullmatch(
         rf"TimeoutException The LookupTransform goal sent to the BufferServer did not come back{why}\. "

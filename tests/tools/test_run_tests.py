@@ -39,7 +39,7 @@ def test_a_test_that_hangs_is_named_and_ends_the_run(tmp_path: Path) -> None:
 
 @pytest.mark.skipif(sys.platform != "linux", reason="processes change their parents so on Linux alone")
 def test_processes_that_tests_leave_are_ended_and_fail_the_run(tmp_path: Path) -> None:
-    """A process whose parent ended is no zombie when it ends."""
+    """A process whose parent has ended does not stay as a zombie when it ends."""
     note = tmp_path / "pid"
     done = run_tier(
         tmp_path / "test_leaves.py",

@@ -1,4 +1,4 @@
-"""A viewer of a graph, and pages that are no browsers."""
+"""A viewer of a graph, and clients of its pages that are not browsers."""
 
 from __future__ import annotations
 

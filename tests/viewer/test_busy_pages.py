@@ -202,7 +202,7 @@ EVIL = "<script>alert(1)</script>"
 
 
 def test_names_of_nodes_and_topics_are_data(domain_id: int, viewer: Viewer, open_page: OpenPage) -> None:
-    """A program that is no ROS node may give any name; pages get it as a text, and their policy allows no script."""
+    """A program that is not a ROS node may give any name; pages get it as text, and their policy allows no script."""
     participant = open_participant(domain_id)
     try:
         participant.add_node(NodeName("/", EVIL))

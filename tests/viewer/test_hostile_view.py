@@ -37,7 +37,7 @@ MESSAGES_OF_A_KIND = 90
 COMMANDS = 400
 LONGEST_S = 120.0
 UNFORESEEN = re.compile(r"\(\w+\.py, line \d+\)")
-"""How a fault is told that nobody thought of."""
+"""The place of an unforeseen fault, in its text."""
 
 NUMBERS = (0.0, -0.0, 1.0, -1.0, 0.5, math.pi, 1e-300, 5e-324, 1e12, 1e13, 1e38, 4e38, 1e154, 1e300, -1e300)
 WILD = (math.nan, math.inf, -math.inf, 1.7976931348623157e308, -1.7976931348623157e308)

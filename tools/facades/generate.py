@@ -39,7 +39,7 @@ class Generator:
     """The façades of a table.
 
     Raises:
-        TableError: a name is implemented nowhere, or in several modules of tfloom, and the table doesn't tell which.
+        TableError: a name is implemented nowhere, or in several modules of tfloom, and the table doesn't say in which.
     """
 
     def __init__(
@@ -91,7 +91,7 @@ class Generator:
                 home
             )
         # A function that has the name of a submodule: the import of the submodule, later, would replace it.
-        if "__getattr__" in result.deferred:  # a façade has either one of its own or that of deferred names
+        if "__getattr__" in result.deferred:  # a façade has one `__getattr__`: this or that of deferred names
             result.eager |= result.deferred
             result.deferred.clear()
         for name in set(result.submodules) & result.deferred.keys():
@@ -117,8 +117,8 @@ class Generator:
     def _home(self, module: str, name: str) -> tuple[str, str]:
         """Return the module of tfloom that has a name of a façade, and the name there.
 
-        The table tells it, or the recorded home of the name does: a façade, whose names are known by the same way, or
-        the module of a message. A value has no recorded home, so the façades that define such a name are asked.
+        It is in the table, or follows from the recorded home of the name: a façade, whose names are found in the same
+        way, or the module of a message. A value has no recorded home, so the façades that define its name are searched.
         """
         home = imported_from(module).get(name, "")
         facade = self._facades[module]
@@ -148,7 +148,7 @@ class Generator:
         ]
 
     def _own_home(self, module: str, name: str) -> tuple[str, str]:
-        """Return where a name is implemented that a façade defines itself: as the table tells, or in its rooms."""
+        """Return where a name is implemented that a façade defines itself: by the table, or in its rooms."""
         told = (self._facades[module].names or {}).get(name)
         if told is not None:
             room, _, attribute = told.rpartition(".")

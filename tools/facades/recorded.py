@@ -1,8 +1,8 @@
 """The public Python names of a real ROS 2 Jazzy, as recorded: which modules define them, and which only import them.
 
 `tests/golden/api_jazzy.json.gz` has what each module defines or lists in `__all__`, with signatures, and
-`module_names.json` all that programs can import from it, with the module that defines it. `missing.txt` tells which of
-these tfloom lacks, and why.
+`module_names.json` all that programs can import from it, with the module that defines it. `missing.txt` lists what
+tfloom lacks of these, and why.
 """
 
 from __future__ import annotations

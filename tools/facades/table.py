@@ -39,7 +39,7 @@ class Facade:
     package: bool = False
     """Whether it is a package though no module of the table is in it: the names of absent ones are explained."""
     eager: bool = False
-    """Whether a package loads all of its own names at once, because they register themselves, or need OpenCV."""
+    """Whether a package loads all names that it defines at once: they register themselves, or need OpenCV."""
 
 
 @dataclass(frozen=True)

@@ -361,7 +361,7 @@ class _Sent:
         self.numbers = self.numbers[-1:]
 
     def send(self) -> None:
-        """Send the next transform. Its x is no linear function of its stamp, so that a missing one is seen."""
+        """Send the next transform. Its x is not a linear function of its stamp, so that a missing one is detected."""
         number = self.numbers[-1] + 1 if self.numbers else 1
         self.numbers.append(number)
         transform = stamped("world", "turtle", SECOND + number * STEP, float(number**2))

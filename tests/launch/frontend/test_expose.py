@@ -62,7 +62,7 @@ class Plain:
 
 
 class Unbound:
-    """Has a `parse` that is no class method."""
+    """Has a `parse` that is not a class method."""
 
     def parse(self, data: Any) -> Any:
         """Return nothing."""

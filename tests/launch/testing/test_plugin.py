@@ -19,7 +19,7 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> Run:
     """Run all the files at once, because each start of pytest takes a second."""
     files = {**PASSING, **{name: text for name, (text, _) in FAILING.items()}}
     texts = {name: LAUNCH + text for name, text in files.items()}
-    # Such a name is no module's.
+    # Such a name can't be that of a module.
     texts["good.launch.test.py"] = texts["test_good.py"]
     folder = tmp_path_factory.mktemp("users")
     return run_pytest(folder, texts, *texts, "--launch-args", "colour:=blue")

@@ -1,4 +1,4 @@
-"""The process at the other end of a call or a goal is ended at each step: this end is told in time, and keeps nothing.
+"""The process at the other end of a call or a goal is ended at each step: this end reports it, and keeps nothing.
 
 One process stops at all steps, each with its own client or server.
 """
@@ -154,7 +154,7 @@ class Exchange:
 
 
 def end_servers(end: Kill, start: Start, node: Node) -> None:
-    """End the server of a call and of a goal at each step, and check what its client is told and keeps."""
+    """End the server of a call and of a goal at each step, and check what its client reports and keeps."""
     steps = [step for step in dict.fromkeys(CALL_STEPS + GOAL_STEPS) if step not in ("gone", *ANSWERED)]
     gone, stopping = start("stopping_server", "gone"), start("stopping_server", *steps, "never")
     exchanges = [

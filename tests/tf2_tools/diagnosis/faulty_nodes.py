@@ -303,7 +303,7 @@ def volatile_reader(participant: Participant) -> Steps:
 
 
 def unreadable(participant: Participant) -> Steps:
-    """Publish bytes that are no TFMessage."""
+    """Publish bytes that are not a TFMessage."""
     writer = Node(participant, "unreadable").writer("/tf")
     return write_steadily(writer, bytes((0, 1, 0, 0)) + b"\xff" * 16)
 
