@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 from importlib import util
@@ -35,6 +36,35 @@ APACHE = """\
 # limitations under the License.
 """
 LONG = "x = '" + 94 * "a" + "'\n"
+DOCSTRINGS = '''\
+def publish():
+    """
+    Publish the pose
+    of the turtle.
+    """
+
+
+def area(turtle):
+    """
+    Return the area.
+
+    Args:
+        turtle: The turtle.
+
+    Returns:
+        The area.
+
+    """
+
+
+def first():
+    """returns area(1)."""  # noqa: D401
+
+
+def second():  # noqa: D403
+    """returns nothing."""
+'''
+"""Docstrings in which other checkers find other faults."""
 
 needs_linters = pytest.mark.skipif(
     not all(util.find_spec(module) for module in ("flake8", "pydocstyle")),
@@ -76,6 +106,39 @@ def test_pep257_applies_the_rules_of_ros(here: Path, capsys: pytest.CaptureFixtu
     assert "test/test_bad.py:2 in public function `f`: D400: First line should end with a period" in shown
     assert "D403: First word of the first line should be properly capitalized" in shown
     assert pep257_main(argv=[".", "--select", "D300"]) == 0
+
+
+@needs_linters
+def test_pep257_finds_what_the_reference_finds(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    write_files(here, {"docstrings.py": DOCSTRINGS})
+    assert pep257_main(argv=[]) == 1
+    shown = capsys.readouterr().err
+    faults = re.findall(r"^docstrings.py:\d+ in public function (.*): (D\d+): ", shown, re.MULTILINE)
+    assert sorted(faults) == [
+        ("`area`", "D406"),
+        ("`area`", "D407"),
+        ("`first`", "D401"),
+        ("`first`", "D403"),
+        ("`publish`", "D205"),
+        ("`publish`", "D400"),
+        ("`publish`", "D415"),
+        ("`second` (skipping D403)", "D401"),
+    ]
+    assert "D401: First line should be in imperative mood (perhaps 'Return', not 'returns')" in shown
+    assert "docstrings.py:9 in public function `area`: D407: Missing dashed underline after section" in shown
+
+
+@needs_linters
+def test_pep257_reports_files_that_it_cannot_parse(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    write_files(here, {"broken.py": "def (\n"})
+    assert pep257_main(argv=[]) == 1
+    assert capsys.readouterr() == ("\n1 files checked\n1 errors\n", "broken.py: Cannot parse file.\n")
+    write_files(here, {"good.py": "x = 1\n", "test_bad.py": 'def f():\n    """Return."""\n\n    pass\n'})
+    assert pep257_main(argv=[]) == 1
+    shown = capsys.readouterr()
+    assert shown.out == "\n3 files checked\n2 errors\n"
+    assert "broken.py: Cannot parse file.\n" in shown.err
+    assert "test_bad.py:2 in public function `f`: D202: No blank lines allowed after function" in shown.err
 
 
 @pytest.mark.skipif(util.find_spec("mypy") is None, reason="needs mypy")

@@ -30,6 +30,8 @@ MYPY_SETTINGS = ("--config-file=", "--ignore-missing-imports")
 """The options of mypy without a configuration of the package's own: those of its folder don't count."""
 _FLAKE8_LINE = re.compile(r"^(.+?):(\d+):(\d+): ([A-Z]+\d+) (.*)$")
 _PEP257_LINE = re.compile(r"^(.+?):(\d+) (.*):$")
+_PEP257_UNREADABLE = re.compile(r"^WARNING: Error in file (.+)$", re.MULTILINE)
+"""What pydocstyle prints on stderr about a file that it can't read or parse: its path and the reason."""
 
 
 def flake8_main(argv: Sequence[str] | None = None) -> int:
@@ -70,7 +72,7 @@ def flake8_main_with_errors(argv: Sequence[str] | None = None) -> tuple[int, lis
     if args.linelength is not None:
         options.append(f"--max-line-length={args.linelength}")
     files = files_of(args.paths, args.excludes, (".py",))
-    text = _run("flake8", [*options, *files]) if files else ""
+    text = _run("flake8", [*options, *files])[0] if files else ""
     print(text, end="")
     matches = [match for match in map(_FLAKE8_LINE.match, text.splitlines()) if match]
     errors = [match[0] for match in matches]
@@ -101,8 +103,8 @@ def pep257_main(argv: Sequence[str] | None = None) -> int:
     if not _is_installed("pydocstyle"):
         return 1
     files = files_of(args.paths, args.excludes, (".py",))
-    text = _run("pydocstyle", [*_pep257_options(args), *files]) if files else ""
-    errors = _pep257_errors(text)
+    text, warnings = _run("pydocstyle", [*_pep257_options(args), *files]) if files else ("", "")
+    errors = [*_PEP257_UNREADABLE.findall(warnings), *_pep257_errors(text)]
     for error in errors:
         report(error)
     _print_summary(files, errors)
@@ -185,17 +187,18 @@ def _is_installed(library: str) -> bool:
     return False
 
 
-def _run(module: str, words: Sequence[str]) -> str:
-    """Return what a module prints that is run as a program.
+def _run(module: str, words: Sequence[str]) -> tuple[str, str]:
+    """Run a module as a program, and return what it prints on stdout and on stderr.
 
     Raises:
         RuntimeError: it can't run; the text has its own reason.
     """
     command = [sys.executable, "-W", "ignore", "-m", module, *words]
     result = subprocess.run(command, capture_output=True, text=True, check=False)
-    if result.returncode > 1 or (result.returncode and not result.stdout):
+    has_answer = result.stdout or _PEP257_UNREADABLE.search(result.stderr)
+    if result.returncode > 1 or (result.returncode and not has_answer):
         raise RuntimeError(f"{module} can't run: {result.stderr.strip() or result.stdout.strip()}")
-    return result.stdout
+    return result.stdout, result.stderr
 
 
 def _print_summary(files: Sequence[str], errors: Sequence[str]) -> None:
