@@ -20,7 +20,7 @@ from tfloom.interfaces.rcl_interfaces.srv import (
 from tfloom.node.builtin.parameter_client import AsyncParameterClient
 from tfloom.node.client_library import spin_until_future_complete
 from tfloom.node.executing.task import Future
-from tfloom.node.parameters.empty_lists import give_types, untyped_names
+from tfloom.node.parameters.empty_lists import give_declared_types
 from tfloom.node.parameters.parameter import parameter_dict_from_yaml_file, parameter_value_to_python
 
 __all__ = [
@@ -140,11 +140,9 @@ def _give_types(
     node: GraphNode, client: AsyncParameterClient, node_name: str, parameters: Sequence[Parameter]
 ) -> None:
     """Give empty lists, which were read from YAML, the types that the node has for them."""
-    types: dict[str, int] = {}
-    for name in untyped_names(parameters):
-        response = _response(node, client.describe_parameters([name]), node_name)
-        types.update((found.name, found.type) for found in response.descriptors)
-    give_types(parameters, types)
+    give_declared_types(
+        parameters, lambda name: _response(node, client.describe_parameters([name]), node_name).descriptors
+    )
 
 
 def _client(node: GraphNode, node_name: str) -> AsyncParameterClient:

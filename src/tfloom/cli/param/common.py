@@ -15,7 +15,7 @@ from tfloom.cli.shared.names import did_you_mean, find_full_name
 from tfloom.cli.shared.numbers import seconds
 from tfloom.interfaces.rcl_interfaces import srv
 from tfloom.interfaces.rcl_interfaces.msg import Parameter, ParameterDescriptor, ParameterValue
-from tfloom.node.parameters.empty_lists import give_types, untyped_names
+from tfloom.node.parameters.empty_lists import give_declared_types
 from tfloom.rmw.base import Graph
 
 TIMEOUT_S = 5.0
@@ -85,21 +85,18 @@ class ParameterServices(NodeServices):
 
     def descriptors(self, names: Sequence[str]) -> list[ParameterDescriptor]:
         """Return the descriptors of parameters, in the order of the names."""
+        return self._one_each(names, self._described(names))
+
+    def _described(self, names: Sequence[str]) -> Sequence[ParameterDescriptor]:
         request = srv.DescribeParameters.Request(names=list(names))
-        return self._one_each(
-            names, self.call("describe_parameters", srv.DescribeParameters, request).descriptors
+        response: srv.DescribeParameters_Response = self.call(
+            "describe_parameters", srv.DescribeParameters, request
         )
+        return response.descriptors
 
     def set(self, parameters: Sequence[Parameter]) -> list[Any]:
         """Set parameters and return the result of each. An empty list gets the type that the node has for it."""
-        types: dict[str, int] = {}
-        for name in untyped_names(
-            parameters
-        ):  # one by one: a node gives no types if one of them isn't declared
-            asked = srv.DescribeParameters.Request(names=[name])
-            described = self.call("describe_parameters", srv.DescribeParameters, asked).descriptors
-            types.update((found.name, found.type) for found in described)
-        give_types(parameters, types)
+        give_declared_types(parameters, lambda name: self._described([name]))
         request = srv.SetParameters.Request(parameters=list(parameters))
         return self._one_each(parameters, self.call("set_parameters", srv.SetParameters, request).results)
 
