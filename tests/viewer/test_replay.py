@@ -370,6 +370,19 @@ def test_playing_a_recording_reads_each_part_once_and_keeps_few_states(
         assert len(reads) - before < 20  # from a state near this time
 
 
+def test_large_parts_of_a_recording_are_read_and_not_kept(
+    record: Callable[[list[Came]], Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    entries = [Came((100 + number) * S, cube(number, x=float(number))) for number in range(10)]
+    with open_bag(record(entries)) as bag:
+        for max_bytes, kept in ((1, 0), (1_000_000, 2)):
+            monkeypatch.setattr(recorded, "MAX_KEPT_BYTES", max_bytes)
+            log = RecordedLog(bag, "/m", lambda data: cdr.decode(Marker, data))
+            assert len(list(Cursor(log).read())) == 10
+            assert sum(len(part) > 0 for part in log._parts.values()) <= kept
+            assert len(log._parts) == 2
+
+
 def test_array_of_markers_is_taken_in_its_order() -> None:
     log = log_of(decode=lambda data: cdr.decode(MarkerArray, data))
     shown = Shown(log.open())

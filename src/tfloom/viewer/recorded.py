@@ -31,6 +31,8 @@ STEPS = 200
 """Number of parts in which a recording is read."""
 MAX_STEP_NS = 10_000_000_000
 """Length of the longest of these parts [ns]."""
+MAX_KEPT_BYTES = 64 * 1024 * 1024
+"""Size of the largest part that is kept [bytes]."""
 INDEX_BITS = 32
 """A message's number has that of its part, and in so many bits its index there."""
 
@@ -96,7 +98,8 @@ class RecordedLog:
         self._decode = decode
         self._step_ns = min((bag.end_ns - bag.start_ns) // STEPS + 1, MAX_STEP_NS)
         self._parts: dict[int, list[Entry]] = {}
-        """The messages of the two parts that were read last, by their numbers: a time at their border needs both."""
+        """The messages of the two parts that were read last, by their numbers: a time at their border needs both.
+        Larger ones than `MAX_KEPT_BYTES` are read again."""
         self._found: tuple[int, int, Entry | None] | None = None
         """The last answer of `newest`, and from when to when it holds [ns since epoch]."""
 
@@ -122,15 +125,22 @@ class RecordedLog:
         end_ns = self._bag.end_ns if until_ns is None else min(until_ns, self._bag.end_ns)
         for part in range((number + 1) >> INDEX_BITS, (end_ns - self._bag.start_ns) // self._step_ns + 1):
             first, next_ns = part << INDEX_BITS, self._bag.start_ns + (part + 1) * self._step_ns
-            if part not in self._parts:
-                # Several may be of one time, which are all in one part.
-                self._parts[part] = self._read(first, next_ns - self._step_ns, next_ns - 1)
-                if len(self._parts) > 2:
-                    del self._parts[next(iter(self._parts))]
-            entries = self._parts[part]
+            entries = self._part(part, first, next_ns)
             end = bisect.bisect_right(entries, end_ns, key=lambda entry: entry.stamp_ns)
             place = first + end if next_ns > end_ns else (part + 1) << INDEX_BITS
             yield place - 1, entries[max(0, number + 1 - first) : end]
+
+    def _part(self, part: int, first: int, next_ns: int) -> list[Entry]:
+        """Return the messages of a part, which is kept unless it is large: images of seconds would fill the memory."""
+        if (kept := self._parts.get(part)) is not None:
+            return kept
+        # Several may be of one time, which are all in one part.
+        entries = self._read(first, next_ns - self._step_ns, next_ns - 1)
+        if sum(len(entry.data) for entry in entries) <= MAX_KEPT_BYTES:
+            self._parts[part] = entries
+            if len(self._parts) > 2:
+                del self._parts[next(iter(self._parts))]
+        return entries
 
     def _read(self, number: int, start_ns: int, end_ns: int) -> list[Entry]:
         """Return the messages of a time, numbered from a number."""
