@@ -23,7 +23,8 @@ from tfloom.rmw.cyclone.ports import bound_indices
 from tfloom.rmw.errors import NoBackendError
 from tfloom.testing import domains
 
-TIMEOUT_S = 30.0
+TIMEOUT_S = 90.0 if os.environ.get("CI") else 30.0
+"""The longest wait for a condition [s]. A shared machine may stall for tens of seconds."""
 PYTEST = ("-m", "pytest", "-p", "no:hypothesispytest")
 """The Python's words for a pytest in a process; without the plugin, which takes as long to start as pytest itself."""
 LONG_FILES = {

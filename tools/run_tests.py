@@ -23,7 +23,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 TIMING_WORKERS = 3
 WORKERS_PER_CORE = 5
-SLOW_WORKERS_PER_CORE = 3
+SLOW_WORKERS_PER_CORE = 2
 """Fewer, because slow tests compile and check types with several processes each."""
 MAX_WORKERS = 16
 """Limited because all workers use DDS domains from the same 70."""

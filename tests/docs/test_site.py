@@ -88,7 +88,7 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     done = run_to_end(
         [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-b", "html", DOCS, folder],
         cwd=ROOT,
-        timeout_s=600,
+        timeout_s=1500,
     )
     assert (done.returncode, done.stderr) == (0, "")
     return folder

@@ -21,6 +21,8 @@ pytestmark = [pytest.mark.slow, pytest.mark.skipif(os.name != "posix", reason="n
 SOURCE = Path(__file__).parents[2] / "examples" / "workspace" / "src"
 PARAMETERS = "install/train_bringup/share/train_bringup/config/train.yaml"
 WAGONS = 10
+STARTED_S = 180.0
+"""The longest time until all programs of the train have started, beside compilers [s]."""
 
 
 def copy_sources(folder: Path) -> Path:
@@ -40,7 +42,7 @@ def expect_train(
         return start_program("/bin/bash", "-c", script, cwd=folder, env=variables)
 
     train = start("launch train_bringup train.launch.yaml gap:=0.6")
-    train.wait_for(f"The train has {WAGONS} wagons")
+    train.wait_for(f"The train has {WAGONS} wagons", STARTED_S)  # fourteen programs start at once
     echo = start("topic echo --once /train_state")
     echo.wait_for(f"- wagon{WAGONS}")
     echo.wait_for("gap: 0.6")

@@ -19,7 +19,7 @@ from tests.zenoh_ports import NEEDS_ZENOH, use_port_of
 from tfloom.node.context.context import Context
 
 WIRES = ["tfloom_local", "rmw_cyclonedds_cpp", pytest.param("rmw_zenoh_cpp", marks=NEEDS_ZENOH)]
-ENDS_S = 10.0
+ENDS_S = 30.0
 """Longest wait for what ends by itself, on other threads."""
 WARM_UP = 5
 """Rounds before the first look: of what is imported, cached and kept for reuse."""

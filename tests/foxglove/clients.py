@@ -12,7 +12,7 @@ from ssl import SSLContext
 from typing import Any
 
 import pytest
-from tests.conftest import Program
+from tests.conftest import TIMEOUT_S, Program
 from tests.viewer.conftest import running_node, spinning
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
@@ -21,7 +21,6 @@ from tfloom.foxglove.bridge import FoxgloveBridge
 from tfloom.node.context.context import Context
 from tfloom.node.node import Node
 
-TIMEOUT_S = 30.0
 SUBPROTOCOL = "foxglove.sdk.v1"
 
 

@@ -15,12 +15,11 @@ from typing import Any
 
 import psutil
 import pytest
-from tests.conftest import wait_until
+from tests.conftest import TIMEOUT_S, wait_until
 
 from tfloom.foxglove import relay as module
 from tfloom.foxglove.relay import MAX_HEAD_BYTES, MAX_WAITING, Relay, listen
 
-TIMEOUT_S = 30.0
 LARGE = 50_000_000
 """More than all buffers of a connection hold [bytes]."""
 REQUEST = (

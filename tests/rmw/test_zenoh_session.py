@@ -186,6 +186,25 @@ def test_session_that_can_not_be_closed_is_a_line(
     assert capfd.readouterr().err == line
 
 
+def test_router_that_can_not_be_closed_is_a_line(port: int, capfd: pytest.CaptureFixture[str]) -> None:
+    opened = open_session()
+    meeting_point: Any = opened._meeting_point
+    wait_until(lambda: meeting_point._router is not None, what="the router")
+    router = meeting_point._router
+
+    class Unclosable:
+        def close(self) -> None:
+            router.close()
+            raise zenoh.ZError("close operation timed out! at /somewhere/close.rs:135.")
+
+    meeting_point._router = Unclosable()
+    opened.close()
+    assert not opened.is_meeting_point
+    line = "tfloom: the Zenoh router of this process can't be closed: close operation timed out!\n"
+    assert capfd.readouterr().err == line
+    opened.close()  # again
+
+
 def test_wait_for_a_router_sleeps_between_its_looks(monkeypatch: pytest.MonkeyPatch) -> None:
     done: list[str] = []
     session = SimpleNamespace(info=SimpleNamespace(routers_zid=lambda: done.append("look")))

@@ -6,10 +6,9 @@ import time
 from collections.abc import Callable
 
 import pytest
+from tests.conftest import TIMEOUT_S
 
 from tfloom.node.executing.executors import Executor
-
-TIMEOUT_S = 30.0
 
 
 def spin_until(executor: Executor, condition: Callable[[], object]) -> None:

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pytest
+from tests.conftest import TIMEOUT_S
 
 from tfloom.node.context.context import Context
 from tfloom.node.executing.executors import SingleThreadedExecutor
@@ -47,7 +48,6 @@ collect_ignore = (
 )
 """Tests of pages need the extra `view`; those of what is shown do not."""
 
-TIMEOUT_S = 30.0
 OWN_TYPES = Path(__file__).parents[1] / "cli" / "a_node_with_own_types.py"
 """A program with topics, services and actions of types that it alone has."""
 

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import msgspec
 import numpy as np
 import zstandard
+from tests.conftest import TIMEOUT_S
 from viser import __version__
 from websockets.sync.client import ClientConnection, connect
 
@@ -19,7 +20,6 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
     from tests.viewer.conftest import Page
 
-TIMEOUT_S = 30.0
 SMALL_BUFFER = 65536
 """Size of the receive buffer of a scene that reads nothing, so that it is soon full [bytes]."""
 

@@ -30,7 +30,8 @@ from tfloom.tf2_ros.transform_listener import TransformListener
 from tfloom.tf2_tools.text.transform import transform_text
 from tfloom.viewer.layout.layout_file import read_layout
 
-pytestmark = pytest.mark.slow
+# A browser that draws without a graphics card takes a core for itself: beside compilers it would take minutes.
+pytestmark = [pytest.mark.slow, pytest.mark.timing]
 BROWSER = shutil.which("chromium")
 FLAGS = [
     *("--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking"),

@@ -28,7 +28,8 @@ from tfloom.node.node import Node
 from tfloom.viewer.driving.driver import SILENCE_S
 from tfloom.viewer.program import Viewer
 
-pytestmark = pytest.mark.slow
+# A browser that draws without a graphics card takes a core for itself: beside compilers it would take minutes.
+pytestmark = [pytest.mark.slow, pytest.mark.timing]
 BROWSER = shutil.which("chromium")
 FLAGS = [
     *("--headless=new", "--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking"),

@@ -15,7 +15,8 @@ from tests.viewer.test_browser import TIMEOUT_S, Tab, browser, wait_until
 from tfloom.interfaces.nav_msgs.msg import Odometry
 
 __all__ = ["browser"]
-pytestmark = pytest.mark.slow
+# A browser that draws without a graphics card takes a core for itself: beside compilers it would take minutes.
+pytestmark = [pytest.mark.slow, pytest.mark.timing]
 
 
 def test_robot_maps_its_room_and_is_driven_by_keys(

@@ -26,6 +26,7 @@ from tfloom.rmw.zenoh.config import (
     endpoints_of,
     meeting_point_configuration,
     port,
+    reason_of,
     session_settings,
 )
 from tfloom.rmw.zenoh.library import open_library
@@ -138,7 +139,10 @@ class MeetingPoint:
         with self._lock:
             router, self._router = self._router, None
         if router is not None:
-            router.close()
+            try:
+                router.close()
+            except open_library().ZError as error:  # as where a program that is linked takes nothing
+                report(f"tfloom: the Zenoh router of this process can't be closed: {reason_of(error)}")
 
     def _on_request(self, query: Any) -> None:
         """Note that a router asks for the port; called on a thread of Zenoh, which must not close a session."""
