@@ -1,7 +1,7 @@
 """Run a tier of the tests: `python tools/run_tests.py [--slow | --ros] [PYTEST'S ARGUMENTS]`.
 
-A tier runs in two parts: first the few tests that measure time (marked `timing`), in three processes, because they
-hardly compute; then the others, in several processes for each core, because they wait more than they compute.
+A tier runs in two parts: first the few tests that measure time, or draw pages in a browser (marked `timing`), in three
+processes; then the others, in several processes for each core, because they wait more than they compute.
 
 Before them, what is generated is brought up to date (tools/generated.py).
 
