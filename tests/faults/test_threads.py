@@ -43,7 +43,6 @@ from tfloom.launch.logs.background_writing import BackgroundWriting
 from tfloom.launch.ros.ros_adapters import ROSAdapter
 from tfloom.launch.testing.ros.message_pump import MessagePump
 from tfloom.node.context.context import Context
-from tfloom.node.context.postponed_interrupt import postponed
 from tfloom.node.executing import signals
 from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from tfloom.node.node import Node
@@ -51,6 +50,7 @@ from tfloom.node.values.duration import Duration
 from tfloom.node.values.time import Time
 from tfloom.rmw import services
 from tfloom.rmw.base import RequestId
+from tfloom.rmw.postponed_interrupt import postponed
 from tfloom.rmw.zenoh.announced import AnnouncedTokens
 from tfloom.tf2_ros import deadlines
 from tfloom.tf2_ros.buffer import Buffer

@@ -9,10 +9,9 @@ import pytest
 from tfloom.node.clock.clock import Clock, ROSClock
 from tfloom.node.clock.time_jump import ClockChange, JumpThreshold, TimeJump
 from tfloom.node.context.context import Context
-from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.exceptions import NotInitializedException
-from tfloom.node.values.time import Time
+from tfloom.node.values.time import ClockType, Time
 
 ANY = JumpThreshold(min_forward=Duration(nanoseconds=1), min_backward=Duration(nanoseconds=-1))
 

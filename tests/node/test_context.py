@@ -16,7 +16,7 @@ from tfloom.interfaces.std_msgs.msg import String
 from tfloom.node import client_library as rclpy
 from tfloom.node.context.arguments import RCLInvalidROSArgsError
 from tfloom.node.context.context import Context, live_contexts
-from tfloom.node.context.defaults import own_defaults
+from tfloom.node.context.utilities import own_defaults
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.executing.signals import SignalHandlerOptions, get_current_signal_handlers_options
 from tfloom.node.log.logging import get_logger_effective_level

@@ -24,8 +24,7 @@ from tfloom.node.log.log_file import LogFile
 from tfloom.node.log.logging_severity import LoggingSeverity
 from tfloom.node.log.rcutils_logger import RcutilsLogger
 from tfloom.node.node import Node
-from tfloom.node.values.clock_type import ClockType
-from tfloom.node.values.time import Time
+from tfloom.node.values.time import ClockType, Time
 
 Capture = pytest.CaptureFixture[str]
 

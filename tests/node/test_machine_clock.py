@@ -12,7 +12,7 @@ from tests.conftest import run_to_end
 
 from tfloom.node.log import log_output
 from tfloom.node.node import Node
-from tfloom.node.values import readable_clock
+from tfloom.node.values import time as node_time
 from tfloom.node.values.exceptions import RCLError
 from tfloom.rmw.cyclone import wire as cyclonedds
 from tfloom.rmw.errors import WireError
@@ -22,12 +22,12 @@ IN_1965_NS = -157_766_400_000_000_000
 MAKE_NODE = "import rclpy; rclpy.init(); rclpy.create_node('late')"
 
 
-@pytest.mark.parametrize("module", [readable_clock, log_output])
+@pytest.mark.parametrize("module", [node_time, log_output])
 def test_after_2038_the_machines_clock_is_named(
     module: object, make_node: Callable[..., Node], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Where a node declares its parameters, and where it logs."""
-    node = None if module is readable_clock else make_node()
+    node = None if module is node_time else make_node()
     monkeypatch.setattr(module, "time", SimpleNamespace(time_ns=lambda: IN_2040_NS, monotonic_ns=int))
     with pytest.raises(
         RCLError, match=r"the machine's clock says 2040-01-01 00:00:01 UTC \(2208988801 s.*19 January 2038"

@@ -19,10 +19,9 @@ from tfloom.node.executing.events_executor import EventsExecutor
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.parameters.parameter import Parameter
-from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.exceptions import ExternalShutdownException
-from tfloom.node.values.time import Time
+from tfloom.node.values.time import ClockType, Time
 
 
 @pytest.fixture

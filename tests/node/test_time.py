@@ -9,9 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tfloom.interfaces.builtin_interfaces import msg as builtin_msg
-from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.duration import Duration, Infinite
-from tfloom.node.values.time import Time
+from tfloom.node.values.time import ClockType, Time
 
 STAMPS = st.integers(0, 2**31 * 10**9 - 1)
 SPANS = st.integers(-(2**31) * 10**9, 2**31 * 10**9 - 1)

@@ -17,9 +17,8 @@ from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.executing.timer import Timer
 from tfloom.node.executing.timer_schedule import CELL_NS, MIN_CROWD, TimerSchedule
 from tfloom.node.node import Node
-from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.exceptions import InvalidHandle, ROSInterruptException
-from tfloom.node.values.time import Time
+from tfloom.node.values.time import ClockType, Time
 
 SpinUntil = Callable[..., None]
 

@@ -12,9 +12,8 @@ from tfloom.interfaces.std_msgs.msg import Header
 from tfloom.node.clock.clock import ROSClock
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
-from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.duration import Duration
-from tfloom.node.values.time import Time
+from tfloom.node.values.time import ClockType, Time
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.filters.message_filter import (
     FilterFailureReason,

@@ -18,8 +18,7 @@ from tfloom.interfaces.std_msgs.msg import Header, String
 from tfloom.node.clock.clock import ROSClock
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
-from tfloom.node.values.clock_type import ClockType
-from tfloom.node.values.time import Time
+from tfloom.node.values.time import ClockType, Time
 from tfloom.tf2_ros.filters.message_filters import (
     ApproximateTimeSynchronizer,
     Cache,

@@ -22,7 +22,7 @@ from tfloom.common.terminal import report
 from tfloom.demos.program_group import LOG_LINES, StartProgram
 from tfloom.demos.show import PROGRAMS
 from tfloom.node.context.context import Context
-from tfloom.node.context.defaults import own_defaults
+from tfloom.node.context.utilities import own_defaults
 
 WINDOWLESS_PROGRAMS = PROGRAMS | {"turtlesim": [*PROGRAMS["turtlesim"], "--headless"]}
 """The programs, turtlesim's without its window, because only the main thread may open one."""

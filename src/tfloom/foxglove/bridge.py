@@ -32,7 +32,7 @@ from tfloom.interfaces.rosgraph_msgs.msg import Clock as ClockMessage
 from tfloom.node.clock.clock import Clock
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import QoSProfile
-from tfloom.node.values.clock_type import ClockType
+from tfloom.node.values.time import ClockType
 from tfloom.rmw.qos import ReliabilityPolicy
 
 if TYPE_CHECKING:

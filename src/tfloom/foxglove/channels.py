@@ -13,7 +13,7 @@ from tfloom.bag.recording.requested_qos import adapted
 from tfloom.bag.writing.definition_text import find_definition
 from tfloom.node.clock.clock import Clock
 from tfloom.node.qos.qos import QoSProfile
-from tfloom.node.values.clock_type import ClockType
+from tfloom.node.values.time import ClockType
 from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, ReliabilityPolicy
 
 if TYPE_CHECKING:

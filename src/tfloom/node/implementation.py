@@ -13,9 +13,8 @@ from tfloom.node.executing.signals import SignalHandlerOptions
 from tfloom.node.executing.wait_set import WaitSet
 from tfloom.node.log import log_output
 from tfloom.node.log.logging_severity import LoggingSeverity
-from tfloom.node.log.throttled_warning import ThrottledWarning
+from tfloom.node.log.rcutils_logger import ThrottledWarning
 from tfloom.node.qos.qos import QoSCompatibility, QoSProfile
-from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.exceptions import (
     InvalidHandle,
     NodeNameNonExistentError,
@@ -23,6 +22,7 @@ from tfloom.node.values.exceptions import (
     TimerCancelledError,
 )
 from tfloom.node.values.handle import Handle, unwrap_handle
+from tfloom.node.values.time import ClockType
 from tfloom.node.values.type_support import (
     check_is_valid_msg_type,
     check_is_valid_srv_type,

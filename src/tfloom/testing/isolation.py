@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from tfloom.node.context.context import live_contexts
-from tfloom.node.context.defaults import current_defaults
+from tfloom.node.context.utilities import current_defaults
 from tfloom.rmw.backends import MAX_DOMAIN_ID
 from tfloom.testing.domains import hold_domain
 

@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING
 from tfloom.interfaces.rosgraph_msgs.msg import Clock
 from tfloom.node.builtin.time_source import CLOCK_TOPIC
 from tfloom.node.clock.clock import ROSClock
-from tfloom.node.values.clock_type import ClockType
-from tfloom.node.values.time import Time
+from tfloom.node.values.time import ClockType, Time
 
 if TYPE_CHECKING:
     from tfloom.testing.graph import RosGraph

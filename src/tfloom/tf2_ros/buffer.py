@@ -12,7 +12,7 @@ from tfloom.node.clock.time_jump import ClockChange, JumpThreshold
 from tfloom.node.executing.task import Future
 from tfloom.node.log.logging import get_logger
 from tfloom.node.values.duration import Duration
-from tfloom.node.values.node_errors import node_error
+from tfloom.node.values.wrong_arguments import node_error
 from tfloom.tf2.errors import LookupException
 from tfloom.tf2_ros.buffer_core import BufferCore, cache_time_error, duration_ns, time_error, time_ns
 from tfloom.tf2_ros.buffer_interface import NO_WAIT, BufferInterface

@@ -18,7 +18,7 @@ from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.executing.task import Future
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.names import name_error
-from tfloom.node.values.node_errors import node_error
+from tfloom.node.values.wrong_arguments import node_error
 from tfloom.tf2.errors import (
     ConnectivityException,
     ExtrapolationException,

@@ -7,9 +7,8 @@ from typing import Any
 from tfloom.common.text import given_text
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
 from tfloom.node.log.logging import get_logger
-from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.exceptions import add_note
-from tfloom.node.values.time import Time
+from tfloom.node.values.time import ClockType, Time
 from tfloom.tf2 import buffer as tf2_buffer
 from tfloom.tf2.buffer import DEFAULT_CACHE_TIME_NS
 from tfloom.tf2.errors import InvalidArgumentException, TransformException

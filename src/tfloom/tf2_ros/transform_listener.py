@@ -14,7 +14,7 @@ from tfloom.node.executing.callback_groups import ReentrantCallbackGroup
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
-from tfloom.node.values.node_errors import node_error
+from tfloom.node.values.wrong_arguments import node_error
 from tfloom.tf2_ros.far_stamps import held_callback, jump_callback, warn_of_held
 from tfloom.tf2_ros.listener_base import AUTHORITY, ListenerBase
 

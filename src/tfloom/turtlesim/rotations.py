@@ -10,7 +10,7 @@ from tfloom.node.clock.clock import Clock
 from tfloom.node.executing.task import Future
 from tfloom.node.executing.timer import Timer
 from tfloom.node.node import Node
-from tfloom.node.values.clock_type import ClockType
+from tfloom.node.values.time import ClockType
 from tfloom.turtlesim.messages import RotateAbsolute
 from tfloom.turtlesim.world import Rotation, Turtle, is_usable
 

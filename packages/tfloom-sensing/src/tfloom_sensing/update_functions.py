@@ -8,8 +8,7 @@ from collections.abc import Mapping
 from tfloom.interfaces.builtin_interfaces.msg import Time as TimeMessage
 from tfloom.interfaces.diagnostic_msgs.msg import DiagnosticStatus
 from tfloom.node.clock.clock import Clock
-from tfloom.node.values.clock_type import ClockType
-from tfloom.node.values.time import Time
+from tfloom.node.values.time import ClockType, Time
 from tfloom_sensing.diagnostic_status_wrapper import DiagnosticStatusWrapper
 from tfloom_sensing.diagnostic_tasks import DiagnosticTask
 

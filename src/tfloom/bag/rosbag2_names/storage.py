@@ -15,9 +15,8 @@ from tfloom.bag.values import Definition, Topic
 from tfloom.bag.writing.definition_text import find_definition, find_service_definition, hash_of
 from tfloom.bag.writing.metadata_text import METADATA_VERSION, metadata_file_text, metadata_text
 from tfloom.common.files import write_file
-from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.duration import Duration
-from tfloom.node.values.time import Time
+from tfloom.node.values.time import ClockType, Time
 from tfloom.rosidl.class_search import full_name
 
 __all__ = [

@@ -16,24 +16,24 @@ from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.interfaces.unique_identifier_msgs.msg import UUID
 from tfloom.node.action.goal_states import ACTIVE, TERMINAL
 from tfloom.node.endpoints.client import ResponseFuture
-from tfloom.node.endpoints.type_variables import (
-    FeedbackMessageT,
-    FeedbackT,
-    GoalT,
-    ResultResponseT,
-    ResultT,
-)
 from tfloom.node.executing.entity import make_parts
 from tfloom.node.executing.executor import executor_of
 from tfloom.node.executing.task import Future
 from tfloom.node.executing.waitable import NumberOfEntities
 from tfloom.node.qos.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
-from tfloom.node.values.callbacks import not_callable
 from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.names import name_error
-from tfloom.node.values.node_errors import node_error
-from tfloom.node.values.type_support import check_is_valid_action_type, wrong_fields
+from tfloom.node.values.type_support import (
+    FeedbackMessageT,
+    FeedbackT,
+    GoalT,
+    ResultResponseT,
+    ResultT,
+    check_is_valid_action_type,
+    wrong_fields,
+)
+from tfloom.node.values.wrong_arguments import node_error, not_callable
 from tfloom.rmw.action_names import (
     CANCEL_GOAL,
     FEEDBACK,

@@ -17,18 +17,22 @@ from tfloom.interfaces.unique_identifier_msgs.msg import UUID
 from tfloom.node.action.goal_states import GoalEvent
 from tfloom.node.action.server_goal_handle import ServerGoalHandle
 from tfloom.node.endpoints.service import ResponseFirst
-from tfloom.node.endpoints.type_variables import FeedbackT, GoalT, ResultT
 from tfloom.node.executing.entity import make_parts
 from tfloom.node.executing.executors import await_or_execute
 from tfloom.node.executing.waitable import NumberOfEntities
 from tfloom.node.qos.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
 from tfloom.node.values.callback_errors import print_error
-from tfloom.node.values.callbacks import not_callable
 from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.exceptions import InvalidHandle, RCLError
 from tfloom.node.values.names import name_error
-from tfloom.node.values.node_errors import node_error
-from tfloom.node.values.type_support import check_is_valid_action_type, wrong_fields
+from tfloom.node.values.type_support import (
+    FeedbackT,
+    GoalT,
+    ResultT,
+    check_is_valid_action_type,
+    wrong_fields,
+)
+from tfloom.node.values.wrong_arguments import node_error, not_callable
 from tfloom.rmw.action_names import (
     CANCEL_GOAL,
     FEEDBACK,

@@ -18,7 +18,6 @@ from tfloom.node.endpoints.publisher import Publisher
 from tfloom.node.endpoints.service import Service
 from tfloom.node.endpoints.service_introspection import Introspection
 from tfloom.node.endpoints.subscription import Subscription, callback_error
-from tfloom.node.endpoints.type_variables import MsgType, SrvTypeRequest, SrvTypeResponse
 from tfloom.node.executing.callback_groups import (
     CallbackGroup,
     MutuallyExclusiveCallbackGroup,
@@ -39,16 +38,18 @@ from tfloom.node.parameters.parameter import Parameter, no_parameter_error
 from tfloom.node.parameters.parameter_declaration import warn_of_names_alone
 from tfloom.node.qos.qos import QoSProfile, qos_profile_parameter_events, qos_profile_services_default
 from tfloom.node.qos.qos_overriding_options import QoSOverridingOptions, apply_overrides
-from tfloom.node.values.callbacks import not_callable
-from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.constants import INT64_MAX, S_TO_NS
 from tfloom.node.values.handle import Handle
 from tfloom.node.values.names import name_error
-from tfloom.node.values.time import check_fits_stamp
+from tfloom.node.values.time import ClockType, check_fits_stamp
 from tfloom.node.values.type_support import (
+    MsgType,
+    SrvTypeRequest,
+    SrvTypeResponse,
     check_is_valid_srv_type,
     msg_type_error,
 )
+from tfloom.node.values.wrong_arguments import not_callable
 from tfloom.rmw.shared.typed_names import service_of, topic_of
 from tfloom.rosidl.service import Service as ServiceType
 

@@ -9,12 +9,11 @@ from typing import TYPE_CHECKING
 from tfloom.interfaces.rcl_interfaces import msg as rcl_msg
 from tfloom.interfaces.rosgraph_msgs import msg as rosgraph_msg
 from tfloom.node.clock.clock import ROSClock
-from tfloom.node.log.throttled_warning import ThrottledWarning
+from tfloom.node.log.rcutils_logger import ThrottledWarning
 from tfloom.node.parameters.parameter import Parameter, ParameterType
 from tfloom.node.qos.qos import QoSProfile, ReliabilityPolicy
 from tfloom.node.values.callback_errors import call_all
-from tfloom.node.values.clock_type import ClockType
-from tfloom.node.values.time import Time
+from tfloom.node.values.time import ClockType, Time
 from tfloom.ros_imports.guard import ros_repr
 
 if TYPE_CHECKING:

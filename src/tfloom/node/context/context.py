@@ -16,7 +16,6 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 from tfloom._native import block_waits_at_exit
 from tfloom.node.context.arguments import Arguments, parse_arguments, warn_of_deprecated_remaps
-from tfloom.node.context.postponed_interrupt import postponed
 from tfloom.node.context.topic_types import TopicTypes
 from tfloom.node.log import log_output
 from tfloom.node.log.log_file import LogFile
@@ -31,6 +30,7 @@ from tfloom.node.values.exceptions import (
 )
 from tfloom.node.values.handle import Handle
 from tfloom.rmw.errors import ClosedError
+from tfloom.rmw.postponed_interrupt import postponed
 from tfloom.ros_imports.guard import ros_repr
 
 if TYPE_CHECKING:

@@ -1,16 +1,21 @@
-"""The default context, and the functions that use it."""
+"""The default context, and the functions that use it.
+
+There is one for the process, and one for each thread that has its own.
+"""
 
 from __future__ import annotations
 
 import os
 import sys
 import threading
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
+from typing import Any
 
 from tfloom.common.seconds import checked_timeout, to_nanoseconds
 from tfloom.node.context import arguments
 from tfloom.node.context.context import Context
-from tfloom.node.context.defaults import current_defaults
 from tfloom.node.values.constants import S_TO_NS
 
 __all__ = [
@@ -24,6 +29,41 @@ __all__ = [
     "timeout_sec_to_nsec",
     "try_shutdown",
 ]
+
+
+class Defaults:
+    """Holder of a default context and of the executor on it; each is None until its first use.
+
+    Args:
+        context: The first default context.
+    """
+
+    def __init__(self, context: Context | None = None) -> None:
+        self.context = context
+        self.executor: Any = None
+        """An `Executor`, which this room doesn't know. Read without a lock; `get_global_executor` alone writes it."""
+
+
+_current: ContextVar[Defaults] = ContextVar("defaults", default=Defaults())  # noqa: B039  # one for the process
+
+
+def current_defaults() -> Defaults:
+    """Return the defaults of this thread if it has some, else those of the process."""
+    return _current.get()
+
+
+@contextmanager
+def own_defaults(context: Context) -> Iterator[None]:
+    """Make `context` the default of this thread alone for the block, with a default executor of the thread's own.
+
+    So several programs that name no context can run in one process, each on its own thread.
+    """
+    token = _current.set(Defaults(context))
+    try:
+        yield
+    finally:
+        _current.reset(token)
+
 
 _lock = threading.RLock()
 """Guards the default contexts."""

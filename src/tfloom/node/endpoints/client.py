@@ -12,20 +12,19 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from tfloom._native import ReadyQueue
 from tfloom.common.seconds import checked_timeout
 from tfloom.node.context.context import WAKE
-from tfloom.node.context.postponed_interrupt import postponed
 from tfloom.node.endpoints.endpoint import UNREADABLE
-from tfloom.node.endpoints.posting import Posting
+from tfloom.node.endpoints.queue_switch import QueueSwitch
 from tfloom.node.endpoints.service import ServiceEndpoint
 from tfloom.node.endpoints.service_introspection import Introspection
-from tfloom.node.endpoints.type_variables import SrvType, SrvTypeRequest, SrvTypeResponse
 from tfloom.node.executing.entity import Entity
 from tfloom.node.executing.task import Future
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
 from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.exceptions import InvalidHandle, RCLError
-from tfloom.node.values.type_support import wrong_fields
+from tfloom.node.values.type_support import SrvType, SrvTypeRequest, SrvTypeResponse, wrong_fields
 from tfloom.rmw.base import RequestId
+from tfloom.rmw.postponed_interrupt import postponed
 from tfloom.rmw.shared.waiting import LOOK_AGAIN_S, wait_for_token, wait_until_ready
 from tfloom.rosidl import cdr
 from tfloom.rosidl.service import Service as ServiceType
@@ -122,7 +121,7 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         self._logger = logger
         self._reported_incompatibility = ""
         """The last warning of a server that can't answer, which is logged once."""
-        self._posting = Posting(client_impl.notify)
+        self._queue_switch = QueueSwitch(client_impl.notify)
         """Wakes for a response either the executor or the thread that waits in `call`."""
         self._take_lock = threading.Lock()
         """Held until the request of a response that was taken is no longer pending."""
@@ -204,7 +203,7 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         end_s = math.inf if timeout_s is None else time.monotonic() + timeout_s
         self._context.add_queue(queue)
         # From here on responses wake this thread and not the executor. One that has arrived before posts at once.
-        self._posting.divert(queue, _RESPONSE)
+        self._queue_switch.divert(queue, _RESPONSE)
         try:
             # If the future is complete already, because an executor was faster or no server was there, `end` is called
             # here.
@@ -229,14 +228,14 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         finally:
             # A response may have arrived after the last look. `restore` makes the endpoint post at once, to the next
             # thread that waits or to the executor, if something is left.
-            self._posting.restore(queue)
+            self._queue_switch.restore(queue)
             self._context.remove_queue(queue)
             self._queues.append(queue)
 
     def _notify(self, queue: ReadyQueue | None, token: int) -> None:
-        self._posting.attach(queue, token)  # of responses that no `call` receives
+        self._queue_switch.attach(queue, token)  # of responses that no `call` receives
         if self._was_completed_elsewhere:
-            self._posting.post()
+            self._queue_switch.post()
 
     def call_async(self, request: SrvTypeRequest) -> Future[SrvTypeResponse]:
         """Send a request and return the future of its response.
@@ -453,7 +452,7 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
 
     def _tell_executor(self) -> None:
         self._was_completed_elsewhere = True
-        self._posting.post()
+        self._queue_switch.post()
 
     def _take_next(self) -> Any:
         # Another thread that looks for orphans must not see the request of a response that is between the reader and

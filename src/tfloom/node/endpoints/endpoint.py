@@ -8,7 +8,7 @@ from collections import deque
 from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
 
 from tfloom.node.executing.entity import Entity
-from tfloom.node.log.throttled_warning import ThrottledWarning
+from tfloom.node.log.rcutils_logger import ThrottledWarning
 from tfloom.node.values.exceptions import InvalidHandle
 from tfloom.node.values.handle import Handle
 from tfloom.ros_imports.guard import ros_repr

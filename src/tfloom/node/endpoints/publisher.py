@@ -6,11 +6,10 @@ from typing import TYPE_CHECKING, Generic
 
 from tfloom._native import encode  # as cdr.encode, with one frame less above its error
 from tfloom.node.endpoints.endpoint import Endpoint
-from tfloom.node.endpoints.type_variables import MsgType
 from tfloom.node.qos.qos import QoSProfile
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.exceptions import InvalidHandle, RCLError
-from tfloom.node.values.type_support import wrong_message
+from tfloom.node.values.type_support import MsgType, wrong_message
 from tfloom.rmw.errors import ClosedError
 
 if TYPE_CHECKING:

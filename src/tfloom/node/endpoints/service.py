@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any, Generic, NamedTuple
 
 from tfloom.node.endpoints.endpoint import UNREADABLE, Receiver, TakingEndpoint
 from tfloom.node.endpoints.service_introspection import Introspection, ServiceIntrospectionState
-from tfloom.node.endpoints.type_variables import SrvType, SrvTypeRequest, SrvTypeResponse
 from tfloom.node.executing.task import Future
 from tfloom.node.qos.qos import QoSProfile
+from tfloom.node.values.type_support import SrvType, SrvTypeRequest, SrvTypeResponse
 from tfloom.rmw.errors import ClosedError
 from tfloom.rosidl import cdr
 from tfloom.rosidl.service import Service as ServiceType

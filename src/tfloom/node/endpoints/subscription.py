@@ -8,11 +8,11 @@ from types import FunctionType, MethodType
 from typing import TYPE_CHECKING, Any, Generic
 
 from tfloom.node.endpoints.endpoint import UNREADABLE, Receiver
-from tfloom.node.endpoints.type_variables import MsgType
 from tfloom.node.executing.entity import Entity
 from tfloom.node.qos.qos import HistoryPolicy, QoSProfile
-from tfloom.node.values.callbacks import not_callable
 from tfloom.node.values.handle import Handle
+from tfloom.node.values.type_support import MsgType
+from tfloom.node.values.wrong_arguments import not_callable
 from tfloom.rosidl import cdr
 
 if TYPE_CHECKING:

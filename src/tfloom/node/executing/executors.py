@@ -12,8 +12,7 @@ from types import CoroutineType
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from tfloom.node.context.context import Context
-from tfloom.node.context.defaults import current_defaults
-from tfloom.node.context.utilities import get_default_context
+from tfloom.node.context.utilities import current_defaults, get_default_context
 from tfloom.node.executing.callback_groups import MutuallyExclusiveCallbackGroup
 from tfloom.node.executing.executor import Executor
 from tfloom.node.executing.executor_exceptions import (

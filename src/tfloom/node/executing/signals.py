@@ -19,11 +19,10 @@ from typing import Any
 
 from tfloom._native import block_if_ending
 from tfloom.node.context.context import Context, live_contexts
-from tfloom.node.context.postponed_interrupt import postponed
 from tfloom.node.executing.guard_condition import GuardCondition
 from tfloom.node.values.exceptions import ExternalShutdownException
 from tfloom.node.values.handle import unwrap_handle
-from tfloom.rmw.uninterrupted_files import uninterrupted_files
+from tfloom.rmw.postponed_interrupt import postponed, uninterrupted_files
 
 __all__ = [
     "SignalHandlerGuardCondition",

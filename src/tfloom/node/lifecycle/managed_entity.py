@@ -1,4 +1,4 @@
-"""Managed entities, which follow the transitions of a lifecycle node."""
+"""Managed entities, which follow the transitions of a lifecycle node; among them its publishers."""
 
 from __future__ import annotations
 
@@ -8,8 +8,9 @@ from functools import wraps
 from typing import Any
 
 from tfloom.interfaces.lifecycle_msgs.msg import Transition
+from tfloom.node.endpoints.publisher import MsgType, Publisher
 
-__all__ = ["ManagedEntity", "SimpleManagedEntity", "TransitionCallbackReturn"]
+__all__ = ["LifecyclePublisher", "ManagedEntity", "SimpleManagedEntity", "TransitionCallbackReturn"]
 
 
 class TransitionCallbackReturn(IntEnum):
@@ -91,3 +92,16 @@ class SimpleManagedEntity(ManagedEntity):
             return only_when_enabled
 
         return decorate if wrapped is None else decorate(wrapped)
+
+
+class LifecyclePublisher(SimpleManagedEntity, Publisher[MsgType]):
+    """Publishes while its node is active, and drops messages otherwise."""
+
+    def __init__(self, *args: Any, **kwargs: Any) -> None:
+        SimpleManagedEntity.__init__(self)
+        Publisher.__init__(self, *args, **kwargs)
+
+    def publish(self, msg: MsgType | bytes) -> None:
+        """Send a message if the node is active; see `Publisher.publish`."""
+        if self.is_activated:
+            super().publish(msg)

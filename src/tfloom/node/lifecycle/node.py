@@ -13,8 +13,7 @@ from tfloom.interfaces.lifecycle_msgs.srv import (
     GetAvailableTransitions,
     GetState,
 )
-from tfloom.node.lifecycle.managed_entity import ManagedEntity, TransitionCallbackReturn
-from tfloom.node.lifecycle.publisher import LifecyclePublisher
+from tfloom.node.lifecycle.managed_entity import LifecyclePublisher, ManagedEntity, TransitionCallbackReturn
 from tfloom.node.lifecycle.state_machine import (
     ACTIVATING,
     CLEANINGUP,

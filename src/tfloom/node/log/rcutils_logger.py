@@ -1,8 +1,10 @@
-"""The logger class that `Node.get_logger()` returns."""
+"""The logger class that `Node.get_logger()` returns, and warnings of limited rate."""
 
 from __future__ import annotations
 
+import math
 import sys
+import time
 from typing import Any
 
 from tfloom.node.log import log_output
@@ -10,7 +12,7 @@ from tfloom.node.log.log_output import Record
 from tfloom.node.log.logging_filters import CallerId, CallState, FilterTable, options_error, place_of
 from tfloom.node.log.logging_severity import LoggingSeverity
 
-__all__ = ["CallerId", "RcutilsLogger"]
+__all__ = ["CallerId", "RcutilsLogger", "ThrottledWarning"]
 
 
 _filters_of_all = FilterTable()
@@ -133,3 +135,22 @@ class RcutilsLogger:
             )
         )
         return True
+
+
+WARNING_PERIOD_S = 1.0
+"""The least time between two warnings [s]."""
+
+
+class ThrottledWarning:
+    """Logs at most one warning each `WARNING_PERIOD_S`, and drops the others."""
+
+    def __init__(self, logger: RcutilsLogger) -> None:
+        self._logger = logger
+        self._last_s = -math.inf
+
+    def log(self, text: str) -> None:
+        """Log a warning, unless the last one is less than `WARNING_PERIOD_S` ago."""
+        now_s = time.monotonic()
+        if now_s - self._last_s >= WARNING_PERIOD_S:
+            self._last_s = now_s
+            self._logger.warning(text)

@@ -1,11 +1,12 @@
-"""Time: a point in time on one clock."""
+"""Time: a point in time on one clock; the kinds of clocks, and a clock that can be read."""
 
 from __future__ import annotations
 
+import time
+from enum import IntEnum
 from typing import TYPE_CHECKING, overload
 
 from tfloom.common.seconds import given_time, no_time_of, to_nanoseconds
-from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.constants import INT64_MAX, S_TO_NS
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.exceptions import RCLError
@@ -14,7 +15,20 @@ from tfloom.rmw.machine_clock import describe_machine_clock
 if TYPE_CHECKING:
     from tfloom.interfaces.builtin_interfaces import msg as builtin_msg
 
-__all__ = ["S_TO_NS", "Time", "check_fits_stamp"]
+__all__ = ["S_TO_NS", "ClockType", "ReadableClock", "Time", "check_fits_stamp"]
+
+
+class ClockType(IntEnum):
+    """The clock that a time was read from; times of different clocks can't be compared."""
+
+    UNINITIALIZED = 0
+    ROS_TIME = 1
+    """Simulated time while it is active, else system time."""
+    SYSTEM_TIME = 2
+    """Time since the epoch; the operating system may set it forward and backward."""
+    STEADY_TIME = 3
+    """Time since an arbitrary start; it never decreases."""
+
 
 MIN_STAMP_NS = -(2**31) * S_TO_NS
 MAX_STAMP_NS = 2**31 * S_TO_NS - 1
@@ -172,3 +186,24 @@ def check_fits_stamp(time_ns: int) -> None:
         f"{describe_machine_clock(time_ns)}, and messages of ROS 2 hold times from 1901 to 19 January 2038 alone. Set "
         "the clock to the present date"
     )
+
+
+class ReadableClock:
+    """Returns system or steady time; `clock/clock.py` adds jumps, sleeping and simulated time."""
+
+    def __init__(self, *, clock_type: ClockType = ClockType.SYSTEM_TIME) -> None:
+        self._clock_type = clock_type
+        self._read_ns = time.monotonic_ns if clock_type is ClockType.STEADY_TIME else time.time_ns
+
+    @property
+    def clock_type(self) -> ClockType:
+        """The kind of clock."""
+        return self._clock_type
+
+    def now(self) -> Time:
+        """Return the current time of this clock."""
+        return make_time(self._read_ns(), self._clock_type)
+
+    def now_ns(self) -> int:
+        """Return the current time of this clock [ns]."""
+        return self._read_ns()

@@ -1,14 +1,17 @@
-"""Checks that a class is a message or service class."""
+"""Checks that a class is a message or service class, and the type variables of endpoints and actions.
+
+Each type variable has the default Any, so that `Client` alone is a complete type.
+"""
 
 from __future__ import annotations
 
 import reprlib
-from typing import Any
+import typing
+from typing import TYPE_CHECKING, Any
 
 from tfloom.common.text import given_text
 from tfloom.rosidl.message import Message
-from tfloom.rosidl.service import Action
-from tfloom.rosidl.service import Service as ServiceType
+from tfloom.rosidl.service import Action, Service
 
 __all__ = [
     "check_for_type_support",
@@ -20,7 +23,7 @@ __all__ = [
     "wrong_message",
 ]
 
-_TYPES = (Message, ServiceType, Action)
+_TYPES = (Message, Service, Action)
 
 
 def check_for_type_support(msg_or_srv_type: Any) -> None:
@@ -57,7 +60,7 @@ def check_is_valid_srv_type(srv_type: Any) -> None:
         AttributeError: it is not a ROS type.
         RuntimeError: it is a message or an action.
     """
-    error = _type_error(srv_type, (ServiceType,), "service class, such as std_srvs.srv.SetBool")
+    error = _type_error(srv_type, (Service,), "service class, such as std_srvs.srv.SetBool")
     if error is not None:
         raise error
 
@@ -133,3 +136,25 @@ def _describe(candidate: Any) -> str:
     given = given_text(candidate)
     is_object = isinstance(candidate, _TYPES)
     return f"{given}: give the class, {type(candidate).__name__}, without brackets" if is_object else given
+
+
+if TYPE_CHECKING:
+    from typing_extensions import TypeVar
+else:
+
+    def TypeVar(name: str, *, bound: object = None, **_: object) -> typing.TypeVar:  # noqa: N802  # typing_extensions' name
+        """Make a type variable without its default, which `typing.TypeVar` does not take before Python 3.13."""
+        return typing.TypeVar(name, bound=bound)
+
+
+MsgType = TypeVar("MsgType", bound=Message, default=Any)
+SrvType = TypeVar("SrvType", bound=Service, default=Any)
+SrvTypeRequest = TypeVar("SrvTypeRequest", default=Any)
+SrvTypeResponse = TypeVar("SrvTypeResponse", default=Any)
+GoalT = TypeVar("GoalT", default=Any)
+ResultT = TypeVar("ResultT", default=Any)
+FeedbackT = TypeVar("FeedbackT", default=Any)
+FeedbackMessageT = TypeVar("FeedbackMessageT", default=Any)
+"""The message that carries feedback, with `.goal_id` and `.feedback`."""
+ResultResponseT = TypeVar("ResultResponseT", default=Any)
+"""The response that carries a result, with `.status` and `.result`."""

@@ -21,6 +21,7 @@ from tfloom.rmw.compatibility import incompatible_policies
 from tfloom.rmw.endpoint_events import READER_EVENTS, WRITER_EVENTS, EndpointEvents
 from tfloom.rmw.errors import ClosedError, WireError
 from tfloom.rmw.events import Event, Status
+from tfloom.rmw.postponed_interrupt import uninterrupted_files
 from tfloom.rmw.qos import (
     INFINITE_NS,
     DurabilityPolicy,
@@ -28,7 +29,6 @@ from tfloom.rmw.qos import (
     LivelinessPolicy,
     ReliabilityPolicy,
 )
-from tfloom.rmw.uninterrupted_files import uninterrupted_files
 from tfloom.rmw.zenoh.attachment import pack, unpack
 from tfloom.rmw.zenoh.config import reason_of
 from tfloom.rmw.zenoh.end import ZenohEnd

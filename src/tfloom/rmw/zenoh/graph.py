@@ -13,8 +13,8 @@ from typing import Any, Protocol
 from tfloom._native import ReadyQueue
 from tfloom.common.terminal import report, shown_part
 from tfloom.rmw.base import EndpointInfo, NodeName, ParticipantInfo, ServiceEndInfo, Topic
+from tfloom.rmw.postponed_interrupt import uninterrupted_files
 from tfloom.rmw.topic_names import type_to_dds
-from tfloom.rmw.uninterrupted_files import uninterrupted_files
 from tfloom.rmw.zenoh.announced import AnnouncedTokens
 from tfloom.rmw.zenoh.library import open_library, signals_deferred
 from tfloom.rmw.zenoh.session import refuse_fork

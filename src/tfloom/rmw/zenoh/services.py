@@ -14,9 +14,9 @@ from tfloom.common.terminal import shown_part
 from tfloom.rmw.action_names import GET_RESULT
 from tfloom.rmw.base import NodeName, Request, RequestId, Response, Service
 from tfloom.rmw.errors import ForeignPeerError, WireError
+from tfloom.rmw.postponed_interrupt import uninterrupted_files
 from tfloom.rmw.qos import QoS
 from tfloom.rmw.services import waiting_qos
-from tfloom.rmw.uninterrupted_files import uninterrupted_files
 from tfloom.rmw.zenoh.attachment import pack, unpack
 from tfloom.rmw.zenoh.config import reason_of
 from tfloom.rmw.zenoh.end import ZenohEnd

@@ -20,11 +20,9 @@ from typing import TYPE_CHECKING, Any
 from tfloom.common.text import given_text
 from tfloom.node.clock.time_jump import ClockChange, JumpThreshold
 from tfloom.node.values.callback_errors import call_all
-from tfloom.node.values.callbacks import not_callable
-from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.duration import Duration
-from tfloom.node.values.node_errors import node_error
-from tfloom.node.values.time import Time
+from tfloom.node.values.time import ClockType, Time
+from tfloom.node.values.wrong_arguments import node_error, not_callable
 from tfloom.tf2_ros.buffer_core import time_ns
 
 if TYPE_CHECKING:

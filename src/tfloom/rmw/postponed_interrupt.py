@@ -1,10 +1,17 @@
-"""The KeyboardInterrupt of a Ctrl-C that arrived where an exception would be lost, until it is raised."""
+"""The KeyboardInterrupt of a Ctrl-C that arrived where an exception would be lost, until it is raised.
+
+It would be lost in functions that a wire's library calls, on any thread, because the library prints and drops
+exceptions. It is raised as soon as they have returned: see `node/executing/signals.py`.
+"""
 
 from __future__ import annotations
 
 import threading
 
-__all__ = ["PostponedInterrupt", "postponed"]
+__all__ = ["PostponedInterrupt", "postponed", "uninterrupted_files"]
+
+uninterrupted_files: set[str] = set()
+"""The files that hold such functions, named as in code objects; the modules add themselves."""
 
 
 class PostponedInterrupt:

@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from tfloom._native import ReadyQueue
 
-__all__ = ["Posting"]
+__all__ = ["QueueSwitch"]
 
 
-class Posting:
-    """Directs the posts of an endpoint, so that a thread that waits for its data is the only one to wake.
+class QueueSwitch:
+    """Switches the queue that an endpoint posts to, so that a thread that waits for its data is the only one to wake.
 
     The methods may be called from any thread.
 

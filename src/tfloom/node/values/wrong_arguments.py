@@ -1,10 +1,12 @@
-"""What is said of something that is given in place of a node, or of an executor."""
+"""What is said of something that is given in place of a node, an executor or a callback."""
 
 from __future__ import annotations
 
+from typing import Any
+
 from tfloom.common.text import given_text
 
-__all__ = ["executor_error", "node_error"]
+__all__ = ["executor_error", "node_error", "not_callable"]
 
 
 def node_error(call: str, node: object) -> TypeError | None:
@@ -26,3 +28,12 @@ def executor_error(call: str, executor: object) -> TypeError | None:
         f"the class {executor.__name__}: write {executor.__name__}()" if isinstance(executor, type) else None
     )
     return TypeError(f"{call}() needs an executor, got {given or given_text(executor)}")
+
+
+def not_callable(callback: Any) -> str:
+    """Return what a program gave in place of a callback, and what was probably meant."""
+    if callback is None:
+        return (
+            "got None: if it is the result of a call, as of `callback()`, write `callback`, without brackets"
+        )
+    return f"got {given_text(callback)}, which can't be called"
