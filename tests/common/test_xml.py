@@ -14,7 +14,7 @@ import pytest
 import tfloom
 from tfloom.common.xml import MAX_TREE, guard_minidom, read_tree
 from tfloom.launch.xml.elements import XmlError, read_elements
-from tfloom.robot.urdf_error import UrdfError
+from tfloom.robot.urdf_faults import UrdfError
 from tfloom.robot.xml_elements import read_xml
 
 READERS: list[Callable[[bytes], object]] = [read_tree, read_xml, lambda data: read_elements(data, "a.xml")]

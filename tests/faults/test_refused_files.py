@@ -44,7 +44,6 @@ WRITERS = {
     "launch/logs/library_handlers.py": "- of a program that chose one: the standard library reports its errors",
     "launch/testing/launch_test.py": OF_A_COMMAND,
     "node/log/log_file.py": "log_of_a_node",
-    "common/regular_files.py": "- opens to read",
     "rmw/cyclone/library.py": "- a file in memory",
     "tf2/frozen.py": OF_THE_CALLER,
     "tf2/trajectory.py": OF_THE_CALLER,

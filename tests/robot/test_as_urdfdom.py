@@ -13,8 +13,8 @@ import pytest
 from tfloom.robot.check_urdf import FAILED, main
 from tfloom.robot.mended_xml import mended
 from tfloom.robot.model import RobotModel
-from tfloom.robot.remarks import Remarks
 from tfloom.robot.urdf import UrdfError, parse_urdf
+from tfloom.robot.urdf_faults import Remarks
 
 DECLARATION = '<?xml version="1.0"?>\n'
 LIMIT = '<limit effort="1" velocity="1" lower="2" upper="1"/>'

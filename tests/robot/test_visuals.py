@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tfloom.robot.urdf_error import UrdfError
+from tfloom.robot.urdf_faults import UrdfError
 from tfloom.robot.visuals import BoxForm, CylinderForm, MeshForm, read_visuals
 
 

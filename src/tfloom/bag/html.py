@@ -6,8 +6,8 @@ from collections.abc import Collection
 from html import escape
 from itertools import islice
 
-from tfloom.common.dates import utc_text
 from tfloom.common.notebook import code, faint, shortened, table
+from tfloom.common.text import utc_text
 
 __all__ = ["error_html", "span_html", "topics_html"]
 

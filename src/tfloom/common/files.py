@@ -1,19 +1,23 @@
-"""Files that appear complete or not at all: written beside their place, then renamed to it.
+"""Files that appear complete or not at all, and files whose names come from outside.
 
-A full disk, an error or a signal leaves the previous file as it was. A symbolic link stays, and its target is
-replaced. A new file has the permissions of the previous one, else those of the umask. What isn't a regular file, as
-/dev/stdout or a named pipe, is written directly, and so is a file in a folder that may not be written.
+A file is written beside its place, then renamed to it. A full disk, an error or a signal leaves the previous file as it
+was. A symbolic link stays, and its target is replaced. A new file has the permissions of the previous one, else those of
+the umask. What isn't a regular file, as /dev/stdout or a named pipe, is written directly, and so is a file in a folder
+that may not be written.
+
+Of a file whose name comes from outside, neither opening nor reading waits, or takes more memory than a limit.
 """
 
 from __future__ import annotations
 
 import errno
+import io
 import os
 import stat
 from contextlib import suppress
 from pathlib import Path
 
-__all__ = ["Replacement", "write_file"]
+__all__ = ["Replacement", "open_regular", "read_at_most", "write_file"]
 
 _DEVICES = ("/dev/", "/proc/")
 
@@ -111,3 +115,35 @@ class Replacement:
 def _name(error: OSError, path: str | os.PathLike[str]) -> None:
     """Name the user's path in an error rather than the temporary file."""
     error.filename, error.filename2 = os.fspath(path), None
+
+
+def open_regular(path: Path) -> io.FileIO:
+    """Open a file to read it. Its name may come from outside, and be that of a pipe or a device.
+
+    Raises:
+        OSError: it can't be opened, or is not a regular file.
+        ValueError: it is not a name.
+    """
+    file = open(path, "rb", buffering=0, opener=_open_without_waiting)  # noqa: SIM115  # the caller closes it
+    if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
+        file.close()
+        raise OSError(errno.EINVAL, "it is not a regular file, but a folder, a pipe or a device", str(path))
+    return file
+
+
+def _open_without_waiting(path: str, flags: int) -> int:
+    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOCTTY", 0))
+
+
+def read_at_most(file: io.FileIO, most: int) -> bytes | None:
+    """Return the bytes of a file, whatever size it tells; None if there are more than `most`.
+
+    Raises:
+        OSError: it can't be read.
+    """
+    parts: list[bytes] = []
+    left = most + 1
+    while left and (part := file.read(min(left, 2**20))):
+        parts.append(part)
+        left -= len(part)
+    return b"".join(parts) if left else None

@@ -1,12 +1,34 @@
-"""What a program gave in place of something else, for the texts of errors."""
+"""Values and times in the texts of errors and in output."""
 
 from __future__ import annotations
 
 import reprlib
 
-__all__ = ["given_text"]
+__all__ = ["describe_machine_clock", "given_text", "utc_text"]
 
 
 def given_text(value: object) -> str:
     """Return a value, cut where it is long, and its class, as `'1' of class str`."""
     return f"{reprlib.repr(value)} of class {type(value).__name__}"
+
+
+def utc_text(stamp_s: float) -> str:
+    """Return a time as date and clock in UTC, and as a number where no date is so late."""
+    from datetime import datetime, timezone
+
+    try:
+        return datetime.fromtimestamp(stamp_s, timezone.utc).strftime("%Y-%m-%d %H:%M:%S UTC")
+    except (OverflowError, ValueError, OSError):
+        return f"{stamp_s} s"
+
+
+def describe_machine_clock(time_ns: int) -> str:
+    """Return a clause that names the machine's clock and its value, a time in UTC.
+
+    Args:
+        time_ns: What the clock says [ns since the epoch].
+    """
+    from datetime import datetime, timedelta, timezone
+
+    utc = datetime(1970, 1, 1, tzinfo=timezone.utc) + timedelta(seconds=time_ns // 1_000_000_000)
+    return f"the machine's clock says {utc:%Y-%m-%d %H:%M:%S} UTC ({time_ns / 1e9:.0f} s since 1970)"

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 from urllib.parse import unquote, urlsplit
 
-from tfloom.common.regular_files import open_regular, read_at_most
+from tfloom.common.files import open_regular, read_at_most
 from tfloom.workspace.ament import PackageNotFoundError, get_package_share_path
 
 if TYPE_CHECKING:

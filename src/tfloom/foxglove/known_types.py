@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from tfloom.rmw.shared.type_searches import TypeSearches
+from tfloom.rmw.shared.peer_types import TypeSearches
 from tfloom.rosidl.class_search import UnknownTypeError, find_class_of_kind
 from tfloom.rosidl.message import Message
 from tfloom.rosidl.service import Service

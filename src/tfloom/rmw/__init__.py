@@ -5,6 +5,6 @@
 - local/, cyclone/, zenoh/: the wires: inside the process, on libddsc, on eclipse-zenoh; each begins at its `wire`
 - services, events, endpoint_events, qos, compatibility, topic_names, action_names, errors: what the wires share
 - postponed_interrupt: where Ctrl-C waits
-- forks: what a forked process has inherited;  machine_clock: a clock whose time doesn't fit into a message
+- forks: what a forked process has inherited
 - shared/: what nodes and commands share
 """

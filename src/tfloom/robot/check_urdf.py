@@ -9,7 +9,7 @@ from pathlib import Path
 from tfloom.common.terminal import report
 from tfloom.robot.description import Description
 from tfloom.robot.urdf import parse_urdf
-from tfloom.robot.urdf_error import UrdfError
+from tfloom.robot.urdf_faults import UrdfError
 
 __all__ = ["main"]
 

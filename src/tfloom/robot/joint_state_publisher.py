@@ -21,8 +21,7 @@ from tfloom.node.parameters.exceptions import InvalidParameterValueException
 from tfloom.node.parameters.parameter import ParameterType
 from tfloom.node.program import run_program
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
-from tfloom.robot.description import Description
-from tfloom.robot.joint_ranges import range_of
+from tfloom.robot.description import Description, range_of
 from tfloom.robot.mimicry import Dependence, LoopError, dependence_of, resolve
 from tfloom.robot.urdf import UrdfError, parse_urdf
 

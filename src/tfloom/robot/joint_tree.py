@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from tfloom.robot.description import Description, Joint
-from tfloom.robot.urdf_error import UrdfError
+from tfloom.robot.urdf_faults import UrdfError
 
 __all__ = ["find_root", "from_root", "ring_text"]
 

@@ -10,7 +10,7 @@ import re
 from collections.abc import Callable, Iterator
 
 from tfloom.common.xml import declared_encoding
-from tfloom.robot.remarks import Remarks
+from tfloom.robot.urdf_faults import Remarks
 
 __all__ = ["decoded", "mended"]
 

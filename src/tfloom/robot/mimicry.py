@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from tfloom.robot.description import MOVING, Joint
 from tfloom.robot.joint_tree import ring_text
-from tfloom.robot.urdf_error import UrdfError
+from tfloom.robot.urdf_faults import UrdfError
 
 __all__ = ["Dependence", "LoopError", "dependence_of", "followers", "resolve", "unfit"]
 

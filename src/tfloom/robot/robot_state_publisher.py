@@ -31,9 +31,9 @@ from tfloom.node.values.exceptions import InvalidHandle, RCLError
 from tfloom.rmw.errors import ClosedError
 from tfloom.robot.description import Description
 from tfloom.robot.mended_xml import decoded
-from tfloom.robot.remarks import Remarks
 from tfloom.robot.robot_transforms import RobotTransforms
 from tfloom.robot.urdf import UrdfError, parse_urdf
+from tfloom.robot.urdf_faults import Remarks
 from tfloom.rosidl import cdr
 
 __all__ = ["RobotStatePublisher", "StartError", "main"]

@@ -7,8 +7,7 @@ import math
 from tfloom.robot.description import MOVING, VARIABLES, Description, Joint, Limit, Mimic
 from tfloom.robot.joint_tree import find_root
 from tfloom.robot.mimicry import followers, unfit
-from tfloom.robot.remarks import Remarks
-from tfloom.robot.urdf_error import UrdfError
+from tfloom.robot.urdf_faults import Remarks, UrdfError
 from tfloom.robot.urdf_values import number, origin_of, required, vector
 from tfloom.robot.urdfdom_rules import note_refusals
 from tfloom.robot.xml_elements import Element, read_xml

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable
 
 from tfloom._native import Transform
-from tfloom.robot.urdf_error import UrdfError
+from tfloom.robot.urdf_faults import UrdfError
 from tfloom.robot.xml_elements import Element
 
 __all__ = ["number", "origin_of", "required", "vector"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from tfloom.robot.remarks import Remarks
+from tfloom.robot.urdf_faults import Remarks
 from tfloom.robot.xml_elements import Element
 
 __all__ = ["note_refusals"]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from tfloom._native import Transform
-from tfloom.robot.urdf_error import UrdfError
+from tfloom.robot.urdf_faults import UrdfError
 from tfloom.robot.urdf_values import number, origin_of, required, vector
 from tfloom.robot.xml_elements import Element, read_xml
 

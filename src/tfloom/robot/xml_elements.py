@@ -8,8 +8,7 @@ from xml.parsers import expat
 
 from tfloom.common.xml import make_parser, readable
 from tfloom.robot.mended_xml import mended
-from tfloom.robot.remarks import Remarks
-from tfloom.robot.urdf_error import UrdfError
+from tfloom.robot.urdf_faults import Remarks, UrdfError
 
 __all__ = ["Element", "read_xml"]
 

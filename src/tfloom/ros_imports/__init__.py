@@ -6,5 +6,5 @@
 - absent: the hook that explains modules that tfloom doesn't have
 - interrupted: no traceback of a program of a launch that Ctrl-C ends while it imports
 - environment: the variables that a sourced ROS sets
-- distributions, entry_points: the distributions beside tfloom; whether installed packages add anything
+- distributions: those beside tfloom; whether installed packages add anything by entry points
 """

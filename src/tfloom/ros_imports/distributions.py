@@ -1,13 +1,25 @@
-"""The distributions beside tfloom that have ROS's packages: where they are installed, and how to install them."""
+"""The distributions beside tfloom that have ROS's packages: where they are installed, and how to install them.
+
+For other distributions, a first look for what they add by entry points, which most do not.
+"""
 
 from __future__ import annotations
 
+import sys
 from functools import cache
 from importlib.machinery import PathFinder
 from pathlib import Path
 from typing import NamedTuple
 
-__all__ = ["INTERFACES", "SENSING", "Distribution", "distribution_with", "find_prefix", "installed_prefixes"]
+__all__ = [
+    "INTERFACES",
+    "SENSING",
+    "Distribution",
+    "distribution_with",
+    "find_prefix",
+    "installed_prefixes",
+    "may_have_entry_points",
+]
 
 
 class Distribution(NamedTuple):
@@ -67,3 +79,20 @@ def find_prefix(distribution: Distribution) -> Path | None:
 def installed_prefixes() -> list[Path]:
     """Return the folders of the import packages that are installed."""
     return [prefix for prefix in map(find_prefix, (INTERFACES, SENSING)) if prefix is not None]
+
+
+def may_have_entry_points(group_name: str) -> bool:
+    """Return whether the text of a group's name is in the entry points of any installed package.
+
+    It reads the files alone, because `importlib.metadata` takes longer to import, and parses all of them.
+    """
+    section = f"[{group_name}]".encode()
+    for folder in sys.path:
+        for pattern in ("*.dist-info/entry_points.txt", "*.egg-info/entry_points.txt"):
+            for path in Path(folder).glob(pattern):
+                try:
+                    if section in path.read_bytes():
+                        return True
+                except OSError:
+                    continue
+    return False

@@ -18,7 +18,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from tfloom.rosidl import spec
-from tfloom.rosidl.idl_names import PRIMITIVES
+from tfloom.rosidl.spec import IDL_PRIMITIVES
 
 SIGNED_NONEXPLICIT_INTEGER_TYPES = ("short", "long", "long long")
 UNSIGNED_NONEXPLICIT_INTEGER_TYPES = ("unsigned short", "unsigned long", "unsigned long long")
@@ -392,7 +392,7 @@ def _to_element(type_: spec.Type) -> AbstractNestableType:
     if type_.base == "wstring":
         return BoundedWString(type_.string_bound) if type_.string_bound else UnboundedWString()
     return (
-        BasicType(PRIMITIVES.get(type_.base, type_.base))
+        BasicType(IDL_PRIMITIVES.get(type_.base, type_.base))
         if type_.is_primitive
         else to_namespaced_type(type_.base)
     )

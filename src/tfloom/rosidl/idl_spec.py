@@ -24,9 +24,9 @@ from tfloom.rosidl.definition import (
     NamespacedType,
     Service,
 )
-from tfloom.rosidl.idl_names import PRIMITIVES
 from tfloom.rosidl.idl_parser import parse_content
 from tfloom.rosidl.parse import ParseError
+from tfloom.rosidl.spec import IDL_PRIMITIVES
 
 _NO_FIELD_TYPES = {
     "char": "uint8",
@@ -34,7 +34,7 @@ _NO_FIELD_TYPES = {
     "long double": "double",
 }
 """IDL's types that tfloom has no field type for, each with the one to use instead."""
-_BASES = {theirs: ours for ours, theirs in PRIMITIVES.items() if ours != "char"}
+_BASES = {theirs: ours for ours, theirs in IDL_PRIMITIVES.items() if ours != "char"}
 
 
 def parse_idl(text: str, name: str, path: str) -> spec.Interface:

@@ -114,8 +114,8 @@ class Message(MessageBase, metaclass=_MessageType):
     @classmethod
     def get_fields_and_field_types(cls) -> dict[str, str]:
         """Return the type of each field, by IDL names: `double`, `sequence<uint8>`, `geometry_msgs/Vector3`."""
-        from tfloom.rosidl.idl_names import idl_name
         from tfloom.rosidl.parse import parse_type
+        from tfloom.rosidl.spec import idl_name
 
         return {name: idl_name(parse_type(text)) for name, text in cls._FIELDS.items()}
 

@@ -20,6 +20,14 @@ INTEGER_RANGES = {
 FLOATS = frozenset({"float32", "float64"})
 STRINGS = frozenset({"string", "wstring"})
 PRIMITIVES = frozenset({"bool", *INTEGER_RANGES, *FLOATS, *STRINGS})
+IDL_PRIMITIVES = {
+    "bool": "boolean",
+    "byte": "octet",
+    "char": "uint8",
+    "float32": "float",
+    "float64": "double",
+}
+"""The primitives with another name in IDL."""
 
 EMPTY_FIELD = "structure_needs_at_least_one_member"
 """The uint8 that represents a message without fields on the wire and in the hash."""
@@ -180,3 +188,18 @@ def action(name: str, goal: Message, result: Message, feedback: Message) -> Acti
         ),
         part("FeedbackMessage", goal_id, Field("feedback", Type(feedback.name))),
     )
+
+
+def idl_name(type_: Type) -> str:
+    """Return `double[36]`, `sequence<uint8>`, `sequence<double, 3>`, `string<255>`, `geometry_msgs/Vector3`."""
+    base = IDL_PRIMITIVES.get(type_.base, type_.base)
+    if not type_.is_primitive:
+        package, _, name = type_.base.split("/")
+        base = f"{package}/{name}"
+    if type_.string_bound:
+        base = f"{base}<{type_.string_bound}>"
+    if type_.shape == "array":
+        return f"{base}[{type_.length}]"
+    if type_.shape == "bounded":
+        return f"sequence<{base}, {type_.length}>"
+    return f"sequence<{base}>" if type_.shape else base

@@ -8,10 +8,9 @@ from collections.abc import Iterator
 from typing import Any
 
 from tfloom.rosidl.fill import set_message_fields
-from tfloom.rosidl.idl_names import idl_name
 from tfloom.rosidl.message import Message
 from tfloom.rosidl.parse import parse_type
-from tfloom.rosidl.spec import Type
+from tfloom.rosidl.spec import Type, idl_name
 
 __all__ = ["message_to_csv", "message_to_ordereddict", "message_to_yaml", "set_message_fields"]
 

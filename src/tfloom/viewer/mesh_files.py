@@ -14,7 +14,7 @@ from xml.parsers.expat import ExpatError
 
 import numpy as np
 
-from tfloom.common.regular_files import open_regular, read_at_most
+from tfloom.common.files import open_regular, read_at_most
 from tfloom.common.xml import make_parser
 from tfloom.viewer.shapes import Color, DisplayError, Model
 from tfloom.workspace.ament import PackageNotFoundError, get_package_share_path

@@ -10,7 +10,7 @@ from itertools import count
 from typing import TYPE_CHECKING, Any, Protocol
 
 from tfloom.rmw.errors import WireError
-from tfloom.rmw.shared.type_searches import TypeSearches
+from tfloom.rmw.shared.peer_types import TypeSearches
 from tfloom.rosidl import cdr
 from tfloom.rosidl.class_search import UnknownTypeError, find_class_of_kind
 from tfloom.rosidl.message import Message

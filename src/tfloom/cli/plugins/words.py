@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 from tfloom.cli.plugins.entry_points import get_entry_points, get_first_line_doc
 from tfloom.cli.shared.errors import CommandError
 from tfloom.common.terminal import report
-from tfloom.ros_imports.entry_points import may_have_entry_points
+from tfloom.ros_imports.distributions import may_have_entry_points
 from tfloom.ros_imports.guard import is_elsewhere
 
 if TYPE_CHECKING:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import warnings
 from typing import Any
 
-from tfloom.ros_imports.entry_points import may_have_entry_points
+from tfloom.ros_imports.distributions import may_have_entry_points
 
 __all__ = ["load_entry_points", "load_launch_extensions"]
 

@@ -16,6 +16,7 @@ from typing import TypeVar, cast
 from weakref import WeakSet, WeakValueDictionary
 
 from tfloom._native import DdsParticipant, DdsWriter
+from tfloom.common.text import describe_machine_clock
 from tfloom.rmw.base import NodeName, Participant, Service, Topic
 from tfloom.rmw.compatibility import chosen_qos
 from tfloom.rmw.cyclone import config as cyclone_config
@@ -36,7 +37,6 @@ from tfloom.rmw.cyclone.services import (
 from tfloom.rmw.cyclone.threads import check_threads
 from tfloom.rmw.errors import ClosedError, WireError
 from tfloom.rmw.forks import Inherited, refuse
-from tfloom.rmw.machine_clock import describe_machine_clock
 from tfloom.rmw.qos import DurabilityPolicy, QoS
 from tfloom.rmw.services import (
     HeaderRequester,

@@ -2,6 +2,6 @@
 
 - typed_names: topics and services of message classes;  endpoint_text: an endpoint of the graph as text
 - waiting, service_request: waits, and a request of a service in steps
-- peer_types, type_searches: types that other nodes describe, and the search for them
+- peer_types: types that other nodes describe, and the searches for them
 - qos_mismatch: the warning about qualities that don't match
 """

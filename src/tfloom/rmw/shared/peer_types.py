@@ -1,9 +1,13 @@
-"""Types that have no definition here, from the nodes that use them: by the service `~/get_type_description`."""
+"""Types that have no definition here, from the nodes that use them: by the service `~/get_type_description`.
+
+A `TypeSearch` is for one type, and `TypeSearches` for those of a program.
+"""
 
 from __future__ import annotations
 
 import time
 from collections.abc import Mapping
+from typing import NamedTuple
 
 from tfloom._native import ReadyQueue
 from tfloom.interfaces.type_description_interfaces.srv import GetTypeDescription, GetTypeDescription_Response
@@ -14,7 +18,7 @@ from tfloom.rmw.topic_names import type_from_dds
 from tfloom.rosidl import cdr
 from tfloom.rosidl.described import ANNOUNCED, ANNOUNCED_WITH_SERVICES, DescriptionError, define_described
 
-__all__ = ["TypeSearch", "learn", "users"]
+__all__ = ["TypeSearch", "TypeSearches", "learn", "users"]
 
 CALL_S = 2.0
 """How long to wait for the service of a node, and again for its response [s]."""
@@ -24,6 +28,8 @@ MAX_NODES = 3
 """How many nodes are asked at most."""
 LOOK_S = 0.05
 """Period at which a search that is waited for is looked at [s]; what arrives ends the sleep."""
+AGAIN_S = 1.0
+"""Least time between the ends of two searches for a type [s]; between, the graph has to have changed, too."""
 
 
 class TypeSearch:
@@ -164,3 +170,60 @@ def users(found: Graph, name: str, kind: str) -> dict[NodeName, dict[str, str]]:
     for service_end in found.service_ends():
         note(service_end.node, service_end.type_name, service_end.type_hash)
     return {node: hashes for node, hashes in announced.items() if hashes.keys() in forms}
+
+
+class _Vain(NamedTuple):
+    """A search that has found nothing."""
+
+    end_s: float
+    """When it was over [s, monotonic]."""
+    changes: int
+    """The state of the graph then."""
+    reasons: list[str]
+
+
+class TypeSearches:
+    """Searches for types, without waits. One thread may use it.
+
+    Args:
+        participant: The participant that asks.
+        node: Its node, which was added to the participant.
+    """
+
+    def __init__(self, participant: Participant, node: NodeName) -> None:
+        self._participant = participant
+        self._node = node
+        self._arrived = ReadyQueue()
+        self._searches: dict[str, TypeSearch] = {}
+        self._vain: dict[str, _Vain] = {}
+
+    def reasons(self, type_name: str, kind: str) -> list[str] | None:
+        """Return why a type is not found, by its full name and kind (msg, srv); None while it is searched for."""
+        if type_name in self._searches:
+            return None
+        vain = self._vain.get(type_name)
+        if vain is not None and (
+            vain.changes == self._participant.graph.changes() or time.monotonic() < vain.end_s + AGAIN_S
+        ):
+            return vain.reasons
+        self._searches[type_name] = TypeSearch(self._participant, self._node, type_name, kind, self._arrived)
+        return None
+
+    def poll(self) -> set[str]:
+        """Search on; return the types of which the search has ended, whether they were found or not."""
+        ended = set()
+        for type_name, search in list(self._searches.items()):
+            if search.step():
+                ended.add(type_name)
+                search.close()
+                del self._searches[type_name]
+                self._vain[type_name] = _Vain(
+                    time.monotonic(), self._participant.graph.changes(), search.reasons
+                )
+        return ended
+
+    def close(self) -> None:
+        """Leave the nodes that are asked."""
+        for search in self._searches.values():
+            search.close()
+        self._searches.clear()

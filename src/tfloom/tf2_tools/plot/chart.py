@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
-from tfloom.common.dates import utc_text
+from tfloom.common.text import utc_text
 from tfloom.tf2_tools.drawing.colors import FAINT, HAIRLINE, INK, SUBTITLE, TEXT, TITLE
 from tfloom.tf2_tools.drawing.fonts import elided, printable
 from tfloom.tf2_tools.drawing.shapes import Box, Group, Path, Pen, Picture, Point, Shape, Text

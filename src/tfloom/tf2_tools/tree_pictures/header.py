@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from tfloom.common.dates import utc_text
+from tfloom.common.text import utc_text
 from tfloom.tf2_tools.drawing.colors import (
     FAINT,
     FRAME_STYLES,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from tfloom.robot.urdf_error import UrdfError
+from tfloom.robot.urdf_faults import UrdfError
 from tfloom.robot.visuals import BallForm, BoxForm, CylinderForm, Visual, read_visuals
 from tfloom.viewer.fault_text import fault_text
 from tfloom.viewer.mesh_files import read_model

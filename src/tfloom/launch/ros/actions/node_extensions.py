@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.ros.utilities.plugin_support import PluginException, satisfies_version
-from tfloom.ros_imports.entry_points import may_have_entry_points
+from tfloom.ros_imports.distributions import may_have_entry_points
 
 if TYPE_CHECKING:
     from logging import Logger

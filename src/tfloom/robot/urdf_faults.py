@@ -1,10 +1,24 @@
-"""What is said of a description that is read, though it is not as it should be."""
+"""What is wrong with a description: the error of one that can't be read, and remarks on one that is."""
 
 from __future__ import annotations
 
 from typing import NamedTuple
 
-__all__ = ["Remark", "Remarks"]
+__all__ = ["Remark", "Remarks", "UrdfError"]
+
+
+class UrdfError(ValueError):
+    """A text does not describe a robot.
+
+    Attributes:
+        line: Line of the text, from 1.
+        reason: What is wrong.
+    """
+
+    def __init__(self, line: int, reason: str) -> None:
+        super().__init__(f"line {line}: {reason}")
+        self.line = line
+        self.reason = reason
 
 
 class Remark(NamedTuple):
