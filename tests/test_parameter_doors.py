@@ -19,9 +19,8 @@ from tfloom.interfaces.rcl_interfaces.msg import ParameterValue
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.ros.parameter_descriptions import ParameterValue as LaunchValue
-from tfloom.launch.ros.utilities.evaluate_parameters import evaluate_parameters
+from tfloom.launch.ros.utilities.evaluate_parameters import evaluate_parameters, to_parameters_list
 from tfloom.launch.ros.utilities.normalize_parameters import normalize_parameters
-from tfloom.launch.ros.utilities.to_parameters_list import to_parameters_list
 from tfloom.node.builtin.parameter_client import AsyncParameterClient
 from tfloom.node.client_library import init, spin_until_future_complete, try_shutdown
 from tfloom.node.node import Node

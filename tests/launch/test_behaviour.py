@@ -13,19 +13,18 @@ from unittest.mock import NonCallableMock
 
 import pytest
 
-from tfloom.launch.actions.event_actions import RegisterEventHandler
+from tfloom.launch.actions.event_actions import RegisterEventHandler, Shutdown
 from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.actions.include_launch_description import IncludeLaunchDescription
 from tfloom.launch.actions.launch_configurations import SetLaunchConfiguration
 from tfloom.launch.actions.opaque import OpaqueFunction
-from tfloom.launch.actions.shutdown_action import Shutdown
 from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.entities.action import Action
 from tfloom.launch.entities.launch_description import LaunchDescription
 from tfloom.launch.events.event_handlers import OnProcessExit, OnProcessStart, OnShutdown
-from tfloom.launch.events.shutdown import Shutdown as ShutdownEvent
+from tfloom.launch.events.launch_events import Shutdown as ShutdownEvent
 from tfloom.launch.launch_service import LaunchService
-from tfloom.launch.testing.keep_alive import KeepAliveProc
+from tfloom.launch.testing.actions import KeepAliveProc
 
 Launch = Callable[..., Any]
 IS_TERMINAL = "import sys; print(sys.stdout.isatty())"

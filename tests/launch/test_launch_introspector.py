@@ -12,7 +12,7 @@ from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.entities.action import Action
 from tfloom.launch.entities.launch_description import LaunchDescription
 from tfloom.launch.events.event_handlers import OnProcessExit
-from tfloom.launch.events.shutdown import Shutdown
+from tfloom.launch.events.launch_events import Shutdown
 from tfloom.launch.launch_introspector import (
     LaunchIntrospector,
     format_entities,

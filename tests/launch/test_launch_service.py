@@ -10,9 +10,13 @@ from collections.abc import Callable
 
 import pytest
 
-from tfloom.launch.actions.event_actions import EmitEvent, RegisterEventHandler, UnregisterEventHandler
+from tfloom.launch.actions.event_actions import (
+    EmitEvent,
+    RegisterEventHandler,
+    Shutdown,
+    UnregisterEventHandler,
+)
 from tfloom.launch.actions.opaque import OpaqueCoroutine, OpaqueFunction
-from tfloom.launch.actions.shutdown_action import Shutdown
 from tfloom.launch.actions.timer_action import TimerAction
 from tfloom.launch.core.condition import Condition
 from tfloom.launch.core.event import Event

@@ -21,10 +21,9 @@ import pytest
 from tests.conftest import python_with
 
 from tfloom.launch.actions import process_output
-from tfloom.launch.actions.event_actions import RegisterEventHandler
+from tfloom.launch.actions.event_actions import RegisterEventHandler, Shutdown
 from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.actions.opaque import OpaqueFunction
-from tfloom.launch.actions.shutdown_action import Shutdown
 from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.events.event_handlers import OnProcessIO
 from tfloom.launch.logs import background_writing

@@ -12,12 +12,11 @@ import pytest
 from tests.launch.conftest import Ran
 
 from tfloom.interfaces.lifecycle_msgs.msg import TransitionEvent
-from tfloom.launch.actions.event_actions import EmitEvent, RegisterEventHandler
+from tfloom.launch.actions.event_actions import EmitEvent, RegisterEventHandler, Shutdown
 from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.actions.for_loop import ForEach, ForLoop
 from tfloom.launch.actions.log import LogInfo
 from tfloom.launch.actions.opaque import OpaqueCoroutine, OpaqueFunction
-from tfloom.launch.actions.shutdown_action import Shutdown
 from tfloom.launch.core.condition import Condition
 from tfloom.launch.core.event import Event
 from tfloom.launch.entities.action import Action

@@ -168,8 +168,8 @@ class Generator:
             for provider in self._index.get(name, [])
             if provider.module == room or provider.module.startswith(f"{room}.")
         ]
-        # The module that is called as the façade is, if there is one: of the two classes Shutdown, the event is in
-        # `tfloom.launch.events.shutdown`, and the action in `tfloom.launch.actions.shutdown_action`.
+        # The module that is called as the façade is, if there is one: of the two classes IncludeLaunchDescription,
+        # the action is in `tfloom.launch.actions.include_launch_description`.
         namesakes = [provider.module for provider in providers if _last(provider.module) == _last(module)]
         if namesakes:
             return min(namesakes, key=lambda other: (-_common_tail(other, module), other.count("."), other))

@@ -7,12 +7,14 @@ from collections.abc import Iterable
 from tfloom.launch.actions.event_actions import EmitEvent, RegisterEventHandler
 from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.actions.log import Log
-from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
+from tfloom.launch.core.launch_description_entity import (
+    LaunchDescriptionEntity,
+    normalize_to_list_of_entities,
+)
 from tfloom.launch.core.substitution import SomeSubstitutionsType, described
 from tfloom.launch.entities.action import Action
 from tfloom.launch.entities.event_handler import BaseEventHandler
 from tfloom.launch.entities.launch_description import LaunchDescription
-from tfloom.launch.utilities.normalize_to_list_of_entities import normalize_to_list_of_entities
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions
 
 __all__ = [

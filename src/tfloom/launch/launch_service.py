@@ -28,17 +28,18 @@ from typing import Any
 from tfloom.launch.core.error_places import describe_failure
 from tfloom.launch.core.event import Event
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
+from tfloom.launch.core.launch_description_entity import (
+    LaunchDescriptionEntity,
+    normalize_to_list_of_entities,
+)
 from tfloom.launch.core.private_names import HasPrivateNames
 from tfloom.launch.core.run_state import HandlesEvents
 from tfloom.launch.entities.launch_description import LaunchDescription
 from tfloom.launch.events.event_handlers import OnIncludeLaunchDescription, OnShutdown
-from tfloom.launch.events.include_launch_description import IncludeLaunchDescription
-from tfloom.launch.events.shutdown import Shutdown
+from tfloom.launch.events.launch_events import IncludeLaunchDescription, Shutdown
 from tfloom.launch.logs.background_writing import background_writing
 from tfloom.launch.logs.logging import get_logger, launch_config, log_launch_config
 from tfloom.launch.processes.guard import guard_of
-from tfloom.launch.utilities.normalize_to_list_of_entities import normalize_to_list_of_entities
 from tfloom.launch.utilities.signal_management import AsyncSafeSignalManager
 from tfloom.launch.utilities.visits import visit_all_entities
 from tfloom.ros_imports.guard import ros_repr

@@ -10,7 +10,7 @@ from tfloom.launch.actions.launch_configurations import (
     UnsetLaunchConfiguration,
 )
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.text_substitution import TextSubstitution
+from tfloom.launch.core.substitution import TextSubstitution
 from tfloom.launch.substitutions.variables import LaunchConfiguration
 
 

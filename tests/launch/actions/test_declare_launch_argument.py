@@ -6,7 +6,7 @@ import pytest
 
 from tfloom.launch.actions.declare_launch_argument import DeclareLaunchArgument
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.text_substitution import TextSubstitution
+from tfloom.launch.core.substitution import TextSubstitution
 from tfloom.launch.substitutions.variables import LaunchConfiguration
 
 

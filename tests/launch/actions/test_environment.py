@@ -15,7 +15,7 @@ from tfloom.launch.actions.environment import (
     UnsetEnvironmentVariable,
 )
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.text_substitution import TextSubstitution
+from tfloom.launch.core.substitution import TextSubstitution
 from tfloom.launch.substitutions.variables import LaunchConfiguration
 
 NAME = "TFLOOM_LAUNCH_TEST"

@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 from tests.conftest import run_to_end
 
-from tfloom.launch.frontend import expose, extensions
+from tfloom.launch.frontend import expose
 from tfloom.launch.frontend.exposed import ACTION_MODULES, SUBSTITUTION_MODULES
 from tfloom.launch.frontend.parse_substitution import parse_substitution
 from tfloom.launch.frontend.parser import Parser
@@ -167,12 +167,12 @@ class EntryPoint:
 def installed(monkeypatch: pytest.MonkeyPatch) -> list[EntryPoint]:
     """Return the list of installed entry points, to add some."""
     entry_points: list[EntryPoint] = []
-    monkeypatch.setattr("tfloom.launch.frontend.extensions.may_have_entry_points", lambda _: True)
+    monkeypatch.setattr("tfloom.launch.frontend.expose.may_have_entry_points", lambda _: True)
     monkeypatch.setattr(
         "importlib.metadata.entry_points",
         lambda group: [entry_point for entry_point in entry_points if entry_point.group == group],
     )
-    monkeypatch.setattr(extensions, "_loaded", False)
+    monkeypatch.setattr(expose, "_loaded", False)
     monkeypatch.setattr(Parser, "frontend_parsers", None)
     return entry_points
 

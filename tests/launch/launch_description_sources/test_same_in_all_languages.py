@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from tfloom.launch.core.text_substitution import TextSubstitution
+from tfloom.launch.core.substitution import TextSubstitution
 from tfloom.launch.launch_description_sources.loading import get_launch_description_from_any_launch_file
 
 HEAD = """

@@ -29,8 +29,8 @@ from tfloom.launch.launch_description_sources.sources import (
 )
 from tfloom.launch.substitutions.variables import LaunchConfiguration
 from tfloom.launch.xml.parser import Parser as XmlParser
-from tfloom.launch.xml.xml_launch_description_source import XMLLaunchDescriptionSource
-from tfloom.launch.yaml.yaml_launch_description_source import YAMLLaunchDescriptionSource
+from tfloom.launch.xml.parser import XMLLaunchDescriptionSource
+from tfloom.launch.yaml.parser import YAMLLaunchDescriptionSource
 
 PYTHON = """
 from tfloom.launch.actions.declare_launch_argument import DeclareLaunchArgument

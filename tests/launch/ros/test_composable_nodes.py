@@ -13,7 +13,7 @@ from tests.launch.ros.conftest import make_package
 from tfloom.interfaces.composition_interfaces.srv import LoadNode
 from tfloom.launch.actions.group_action import GroupAction
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.text_substitution import TextSubstitution
+from tfloom.launch.core.substitution import TextSubstitution
 from tfloom.launch.entities.conditions import IfCondition
 from tfloom.launch.ros.actions.composable_nodes import (
     ComposableNodeContainer,
@@ -135,7 +135,7 @@ def test_a_node_that_cannot_be_loaded_is_reported_and_the_next_one_is_loaded(
 def test_a_launch_without_its_container_ends_at_the_shutdown(
     launch: Launch, container: Container, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from tfloom.launch.actions.shutdown_action import Shutdown
+    from tfloom.launch.actions.event_actions import Shutdown
     from tfloom.launch.actions.timer_action import TimerAction
 
     ran = launch(

@@ -9,9 +9,8 @@ from pathlib import Path
 import pytest
 
 from tfloom.interfaces.lifecycle_msgs.msg import State, Transition, TransitionEvent
-from tfloom.launch.actions.event_actions import EmitEvent, RegisterEventHandler
+from tfloom.launch.actions.event_actions import EmitEvent, RegisterEventHandler, Shutdown
 from tfloom.launch.actions.log import LogInfo
-from tfloom.launch.actions.shutdown_action import Shutdown
 from tfloom.launch.core.event import Event
 from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.ros.actions.lifecycle_node import LifecycleNode
@@ -22,9 +21,8 @@ from tfloom.launch.ros.actions.lifecycle_transition import (
 )
 from tfloom.launch.ros.actions.node import Node
 from tfloom.launch.ros.event_handlers.on_state_transition import OnStateTransition
-from tfloom.launch.ros.events.lifecycle import lifecycle_node_matchers
 from tfloom.launch.ros.events.lifecycle_events import ChangeState, StateTransition
-from tfloom.launch.ros.events.matchers import matches_node_name
+from tfloom.launch.ros.events.matchers import matches_lifecycle_node_name, matches_node_name
 
 SENSOR = Path(__file__).parents[3] / "examples" / "lifecycle" / "sensor.py"
 
@@ -123,7 +121,7 @@ def test_matchers() -> None:
     with pytest.warns(
         UserWarning, match=r"'launch_ros.events.lifecycle.matches_node_name' function is deprecated"
     ):
-        assert lifecycle_node_matchers.matches_node_name("/a/sensor")(Named())
+        assert matches_lifecycle_node_name("/a/sensor")(Named())
     assert match_node_name_goal("/a/sensor", "inactive")(transition_event)
     assert not match_node_name_goal("/a/sensor", "active")(transition_event)
     assert not match_node_name_goal("/sensor", "inactive")(transition_event)

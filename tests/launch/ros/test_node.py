@@ -11,7 +11,7 @@ import pytest
 from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.actions.group_action import GroupAction
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.text_substitution import TextSubstitution
+from tfloom.launch.core.substitution import TextSubstitution
 from tfloom.launch.ros.actions.composable_nodes import ComposableNodeContainer
 from tfloom.launch.ros.actions.node import Node
 from tfloom.launch.ros.actions.node_defaults import (
@@ -395,7 +395,7 @@ def test_script_works_where_pythons_path_has_a_space(tmp_path: Path, monkeypatch
     import subprocess
     import sys
 
-    from tfloom.launch.ros import own_programs
+    from tfloom.launch.ros.temporary_files import script_for
 
     folder = tmp_path / "a space"
     folder.mkdir()
@@ -404,6 +404,6 @@ def test_script_works_where_pythons_path_has_a_space(tmp_path: Path, monkeypatch
     python.chmod(0o755)
     monkeypatch.setattr(sys, "executable", str(python))
     context = LaunchContext()
-    script = own_programs.script_for(context, "p", "program", "builtins:print")
+    script = script_for(context, "p", "program", "builtins:print")
     done = subprocess.run([script, "x y"], capture_output=True, text=True, check=True, timeout=60)
     assert done.stdout == "['x y']\n"

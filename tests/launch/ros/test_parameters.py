@@ -9,12 +9,11 @@ from typing import Any, List  # noqa: UP035  # as programs write it
 import pytest
 
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.text_substitution import TextSubstitution
+from tfloom.launch.core.substitution import TextSubstitution
 from tfloom.launch.ros.parameter_descriptions import Parameter, ParameterFile, ParameterValue
-from tfloom.launch.ros.utilities.evaluate_parameters import evaluate_parameters
+from tfloom.launch.ros.utilities.evaluate_parameters import evaluate_parameters, to_parameters_list
 from tfloom.launch.ros.utilities.names import normalize_remap_rule, normalize_remap_rules
 from tfloom.launch.ros.utilities.normalize_parameters import normalize_parameters
-from tfloom.launch.ros.utilities.to_parameters_list import to_parameters_list
 from tfloom.launch.substitutions.variables import LaunchConfiguration
 
 

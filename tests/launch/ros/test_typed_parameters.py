@@ -17,9 +17,8 @@ from tfloom.launch.launch_description_sources.sources import AnyLaunchDescriptio
 from tfloom.launch.ros.actions.node import Node
 from tfloom.launch.ros.actions.node_defaults import SetParameter
 from tfloom.launch.ros.parameter_descriptions import Parameter, ParameterFile, ParameterValue
-from tfloom.launch.ros.utilities.evaluate_parameters import evaluate_parameters
+from tfloom.launch.ros.utilities.evaluate_parameters import evaluate_parameters, to_parameters_list
 from tfloom.launch.ros.utilities.normalize_parameters import normalize_parameters
-from tfloom.launch.ros.utilities.to_parameters_list import to_parameters_list
 from tfloom.launch.substitutions.variables import LaunchConfiguration
 from tfloom.node.values.scalars import parse_documents, parse_value
 

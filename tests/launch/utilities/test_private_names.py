@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from tfloom.launch.actions.event_actions import EmitEvent
+from tfloom.launch.actions.event_actions import EmitEvent, Shutdown
 from tfloom.launch.actions.include_launch_description import IncludeLaunchDescription
-from tfloom.launch.actions.shutdown_action import Shutdown
 from tfloom.launch.entities.conditions import IfCondition
 from tfloom.launch.entities.launch_description import LaunchDescription
 from tfloom.launch.entities.launch_description_source import LaunchDescriptionSource

@@ -13,7 +13,11 @@ from tfloom.common.seconds import checked_timeout
 from tfloom.launch.actions.process_output import ProcessOutput
 from tfloom.launch.core.event import Event
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity, SomeEntitiesType
+from tfloom.launch.core.launch_description_entity import (
+    LaunchDescriptionEntity,
+    SomeEntitiesType,
+    normalize_to_list_of_entities,
+)
 from tfloom.launch.core.substitution import SomeSubstitutionsType
 from tfloom.launch.descriptions.executable import Executable
 from tfloom.launch.entities.action import Action
@@ -30,7 +34,6 @@ from tfloom.launch.events.process import (
 )
 from tfloom.launch.logs.logging import OutputConfig, get_logger
 from tfloom.launch.substitutions.variables import LaunchConfiguration
-from tfloom.launch.utilities.normalize_to_list_of_entities import normalize_to_list_of_entities
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 from tfloom.launch.utilities.type_utils import (
     coerce_to_type,

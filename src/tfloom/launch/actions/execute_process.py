@@ -7,13 +7,11 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from tfloom.launch.actions.execute_local import ExecuteLocal
-from tfloom.launch.core.entity import Entity, ParsesActions
-from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution
-from tfloom.launch.core.text_substitution import TextSubstitution
+from tfloom.launch.core.entity import Entity, ParsesActions, parse_pairs
+from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution, TextSubstitution
 from tfloom.launch.descriptions.executable import Executable
 from tfloom.launch.entities.action import Action
 from tfloom.launch.frontend.expose import expose_action
-from tfloom.launch.frontend.pairs import parse_pairs
 from tfloom.launch.utilities.argument_errors import unknown_argument_error, words_error
 
 __all__ = ["ExecuteProcess"]
@@ -122,7 +120,7 @@ class ExecuteProcess(ExecuteLocal):
                 is_delay = name in {"respawn_delay", "respawn_max_retries"}
                 kwargs[name] = value if is_delay else parser.parse_if_substitutions(_as_text(value))
         if "on_exit" not in ignored and entity.get_attr("on_exit", optional=True) == "shutdown":
-            from tfloom.launch.actions.shutdown_action import Shutdown
+            from tfloom.launch.actions.event_actions import Shutdown
 
             kwargs["on_exit"] = Shutdown()
         if "env" not in ignored and (

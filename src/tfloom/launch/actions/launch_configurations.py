@@ -6,12 +6,11 @@ from collections.abc import Mapping
 from typing import Any
 
 from tfloom.launch.actions.texts import NamedValue
-from tfloom.launch.core.entity import Entity, ParsesActions
+from tfloom.launch.core.entity import Entity, ParsesActions, parse_pairs
 from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution
 from tfloom.launch.entities.action import Action
 from tfloom.launch.frontend.expose import expose_action
-from tfloom.launch.frontend.pairs import parse_pairs
 from tfloom.launch.utilities.substitutions import (
     normalize_to_list_of_substitutions,
     perform_some_substitutions,

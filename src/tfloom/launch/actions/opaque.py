@@ -10,7 +10,7 @@ from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.entities.action import Action
 from tfloom.launch.entities.event_handler import BaseEventHandler
 from tfloom.launch.events.event_handlers import OnShutdown
-from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
+from tfloom.launch.utilities.argument_types import ensure_argument_type
 
 if TYPE_CHECKING:
     import asyncio

@@ -15,7 +15,7 @@ from tfloom.launch.core.substitution import SomeSubstitutionsType, described
 from tfloom.launch.entities.action import Action
 from tfloom.launch.entities.event_handler import BaseEventHandler
 from tfloom.launch.events.event_handlers import OnShutdown
-from tfloom.launch.events.timer_event import TimerEvent
+from tfloom.launch.events.launch_events import TimerEvent
 from tfloom.launch.frontend.expose import expose_action
 from tfloom.launch.logs.logging import get_logger
 from tfloom.launch.utilities.argument_errors import entities_error

@@ -2,7 +2,6 @@
 
 - launch_context, run_state: the state of a launch
 - event, condition, substitution, launch_description_entity: base classes
-- execution_complete, text_substitution: an event and a substitution that they need
 - entity: an element of a launch file
 - invalid_launch_file_error, error_places, circular_includes: what is wrong with a file, and where
 - missing: what a launch skips that is not here

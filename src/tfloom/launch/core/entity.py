@@ -1,13 +1,14 @@
-"""An element of a launch file, and the parser as actions need it."""
+"""An element of a launch file, those that hold two texts, and the parser as actions need it."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any, Protocol, TypeVar
 
 from tfloom.launch.core.condition import Condition
 from tfloom.launch.core.substitution import Substitution
 
-__all__ = ["Entity", "ParsesActions", "TargetType"]
+__all__ = ["Entity", "Pair", "ParsesActions", "TargetType", "parse_pairs"]
 
 TargetType = TypeVar("TargetType")
 
@@ -73,3 +74,26 @@ class ParsesActions(Protocol):
 
     def get_file_extensions(self) -> set[str]:
         """Return the extensions of the files that it reads."""
+
+
+Pair = tuple[tuple[Substitution, ...], list[Substitution]]
+"""The two texts of an element, as `<arg name="…" value="…"/>`."""
+
+
+def parse_pairs(
+    entities: Iterable[Entity], parser: ParsesActions, first: str = "name", second: str = "value"
+) -> list[Pair]:
+    """Return the substitutions of two attributes of each element, which has no others.
+
+    Args:
+        entities: The elements.
+        parser: The parser of their file.
+        first: Name of the first attribute.
+        second: Name of the second attribute.
+    """
+    pairs = []
+    for entity in entities:
+        name = tuple(parser.parse_substitution(entity.get_attr(first)))
+        pairs.append((name, parser.parse_substitution(entity.get_attr(second))))
+        entity.assert_entity_completely_parsed()
+    return pairs

@@ -1,4 +1,4 @@
-"""The base class of what a launch description consists of, and what arguments accept in its place."""
+"""The base class of what a launch description consists of, what arguments accept in its place, and these as a list."""
 
 from __future__ import annotations
 
@@ -12,7 +12,12 @@ from tfloom.ros_imports.guard import ros_repr
 if TYPE_CHECKING:
     from asyncio import Future
 
-__all__ = ["LaunchDescriptionEntity", "SomeEntitiesType", "SomeEntitiesType_types_tuple"]
+__all__ = [
+    "LaunchDescriptionEntity",
+    "SomeEntitiesType",
+    "SomeEntitiesType_types_tuple",
+    "normalize_to_list_of_entities",
+]
 
 
 class LaunchDescriptionEntity(HasPrivateNames):
@@ -52,3 +57,29 @@ SomeEntitiesType = Union[LaunchDescriptionEntity, Iterable[LaunchDescriptionEnti
 
 SomeEntitiesType_types_tuple = (LaunchDescriptionEntity, Iterable)
 """The same for `isinstance`."""
+
+
+def normalize_to_list_of_entities(
+    entities: Iterable[SomeEntitiesType], *, name: str = "entities"
+) -> list[LaunchDescriptionEntity]:
+    """Return all entities of nested lists, in order.
+
+    Args:
+        entities: The entities, and lists of them.
+        name: What the error calls it.
+
+    Raises:
+        TypeError: an item is not an entity.
+    """
+    flat: list[LaunchDescriptionEntity] = []
+    for item in entities:
+        if isinstance(item, LaunchDescriptionEntity):
+            flat.append(item)
+        elif isinstance(item, Iterable) and not isinstance(item, (str, bytes)):
+            flat += normalize_to_list_of_entities(item, name=name)
+        else:
+            raise TypeError(
+                f"expected all items in '{name}' iterable to be of type 'LaunchDescriptionEntity' "
+                f"but got '{type(item)}'"
+            )
+    return flat

@@ -1,4 +1,4 @@
-"""The base class of actions."""
+"""The base class of actions, and the event of an action's end."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from typing import Any
 from tfloom.launch.core.condition import Condition
 from tfloom.launch.core.entity import Entity, ParsesActions
 from tfloom.launch.core.error_places import keep_place, place_of_construction
-from tfloom.launch.core.execution_complete import ExecutionComplete
+from tfloom.launch.core.event import Event
 from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
 
-__all__ = ["Action"]
+__all__ = ["Action", "ExecutionComplete"]
 
 
 class Action(LaunchDescriptionEntity):
@@ -81,3 +81,21 @@ class Action(LaunchDescriptionEntity):
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         """Do what the action stands for, and return the entities to visit next; derived classes override it."""
         return None
+
+
+class ExecutionComplete(Event):
+    """An action has ended that went on after its visit.
+
+    Args:
+        action: The action.
+    """
+
+    name = "launch.events.ExecutionComplete"
+
+    def __init__(self, *, action: LaunchDescriptionEntity) -> None:
+        self._action = action
+
+    @property
+    def action(self) -> LaunchDescriptionEntity:
+        """Action that is complete."""
+        return self._action

@@ -6,9 +6,12 @@ from collections.abc import Callable
 
 from tfloom.launch.core.event import Event
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity, SomeEntitiesType
+from tfloom.launch.core.launch_description_entity import (
+    LaunchDescriptionEntity,
+    SomeEntitiesType,
+    normalize_to_list_of_entities,
+)
 from tfloom.launch.core.private_names import HasPrivateNames
-from tfloom.launch.utilities.normalize_to_list_of_entities import normalize_to_list_of_entities
 from tfloom.ros_imports.guard import ros_repr
 
 __all__ = ["BaseEventHandler", "EventHandler"]

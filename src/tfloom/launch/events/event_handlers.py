@@ -6,15 +6,16 @@ from collections.abc import Callable, Iterable
 from typing import Any, ClassVar, cast
 
 from tfloom.launch.core.event import Event
-from tfloom.launch.core.execution_complete import ExecutionComplete
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity, SomeEntitiesType
-from tfloom.launch.entities.action import Action
+from tfloom.launch.core.launch_description_entity import (
+    LaunchDescriptionEntity,
+    SomeEntitiesType,
+    normalize_to_list_of_entities,
+)
+from tfloom.launch.entities.action import Action, ExecutionComplete
 from tfloom.launch.entities.event_handler import BaseEventHandler
-from tfloom.launch.events.include_launch_description import IncludeLaunchDescription
+from tfloom.launch.events.launch_events import IncludeLaunchDescription, Shutdown
 from tfloom.launch.events.process import ProcessExited, ProcessIO, ProcessStarted
-from tfloom.launch.events.shutdown import Shutdown
-from tfloom.launch.utilities.normalize_to_list_of_entities import normalize_to_list_of_entities
 
 __all__ = [
     "OnActionEventBase",

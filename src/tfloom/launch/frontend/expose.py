@@ -1,9 +1,13 @@
-"""How a tag gets its action, and a name after `$(` its substitution."""
+"""How a tag gets its action, and a name after `$(` its substitution.
+
+Other packages add tags and substitutions by entry points.
+"""
 
 from __future__ import annotations
 
 import functools
 import importlib
+import warnings
 from collections.abc import Callable, Iterable, Mapping
 from types import FunctionType, MethodType
 from typing import Any, TypeVar
@@ -11,8 +15,8 @@ from typing import Any, TypeVar
 from tfloom.launch.core.entity import Entity, ParsesActions
 from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution
 from tfloom.launch.frontend.exposed import ACTION_MODULES, SUBSTITUTION_MODULES
-from tfloom.launch.frontend.extensions import load_launch_extensions
 from tfloom.launch.utilities.nearest import did_you_mean
+from tfloom.ros_imports.distributions import may_have_entry_points
 
 __all__ = [
     "action_parse_methods",
@@ -20,6 +24,8 @@ __all__ = [
     "expose_substitution",
     "instantiate_action",
     "instantiate_substitution",
+    "load_entry_points",
+    "load_launch_extensions",
     "substitution_parse_methods",
 ]
 
@@ -182,3 +188,33 @@ def _takes_any_number(substitution_type: Any) -> bool:
     if code is None or not code.co_flags & 0x04:  # CO_VARARGS
         return False
     return bool(code.co_varnames[code.co_argcount + code.co_kwonlyargcount] == "args")
+
+
+_loaded = False
+
+
+def load_launch_extensions() -> None:
+    """Import all modules of the entry points `launch.frontend.launch_extension`, at the first call.
+
+    They expose actions and substitutions. One that cannot be imported is reported by a warning.
+    """
+    global _loaded  # noqa: PLW0603  # all of the process shares what they expose
+    if not _loaded:
+        _loaded = True
+        load_entry_points("launch.frontend.launch_extension")
+
+
+def load_entry_points(group: str) -> dict[str, Any]:
+    """Return the objects of all entry points of a group, by their names. One that fails is reported by a warning."""
+    if not may_have_entry_points(group):
+        return {}
+    from importlib.metadata import entry_points
+
+    loaded = {}
+    for entry_point in entry_points(group=group):
+        try:
+            loaded[entry_point.name] = entry_point.load()
+        except Exception as error:  # of any package
+            what = f"the extension '{entry_point.name}' of {group} ({entry_point.value})"
+            warnings.warn(f"Failed to load {what}: {type(error).__name__}: {error}", stacklevel=3)
+    return loaded

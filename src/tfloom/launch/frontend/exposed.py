@@ -42,7 +42,7 @@ ACTION_MODULES: dict[str, str] = {
     "set_remap": _ROS_ACTIONS + "node_defaults",
     "set_ros_log_dir": _ROS_ACTIONS + "node_defaults",
     "set_use_sim_time": _ROS_ACTIONS + "node_defaults",
-    "shutdown": _ACTIONS + "shutdown_action",
+    "shutdown": _ACTIONS + "event_actions",
     "timer": _ACTIONS + "timer_action",
     "unset_env": _ACTIONS + "environment",
 }

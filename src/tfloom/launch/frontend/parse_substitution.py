@@ -16,8 +16,7 @@ import re
 from typing import Any
 
 from tfloom.launch.core.error_places import add_to_error
-from tfloom.launch.core.substitution import Substitution
-from tfloom.launch.core.text_substitution import TextSubstitution
+from tfloom.launch.core.substitution import Substitution, TextSubstitution
 from tfloom.launch.frontend.expose import instantiate_substitution
 
 __all__ = [

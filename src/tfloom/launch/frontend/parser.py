@@ -16,8 +16,7 @@ from tfloom.launch.core.substitution import Substitution
 from tfloom.launch.entities.action import Action
 from tfloom.launch.entities.conditions import IfCondition, UnlessCondition
 from tfloom.launch.entities.launch_description import LaunchDescription
-from tfloom.launch.frontend.expose import instantiate_action
-from tfloom.launch.frontend.extensions import load_entry_points, load_launch_extensions
+from tfloom.launch.frontend.expose import instantiate_action, load_entry_points, load_launch_extensions
 from tfloom.launch.frontend.parse_substitution import (
     parse_if_substitutions,
     parse_substitution,
@@ -26,7 +25,7 @@ from tfloom.launch.frontend.parse_substitution import (
 from tfloom.launch.utilities.nearest import did_you_mean
 from tfloom.ros_imports.guard import ros_home
 
-__all__ = ["InvalidFrontendLaunchFileError", "Parser"]
+__all__ = ["InvalidFrontendLaunchFileError", "Parser", "read_content"]
 
 _MODULES = {"xml": "tfloom.launch.xml.parser", "yaml": "tfloom.launch.yaml.parser"}
 """Modules of tfloom's own parsers, which are imported when a file needs them."""
@@ -248,3 +247,19 @@ def _condition_text(entity: Entity, name: str) -> str | None:
 
 def _warn(method: str, better: str) -> None:
     warnings.warn(f"Parser.{method} is deprecated, use Parser.{better} instead", stacklevel=3)
+
+
+def read_content(file: str | os.PathLike[str] | TextIO) -> tuple[str, bytes]:
+    """Return the path and the content of a file.
+
+    Args:
+        file: Its path, or the open file; without a name, `<string>` stands for the path.
+
+    Raises:
+        OSError: it cannot be read.
+    """
+    if isinstance(file, (str, os.PathLike)):
+        return os.fspath(file), Path(file).read_bytes()
+    content = file.read()
+    name = str(getattr(file, "name", "<string>"))
+    return name, content.encode() if isinstance(content, str) else content

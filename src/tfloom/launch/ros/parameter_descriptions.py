@@ -14,7 +14,8 @@ from tfloom.launch.core.substitution import (
     SomeSubstitutionsType_types_tuple,
     Substitution,
 )
-from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
+from tfloom.launch.logs.logging import get_logger
+from tfloom.launch.utilities.argument_types import ensure_argument_type
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 from tfloom.launch.utilities.type_utils import (
     AllowedTypesType,
@@ -26,7 +27,7 @@ from tfloom.launch.utilities.type_utils import (
     perform_typed_substitution,
 )
 
-__all__ = ["EvaluatedParameterValue", "Parameter", "ParameterFile", "ParameterValue"]
+__all__ = ["EvaluatedParameterValue", "Parameter", "ParameterFile", "ParameterValue", "warn_of_unmatched"]
 
 EvaluatedParameterValue = Union[
     str, int, float, bool, Sequence[str], Sequence[int], Sequence[float], Sequence[bool], bytes
@@ -254,3 +255,21 @@ def _file_with_substitutions(context: LaunchContext, path: Path) -> Path:
             f"The substituted parameter file is not a valid yaml file: {path}: {error}"
         ) from error
     return write_temporary_file(context, text, prefix="launch_params_", suffix=".yaml")
+
+
+def warn_of_unmatched(path: Path, node_name: str) -> None:
+    """Warn if a parameter file has values, and none for a node of this full name.
+
+    A file that can't be read is left to the node, which reports it.
+    """
+    from tfloom.node.parameters.parameter_file import read_parameter_file
+
+    try:
+        rules = read_parameter_file(path)
+    except (OSError, ValueError):
+        return
+    if rules and not any(rule.is_for(node_name) for rule in rules):
+        nodes = ", ".join(dict.fromkeys(rule.node for rule in rules))
+        get_logger("launch_ros.actions.node").warning(
+            f"the parameter file {path} has no values for the node {node_name}: it has those of {nodes}"
+        )

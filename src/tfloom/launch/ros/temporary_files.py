@@ -12,8 +12,9 @@ from pathlib import Path
 from tfloom.common.files import write_file
 from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.processes.guard import guard_of
+from tfloom.workspace.program_scripts import write_script
 
-__all__ = ["folder_of", "write_temporary_file"]
+__all__ = ["folder_of", "script_for", "write_temporary_file"]
 
 _folders: weakref.WeakKeyDictionary[LaunchContext, Path] = weakref.WeakKeyDictionary()
 
@@ -41,3 +42,15 @@ def write_temporary_file(context: LaunchContext, text: str, *, prefix: str, suff
     os.close(descriptor)
     write_file(path, text)
     return Path(path)
+
+
+def script_for(context: LaunchContext, package: str, program: str, target: str) -> str:
+    """Return the path of a script that runs one of tfloom's programs by the Python of this process.
+
+    Args:
+        context: The launch, whose temporary folder holds the script.
+        package: Package of the program, for the path.
+        program: Name of the program, which becomes the file's.
+        target: `module:function` of the program.
+    """
+    return str(write_script(folder_of(context), package, program, target))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.core.substitution import (
+    ParsedSubstitution,
     SomeSubstitutionsType,
     Substitution,
     SubstitutionFailure,
@@ -11,8 +12,7 @@ from tfloom.launch.core.substitution import (
 )
 from tfloom.launch.frontend.expose import expose_substitution
 from tfloom.launch.logs.logging import get_logger
-from tfloom.launch.substitutions.parsed import ParsedSubstitution
-from tfloom.launch.utilities.find_program import command_of
+from tfloom.launch.substitutions.find_executable import command_of
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 
 __all__ = ["Command"]

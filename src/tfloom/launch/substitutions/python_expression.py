@@ -9,7 +9,7 @@ from tfloom.launch.core.error_places import add_to_error
 from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution, described
 from tfloom.launch.frontend.expose import expose_substitution
-from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
+from tfloom.launch.utilities.argument_types import ensure_argument_type
 from tfloom.launch.utilities.substitutions import (
     normalize_to_list_of_substitutions,
     perform_some_substitutions,

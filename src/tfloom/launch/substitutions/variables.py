@@ -7,14 +7,14 @@ from typing import Any
 
 from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.core.substitution import (
+    ParsedSubstitution,
     SomeSubstitutionsType,
     Substitution,
     SubstitutionFailure,
     described,
 )
 from tfloom.launch.frontend.expose import expose_substitution
-from tfloom.launch.substitutions.parsed import ParsedSubstitution
-from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
+from tfloom.launch.utilities.argument_types import ensure_argument_type
 from tfloom.launch.utilities.nearest import did_you_mean
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 

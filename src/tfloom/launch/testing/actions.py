@@ -1,4 +1,4 @@
-"""Actions of tests: a program that is a test, and the sign that a launch is ready."""
+"""Actions of tests: a program that is a test, one that runs until the launch ends, and the sign that a launch is ready."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from tfloom.launch.events.event_handlers import OnProcessStart
 from tfloom.launch.events.process import ShutdownProcess, matches_action
 from tfloom.launch.logs.logging import get_logger
 
-__all__ = ["GTest", "PyTest", "ReadyToTest", "Test", "TestsCanBegin"]
+__all__ = ["GTest", "KeepAliveProc", "PyTest", "ReadyToTest", "Test", "TestsCanBegin"]
 
 
 class Test(ExecuteProcess):
@@ -117,3 +117,29 @@ class ReadyToTest(Action):
         event = TestsCanBegin()
         if context.would_handle_event(event):
             context.emit_event_sync(event)
+
+
+_PROGRAM = """\
+import signal, sys, time
+signal.signal(signal.SIGINT, lambda *_: sys.exit(0))
+signal.signal(signal.SIGTERM, lambda *_: sys.exit(0))
+if hasattr(signal, "pthread_sigmask"):
+    signal.pthread_sigmask(signal.SIG_UNBLOCK, [signal.SIGINT, signal.SIGTERM])
+while True:
+    time.sleep(3600)
+"""
+
+
+class _KeepAlive(ExecuteProcess):
+    """Runs the program, which gets a signal that is sent before it has its handlers once it has them."""
+
+    _blocks_signals = True
+
+
+def KeepAliveProc() -> ExecuteProcess:
+    """Return the action of a process that exits with 0 when the launch shuts down.
+
+    A launch ends with its last process, and fails tests that still run. Where all processes under test end by
+    themselves, this one keeps the launch going.
+    """
+    return _KeepAlive(cmd=[sys.executable, "-S", "-c", _PROGRAM], name="keep_alive")

@@ -11,8 +11,8 @@ from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.entities.action import Action
 from tfloom.launch.entities.launch_description import LaunchDescription
 from tfloom.launch.events.event_handlers import OnExecutionComplete, OnProcessExit, OnProcessIO
+from tfloom.launch.events.launch_events import Shutdown
 from tfloom.launch.events.process import ProcessExited, ProcessIO
-from tfloom.launch.events.shutdown import Shutdown
 from tfloom.launch.launch_service import LaunchService
 
 __all__ = ["LaunchTestService"]

@@ -9,13 +9,13 @@ from typing import Any
 from tfloom.common.seconds import checked_timeout
 from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.entities.launch_description import LaunchDescription
-from tfloom.launch.events.include_launch_description import IncludeLaunchDescription
+from tfloom.launch.events.launch_events import IncludeLaunchDescription
 from tfloom.launch.events.process import ProcessExited, ProcessStarted, ShutdownProcess, matches_action
 from tfloom.launch.launch_service import LaunchService
 from tfloom.launch.testing.assert_output import text_of
 from tfloom.launch.testing.io_handler import ActiveIoHandler
 from tfloom.launch.testing.proc_info_handler import ActiveProcInfoHandler
-from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
+from tfloom.launch.utilities.argument_types import ensure_argument_type
 
 __all__ = ["ProcessProxy", "launch_process"]
 

@@ -14,8 +14,8 @@ from typing import Any
 from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.entities.launch_description import LaunchDescription
 from tfloom.launch.events.event_handlers import OnProcessIO
+from tfloom.launch.events.launch_events import Shutdown
 from tfloom.launch.events.process import ProcessExited, ProcessStarted
-from tfloom.launch.events.shutdown import Shutdown
 from tfloom.launch.launch_service import LaunchService
 from tfloom.launch.testing.actions import TestsCanBegin
 from tfloom.launch.testing.arguments import parse_launch_arguments

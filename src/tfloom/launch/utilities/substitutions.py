@@ -7,8 +7,12 @@ from pathlib import Path
 from typing import Any
 
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution, SubstitutionFailure
-from tfloom.launch.core.text_substitution import TextSubstitution
+from tfloom.launch.core.substitution import (
+    SomeSubstitutionsType,
+    Substitution,
+    SubstitutionFailure,
+    TextSubstitution,
+)
 
 __all__ = ["normalize_to_list_of_substitutions", "perform_some_substitutions", "perform_substitutions"]
 

@@ -1,17 +1,18 @@
-"""The parser of launch files in XML."""
+"""The parser of launch files in XML, and launch descriptions in them."""
 
 from __future__ import annotations
 
 import os
 from typing import TextIO
 
-from tfloom.launch.frontend.file_contents import read_content
-from tfloom.launch.frontend.parser import InvalidFrontendLaunchFileError
+from tfloom.launch.core.substitution import SomeSubstitutionsType
+from tfloom.launch.frontend.parser import InvalidFrontendLaunchFileError, read_content
 from tfloom.launch.frontend.parser import Parser as BaseParser
+from tfloom.launch.launch_description_sources.sources import FrontendLaunchDescriptionSource
 from tfloom.launch.xml.elements import XmlError, read_elements
 from tfloom.launch.xml.entity import Entity
 
-__all__ = ["Parser"]
+__all__ = ["Parser", "XMLLaunchDescriptionSource"]
 
 
 class Parser(BaseParser):
@@ -39,3 +40,14 @@ class Parser(BaseParser):
         except XmlError as error:
             message = f"{name}:{error.line}: {error}"
             raise InvalidFrontendLaunchFileError.with_message(message, error) from error
+
+
+class XMLLaunchDescriptionSource(FrontendLaunchDescriptionSource):
+    """The launch description in an XML file.
+
+    Args:
+        launch_file_path: Path of the file.
+    """
+
+    def __init__(self, launch_file_path: SomeSubstitutionsType) -> None:
+        super().__init__(launch_file_path, method="interpreted XML launch file", parser=Parser)

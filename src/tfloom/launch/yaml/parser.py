@@ -1,16 +1,17 @@
-"""The parser of launch files in YAML."""
+"""The parser of launch files in YAML, and launch descriptions in them."""
 
 from __future__ import annotations
 
 import os
 from typing import TextIO
 
-from tfloom.launch.frontend.file_contents import read_content
-from tfloom.launch.frontend.parser import InvalidFrontendLaunchFileError
+from tfloom.launch.core.substitution import SomeSubstitutionsType
+from tfloom.launch.frontend.parser import InvalidFrontendLaunchFileError, read_content
 from tfloom.launch.frontend.parser import Parser as BaseParser
+from tfloom.launch.launch_description_sources.sources import FrontendLaunchDescriptionSource
 from tfloom.launch.yaml.entity import Entity, Places
 
-__all__ = ["Parser"]
+__all__ = ["Parser", "YAMLLaunchDescriptionSource"]
 
 
 class Parser(BaseParser):
@@ -59,3 +60,14 @@ def _root(content: bytes, name: str) -> Entity:
     root = Entity(tree)
     root.set_places(Places(name, lines))
     return root
+
+
+class YAMLLaunchDescriptionSource(FrontendLaunchDescriptionSource):
+    """The launch description in a YAML file.
+
+    Args:
+        launch_file_path: Path of the file.
+    """
+
+    def __init__(self, launch_file_path: SomeSubstitutionsType) -> None:
+        super().__init__(launch_file_path, method="interpreted YAML launch file", parser=Parser)

@@ -27,15 +27,14 @@ from tfloom.launch.ros.actions.node import Node
 from tfloom.launch.ros.descriptions.composable_node import ComposableNode, parse_composable_nodes
 from tfloom.launch.ros.ros_adapters import get_ros_node
 from tfloom.launch.ros.service_calls import call_service
-from tfloom.launch.ros.utilities.evaluate_parameters import evaluate_parameters
+from tfloom.launch.ros.utilities.evaluate_parameters import evaluate_parameters, to_parameters_list
 from tfloom.launch.ros.utilities.names import (
     add_node_name,
     get_node_name_count,
     make_namespace_absolute,
     prefix_namespace,
 )
-from tfloom.launch.ros.utilities.to_parameters_list import to_parameters_list
-from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
+from tfloom.launch.utilities.argument_types import ensure_argument_type
 from tfloom.launch.utilities.substitutions import perform_some_substitutions, perform_substitutions
 from tfloom.workspace.ament import PackageNotFoundError
 

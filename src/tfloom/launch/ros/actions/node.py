@@ -259,7 +259,7 @@ class Node(ExecuteProcess):
                 self.__expanded_parameter_arguments.append((written, True))
                 self._add_words("--params-file", written)
         if files and self._given_name is not None:
-            from tfloom.launch.ros.parameter_files import warn_of_unmatched
+            from tfloom.launch.ros.parameter_descriptions import warn_of_unmatched
 
             for path in files:
                 warn_of_unmatched(path, self._assumed_name())

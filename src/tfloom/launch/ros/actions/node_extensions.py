@@ -1,4 +1,4 @@
-"""Extensions of `Node` by the entry points `launch_ros.node_action` of user packages."""
+"""Extensions of `Node` by the entry points `launch_ros.node_action` of user packages, and the versions they are for."""
 
 from __future__ import annotations
 
@@ -6,13 +6,52 @@ import functools
 from typing import TYPE_CHECKING, Any
 
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.ros.utilities.plugin_support import PluginException, satisfies_version
 from tfloom.ros_imports.distributions import may_have_entry_points
+from tfloom.ros_imports.guard import ros_home
 
 if TYPE_CHECKING:
     from logging import Logger
 
-__all__ = ["GROUP", "NodeActionExtension", "get_extensions", "instantiate_extension"]
+__all__ = [
+    "GROUP",
+    "NodeActionExtension",
+    "PluginException",
+    "get_extensions",
+    "get_upper_bound_caret_version",
+    "instantiate_extension",
+    "satisfies_version",
+]
+
+
+class PluginException(Exception):  # the name that extensions catch
+    """An extension can't be used."""
+
+    __module__ = ros_home("launch_ros.utilities.plugin_support", __name__)
+
+
+def satisfies_version(version: str, caret_range: str) -> bool:
+    """Return whether a version is one that `^MAJOR.MINOR` accepts: this one or a later one that is compatible.
+
+    Raises:
+        ValueError: the range does not begin with `^`.
+    """
+    if not caret_range.startswith("^"):
+        raise ValueError(f"expected a version range like '^0.1', got '{caret_range}'")
+    lowest = caret_range.removeprefix("^")
+    return _numbers(lowest) <= _numbers(version) < _numbers(get_upper_bound_caret_version(lowest))
+
+
+def get_upper_bound_caret_version(version: str) -> str:
+    """Return the first later version that is not compatible: 2.0 for 1.3, 0.4 for 0.3."""
+    numbers = _numbers(version)
+    changed = next((place for place, number in enumerate(numbers) if number), len(numbers) - 1)
+    upper = [*numbers[:changed], numbers[changed] + 1, *(0 for _ in numbers[changed + 1 :])]
+    return ".".join(map(str, upper))
+
+
+def _numbers(version: str) -> tuple[int, ...]:
+    return tuple(int(number) for number in version.split("."))
+
 
 GROUP = "launch_ros.node_action"
 """The group of the entry points."""

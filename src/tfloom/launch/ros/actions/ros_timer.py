@@ -7,7 +7,7 @@ from typing import Any, cast
 
 from tfloom.launch.actions.timer_action import TimerAction
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.events.timer_event import TimerEvent
+from tfloom.launch.events.launch_events import TimerEvent
 from tfloom.launch.frontend.expose import expose_action
 from tfloom.launch.ros.ros_adapters import get_ros_node
 

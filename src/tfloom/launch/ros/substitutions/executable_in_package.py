@@ -76,7 +76,7 @@ def _own_program(context: LaunchContext, package: str, program: str, folder: Pat
     own = index.PROGRAMS.get(package, {})
     if program not in own:
         raise marked_as_missing(SubstitutionFailure(_not_found_message(program, folder, own)))
-    from tfloom.launch.ros.own_programs import script_for
+    from tfloom.launch.ros.temporary_files import script_for
 
     return script_for(context, package, program, own[program])
 

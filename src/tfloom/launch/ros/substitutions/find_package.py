@@ -5,9 +5,8 @@ from __future__ import annotations
 from typing import ClassVar
 
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution, described
+from tfloom.launch.core.substitution import ParsedSubstitution, SomeSubstitutionsType, Substitution, described
 from tfloom.launch.frontend.expose import expose_substitution
-from tfloom.launch.substitutions.parsed import ParsedSubstitution
 from tfloom.launch.utilities.nearest import did_you_mean
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 from tfloom.workspace.ament import PackageNotFoundError, get_package_prefix, get_package_share_directory

@@ -7,6 +7,7 @@ from typing import Any
 
 from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.core.substitution import (
+    ParsedSubstitution,
     SomeSubstitutionsType,
     Substitution,
     SubstitutionFailure,
@@ -14,7 +15,6 @@ from tfloom.launch.core.substitution import (
 )
 from tfloom.launch.frontend.expose import expose_substitution
 from tfloom.launch.ros.configurations import global_parameters
-from tfloom.launch.substitutions.parsed import ParsedSubstitution
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 
 __all__ = ["Parameter"]

@@ -1,9 +1,11 @@
-"""Normalized parameters with their substitutions performed."""
+"""Normalized parameters with their substitutions performed, also as the messages of a node's parameters."""
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Sequence
-from typing import Any, cast
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, cast
 
 from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.core.substitution import Substitution
@@ -14,11 +16,15 @@ from tfloom.launch.ros.parameters_type import (
     Parameters,
     ParametersDict,
 )
+from tfloom.launch.ros.utilities.names import prefix_namespace
 from tfloom.launch.ros.utilities.parameter_text import untyped_items, untyped_value
-from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
+from tfloom.launch.utilities.argument_types import ensure_argument_type
 from tfloom.launch.utilities.substitutions import perform_substitutions
 
-__all__ = ["evaluate_parameter_dict", "evaluate_parameters"]
+if TYPE_CHECKING:
+    from tfloom.node.parameters.parameter import Parameter as NodeParameter
+
+__all__ = ["evaluate_parameter_dict", "evaluate_parameters", "to_parameters_list"]
 
 _WRAP = (
     "If the parameter is meant to be a string, try wrapping it in "
@@ -117,3 +123,42 @@ def _checked_array(name: str, items: list[Any]) -> list[Any]:
             f'float, str. Got inconsistent input for "{name}": {items!r}. {_WRAP}'
         )
     return items
+
+
+def to_parameters_list(
+    context: LaunchContext, node_name: str, namespace: str, evaluated_parameters: EvaluatedParameters
+) -> list[NodeParameter]:
+    """Return evaluated parameters as parameters of a node; those in files for other nodes are left out.
+
+    Args:
+        context: The launch.
+        node_name: Name of the node, without its namespace.
+        namespace: Namespace of the node.
+        evaluated_parameters: What `evaluate_parameters` returned.
+    """
+    from tfloom.node.parameters.parameter import Parameter as NodeParameter
+
+    values: dict[str, Any] = {}
+    for parameters in evaluated_parameters:
+        if isinstance(parameters, Path):
+            values |= _values_in_file(parameters, node_name, namespace)
+        elif isinstance(parameters, Parameter):
+            name, value = parameters.evaluate(context)
+            values[name] = value
+        else:
+            values |= parameters
+    return [
+        NodeParameter(name=name, value=list(value) if isinstance(value, tuple) else value)
+        for name, value in values.items()
+    ]
+
+
+def _values_in_file(path: Path, node_name: str, namespace: str) -> dict[str, Any]:
+    from tfloom.node.parameters.parameter_file import read_parameter_file
+
+    rules = read_parameter_file(path, can_be_flat=True)
+    full_name = prefix_namespace(namespace or "/", node_name) or ""
+    values = {rule.name: rule.value for rule in rules if rule.is_for(full_name)}
+    if rules and not values:
+        warnings.warn(f"No parameters for {full_name} in {path}", stacklevel=3)
+    return values

@@ -8,7 +8,7 @@ from typing import Any, TypeVar
 
 from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution
-from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
+from tfloom.launch.utilities.argument_types import ensure_argument_type
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions
 
 __all__ = [

@@ -8,8 +8,7 @@ from pathlib import Path
 from typing import Any, cast
 
 from tfloom.common.seconds import plain_value
-from tfloom.launch.core.substitution import Substitution
-from tfloom.launch.core.text_substitution import TextSubstitution
+from tfloom.launch.core.substitution import Substitution, TextSubstitution
 from tfloom.launch.ros.parameter_descriptions import Parameter, ParameterFile
 from tfloom.launch.ros.parameter_descriptions import ParameterValue as ParameterValueDescription
 from tfloom.launch.ros.parameters_type import (
@@ -20,7 +19,7 @@ from tfloom.launch.ros.parameters_type import (
     SomeParameters,
     SomeParametersDict,
 )
-from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
+from tfloom.launch.utilities.argument_types import ensure_argument_type
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions
 from tfloom.node.values.scalars import parse_scalar
 

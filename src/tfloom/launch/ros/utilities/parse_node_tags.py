@@ -6,8 +6,7 @@ from contextlib import suppress
 from typing import Any, List  # the type that `Entity.get_attr` takes for children
 
 from tfloom.common.written_values import QuotedText
-from tfloom.launch.core.entity import Entity, ParsesActions
-from tfloom.launch.frontend.pairs import Pair, parse_pairs
+from tfloom.launch.core.entity import Entity, Pair, ParsesActions, parse_pairs
 from tfloom.launch.frontend.type_utils import get_data_type_from_identifier
 from tfloom.launch.ros.parameter_descriptions import ParameterFile, ParameterValue
 from tfloom.launch.ros.utilities.parameter_text import untyped_items, untyped_value
