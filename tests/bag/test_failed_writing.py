@@ -31,7 +31,7 @@ from tfloom.bag.metadata import read_metadata
 from tfloom.bag.reindexing import reindex
 from tfloom.bag.rosbag2_names.storage import ConverterOptions, StorageOptions, TopicMetadata
 from tfloom.bag.rosbag2_names.writers import SequentialWriter
-from tfloom.bag.writing import bag_writer, compression, mcap_records, sqlite_file, topic_table
+from tfloom.bag.writing import bag_writer, compression, mcap_records, sqlite_file, storage
 from tfloom.bag.writing.bag_writer import BagWriter, State, WriterSettings
 from tfloom.bag.writing.sqlite_file import SqliteFile
 from tfloom.bag.writing.storage import StorageSettings
@@ -113,7 +113,7 @@ def test_removed_topic_with_messages_stays(storage_id: str, tmp_path: Path) -> N
 
 
 def test_more_topics_than_numbers(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(topic_table, "MAX_TOPICS", 1)
+    monkeypatch.setattr(storage, "MAX_TOPICS", 1)
     writer, channel = begin_bag(tmp_path / "bag")
     with pytest.raises(BagError, match=r"'/chatter' can't be added: a bag has at most 1 topics"):
         writer.add_topic(CHATTER)
@@ -291,7 +291,7 @@ def test_failed_beginning_of_a_database_leaves_nothing(
         full_disk()
 
     monkeypatch.setattr(SqliteFile, "_begin", begin_and_fail)
-    arguments = (tmp_path / "file.db3", topic_table.TopicTable(), StorageSettings(), "")
+    arguments = (tmp_path / "file.db3", storage.TopicTable(), StorageSettings(), "")
     with pytest.raises(OSError, match="No space left"):
         open_storage_file("sqlite3", *arguments)
     with pytest.raises(sqlite3.ProgrammingError, match="closed database"):
@@ -303,7 +303,7 @@ def test_failed_beginning_of_a_database_leaves_nothing(
 def test_database_is_closed_even_if_it_cannot_be_completed(
     fails: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    file = SqliteFile(tmp_path / "file.db3", topic_table.TopicTable(), StorageSettings(), "")
+    file = SqliteFile(tmp_path / "file.db3", storage.TopicTable(), StorageSettings(), "")
     database = file._database
     assert database is not None
     if fails:
@@ -320,7 +320,7 @@ def test_file_of_somebody_else_is_left(storage_id: str, tmp_path: Path) -> None:
     path = tmp_path / "file"
     path.write_bytes(b"mine")
     with pytest.raises(FileExistsError):
-        open_storage_file(storage_id, path, topic_table.TopicTable(), StorageSettings(), "")
+        open_storage_file(storage_id, path, storage.TopicTable(), StorageSettings(), "")
     assert path.read_bytes() == b"mine"
 
 

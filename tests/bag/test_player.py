@@ -17,11 +17,11 @@ from tests.bag.written_bags import START_NS, STEP_NS, text, topic, transforms, w
 from tfloom.bag import open_bag
 from tfloom.bag.bag import Bag
 from tfloom.bag.playing import play_clock
-from tfloom.bag.playing.offered_qos import offered
 from tfloom.bag.playing.play_options import PlayOptions, parse_remaps
 from tfloom.bag.playing.player import Player
 from tfloom.bag.playing.read_ahead import ReadAhead
 from tfloom.bag.playing.run import play
+from tfloom.bag.qos_profiles import offered
 from tfloom.bag.topic_choice import TopicChoice
 from tfloom.bag.values import RawMessage
 from tfloom.bag.writing.bag_writer import BagWriter

@@ -7,8 +7,7 @@ from pathlib import Path
 import pytest
 
 from tfloom.bag import BagError, Topic
-from tfloom.bag.playing.offered_qos import DEPTH_MAX, offered
-from tfloom.bag.qos_profiles import parse_profiles, read_overrides
+from tfloom.bag.qos_profiles import DEPTH_MAX, offered, parse_profiles, read_overrides
 
 
 @pytest.mark.parametrize("depth", ["-1", "2147483648", "1e400", ".inf", ".nan", "deep"])

@@ -15,12 +15,11 @@ from tests.conftest import wait_until
 
 from tfloom.bag import open_bag
 from tfloom.bag.errors import BagError
-from tfloom.bag.qos_profiles import parse_profiles, profiles_text, read_overrides
+from tfloom.bag.qos_profiles import adapted, parse_profiles, profiles_text, read_overrides, warnings_of
 from tfloom.bag.recording import recorded_topics, run
 from tfloom.bag.recording import recorder as recorder_module
 from tfloom.bag.recording.record_options import RecordOptions
 from tfloom.bag.recording.recorder import Recorder
-from tfloom.bag.recording.requested_qos import adapted, warnings_of
 from tfloom.bag.topic_choice import TopicChoice
 from tfloom.bag.writing.bag_writer import WriterSettings
 from tfloom.interfaces.rosbag2_interfaces.srv import IsPaused, Pause, Resume, Snapshot, SplitBagfile

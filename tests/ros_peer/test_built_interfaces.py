@@ -17,8 +17,7 @@ from tools.ros_peer import RosPeer
 from tfloom.rosidl import spec
 from tfloom.rosidl.type_hash import type_hash
 from tfloom.workspace.interface_package import Installed, install_interfaces
-from tfloom.workspace.package_definitions import PackageDefinitions
-from tfloom.workspace.package_xml import read_manifest
+from tfloom.workspace.package_definitions import PackageDefinitions, read_manifest
 
 from .conftest import OURS, THEIRS, vendors
 

@@ -1,12 +1,17 @@
-"""QoS profiles in the YAML of bags and of files with overrides."""
+"""QoS profiles of recordings: as YAML, as a recorder requests them, and as a player offers them.
+
+A recorder subscribes with one by which it receives from every publisher of a topic.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from tfloom.bag.errors import BagError
+from tfloom.bag.values import Topic
+from tfloom.rmw.compatibility import incompatible_policies
 from tfloom.rmw.qos import (
     INFINITE_NS,
     POLICIES,
@@ -15,10 +20,21 @@ from tfloom.rmw.qos import (
     LivelinessPolicy,
     QoS,
     QoSPolicyEnum,
+    QoSPolicyKind,
     ReliabilityPolicy,
 )
 
-__all__ = ["parse_profiles", "profiles_text", "read_overrides"]
+__all__ = [
+    "MAX_KEPT_MESSAGES",
+    "adapted",
+    "offered",
+    "offers_differ",
+    "parse_profiles",
+    "profiles_text",
+    "read_overrides",
+    "unmet_policies",
+    "warnings_of",
+]
 
 _S_TO_NS = 1_000_000_000
 _UNREADABLE = (KeyError, ValueError, TypeError, OverflowError, AttributeError)
@@ -34,6 +50,11 @@ _DEFAULTS: dict[str, QoSPolicyEnum] = {
     "durability": DurabilityPolicy.VOLATILE,
     "liveliness": LivelinessPolicy.AUTOMATIC,
 }
+MAX_KEPT_MESSAGES = 1000
+"""How many static transforms' messages are kept for late subscriptions, at most."""
+DEPTH_MAX = (1 << 31) - 1
+"""The greatest depth that a wire takes."""
+_STATIC_TF = "tf_static"
 
 
 def profiles_text(profiles: Iterable[QoS]) -> str:
@@ -134,3 +155,71 @@ def _duration_ns(value: Mapping[str, Any]) -> int:
     """Return a duration [ns]; one without limit is `INFINITE_NS`, and so is 0."""
     duration = int(value["sec"]) * _S_TO_NS + int(value["nsec"])
     return duration if 0 < duration < INFINITE_NS else INFINITE_NS
+
+
+def adapted(offers: Sequence[QoS]) -> QoS:
+    """Return the strongest profile that is compatible with all offers; the default without any.
+
+    All samples are kept until they are taken, so that none is replaced by a later one.
+    """
+    reliable = all(offer.reliability == ReliabilityPolicy.RELIABLE for offer in offers)
+    kept = offers and all(offer.durability == DurabilityPolicy.TRANSIENT_LOCAL for offer in offers)
+    return QoS(
+        reliability=ReliabilityPolicy.RELIABLE if reliable else ReliabilityPolicy.BEST_EFFORT,
+        durability=DurabilityPolicy.TRANSIENT_LOCAL if kept else DurabilityPolicy.VOLATILE,
+        history=HistoryPolicy.KEEP_ALL,
+    )
+
+
+def warnings_of(topic: str, offers: Sequence[QoS]) -> list[str]:
+    """Return what the user should know about a profile that is adapted to different offers."""
+    texts = []
+    if 0 < sum(offer.reliability == ReliabilityPolicy.RELIABLE for offer in offers) < len(offers):
+        texts.append(
+            f"Some, but not all, publishers on topic '{topic}' are reliable. It is recorded as best effort, which "
+            "receives from all of them: messages from reliable publishers may be lost."
+        )
+    if 0 < sum(offer.durability == DurabilityPolicy.TRANSIENT_LOCAL for offer in offers) < len(offers):
+        texts.append(
+            f"Some, but not all, publishers on topic '{topic}' are transient local. It is recorded as volatile, which "
+            "receives from all of them: messages that were published before are not recorded."
+        )
+    return texts
+
+
+def unmet_policies(offer: QoS, requested: QoS) -> list[QoSPolicyKind]:
+    """Return the policies for which nothing is received from a publisher."""
+    return incompatible_policies(offer.resolved(), requested.resolved())
+
+
+def offers_differ(topic: Topic) -> bool:
+    """Return whether the recorded publishers offered different qualities."""
+    return (
+        len({(profile.reliability, profile.durability) for profile in parse_profiles(topic.offered_qos)}) > 1
+    )
+
+
+def offered(topic: Topic) -> QoS:
+    """Return the strongest of the recorded publishers' qualities; the default where the bag has none.
+
+    One publisher takes the place of all recorded ones, so it keeps as many messages as all of them did. That of
+    /tf_static keeps all, because each one may be of another frame.
+    """
+    profiles = parse_profiles(topic.offered_qos)
+    is_static = topic.name.rpartition("/")[2] == _STATIC_TF
+    if not profiles:
+        profiles = [QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL)] if is_static else [QoS()]
+    depth = min(sum(max(profile.depth, 1) for profile in profiles), DEPTH_MAX)
+    if is_static:
+        depth = max(depth, min(topic.message_count, MAX_KEPT_MESSAGES))
+    is_reliable = any(profile.reliability == ReliabilityPolicy.RELIABLE for profile in profiles)
+    is_kept = any(profile.durability == DurabilityPolicy.TRANSIENT_LOCAL for profile in profiles)
+    return QoS(
+        reliability=ReliabilityPolicy.RELIABLE if is_reliable else ReliabilityPolicy.BEST_EFFORT,
+        durability=DurabilityPolicy.TRANSIENT_LOCAL if is_kept else DurabilityPolicy.VOLATILE,
+        history=HistoryPolicy.KEEP_LAST,
+        depth=depth,
+        # Deadlines are not offered, because a pause would miss them.
+        lifespan_ns=max(profile.lifespan_ns for profile in profiles),
+        liveliness=LivelinessPolicy.AUTOMATIC,
+    ).resolved()

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from foxglove import Channel, Context, Schema
 
-from tfloom.bag.recording.requested_qos import adapted
+from tfloom.bag.qos_profiles import adapted
 from tfloom.bag.writing.definition_text import find_definition
 from tfloom.node.clock.clock import Clock
 from tfloom.node.qos.qos import QoSProfile

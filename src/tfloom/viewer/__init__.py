@@ -7,8 +7,7 @@
 - feed, replay: what a display shows of them
 - shared_state: what all pages share, and what follows of it
 - drawing, scene, scene_server, viser_private, mesh_files: viser's scene and server
-- page_server, page_command: the server of our page
-- fault_text: an error as a sentence for a page
+- page_server, page_command: the server of our page, and what it is asked for
 - forms/: what pages publish, call and send as goals, by forms made from any type
 - driving/: velocities, by a separate process, which stops robots whose page or viewer is gone
 - plots/: numeric fields of topics over time

@@ -12,7 +12,7 @@ from tfloom.tf2.errors import TransformException
 from tfloom.tf2.transform import Transform
 from tfloom.viewer.displays.display import MAX_COORDINATE_M, shown_text
 from tfloom.viewer.displays.kinds import Kind, make_display
-from tfloom.viewer.fault_text import fault_text
+from tfloom.viewer.page_command import fault_text
 from tfloom.viewer.replay import Replay
 from tfloom.viewer.shapes import DisplayError, Placed, Shape
 from tfloom.viewer.topic_log import END, Cursor, TopicLog

@@ -1,13 +1,20 @@
-"""What a page asks for, checked: it is text from outside."""
+"""What a page asks for, checked, because it is text from outside; and errors as sentences for a page."""
 
 from __future__ import annotations
 
 import contextlib
 import math
+import traceback
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
-__all__ = ["PageError", "flag", "number", "stamp", "text", "texts"]
+from tfloom.rmw.errors import WireError
+from tfloom.rosidl.message import DecodeError
+from tfloom.tf2.errors import TransformException
+from tfloom.viewer.shapes import DisplayError
+
+__all__ = ["PageError", "fault_text", "flag", "number", "stamp", "text", "texts"]
 
 MAX_TEXT = 4096
 """Number of characters of a text that a page may send."""
@@ -86,3 +93,13 @@ def stamp(command: Mapping[str, Any], name: str) -> int | None:
     if not isinstance(value, str) or not value.isascii() or not value.isdigit() or len(value) > 19:
         raise PageError(f"{name} has to be null, or digits")
     return int(value)
+
+
+def fault_text(error: Exception) -> str:
+    """Return an error's text; of one that nobody thought of, also its type and where it was raised."""
+    if isinstance(error, (PageError, DisplayError, DecodeError, WireError, TransformException)):
+        return str(error).rstrip()
+    said = f"{type(error).__name__}: {error}"
+    if frames := traceback.extract_tb(error.__traceback__):
+        said += f" ({Path(frames[-1].filename).name}, line {frames[-1].lineno})"
+    return said

@@ -11,13 +11,12 @@ from typing import TYPE_CHECKING, Any
 from tfloom.common.files import write_file
 from tfloom.viewer.camera import floor_point
 from tfloom.viewer.displays.display import shown_text
-from tfloom.viewer.fault_text import fault_text
 from tfloom.viewer.forms.sending import FORM_COMMANDS
 from tfloom.viewer.layout.layout import Layout
 from tfloom.viewer.layout.layout_file import layout_text
 from tfloom.viewer.log_lines import MAX_LINES
 from tfloom.viewer.node_graph import node_graph
-from tfloom.viewer.page_command import PageError, number, text
+from tfloom.viewer.page_command import PageError, fault_text, number, text
 from tfloom.viewer.page_server import CLOSED, PageServer
 from tfloom.viewer.pictures import picture_of
 from tfloom.viewer.scene import Scene

@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from tfloom.viewer.fault_text import fault_text
+from tfloom.viewer.page_command import fault_text
 from tfloom.viewer.topic_log import START, Cursor
 
 if TYPE_CHECKING:

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from tfloom.viewer.drawing import Drawn, Pose, shown_name
-from tfloom.viewer.fault_text import fault_text
 from tfloom.viewer.layout.layout import DEFAULT_AXES_M
+from tfloom.viewer.page_command import fault_text
 from tfloom.viewer.shapes import Shape
 
 if TYPE_CHECKING:

@@ -22,7 +22,6 @@ from tfloom.tf2_tools.watch.model import stored_name
 from tfloom.viewer.displays.camera_info import CameraDisplay, images_of
 from tfloom.viewer.displays.display import MAX_COORDINATE_M, shown_text
 from tfloom.viewer.displays.kinds import kind_of
-from tfloom.viewer.fault_text import fault_text
 from tfloom.viewer.feed import Feed
 from tfloom.viewer.frames import (
     FramePoses,
@@ -34,7 +33,7 @@ from tfloom.viewer.frames import (
     trail_of,
 )
 from tfloom.viewer.layout.layout import DEFAULT_AXES_M, DisplayLayout, Layout, PlotLayout, ViewPoint
-from tfloom.viewer.page_command import MAX_TEXTS, PageError, flag, number, stamp, text, texts
+from tfloom.viewer.page_command import MAX_TEXTS, PageError, fault_text, flag, number, stamp, text, texts
 from tfloom.viewer.playback import Playback
 from tfloom.viewer.plots.plots import Plots
 from tfloom.viewer.shapes import DisplayError

@@ -5,7 +5,7 @@
 - resource_retriever: files named by package:// and other URLs
 - create, package_templates: new packages
 - interfaces, interface_stubs, get_interfaces: definitions in prefixes, and their types for checkers
-- interface_package, listed_files, package_definitions, package_xml: interface packages, built without CMake
+- interface_package, listed_files, package_definitions: interface packages, built without CMake
 - cmake_lists: CMakeLists.txt, read and never run
 - cmake_syntax, cmake_values, cmake_regex: its language
 - cmake_plan, installing: what it would install, installed; environment_hooks: scripts that a workspace runs

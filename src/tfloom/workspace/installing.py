@@ -23,8 +23,8 @@ from tfloom.workspace.cmake_plan import (
 )
 from tfloom.workspace.cmake_regex import Expression, RegexError
 from tfloom.workspace.cmake_values import MAX_STEPS, TooMuchError
-from tfloom.workspace.console_scripts import read_console_scripts
 from tfloom.workspace.environment_hooks import WRAPPED_KINDS, EnvironmentHook, wrapper
+from tfloom.workspace.program_scripts import read_console_scripts
 
 _EXECUTE = stat.S_IXUSR | stat.S_IXGRP | stat.S_IXOTH
 _LEFT_OUT = {"__pycache__", ".git", ".svn"}

@@ -23,8 +23,7 @@ from tfloom.rosidl import definition_files
 from tfloom.workspace import index
 from tfloom.workspace.interface_stubs import typed_modules
 from tfloom.workspace.listed_files import ListedFile, find_listed
-from tfloom.workspace.package_definitions import PACKAGE_XML, PackageDefinitions
-from tfloom.workspace.package_xml import Manifest, read_manifest
+from tfloom.workspace.package_definitions import PACKAGE_XML, Manifest, PackageDefinitions, read_manifest
 
 _BY = "colcon build"
 _MODULE = '''\

@@ -1,4 +1,4 @@
-"""The checks of code that `colcon test` runs: flake8 and pydocstyle, with ROS's settings, and mypy."""
+"""The checks that `colcon test` runs: flake8 and pydocstyle, with ROS's settings, mypy, and that of XML."""
 
 from __future__ import annotations
 
@@ -12,9 +12,10 @@ from collections.abc import Sequence
 from importlib.util import find_spec
 from pathlib import Path
 from unittest import SkipTest
+from xml.etree import ElementTree as ET
 
 from tfloom.common.terminal import report
-from tfloom.workspace.listed_sources import add_paths, files_of
+from tfloom.common.xml import read_tree
 
 FLAKE8_SETTINGS = (
     "--extend-ignore=B902,C816,D100,D101,D102,D103,D104,D105,D106,D107,D203,D212,D404,I202",
@@ -32,6 +33,7 @@ _FLAKE8_LINE = re.compile(r"^(.+?):(\d+):(\d+): ([A-Z]+\d+) (.*)$")
 _PEP257_LINE = re.compile(r"^(.+?):(\d+) (.*):$")
 _PEP257_UNREADABLE = re.compile(r"^WARNING: Error in file (.+)$", re.MULTILINE)
 """What pydocstyle prints on stderr about a file that it can't read or parse: its path and the reason."""
+_IGNORE_MARKER = "AMENT_IGNORE"
 
 
 def flake8_main(argv: Sequence[str] | None = None) -> int:
@@ -204,3 +206,77 @@ def _run(module: str, words: Sequence[str]) -> tuple[str, str]:
 def _print_summary(files: Sequence[str], errors: Sequence[str]) -> None:
     print(f"\n{len(files)} files checked")
     print(f"{len(errors)} errors" if errors else "No problems found")
+
+
+def add_paths(parser: argparse.ArgumentParser, what: str) -> None:
+    """Add the arguments that name files and folders.
+
+    Args:
+        parser: The parser of a check.
+        what: Which files of a folder are checked.
+    """
+    parser.add_argument("paths", nargs="*", default=[os.curdir], help=f"files, or folders with {what}")
+    parser.add_argument("--exclude", metavar="filename", nargs="*", dest="excludes", default=[])
+
+
+def files_of(paths: Sequence[str], excludes: Sequence[str], endings: tuple[str, ...]) -> list[str]:
+    """Return the files named, and those in the folders named whose names have one of the endings, sorted.
+
+    Left out are folders whose names begin with a dot or an underscore, those with a file AMENT_IGNORE, and the files
+    to exclude, given by path or by name.
+    """
+    excluded = {*excludes, *map(os.path.abspath, excludes)}
+    files = []
+    for path in paths:
+        if not Path(path).is_dir():
+            files.append(path)
+            continue
+        for folder, folders, names in os.walk(path):
+            if _IGNORE_MARKER in names:
+                folders.clear()
+                continue
+            folders[:] = sorted(name for name in folders if name[0] not in "._")
+            files += [str(Path(folder, name)) for name in names if name.endswith(endings)]
+    return sorted(
+        path for path in files if not {path, str(Path(path).absolute()), Path(path).name} & excluded
+    )
+
+
+def xmllint_main(argv: Sequence[str] | None = None) -> int:
+    """Check XML files and print what is wrong with them; return 1 if that is something, else 0.
+
+    No schema is loaded, because the one that a package.xml names is on the web.
+
+    Args:
+        argv: The arguments of the command `ament_xmllint`; None for those of this process.
+    """
+    parser = argparse.ArgumentParser(description="Check whether XML files are well-formed.")
+    parser.add_argument("--extensions", nargs="*", default=["xml"], help="those of the files to check")
+    add_paths(parser, "files with these extensions")
+    args = parser.parse_args(argv)
+    endings = tuple(f".{extension}" for extension in args.extensions)
+    invalid = 0
+    for path in files_of(args.paths, args.excludes, endings):
+        fault = _find_fault(path)
+        if fault is None:
+            print(f"File '{path}' is valid")
+            continue
+        invalid += 1
+        report(f"File '{path}' is invalid\n{path}:{fault}")
+    if invalid:
+        report(f"{invalid} files are invalid")
+        return 1
+    print("No problems found")
+    return 0
+
+
+def _find_fault(path: str) -> str | None:
+    """Return the position of a mistake, and what is wrong there; None if nothing is."""
+    try:
+        read_tree(Path(path).read_bytes())
+    except ET.ParseError as error:
+        line, column = error.position
+        return f"{line}:{column + 1}: {str(error).partition(':')[0]}"
+    except OSError as error:
+        return f" {error.strerror}"
+    return None

@@ -1,17 +1,56 @@
-"""The definitions of an interface package that is being built, with those of the packages that it depends on."""
+"""An interface package that is being built: what its `package.xml` declares, and its definitions.
+
+Among these are those of the packages that it depends on.
+"""
 
 from __future__ import annotations
 
 import difflib
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
+from typing import NamedTuple
 
 from tfloom.rosidl import definition_files, sources, spec
 from tfloom.rosidl.parse import ParseError
 from tfloom.rosidl.references import UnknownMessageError, check_references
-from tfloom.workspace.package_xml import Manifest
 
+_RUN_TAGS = ("depend", "exec_depend", "run_depend", "test_depend")
 PACKAGE_XML = "package.xml"
+
+
+class Manifest(NamedTuple):
+    """The tags of a `package.xml` that a build reads."""
+
+    name: str
+    run: tuple[str, ...]
+    """The packages of `depend` and `exec_depend`, then those of `test_depend`, each once: ament's run dependencies."""
+    declared: frozenset[str]
+    """The packages of all tags that end in `depend`."""
+
+
+def read_manifest(path: Path) -> Manifest:
+    """Return what a `package.xml` declares.
+
+    Raises:
+        ValueError: it isn't XML, or has no name; the text has the file, and the line of a mistake.
+        OSError: it can't be read.
+    """
+    from xml.etree import ElementTree as ET
+
+    from tfloom.common.xml import read_tree
+
+    try:
+        root = read_tree(path.read_bytes())
+    except ET.ParseError as error:
+        line, column = error.position
+        raise ValueError(f"{path}:{line}:{column + 1}: it isn't XML: {error}") from None
+    tags = [(element.tag, (element.text or "").strip()) for element in root]
+    names = [text for tag, text in tags if tag == "name" and text]
+    if not names:
+        raise ValueError(f"{path}: the package has no <name>")
+    run = [text for run_tag in _RUN_TAGS for tag, text in tags if tag == run_tag]
+    declared = frozenset(text for tag, text in tags if tag.endswith("depend"))
+    return Manifest(names[0], tuple(dict.fromkeys(run)), declared)
 
 
 class PackageDefinitions:

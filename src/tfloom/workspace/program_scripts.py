@@ -1,17 +1,31 @@
-"""Scripts that start tfloom's own programs: each has a path, as the programs of a workspace do."""
+"""Scripts that start programs: tfloom's own, and those that a setup.cfg declares as `console_scripts`.
+
+Each of tfloom's programs has a path, as the programs of a workspace do.
+"""
 
 from __future__ import annotations
 
+import re
 import shlex
 import sys
 from pathlib import Path
 
 from tfloom.common.files import write_file
 
-__all__ = ["first_line", "write_script"]
+__all__ = ["first_line", "read_console_scripts", "write_script"]
 
 _SHEBANG_LIMIT = 127
 """The longest first line that all kernels read [bytes]."""
+_SCRIPT = re.compile(r"\s*([\w.-]+)\s*=\s*([\w.]+)\s*:\s*(\w+)\s*(\[.*\])?\s*")
+_TEXT = """\
+{first_line}
+import sys
+
+from {module} import {function}
+
+if __name__ == "__main__":
+    sys.exit({function}())
+"""
 
 
 def write_script(folder: Path, package: str, program: str, target: str) -> Path:
@@ -50,3 +64,31 @@ def first_line(python: Path) -> str:
         return direct
     # The shell runs the second line; for Python, lines two and three are a text.
     return f"#!/bin/sh\n'''exec' {shlex.quote(str(python))} \"$0\" \"$@\"\n' '''"
+
+
+def read_console_scripts(path: Path) -> dict[str, str]:
+    """Return the text of each program, by name.
+
+    Raises:
+        ValueError: the file isn't one of configparser's form, or a line of `console_scripts` isn't
+            `name = module:function`; the text names the file.
+        OSError: it can't be read.
+    """
+    from configparser import ConfigParser, Error
+
+    parser = ConfigParser(interpolation=None)
+    try:
+        parser.read_string(path.read_text("utf-8"), str(path))
+    except Error as error:
+        raise ValueError(f"{path}: {' '.join(str(error).split())}") from None
+    lines = parser.get("options.entry_points", "console_scripts", fallback="").splitlines()
+    scripts = {}
+    for line in filter(str.strip, lines):
+        match = _SCRIPT.fullmatch(line)
+        if match is None:
+            raise ValueError(f"{path}: '{line.strip()}' of console_scripts isn't: name = module:function")
+        name, module, function, _ = match.groups()
+        scripts[name] = _TEXT.format(
+            first_line=first_line(Path(sys.executable)), module=module, function=function
+        )
+    return scripts

@@ -21,10 +21,8 @@ from tfloom.rmw.qos import QoS
 from tfloom.rmw.topic_names import request_topic, response_topic
 from tfloom.rosidl import cdr
 from tfloom.tf2_tools.diagnosis.diagnosis import diagnose
-from tfloom.tf2_tools.diagnosis.headers import begins_with_header
-from tfloom.tf2_tools.diagnosis.live import LOOKUP_TYPE, listen
-from tfloom.tf2_tools.diagnosis.requests import requested_frames
-from tfloom.tf2_tools.diagnosis.subject import Subject
+from tfloom.tf2_tools.diagnosis.live import LOOKUP_TYPE, listen, requested_frames
+from tfloom.tf2_tools.diagnosis.subject import Subject, begins_with_header
 
 
 @pytest.fixture

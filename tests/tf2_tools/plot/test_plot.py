@@ -16,8 +16,7 @@ from tfloom.tf2_tools.drawing.png import png_bytes
 from tfloom.tf2_tools.drawing.shapes import Box, Group, Picture, Text
 from tfloom.tf2_tools.drawing.shapes import Path as Line
 from tfloom.tf2_tools.drawing.svg import svg_text
-from tfloom.tf2_tools.plot.axis import axis_of
-from tfloom.tf2_tools.plot.chart import BAND, chart
+from tfloom.tf2_tools.plot.chart import BAND, axis_of, chart
 from tfloom.tf2_tools.plot.motion import Motion, motion_of
 
 PICTURE = Path(__file__).parent / "chart.png"

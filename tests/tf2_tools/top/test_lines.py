@@ -17,8 +17,7 @@ from tests.tf2_tools.recordings import MS, START_NS, recorded, transform
 
 from tfloom._native import TfObserver
 from tfloom.tf2.buffer import Buffer
-from tfloom.tf2_tools.top.follow import follow_lines
-from tfloom.tf2_tools.top.lines import Line, Summary, screen, table
+from tfloom.tf2_tools.top.lines import Line, Summary, follow_lines, screen, table
 from tfloom.tf2_tools.top.rows import Health, Rates, Row, rows_of
 from tfloom.tf2_tools.top.view import View
 from tfloom.tf2_tools.watch.model import observation_of

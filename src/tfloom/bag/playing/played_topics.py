@@ -7,9 +7,9 @@ from collections import deque
 from typing import TYPE_CHECKING
 
 from tfloom.bag.bag import Bag
-from tfloom.bag.playing.offered_qos import offered, offers_differ
 from tfloom.bag.playing.play_options import PlayOptions
 from tfloom.bag.playing.played_requests import PlayedRequests
+from tfloom.bag.qos_profiles import offered, offers_differ
 from tfloom.bag.topic_choice import SERVICE_EVENT_SUFFIX, is_service_event, service_of_event
 from tfloom.bag.values import RawMessage, Topic
 from tfloom.bag.writing.definition_text import hash_of

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from tfloom.bag.qos_profiles import profiles_text
+from tfloom.bag.qos_profiles import adapted, profiles_text, unmet_policies, warnings_of
 from tfloom.bag.recording.record_options import RecordOptions
-from tfloom.bag.recording.requested_qos import adapted, unmet_policies, warnings_of
 from tfloom.bag.topic_choice import is_service_event
 from tfloom.bag.values import Topic
 from tfloom.bag.writing.bag_writer import BagWriter

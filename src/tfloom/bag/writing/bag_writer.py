@@ -19,9 +19,8 @@ from tfloom.bag.writing.metadata_text import (
     metadata_file_text,
     metadata_text,
 )
-from tfloom.bag.writing.storage import STORAGES, StorageFile, StorageSettings
+from tfloom.bag.writing.storage import STORAGES, StorageFile, StorageSettings, TopicTable
 from tfloom.bag.writing.storage_files import open_storage_file
-from tfloom.bag.writing.topic_table import TopicTable
 from tfloom.common.files import write_file
 from tfloom.ros_imports.environment import ROS_DISTRO
 

@@ -14,8 +14,7 @@ from tfloom._native import Chunk
 from tfloom.bag.reading.mcap_records import MAGIC, METADATA_KEY, METADATA_NAME, Opcode
 from tfloom.bag.writing import mcap_records as records
 from tfloom.bag.writing.mcap_records import ChunkPlace, McapChannel, MetadataPlace
-from tfloom.bag.writing.storage import StorageSettings
-from tfloom.bag.writing.topic_table import TopicTable
+from tfloom.bag.writing.storage import StorageSettings, TopicTable
 
 __all__ = ["McapFile"]
 

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from tfloom.bag.writing.storage import StorageFile, StorageSettings
-from tfloom.bag.writing.topic_table import TopicTable
+from tfloom.bag.writing.storage import StorageFile, StorageSettings, TopicTable
 
 __all__ = ["open_storage_file"]
 

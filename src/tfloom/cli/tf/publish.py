@@ -11,7 +11,7 @@ from tfloom.cli.shared.ctrl_c import wait_for_ctrl_c
 from tfloom.cli.shared.errors import CommandError
 from tfloom.cli.shared.listen import shown_node
 from tfloom.cli.shared.names import full_topic_name, named_node
-from tfloom.tf2_tools.text.counts import counted
+from tfloom.tf2_tools.text.words import counted
 from tfloom.tf2_tools.watch.model import STATIC_TOPIC
 
 

@@ -1,4 +1,4 @@
-"""Actions of tests: a program that is a test, one that runs until the launch ends, and the sign that a launch is ready."""
+"""Actions of tests: programs that are tests, one that runs until the launch ends, and the sign that a launch is ready."""
 
 from __future__ import annotations
 
@@ -19,6 +19,15 @@ from tfloom.launch.events.process import ShutdownProcess, matches_action
 from tfloom.launch.logs.logging import get_logger
 
 __all__ = ["GTest", "KeepAliveProc", "PyTest", "ReadyToTest", "Test", "TestsCanBegin"]
+_PROGRAM = """\
+import signal, sys, time
+signal.signal(signal.SIGINT, lambda *_: sys.exit(0))
+signal.signal(signal.SIGTERM, lambda *_: sys.exit(0))
+if hasattr(signal, "pthread_sigmask"):
+    signal.pthread_sigmask(signal.SIG_UNBLOCK, [signal.SIGINT, signal.SIGTERM])
+while True:
+    time.sleep(3600)
+"""
 
 
 class Test(ExecuteProcess):
@@ -117,17 +126,6 @@ class ReadyToTest(Action):
         event = TestsCanBegin()
         if context.would_handle_event(event):
             context.emit_event_sync(event)
-
-
-_PROGRAM = """\
-import signal, sys, time
-signal.signal(signal.SIGINT, lambda *_: sys.exit(0))
-signal.signal(signal.SIGTERM, lambda *_: sys.exit(0))
-if hasattr(signal, "pthread_sigmask"):
-    signal.pthread_sigmask(signal.SIG_UNBLOCK, [signal.SIGINT, signal.SIGTERM])
-while True:
-    time.sleep(3600)
-"""
 
 
 class _KeepAlive(ExecuteProcess):

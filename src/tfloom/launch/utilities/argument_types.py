@@ -9,6 +9,13 @@ from typing import Any
 from tfloom.ros_imports.guard import ros_class_repr
 
 __all__ = ["ensure_argument_type", "is_a", "is_a_subclass", "isclassinstance"]
+ROUTINES = (
+    types.FunctionType,
+    types.MethodType,
+    types.BuiltinFunctionType,
+    types.MethodDescriptorType,
+    types.WrapperDescriptorType,
+)
 
 
 def ensure_argument_type(
@@ -38,15 +45,6 @@ def ensure_argument_type(
         f"{start} '{argument_name}' to be one of [{named}], but got '{argument}' of type "
         f"'{ros_class_repr(type(argument))}'"
     )
-
-
-ROUTINES = (
-    types.FunctionType,
-    types.MethodType,
-    types.BuiltinFunctionType,
-    types.MethodDescriptorType,
-    types.WrapperDescriptorType,
-)
 
 
 def isclassinstance(obj: Any) -> bool:

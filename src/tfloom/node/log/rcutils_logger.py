@@ -17,6 +17,8 @@ __all__ = ["CallerId", "RcutilsLogger", "ThrottledWarning"]
 
 _filters_of_all = FilterTable()
 """The filters of loggers that are of no node."""
+WARNING_PERIOD_S = 1.0
+"""The least time between two warnings [s]."""
 
 
 class RcutilsLogger:
@@ -135,10 +137,6 @@ class RcutilsLogger:
             )
         )
         return True
-
-
-WARNING_PERIOD_S = 1.0
-"""The least time between two warnings [s]."""
 
 
 class ThrottledWarning:

@@ -11,9 +11,8 @@ from tfloom.tf2_tools.diagnosis.name_checks import check_names
 from tfloom.tf2_tools.diagnosis.rate_checks import check_rates
 from tfloom.tf2_tools.diagnosis.subject import Subject
 from tfloom.tf2_tools.diagnosis.time_checks import check_stamps
-from tfloom.tf2_tools.diagnosis.topic_checks import check_topics
+from tfloom.tf2_tools.diagnosis.topic_checks import check_topics, check_uses
 from tfloom.tf2_tools.diagnosis.tree_checks import check_tree
-from tfloom.tf2_tools.diagnosis.use_checks import check_uses
 from tfloom.tf2_tools.diagnosis.value_checks import check_values
 
 CHECKS = (check_tree, check_names, check_values, check_stamps, check_rates, check_topics, check_uses)

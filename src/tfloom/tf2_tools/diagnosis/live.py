@@ -1,4 +1,4 @@
-"""Listening on a graph: transforms, headers of topics, and requests to buffer servers."""
+"""Listening on a graph: transforms, headers of topics, and the frames in requests to buffer servers."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from tfloom._native import HeaderSink
 from tfloom.rmw.action_names import SEND_GOAL, SEND_GOAL_TYPE
 from tfloom.rmw.backends import WITHOUT_DDS, implementation_identifier
 from tfloom.rmw.base import NodeName, Participant, Reader, Sample, Service, Writer
+from tfloom.rmw.cyclone.graph import FAST_DDS
 from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, QoS, ReliabilityPolicy
 from tfloom.rmw.topic_names import request_topic, response_topic
+from tfloom.rosidl import cdr
 from tfloom.tf2_tools.diagnosis.finding import Source
-from tfloom.tf2_tools.diagnosis.headers import begins_with_header
-from tfloom.tf2_tools.diagnosis.requests import requested_frames
-from tfloom.tf2_tools.diagnosis.subject import FrameUse, Subject
+from tfloom.tf2_tools.diagnosis.subject import FrameUse, Subject, begins_with_header
 from tfloom.tf2_tools.diagnosis.topic_checks import TYPE
 from tfloom.tf2_tools.watch.live import LiveWatch
 from tfloom.tf2_tools.watch.model import TOPICS
@@ -29,6 +29,9 @@ LOOKUP_TYPE = "tf2_msgs/action/LookupTransform"
 _ANY = QoS(ReliabilityPolicy.BEST_EFFORT, DurabilityPolicy.VOLATILE, depth=1000)
 """Matches every publisher."""
 _ALL_REQUESTS = QoS(ReliabilityPolicy.RELIABLE, DurabilityPolicy.VOLATILE, HistoryPolicy.KEEP_ALL)
+_ENCAPSULATION_SIZE = 4
+_HEADER_SIZE = 16
+"""Of a request in the form of rmw_cyclonedds: the client's key and a sequence number, 8 bytes each."""
 
 
 def listen(
@@ -210,3 +213,18 @@ class _Readers:
 def _take_all(reader: Reader) -> Iterator[Sample]:
     while (sample := reader.take()) is not None:
         yield sample
+
+
+def requested_frames(sample: Sample) -> list[str]:
+    """Return the frames that a request of `tf2_msgs/action/LookupTransform` names; none if it can't be decoded."""
+    from tfloom.interfaces.tf2_msgs.action import LookupTransform_SendGoal_Request
+
+    data = sample.data
+    if not sample.publisher_gid.startswith(FAST_DDS):
+        data = data[:_ENCAPSULATION_SIZE] + data[_ENCAPSULATION_SIZE + _HEADER_SIZE :]
+    try:
+        goal = cdr.decode(LookupTransform_SendGoal_Request, data).goal
+    except cdr.DecodeError:
+        return []
+    frames = [goal.target_frame, goal.source_frame, *([goal.fixed_frame] if goal.advanced else [])]
+    return list(dict.fromkeys(frames))

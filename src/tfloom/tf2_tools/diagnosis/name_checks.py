@@ -16,7 +16,7 @@ from tfloom.tf2_tools.diagnosis.subject import (
     source_of,
     sources_of,
 )
-from tfloom.tf2_tools.text.counts import counted
+from tfloom.tf2_tools.text.words import counted
 
 CONVENTIONAL = ("earth", "map", "odom", "base_link", "base_footprint")
 """The frames of REP 105 from the outermost inward, and that of REP 120."""

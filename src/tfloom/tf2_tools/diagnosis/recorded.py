@@ -10,8 +10,7 @@ from tfloom._native import HeaderSink
 from tfloom.bag.opening import open_bag
 from tfloom.bag.values import Topic
 from tfloom.tf2_tools.diagnosis.finding import Source
-from tfloom.tf2_tools.diagnosis.headers import begins_with_header
-from tfloom.tf2_tools.diagnosis.subject import FrameUse, Subject
+from tfloom.tf2_tools.diagnosis.subject import FrameUse, Subject, begins_with_header
 from tfloom.tf2_tools.watch.model import TOPICS
 from tfloom.tf2_tools.watch.sources import is_static_file, open_path
 

@@ -144,3 +144,14 @@ def for_each_publisher(code: str, what: str, edges: Iterable[tuple[Edge, Evidenc
         frames = sorted({stored_name(edge.child) for edge in group if edge.child})
         summary = f"{source} {what.format(names)}"
         yield Finding(code, summary, [source], frames, [by_id[id(edge)][1] for edge in group])
+
+
+def begins_with_header(type_name: str) -> bool:
+    """Return whether the messages of a type begin with a std_msgs/msg/Header; False if the type is unknown here."""
+    from tfloom.rosidl.registry import get_message_class
+
+    try:
+        fields = get_message_class(type_name).get_fields_and_field_types()
+    except (LookupError, ValueError):
+        return False
+    return next(iter(fields.values()), "") == "std_msgs/Header"

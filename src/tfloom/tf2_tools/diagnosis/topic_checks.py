@@ -1,8 +1,8 @@
-"""Checks of the two topics: qualities of service, types, unreadable messages."""
+"""Checks of topics: those of transforms by quality of service, type and content; of others and of requests, the frames."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.rmw.base import EndpointInfo
@@ -10,7 +10,8 @@ from tfloom.rmw.compatibility import incompatible_policies
 from tfloom.rmw.qos import DurabilityPolicy, QoSPolicyKind, ReliabilityPolicy
 from tfloom.tf2_tools.diagnosis.finding import Evidence, Finding, Source
 from tfloom.tf2_tools.diagnosis.limits import Limits
-from tfloom.tf2_tools.diagnosis.subject import Subject, listed, source_of
+from tfloom.tf2_tools.diagnosis.subject import FrameUse, Subject, listed, source_of
+from tfloom.tf2_tools.text.words import counted
 
 TYPE = TFMessage._TYPE_NAME
 
@@ -104,4 +105,27 @@ def _unusual_qos(ends: list[EndpointInfo], static_topic: str) -> Iterator[Findin
                 [source],
                 [],
                 [Evidence(f"offered or requested: {policy}", {"policy": policy})],
+            )
+
+
+def check_uses(subject: Subject, limits: Limits) -> Iterator[Finding]:
+    """Yield the findings on frames that are named and that no transform holds."""
+    yield from _unknown_frames(subject, "TF601", subject.headers, "is in the frame", "message")
+    yield from _unknown_frames(subject, "TF602", subject.requests, "requests the frame", "request")
+
+
+def _unknown_frames(
+    subject: Subject, code: str, uses: Sequence[FrameUse], verb: str, what: str
+) -> Iterator[Finding]:
+    for use in uses:
+        if use.frame and use.frame not in subject.frames:
+            hint = subject.near(use.frame)
+            evidence = Evidence(f"{counted(use.count, what)}{hint}", {"count": use.count, "frame": use.frame})
+            summary = f"what {use.source} publishes" if code == "TF601" else str(use.source)
+            yield Finding(
+                code,
+                f"{summary} {verb} {use.frame!r}, which no transform holds",
+                [use.source],
+                [use.frame],
+                [evidence],
             )

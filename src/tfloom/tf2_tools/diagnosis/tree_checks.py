@@ -16,7 +16,7 @@ from tfloom.tf2_tools.diagnosis.subject import (
     source_of,
     sources_of,
 )
-from tfloom.tf2_tools.text.counts import counted
+from tfloom.tf2_tools.text.words import counted
 from tfloom.tf2_tools.watch.model import Edge, Publisher, stored_name
 
 

@@ -6,8 +6,7 @@ import difflib
 from collections.abc import Iterable
 
 from tfloom.tf2_tools.explanation.lookup import Lookup
-from tfloom.tf2_tools.text.counts import counted
-from tfloom.tf2_tools.text.times import NS_PER_S, seconds_text
+from tfloom.tf2_tools.text.words import NS_PER_S, counted, seconds_text
 from tfloom.tf2_tools.watch.model import Edge
 from tfloom.tf2_tools.watch.tree import Tree
 

@@ -8,8 +8,7 @@ from contextlib import AbstractContextManager, ExitStack
 from typing import TYPE_CHECKING
 
 from tfloom.tf2.buffer import Buffer
-from tfloom.tf2_tools.top.follow import follow_lines
-from tfloom.tf2_tools.top.lines import Summary, screen
+from tfloom.tf2_tools.top.lines import Summary, follow_lines, screen
 from tfloom.tf2_tools.top.rows import Rates, Row, rows_of
 from tfloom.tf2_tools.top.view import View
 from tfloom.tf2_tools.watch.model import Observation

@@ -31,7 +31,7 @@ KEPT_TYPES = frozenset(("visualization_msgs/msg/Marker", "visualization_msgs/msg
 KINDS = {
     "sensor_msgs/msg/PointCloud2": Kind("PointCloud2", "point_cloud", "PointCloudDisplay"),
     "sensor_msgs/msg/PointCloud": Kind("PointCloud", "point_cloud", "shapes_of_old_cloud"),
-    "sensor_msgs/msg/LaserScan": Kind("LaserScan", "laser_scan", "shapes_of_scan"),
+    "sensor_msgs/msg/LaserScan": Kind("LaserScan", "ranges", "shapes_of_scan"),
     "sensor_msgs/msg/Range": Kind("Range", "ranges", "shapes_of_range"),
     "sensor_msgs/msg/CameraInfo": Kind("Camera", "camera_info", "CameraDisplay"),
     "sensor_msgs/msg/Image": Kind("Image", "", ""),

@@ -19,8 +19,8 @@ from tfloom.viewer.displays.display import (
     stamp_of,
 )
 from tfloom.viewer.displays.paths import line_strip
-from tfloom.viewer.fault_text import fault_text
 from tfloom.viewer.mesh_files import read_model
+from tfloom.viewer.page_command import fault_text
 from tfloom.viewer.shapes import (
     AT_VIEW,
     Arrows,

@@ -1,4 +1,4 @@
-"""What a range sensor sees: a cone."""
+"""What sensors of ranges see: a cone, or the points of a laser scan, in the plane of the laser."""
 
 from __future__ import annotations
 
@@ -7,14 +7,17 @@ from typing import Any
 
 import numpy as np
 
-from tfloom.viewer.displays.display import stamp_of
-from tfloom.viewer.shapes import DisplayError, Mesh, Placed
+from tfloom.viewer.displays.display import rainbow, stamp_of
+from tfloom.viewer.shapes import DisplayError, Mesh, Placed, Points
 
-__all__ = ["shapes_of_range"]
+__all__ = ["shapes_of_range", "shapes_of_scan"]
 
 SIDES = 24
 """Number of a cone's sides."""
 BLUE = (80, 160, 255)
+MAX_BEAMS = 100_000
+"""Number of beams that are drawn."""
+RED = np.array((255, 70, 70), np.uint8)
 
 
 def shapes_of_range(message: Any) -> list[Placed]:
@@ -36,3 +39,23 @@ def shapes_of_range(message: Any) -> list[Placed]:
     faces = np.stack([np.zeros(SIDES), first + 1, (first + 1) % SIDES + 1], axis=1).astype(np.uint32)
     cone = Mesh(vertices, faces, BLUE, opacity=0.4)
     return [Placed(cone, message.header.frame_id, stamp_of(message.header))]
+
+
+def shapes_of_scan(message: Any) -> list[Placed]:
+    """Return the points that a `sensor_msgs/msg/LaserScan` hit, by their intensities if it has these."""
+    ranges = np.asarray(message.ranges, np.float64)[:MAX_BEAMS]
+    with np.errstate(invalid="ignore", over="ignore"):
+        angles = message.angle_min + message.angle_increment * np.arange(len(ranges))
+        positions = np.stack(
+            [ranges * np.cos(angles), ranges * np.sin(angles), np.zeros(len(ranges))], axis=1
+        )
+        # Beyond its limits a scan has no measurements, and beyond float32 a page has no numbers.
+        is_hit = (ranges >= message.range_min) & (ranges <= message.range_max)
+        is_hit &= (np.abs(positions) < 1e9).all(axis=1)
+        intensities = np.asarray(message.intensities, np.float64)
+        has_intensities = len(intensities) >= len(ranges) > 0 and np.ptp(intensities[: len(ranges)]) > 0.0
+    colors = rainbow(intensities[: len(ranges)][is_hit]) if has_intensities else RED
+    if not is_hit.any():
+        return []
+    shape = Points(positions[is_hit].astype(np.float32), colors, size_m=0.05)
+    return [Placed(shape, message.header.frame_id, stamp_of(message.header))]

@@ -7,8 +7,8 @@ from typing import Any
 
 from tfloom.robot.urdf_faults import UrdfError
 from tfloom.robot.visuals import BallForm, BoxForm, CylinderForm, Visual, read_visuals
-from tfloom.viewer.fault_text import fault_text
 from tfloom.viewer.mesh_files import read_model
+from tfloom.viewer.page_command import fault_text
 from tfloom.viewer.shapes import Ball, Box, Cylinder, DisplayError, Placed, Shape
 
 __all__ = ["RobotDisplay"]

@@ -18,8 +18,7 @@ from tfloom.rmw.backends import implementation_identifier
 from tfloom.rmw.base import NodeName
 from tfloom.rmw.local.wire import LocalParticipant
 from tfloom.viewer.driving.driver import TWIST_TYPES, Driver, Wish, run_driver
-from tfloom.viewer.fault_text import fault_text
-from tfloom.viewer.page_command import PageError
+from tfloom.viewer.page_command import PageError, fault_text
 
 if TYPE_CHECKING:
     from tfloom.rmw.base import Participant

@@ -24,9 +24,8 @@ from tfloom.viewer.displays.display import shown_text
 from tfloom.viewer.driving.driver import TWIST_TYPES
 from tfloom.viewer.forms.asking import Call, Goal, Wire
 from tfloom.viewer.forms.filling import fill
-from tfloom.viewer.forms.learning import Learning
 from tfloom.viewer.forms.publishing import Publication, Repetition
-from tfloom.viewer.forms.task import Task
+from tfloom.viewer.forms.task import Learning, Task
 from tfloom.viewer.forms.type_form import type_form
 from tfloom.viewer.page_command import PageError, number, text
 

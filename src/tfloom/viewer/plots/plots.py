@@ -5,8 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from tfloom.viewer.displays.display import shown_text
-from tfloom.viewer.fault_text import fault_text
-from tfloom.viewer.page_command import PageError
+from tfloom.viewer.page_command import PageError, fault_text
 from tfloom.viewer.plots.field_path import number_at, numeric_paths, parse_path
 from tfloom.viewer.plots.series import Series
 from tfloom.viewer.shapes import DisplayError

@@ -1,10 +1,14 @@
-"""Durations and ages in words."""
+"""Counts, durations and ages in words."""
 
 from __future__ import annotations
 
-__all__ = ["NS_PER_S", "ago", "seconds_text"]
-
+__all__ = ["NS_PER_S", "ago", "counted", "seconds_text"]
 NS_PER_S = 1e9
+
+
+def counted(count: int, noun: str) -> str:
+    """Return a count with its noun in the singular or plural."""
+    return f"{count} {noun}{'' if count == 1 else 's'}"
 
 
 def seconds_text(duration_s: float) -> str:
