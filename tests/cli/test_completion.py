@@ -21,7 +21,7 @@ from tests.each import for_each
 
 from tfloom.cli.completion import find_offer
 from tfloom.cli.shared.interfaces import action_class, fill_message, message_class, parse_yaml, service_class
-from tfloom.cli.shared.prototype import prototype
+from tfloom.cli.shared.message_text import prototype
 from tfloom.interfaces.geometry_msgs.msg import Vector3
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.rosidl.message import Message
@@ -39,7 +39,7 @@ import argcomplete
 from tfloom.cli import completion, launch_api, main, tab_key
 from tfloom.cli.shared import graph
 from tfloom.cli.shared import interfaces
-from tfloom.cli.shared import prototype
+from tfloom.cli.shared import message_text
 from tfloom.common import yaml as user_yaml
 folder, lines = sys.argv[1:]
 for number, line in enumerate(json.loads(lines)):

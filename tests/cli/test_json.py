@@ -15,7 +15,7 @@ import transcript
 from test_usage import VERBS
 from tests.spun import Stage, staging
 
-from tfloom.cli.shared.json_text import json_text
+from tfloom.cli.shared.listing import json_text
 from tfloom.interfaces.geometry_msgs.msg import Vector3
 from tfloom.interfaces.sensor_msgs.msg import LaserScan
 from tfloom.node.lifecycle.node import LifecycleNode

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli.action.common import settled_ends
+from tfloom.cli.action.action_ends import settled_ends
 from tfloom.cli.shared.graph import types_by_name
 from tfloom.cli.shared.listing import print_types
 

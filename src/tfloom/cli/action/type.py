@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli.action.common import ends_of_action
+from tfloom.cli.action.action_ends import ends_of_action
 from tfloom.cli.shared.errors import CommandError
 from tfloom.cli.shared.listing import print_names
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, TypeVar
 
-from tfloom.cli.bag.common import bag_path
+from tfloom.cli.bag.conventions import bag_path
 from tfloom.node.qos.qos import (
     QoSDurabilityPolicy,
     QoSHistoryPolicy,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tfloom.cli.multicast.common import GROUP, PORT
+from tfloom.cli.multicast.datagrams import GROUP, PORT
 from tfloom.cli.multicast.receive import receive
 from tfloom.cli.multicast.send import send
 

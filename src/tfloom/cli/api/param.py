@@ -9,7 +9,7 @@ from typing import Any
 from tfloom.cli.api.node import get_absolute_node_name
 from tfloom.cli.nodes.direct import DirectNode
 from tfloom.cli.nodes.strategy import GraphNode, node_of
-from tfloom.cli.param.common import TYPES
+from tfloom.cli.param.parameter_services import TYPES
 from tfloom.common.terminal import report
 from tfloom.interfaces.rcl_interfaces.msg import Parameter, ParameterValue
 from tfloom.interfaces.rcl_interfaces.srv import (

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from tfloom.cli.bag import common, play_arguments
+from tfloom.cli.bag import conventions, play_arguments
 from tfloom.cli.shared import numbers
 
 
@@ -29,10 +29,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Publish the messages, then go on from the keyboard or by services, until Ctrl-C."""
-    with common.explained():
+    with conventions.explained():
         options = play_arguments.common_options(args)
         options.is_start_paused = True
-        with common.running_context("info"):
+        with conventions.running_context("info"):
             from tfloom.bag.playing.run import play
 
             play(Path(args.bag_path), options, burst=args.num_messages)

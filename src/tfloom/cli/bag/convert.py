@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from tfloom.cli.bag import common
+from tfloom.cli.bag import conventions
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -33,10 +33,14 @@ def main(args: argparse.Namespace) -> int:
 
     for words in args.input:
         if len(words) > 2:
-            raise common.error(f"--input expects 1 or 2 arguments, {len(words)} provided: {' '.join(words)}")
-        if len(words) == 2 and words[1] not in common.STORAGES:
-            raise common.error(f"Unknown storage '{words[1]}'; known are {', '.join(common.STORAGES)}")
-    with common.explained():
+            raise conventions.error(
+                f"--input expects 1 or 2 arguments, {len(words)} provided: {' '.join(words)}"
+            )
+        if len(words) == 2 and words[1] not in conventions.STORAGES:
+            raise conventions.error(
+                f"Unknown storage '{words[1]}'; known are {', '.join(conventions.STORAGES)}"
+            )
+    with conventions.explained():
         outputs = read_outputs(Path(args.output_options))
         convert([Path(words[0]) for words in args.input], outputs)
     return 0

@@ -5,14 +5,14 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from tfloom.cli.bag import common
+from tfloom.cli.bag import conventions
 from tfloom.cli.shared.errors import CommandError
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments of `bag info`."""
-    parser.add_argument("bag_path", type=common.bag_path, help="the bag: a folder, or a file")
-    common.add_storage(parser)
+    parser.add_argument("bag_path", type=conventions.bag_path, help="the bag: a folder, or a file")
+    conventions.add_storage(parser)
     parser.add_argument("-t", "--topic-name", action="store_true", help="print the topics' names only")
     # Omitted from the usage text, which equals that of Jazzy.
     parser.add_argument("--sort", choices=["name", "type", "count"], default="", help=argparse.SUPPRESS)
@@ -30,7 +30,7 @@ def main(args: argparse.Namespace) -> int:
     if path.is_dir() and not (path / METADATA_FILE).exists():
         hint = f"`ros2 bag reindex {args.bag_path}` writes one from its files"
         raise CommandError(f"Could not find metadata in bag directory {args.bag_path}\n{hint}")
-    with common.explained(), open_bag(path) as bag:
+    with conventions.explained(), open_bag(path) as bag:
         if args.topic_name:
             _print_names(list(bag.topics))
         else:

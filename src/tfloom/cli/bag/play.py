@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from tfloom.cli.bag import common, play_arguments
+from tfloom.cli.bag import conventions, play_arguments
 from tfloom.cli.shared import numbers
 
 if TYPE_CHECKING:
@@ -54,7 +54,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     _add_requests(parser)
     parser.add_argument(
-        "--log-level", choices=common.LOG_LEVELS, default="info", help="least level of what is printed"
+        "--log-level", choices=conventions.LOG_LEVELS, default="info", help="least level of what is printed"
     )
 
 
@@ -65,14 +65,14 @@ def _add_choice(parser: argparse.ArgumentParser) -> None:
     add(
         "-e",
         "--regex",
-        type=common.regular_expression,
+        type=conventions.regular_expression,
         default="",
         help="play topics and services in whose names this is found",
     )
     add(
         "-x",
         "--exclude-regex",
-        type=common.regular_expression,
+        type=conventions.regular_expression,
         default="",
         help="leave out topics and services in whose names this is found",
     )
@@ -135,9 +135,9 @@ def _add_requests(parser: argparse.ArgumentParser) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Play until the bag's end, or Ctrl-C."""
-    with common.explained():
+    with conventions.explained():
         options = _options(args)
-        with common.running_context(args.log_level):
+        with conventions.running_context(args.log_level):
             from tfloom.bag.playing.run import play
 
             play(Path(args.bag_path), options)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING
 
-from tfloom.cli.bag import common
+from tfloom.cli.bag import conventions
 from tfloom.cli.shared import numbers
 
 if TYPE_CHECKING:
@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 
 def add_path(parser: argparse.ArgumentParser) -> None:
     """Add the bag, its storage, and how much of it is read ahead."""
-    parser.add_argument("bag_path", type=common.bag_path, help="the bag: a folder, or a file")
-    common.add_storage(parser)
+    parser.add_argument("bag_path", type=conventions.bag_path, help="the bag: a folder, or a file")
+    conventions.add_storage(parser)
     parser.add_argument(
         "--read-ahead-queue-size",
         type=numbers.count,
@@ -29,7 +29,7 @@ def add_qos_overrides(parser: argparse.ArgumentParser) -> None:
     """Add the flag for other QoS profiles."""
     parser.add_argument(
         "--qos-profile-overrides-path",
-        type=common.existing_file,
+        type=conventions.existing_file,
         help="YAML file with a QoS profile for each topic whose recorded one isn't wanted",
     )
 
@@ -45,7 +45,7 @@ def add_storage_config(parser: argparse.ArgumentParser) -> None:
     """Add the flag for a configuration of the storage."""
     parser.add_argument(
         "--storage-config-file",
-        type=common.existing_file,
+        type=conventions.existing_file,
         help="accepted and not used: reading has no options",
     )
 
@@ -92,7 +92,7 @@ def common_options(args: argparse.Namespace) -> PlayOptions:
     try:
         remaps = parse_remaps(args.remap)
     except ValueError as problem:
-        raise common.error(str(problem)) from None
+        raise conventions.error(str(problem)) from None
     overrides = args.qos_profile_overrides_path
     return PlayOptions(
         choice=choice_of(args),

@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from tfloom.cli.bag import common
+from tfloom.cli.bag import conventions
 from tfloom.cli.shared import numbers
 
 if TYPE_CHECKING:
@@ -28,7 +28,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "-o", "--output", help="folder of the bag (default: rosbag2_ and the time, in the current folder)"
     )
     parser.add_argument(
-        "-s", "--storage", choices=common.STORAGES, default="mcap", help="storage of the bag (default: mcap)"
+        "-s",
+        "--storage",
+        choices=conventions.STORAGES,
+        default="mcap",
+        help="storage of the bag (default: mcap)",
     )
     _add_choice(parser)
     _add_discovery(parser)
@@ -49,13 +53,13 @@ def _add_choice(parser: argparse.ArgumentParser) -> None:
         "-e",
         "--regex",
         default="",
-        type=common.regular_expression,
+        type=conventions.regular_expression,
         help="record topics and services in whose names this is found",
     )
     add(
         "--exclude-regex",
         default="",
-        type=common.regular_expression,
+        type=conventions.regular_expression,
         help="leave out topics and services in whose names this is found",
     )
     add(
@@ -80,7 +84,7 @@ def _add_discovery(parser: argparse.ArgumentParser) -> None:
     add("--ignore-leaf-topics", action="store_true", help="leave out topics without a subscription")
     add(
         "--qos-profile-overrides-path",
-        type=common.existing_file,
+        type=conventions.existing_file,
         help="YAML file with a QoS profile for each topic whose own isn't wanted",
     )
 
@@ -123,14 +127,14 @@ def _add_node(parser: argparse.ArgumentParser) -> None:
         action="store_true",
         help="keep the newest messages in the cache, and write them when the service ~/snapshot is called",
     )
-    add("--log-level", choices=common.LOG_LEVELS, default="info", help="least level of what is printed")
+    add("--log-level", choices=conventions.LOG_LEVELS, default="info", help="least level of what is printed")
 
 
 def _add_storage(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add(
         "--storage-config-file",
-        type=common.existing_file,
+        type=conventions.existing_file,
         help="YAML file with options of the storage",
     )
     add(
@@ -167,12 +171,12 @@ def main(args: argparse.Namespace) -> int:
     """Check the folder and the settings, and record until Ctrl-C."""
     folder = _checked_folder(args)
 
-    with common.explained():
+    with conventions.explained():
         settings, options = _settings(args), _options(args)
-        with common.running_context(args.log_level):
+        with conventions.running_context(args.log_level):
             from tfloom.bag.recording.run import record
 
-            record(folder, settings, options, node_name=args.node_name, learn=common.learn_type)
+            record(folder, settings, options, node_name=args.node_name, learn=conventions.learn_type)
     return 0
 
 
@@ -187,27 +191,33 @@ def _checked_folder(args: argparse.Namespace) -> Path:
         *(args.services, args.topic_types, args.regex),
     )
     if not any(wanted):
-        raise common.error(
+        raise conventions.error(
             "Need to specify at least one option out of --all, --all-topics, --all-services, --services, --topics, "
             "--topic-types or --regex"
         )
     if args.serialization_format not in {"", "cdr"}:
-        raise common.error(
+        raise conventions.error(
             f"'{args.serialization_format}' is not known here; the serialization format is cdr"
         )
     if args.compression_format and args.compression_mode == "none":
-        raise common.error("Invalid choice: Cannot specify compression format without a compression mode.")
+        raise conventions.error(
+            "Invalid choice: Cannot specify compression format without a compression mode."
+        )
     if args.compression_mode != "none" and not args.compression_format:
-        raise common.error("Invalid choice: Compression format must be specified: --compression-format zstd")
+        raise conventions.error(
+            "Invalid choice: Compression format must be specified: --compression-format zstd"
+        )
     owner = "sqlite3" if args.storage_preset_profile == SQLITE3_PRESET else "mcap"
     if args.storage_preset_profile != "none" and args.storage != owner:
-        raise common.error(f"'{args.storage_preset_profile}' is a preset of {owner}, not of {args.storage}")
+        raise conventions.error(
+            f"'{args.storage_preset_profile}' is a preset of {owner}, not of {args.storage}"
+        )
     import datetime as dt
 
     stamp = dt.datetime.now()  # noqa: DTZ005 - the user's own time
     folder = Path(args.output or f"rosbag2_{stamp:%Y_%m_%d-%H_%M_%S}")
     if folder.exists():
-        raise common.error(f"Output folder '{folder}' already exists.")
+        raise conventions.error(f"Output folder '{folder}' already exists.")
     return folder
 
 
@@ -219,7 +229,7 @@ def _settings(args: argparse.Namespace) -> WriterSettings:
     for word in args.custom_data or []:
         key, equals, value = word.partition("=")
         if not equals:
-            raise common.error(f"--custom-data needs KEY=VALUE, not '{word}'")
+            raise conventions.error(f"--custom-data needs KEY=VALUE, not '{word}'")
         custom[key] = value
     return WriterSettings(
         storage_id=args.storage,

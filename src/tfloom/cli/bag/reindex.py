@@ -5,13 +5,13 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from tfloom.cli.bag import common
+from tfloom.cli.bag import conventions
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments of `bag reindex`."""
-    parser.add_argument("bag_path", type=common.bag_path, help="the bag's folder")
-    common.add_storage(parser)
+    parser.add_argument("bag_path", type=conventions.bag_path, help="the bag's folder")
+    conventions.add_storage(parser)
 
 
 def main(args: argparse.Namespace) -> int:
@@ -20,7 +20,7 @@ def main(args: argparse.Namespace) -> int:
 
     path = Path(args.bag_path)
     if not path.is_dir():
-        raise common.error("Must specify a bag directory")
-    with common.explained():
+        raise conventions.error("Must specify a bag directory")
+    with conventions.explained():
         reindex(path, args.storage)
     return 0

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli.component.common import containers
+from tfloom.cli.component.containers import containers
 from tfloom.cli.shared import graph
 from tfloom.cli.shared.calls import call_each
 from tfloom.cli.shared.listing import print_json

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from collections.abc import Sequence
 
-from tfloom.cli.component.common import containers
+from tfloom.cli.component.containers import containers
 from tfloom.cli.shared import graph
 from tfloom.cli.shared.errors import CommandError
 from tfloom.interfaces.composition_interfaces.srv import LoadNode

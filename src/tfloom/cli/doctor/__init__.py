@@ -2,5 +2,5 @@
 
 - command: the verb;  finding: the finding of a check
 - checks: the checks of this machine and of the environment
-- peers, wires, zenoh, qualities: the checks of other participants, other wires, routers, and qualities of service
+- peers, wires, zenoh: the checks of other participants and qualities of service, of other wires, and of routers
 """

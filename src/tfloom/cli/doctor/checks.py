@@ -14,8 +14,7 @@ from typing import Any, NamedTuple
 
 import tfloom
 from tfloom.cli.doctor.finding import Finding, Verdict
-from tfloom.cli.doctor.peers import check_peers
-from tfloom.cli.doctor.qualities import check_qos
+from tfloom.cli.doctor.peers import check_peers, check_qos
 from tfloom.cli.doctor.wires import check_other_wire
 from tfloom.cli.doctor.zenoh import WIRE, check_router, check_zenoh_reach, is_zenoh_selected
 from tfloom.rmw.errors import WireError

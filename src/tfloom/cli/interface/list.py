@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli.interface.common import TITLES, add_kind_flags, requested_kinds
+from tfloom.cli.interface.kinds import TITLES, add_kind_flags, requested_kinds
 from tfloom.cli.shared.listing import print_json
 from tfloom.workspace.interfaces import known_interfaces
 

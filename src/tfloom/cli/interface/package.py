@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli.interface.common import add_kind_flags, requested_kinds
+from tfloom.cli.interface.kinds import add_kind_flags, requested_kinds
 from tfloom.cli.shared.errors import CommandError
 from tfloom.cli.shared.listing import print_names
 from tfloom.cli.shared.names import did_you_mean

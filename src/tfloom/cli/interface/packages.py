@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli.interface.common import add_kind_flags, requested_kinds
+from tfloom.cli.interface.kinds import add_kind_flags, requested_kinds
 from tfloom.cli.shared.listing import print_names
 from tfloom.rosidl.definition_files import interfaces_of
 from tfloom.workspace.interfaces import interface_packages

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli.lifecycle.common import add_arguments as add_common_arguments
-from tfloom.cli.lifecycle.common import lifecycles
+from tfloom.cli.lifecycle.lifecycle_services import add_arguments as add_common_arguments
+from tfloom.cli.lifecycle.lifecycle_services import lifecycles
 from tfloom.cli.shared.listing import print_json
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli.lifecycle.common import lifecycle_nodes
+from tfloom.cli.lifecycle.lifecycle_services import lifecycle_nodes
 from tfloom.cli.shared import graph
 from tfloom.cli.shared.listing import print_names
 

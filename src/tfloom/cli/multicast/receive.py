@@ -7,8 +7,8 @@ import os
 import socket
 import sys
 
-from tfloom.cli.multicast.common import GROUP, MAX_DATAGRAM_SIZE, PORT, interface, udp_socket
-from tfloom.cli.multicast.common import add_arguments as add_common_arguments
+from tfloom.cli.multicast.datagrams import GROUP, MAX_DATAGRAM_SIZE, PORT, interface, udp_socket
+from tfloom.cli.multicast.datagrams import add_arguments as add_common_arguments
 from tfloom.cli.shared.errors import CommandError
 from tfloom.cli.shared.numbers import seconds
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import argparse
 import socket
 
-from tfloom.cli.multicast.common import GROUP, PORT, interface, udp_socket
-from tfloom.cli.multicast.common import add_arguments as add_common_arguments
+from tfloom.cli.multicast.datagrams import GROUP, PORT, interface, udp_socket
+from tfloom.cli.multicast.datagrams import add_arguments as add_common_arguments
 from tfloom.cli.shared.errors import CommandError
 
 TEXT = b"Hello World!"

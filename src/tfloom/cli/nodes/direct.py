@@ -7,7 +7,6 @@ import os
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
-from tfloom.cli.nodes.names import NODE_NAME_PREFIX
 from tfloom.cli.shared.graph import MAX_WAIT_S, wait_until_quiet
 from tfloom.cli.shared.numbers import seconds
 from tfloom.node.action import graph as action_graph
@@ -22,6 +21,13 @@ if TYPE_CHECKING:
     from tfloom.node.action.graph import NamesAndTypes
 
 __all__ = ["DEFAULT_TIMEOUT", "DirectNode", "add_arguments"]
+
+
+HIDDEN_NODE_PREFIX = "_"
+"""Nodes whose names begin with it are hidden."""
+NODE_NAME_PREFIX = "_ros2cli"
+"""The names of nodes that a command creates begin with it."""
+
 
 DEFAULT_TIMEOUT = 0.5
 """The reference's time for discovery [s]. Here discovery ends when nothing new arrives; see `wait_until_quiet`."""

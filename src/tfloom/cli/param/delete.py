@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli.param.common import add_arguments as add_common_arguments
-from tfloom.cli.param.common import requested_node
+from tfloom.cli.param.parameter_services import add_arguments as add_common_arguments
+from tfloom.cli.param.parameter_services import requested_node
 from tfloom.common.terminal import report
 from tfloom.interfaces.rcl_interfaces.msg import Parameter
 

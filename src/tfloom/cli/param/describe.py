@@ -6,8 +6,8 @@ import argparse
 from collections.abc import Iterator
 from typing import Any
 
-from tfloom.cli.param.common import TYPES, requested_node, unknown_parameter
-from tfloom.cli.param.common import add_arguments as add_common_arguments
+from tfloom.cli.param.parameter_services import TYPES, requested_node, unknown_parameter
+from tfloom.cli.param.parameter_services import add_arguments as add_common_arguments
 from tfloom.cli.shared.listing import print_json
 from tfloom.interfaces.rcl_interfaces.msg import ParameterDescriptor
 

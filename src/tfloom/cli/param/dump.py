@@ -6,8 +6,8 @@ import argparse
 from collections.abc import Mapping
 from typing import Any
 
-from tfloom.cli.param.common import add_arguments as add_common_arguments
-from tfloom.cli.param.common import nodes_with_parameters
+from tfloom.cli.param.parameter_services import add_arguments as add_common_arguments
+from tfloom.cli.param.parameter_services import nodes_with_parameters
 from tfloom.cli.shared.listing import print_json
 
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli.param.common import add_arguments as add_common_arguments
-from tfloom.cli.param.common import requested_node, unknown_parameter
-from tfloom.cli.shared.json_text import json_text
+from tfloom.cli.param.parameter_services import add_arguments as add_common_arguments
+from tfloom.cli.param.parameter_services import requested_node, unknown_parameter
+from tfloom.cli.shared.listing import json_text
 
 LABELS = (
     "",

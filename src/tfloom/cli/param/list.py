@@ -6,8 +6,8 @@ import argparse
 import re
 from functools import partial
 
-from tfloom.cli.param.common import TYPES, ParameterServices, nodes_with_parameters
-from tfloom.cli.param.common import add_arguments as add_common_arguments
+from tfloom.cli.param.parameter_services import TYPES, ParameterServices, nodes_with_parameters
+from tfloom.cli.param.parameter_services import add_arguments as add_common_arguments
 from tfloom.cli.shared.calls import call_each
 from tfloom.cli.shared.errors import CommandError
 from tfloom.cli.shared.listing import print_json

@@ -5,8 +5,8 @@ from __future__ import annotations
 import argparse
 from typing import Any
 
-from tfloom.cli.param.common import add_arguments as add_common_arguments
-from tfloom.cli.param.common import nodes_with_parameters
+from tfloom.cli.param.parameter_services import add_arguments as add_common_arguments
+from tfloom.cli.param.parameter_services import nodes_with_parameters
 from tfloom.cli.shared.errors import CommandError
 from tfloom.common.terminal import report
 from tfloom.interfaces.rcl_interfaces.msg import Parameter

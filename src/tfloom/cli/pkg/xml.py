@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli.pkg.common import package_prefix
+from tfloom.cli.pkg.prefix import package_prefix
 from tfloom.cli.shared.errors import CommandError
 from tfloom.workspace import index
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli.service.common import add_hidden_flag, service_types
+from tfloom.cli.service.service_ends import add_hidden_flag, service_types
 from tfloom.cli.shared import graph
 from tfloom.cli.shared.listing import print_names
 

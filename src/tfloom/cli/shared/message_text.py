@@ -1,8 +1,9 @@
-"""Conversion of messages to printed text."""
+"""Conversion of messages to printed text, and to one line of YAML to start from."""
 
 from __future__ import annotations
 
 import argparse
+import math
 from collections.abc import Callable
 from typing import Any
 
@@ -50,7 +51,7 @@ def message_text(args: argparse.Namespace) -> Callable[[Any], str]:
         from tfloom.rosidl import yaml_text
 
         if args.json:
-            from tfloom.cli.shared.json_text import json_text
+            from tfloom.cli.shared.listing import json_text
 
             return json_text(value)
         if args.csv:
@@ -72,3 +73,33 @@ def _titled(path: str, value: Any, options: dict[str, Any]) -> str:
         return f"{path}: {value}"
     lines = message_to_yaml(value, **options).splitlines()
     return "\n  ".join([f"{path}:", *lines])
+
+
+def prototype(value: Any) -> str:
+    """Return a message's fields as YAML's flow style, as `{data: ""}`, or the value of one."""
+    if isinstance(value, Message):
+        return (
+            f"{{{', '.join(f'{_key(name)}: {prototype(getattr(value, name))}' for name in value._FIELDS)}}}"
+        )
+    if isinstance(value, str):
+        import json
+
+        return json.dumps(value, ensure_ascii=False)
+    if isinstance(value, bytes):  # the one of a field of type `byte`
+        return str(value[0])
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, float):
+        return (
+            str(value) if math.isfinite(value) else str(value).replace("inf", ".inf").replace("nan", ".nan")
+        )
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    return f"[{', '.join(map(prototype, value))}]" if isinstance(value, list) else str(value)
+
+
+def _key(name: str) -> str:
+    """Return a field's name; in quotes where YAML reads it as a value, as `off`."""
+    from tfloom.common.yaml import load
+
+    return name if load(name) == name else f'"{name}"'

@@ -1,4 +1,4 @@
-"""Actions of tests: programs that are tests, one that runs until the launch ends, and the sign that a launch is ready."""
+"""Actions of tests: programs that are tests, one that runs until the launch ends, the sign that a launch is ready."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The common part of the verbs about interfaces."""
+"""The kinds of interfaces, and the flags that select some."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The common part of the verbs about lifecycle nodes: the nodes, and their services."""
+"""The lifecycle nodes on the graph, their services, and the flags of the verbs about one."""
 
 from __future__ import annotations
 

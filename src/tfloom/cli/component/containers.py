@@ -1,4 +1,4 @@
-"""The common part of the verbs about components: the containers, and their services."""
+"""The containers of components on the graph, and their services."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The common part of the verbs about services."""
+"""Services on the graph, by their servers and clients."""
 
 from __future__ import annotations
 

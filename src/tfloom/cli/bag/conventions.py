@@ -1,4 +1,4 @@
-"""What the verbs of `bag` share: arguments, and errors in the reference's form."""
+"""The conventions of `ros2 bag`, which its verbs share: arguments, and errors in the reference's form."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The common part of both verbs: the group and port, and the range of a datagram."""
+"""The group, the port and the range of a datagram of UDP multicast."""
 
 from __future__ import annotations
 

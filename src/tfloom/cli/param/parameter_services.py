@@ -1,4 +1,4 @@
-"""The common part of the verbs about parameters: the flags, and the services of a node."""
+"""The parameter services of the nodes on the graph, and the flags of the verbs about parameters."""
 
 from __future__ import annotations
 
