@@ -24,7 +24,6 @@ ROOMS = {"tf2": "tf2", "tf2_ros": "tf2_ros"}
 CHOSEN = {"bag", "robot"}
 """API pages with those modules of a room that programs import; the others make its commands and programs."""
 INTERNAL = {
-    "tf2.frozen": "its methods are Buffer's",
     "tf2.html": "used by notebooks",
     "tf2_ros.annotation_types": "names for annotations",
     "tf2_ros.deadlines": "used by buffer",
@@ -36,8 +35,10 @@ PAGES = [*ROOMS, *sorted(CHOSEN)]
 PARTS = {"bag.metadata", "bag.reading.bag_file", "bag.writing.storage"}
 """Modules of which a page has some classes, which values of others have."""
 NO_ENTRY = {
-    "robot.remarks.Remarks": "collects the remarks while a text is read",
-    "robot.urdf.UrdfError": "it is in robot.urdf_error",
+    "robot.description.JointRange": "used by joint_state_publisher",
+    "robot.description.range_of": "used by joint_state_publisher",
+    "robot.urdf.UrdfError": "it is in robot.urdf_faults",
+    "robot.urdf_faults.Remarks": "collects the remarks while a text is read",
     "tf2.arrays.Arrays": "its methods are Buffer's",
     "tf2.frames.Frames": "its methods are Buffer's",
     "tf2.trajectory.chosen_stamps": "used by arrays",

@@ -45,7 +45,7 @@ WRITERS = {
     "launch/testing/launch_test.py": OF_A_COMMAND,
     "node/log/log_file.py": "log_of_a_node",
     "rmw/cyclone/library.py": "- a file in memory",
-    "tf2/frozen.py": OF_THE_CALLER,
+    "tf2/buffer.py": OF_THE_CALLER,
     "tf2/trajectory.py": OF_THE_CALLER,
     "tf2_tools/drawing/pdf.py": "- into memory",
     "tf2_tools/drawing/png.py": "- into memory",

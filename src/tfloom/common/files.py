@@ -1,9 +1,9 @@
 """Files that appear complete or not at all, and files whose names come from outside.
 
 A file is written beside its place, then renamed to it. A full disk, an error or a signal leaves the previous file as it
-was. A symbolic link stays, and its target is replaced. A new file has the permissions of the previous one, else those of
-the umask. What isn't a regular file, as /dev/stdout or a named pipe, is written directly, and so is a file in a folder
-that may not be written.
+was. A symbolic link stays, and its target is replaced. A new file has the permissions of the previous one, else those
+of the umask. What isn't a regular file, as /dev/stdout or a named pipe, is written directly, and so is a file in a
+folder that may not be written.
 
 Of a file whose name comes from outside, neither opening nor reading waits, or takes more memory than a limit.
 """

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from tfloom._native import Transform
+from tfloom.tf2.arrays import Arrays
 from tfloom.tf2.errors import TransformException
-from tfloom.tf2.frozen import Files
 
 __all__ = ["Twist", "Velocities"]
 
@@ -24,7 +24,7 @@ class Twist(NamedTuple):
     """Its rotation vector [rad/s]."""
 
 
-class Velocities(Files):
+class Velocities(Arrays):
     """The part of a buffer that differentiates."""
 
     def velocity(

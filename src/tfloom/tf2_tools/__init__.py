@@ -7,7 +7,7 @@
 - watch/: transforms as they are published, live or recorded; the tools below read these observations
 - tree_pictures/: of view_frames: records, the tree with the health of its edges, graph, table, web page
 - drawing/: shapes, fonts, layout of trees, as PDF, SVG and PNG
-- explanation/: of a lookup: chain, time-line, advice
+- lookups/: why one succeeds or fails: chain, time-line, advice
 - diagnosis/: checks, and the catalogue of what they find
 - top/: the tree in a terminal
 - plot/: motion, axis, chart

@@ -14,5 +14,5 @@
 - layout/: what is shown from the start, of our files or RViz's
 - tools, log_lines, parameters, node_graph, pictures: what is beside the scene
 - inline, inline_page, extra: the page in a notebook; whether the extra is installed
-- program, live, live_parts: the loop, and what it needs of a graph
+- program, live, live_only: the loop, and what it needs of a graph
 """

@@ -12,7 +12,7 @@ from tfloom.tf2.buffer import Buffer
 from tfloom.tf2_tools.watch.live import LiveWatch
 from tfloom.viewer.driving.link import Driving
 from tfloom.viewer.forms.sending import Sending
-from tfloom.viewer.live_parts import LiveParts
+from tfloom.viewer.live_only import LiveOnly
 from tfloom.viewer.log_lines import LogLines
 from tfloom.viewer.parameters import Parameters
 from tfloom.viewer.program import Viewer
@@ -67,12 +67,12 @@ def live_viewer(
             closing(Sending(participant, node, watch.now_ns)) as forms,
         ):
             live_topics = LiveTopics(participant, node, history_ns, watch.now_ns)
-            parts = LiveParts(participant, tools, driving, log, parameters, forms)
+            live_only = LiveOnly(participant, tools, driving, log, parameters, forms)
             try:
                 with Viewer(
                     watch,
                     live_topics,
-                    parts,
+                    live_only,
                     is_simulated=simulated,
                     history_ns=history_ns,
                     fixed_frame=fixed_frame,

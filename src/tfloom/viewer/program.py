@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
     from tfloom.tf2_tools.watch.sources import Source
     from tfloom.viewer.layout.layout import ViewPoint
-    from tfloom.viewer.live_parts import LiveParts
+    from tfloom.viewer.live_only import LiveOnly
     from tfloom.viewer.topic_log import Entry
     from tfloom.viewer.topics import Topics
 
@@ -77,7 +77,7 @@ class Viewer:
         self,
         source: Source,
         topics: Topics,
-        live: LiveParts | None = None,
+        live: LiveOnly | None = None,
         *,
         is_simulated: bool = False,
         history_ns: int = 60_000_000_000,
@@ -325,7 +325,7 @@ class Viewer:
         self.pages.answer(page, {"done": shown_text(f"the layout is saved in {self.layout_path}")})
 
     def _run_live_command(
-        self, live: LiveParts, page: str, operation: str, command: Mapping[str, Any]
+        self, live: LiveOnly, page: str, operation: str, command: Mapping[str, Any]
     ) -> None:
         if operation == "floor":
             self._use_tool(live, page, command)
@@ -338,7 +338,7 @@ class Viewer:
         else:
             live.parameters.ask(command, lambda answer: self.pages.answer(page, answer))
 
-    def _drive(self, live: LiveParts, page: str, command: Mapping[str, Any]) -> None:
+    def _drive(self, live: LiveOnly, page: str, command: Mapping[str, Any]) -> None:
         """Drive a robot; as all of `AT_ONCE`, on the thread of the server."""
         topic, ahead, left = text(command, "topic"), number(command, "ahead"), number(command, "left")
         if self._is_over():
@@ -355,7 +355,7 @@ class Viewer:
         else:
             self._note(reason)
 
-    def _use_tool(self, live: LiveParts, page: str, command: Mapping[str, Any]) -> None:
+    def _use_tool(self, live: LiveOnly, page: str, command: Mapping[str, Any]) -> None:
         camera = self._server.camera(page)
         if camera is None:
             raise PageError("the scene has not told its camera yet")

@@ -64,8 +64,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def main(args: argparse.Namespace) -> int:
     """Print the explanation; return 1 if the lookup fails."""
     from tfloom.tf2.buffer import Buffer
-    from tfloom.tf2_tools.explanation.lookup import Outcome, look_up
-    from tfloom.tf2_tools.explanation.report import plain_values, report_text
+    from tfloom.tf2_tools.lookups.lookup import Outcome, look_up
+    from tfloom.tf2_tools.lookups.report import plain_values, report_text
 
     cache_time_ns = _cache_time_ns(args)
     buffer = Buffer(cache_time_ns)
@@ -124,7 +124,7 @@ def _cache_time_ns(args: argparse.Namespace) -> int | None:
 
 def _listen(args: argparse.Namespace, opened: Source, buffer: Buffer) -> None:
     """Wait until the chain is known, and then for its rates, and for as much history as --at requests."""
-    from tfloom.tf2_tools.explanation.chain import find_chain
+    from tfloom.tf2_tools.lookups.chain import find_chain
 
     end_s = time.monotonic() + args.wait
     while not buffer.can(args.target_frame, args.source_frame):

@@ -1,4 +1,4 @@
-"""Checks of topics: those of transforms by quality of service, type and content; of others and of requests, the frames."""
+"""Checks of topics: quality of service, type and content of those of transforms, and who uses frames."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The chart of a motion: position above, angles below, with axes, title, units, legend, and bands where data is missing."""
+"""The chart of a motion: position above, angles below, with axes, title, legend, and bands where data is missing."""
 
 from __future__ import annotations
 

@@ -16,7 +16,7 @@ from tfloom.tf2.errors import (
     TransformException,
 )
 from tfloom.tf2.transform import StampedTransform
-from tfloom.tf2_tools.explanation.chain import Chain, find_chain, tree_of
+from tfloom.tf2_tools.lookups.chain import Chain, find_chain, tree_of
 from tfloom.tf2_tools.watch.model import Observation
 
 __all__ = ["Lookup", "Outcome", "look_up"]

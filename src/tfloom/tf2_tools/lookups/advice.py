@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from tfloom.tf2_tools.explanation.frame_advice import bad_name, loop, not_connected, unknown_frame
-from tfloom.tf2_tools.explanation.lookup import Lookup, Outcome
-from tfloom.tf2_tools.explanation.time_advice import future, one_sample, past
+from tfloom.tf2_tools.lookups.frame_advice import bad_name, loop, not_connected, unknown_frame
+from tfloom.tf2_tools.lookups.lookup import Lookup, Outcome
+from tfloom.tf2_tools.lookups.time_advice import future, one_sample, past
 from tfloom.tf2_tools.watch.model import Edge, stored_name
 
 __all__ = ["advise", "remark"]

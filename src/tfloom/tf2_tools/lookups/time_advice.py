@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from tfloom.tf2_tools.explanation.chain import Span
-from tfloom.tf2_tools.explanation.lookup import Lookup
+from tfloom.tf2_tools.lookups.chain import Span
+from tfloom.tf2_tools.lookups.lookup import Lookup
 from tfloom.tf2_tools.text.words import NS_PER_S, seconds_text
 
 __all__ = ["future", "one_sample", "past"]

@@ -12,10 +12,10 @@ if TYPE_CHECKING:
     from tfloom.viewer.parameters import Parameters
     from tfloom.viewer.tools import Tools
 
-__all__ = ["LiveParts"]
+__all__ = ["LiveOnly"]
 
 
-class LiveParts(NamedTuple):
+class LiveOnly(NamedTuple):
     """What a graph has beyond a recording, which has nobody to ask."""
 
     participant: Participant

@@ -16,8 +16,8 @@ from tfloom.rmw.local import wire as local
 from tfloom.rmw.qos import QoS, ReliabilityPolicy
 from tfloom.rmw.shared.typed_names import topic_of
 from tfloom.tf2.buffer import Buffer
-from tfloom.tf2_tools.explanation.advice import advise
-from tfloom.tf2_tools.explanation.lookup import Lookup, Outcome, look_up
+from tfloom.tf2_tools.lookups.advice import advise
+from tfloom.tf2_tools.lookups.lookup import Lookup, Outcome, look_up
 from tfloom.tf2_tools.watch.live import LiveWatch
 
 S = 1_000_000_000

@@ -10,9 +10,9 @@ import pytest
 from tests.tf2_tools.recordings import recorded, transform
 
 from tfloom.tf2.buffer import Buffer
-from tfloom.tf2_tools.explanation.advice import advise, remark
-from tfloom.tf2_tools.explanation.lookup import Lookup, Outcome, look_up
-from tfloom.tf2_tools.explanation.report import plain_values, report_text
+from tfloom.tf2_tools.lookups.advice import advise, remark
+from tfloom.tf2_tools.lookups.lookup import Lookup, Outcome, look_up
+from tfloom.tf2_tools.lookups.report import plain_values, report_text
 from tfloom.tf2_tools.watch.recorded import RecordedMessage, observe_recorded
 
 START_S = 1_700_000_000
