@@ -29,11 +29,10 @@ from tfloom.node.node import Node
 from tfloom.node.parameters.parameter import Parameter
 from tfloom.node.qos.qos import QoSProfile, ReliabilityPolicy, qos_profile_sensor_data
 from tfloom.node.qos.qos_overriding_options import QoSOverridingOptions, _declare_qos_parameters
-from tfloom.node.qos.topic_endpoint_info import TopicEndpointInfo, TopicEndpointTypeEnum
+from tfloom.node.qos.topic_endpoint_info import TopicEndpointInfo, TopicEndpointTypeEnum, TypeHash
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.exceptions import InvalidHandle, RCLError
 from tfloom.node.values.names import expand_topic_name
-from tfloom.node.values.type_hash import TypeHash
 from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoSPolicyEnum
 from tfloom.rosidl.message import EncodeError
 

@@ -1,11 +1,11 @@
-"""Replay of recorded runs of tf2_py on tfloom's buffer, operation by operation."""
+"""Replay of recorded runs of tf2_py on tfloom's buffer, by operation, and whether two buffers answer alike."""
 
 from __future__ import annotations
 
 import gzip
 import json
 import math
-from collections.abc import Callable, Container, Iterator
+from collections.abc import Callable, Container, Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -131,3 +131,22 @@ OPERATIONS: dict[str, Callable[[Buffer, dict[str, Any]], object]] = {
     "frame_names": lambda buffer, op: buffer.frame_names(),
     "clear": lambda buffer, op: buffer.clear(),
 }
+
+
+def outcome(buffer: Buffer, target: str, source: str, stamp_ns: int) -> object:
+    """Return the stamp and the transform of a lookup, or the class and the text of its error."""
+    try:
+        transform = buffer.lookup(target, source, stamp_ns)
+    except TransformException as error:
+        return type(error), str(error)
+    return transform.stamp_ns, transform.transform
+
+
+def require_equal(live: Buffer, mapped: Buffer, queries: Iterable[tuple[str, str, int]]) -> None:
+    """Check that two buffers answer the queries alike, and have the same frames, listing and frozen bytes."""
+    for query in queries:
+        assert outcome(live, *query) == outcome(mapped, *query)
+    assert mapped.all_frames_as_yaml(200.0) == live.all_frames_as_yaml(200.0)
+    assert mapped.frame_names() == live.frame_names()
+    assert mapped.cache_time_ns == live.cache_time_ns
+    assert mapped.frozen() == live.frozen()

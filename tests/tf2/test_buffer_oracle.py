@@ -7,7 +7,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from tests.oracles.transforms import NoAnswerError, OracleBuffer, matrix
-from tests.tf2.outcomes import outcome
+from tests.tf2.replay import outcome
 
 from tfloom.tf2.buffer import Buffer
 from tfloom.tf2.errors import ConnectivityException, ExtrapolationException, LookupException

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tests.tf2.outcomes import outcome, require_equal
+from tests.tf2.replay import outcome, require_equal
 
 from tfloom.tf2.buffer import Buffer
 from tfloom.tf2.errors import ConnectivityException

@@ -1,4 +1,4 @@
-"""Description of one publisher or subscription on the graph."""
+"""Description of one publisher or subscription on the graph, and the hash of its type."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ from enum import IntEnum
 from typing import TYPE_CHECKING, Any
 
 from tfloom.node.qos.qos import QoSProfile, qos_profile_unknown
-from tfloom.node.values.type_hash import TypeHash
 from tfloom.rmw.base import NodeName
 from tfloom.rmw.shared.endpoint_text import UNKNOWN_NODE, endpoint_text
 from tfloom.ros_imports.guard import ros_repr
@@ -16,7 +15,57 @@ if TYPE_CHECKING:
 
     from tfloom.rmw.base import EndpointInfo
 
-__all__ = ["TopicEndpointInfo", "TopicEndpointTypeEnum"]
+__all__ = ["TopicEndpointInfo", "TopicEndpointTypeEnum", "TypeHash"]
+
+
+_SIZE = 32
+
+
+class TypeHash:
+    """A version and 32 bytes; version -1: unknown."""
+
+    __slots__ = ("_value", "_version")
+
+    def __init__(self, version: int = -1, value: bytes = bytes(_SIZE)) -> None:
+        self._version = version
+        self._value = value
+
+    @classmethod
+    def from_text(cls, text: str) -> TypeHash:
+        """Return the hash written as `RIHS01_` and 64 hex digits; for any other text, an unknown hash."""
+        version, _, digits = text.removeprefix("RIHS").partition("_")
+        try:
+            value = bytes.fromhex(digits)
+            number = int(version, 16)
+        except ValueError:
+            return cls()
+        return cls(number, value) if len(value) == _SIZE else cls()
+
+    @property
+    def version(self) -> int:
+        """Version of the algorithm; -1: unknown."""
+        return self._version
+
+    @property
+    def value(self) -> bytes:
+        """The hash, 32 bytes."""
+        return self._value
+
+    def __str__(self) -> str:
+        if self._version == -1 or len(self._value) != _SIZE:
+            return "INVALID"
+        return f"RIHS{self._version:02x}_{self._value.hex()}"
+
+    def __repr__(self) -> str:
+        return f"TypeHash(version={self._version}, value={self._value!r})"
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, TypeHash):
+            return False
+        return (self._version, self._value) == (other._version, other._value)
+
+    def __hash__(self) -> int:
+        return hash((self._version, self._value))
 
 
 class TopicEndpointTypeEnum(IntEnum):

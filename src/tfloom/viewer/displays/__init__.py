@@ -2,6 +2,6 @@
 
 - display, kinds: what all have in common, and which type has which
 - point_cloud, ranges, camera_info: sensors
-- paths, poses, occupancy_grid, markers: what programs compute
+- poses, occupancy_grid, markers: what programs compute
 - robot_model, turtles: robots
 """

@@ -38,7 +38,7 @@ KINDS = {
     "sensor_msgs/msg/CompressedImage": Kind("Image", "", ""),
     "visualization_msgs/msg/Marker": Kind("Marker", "markers", "MarkerDisplay"),
     "visualization_msgs/msg/MarkerArray": Kind("MarkerArray", "markers", "MarkerDisplay"),
-    "nav_msgs/msg/Path": Kind("Path", "paths", "shapes_of_path"),
+    "nav_msgs/msg/Path": Kind("Path", "poses", "shapes_of_path"),
     "nav_msgs/msg/Odometry": Kind("Odometry", "poses", "shapes_of_odometry"),
     "nav_msgs/msg/OccupancyGrid": Kind("Map", "occupancy_grid", "shapes_of_grid"),
     "geometry_msgs/msg/PoseStamped": Kind("Pose", "poses", "shapes_of_pose"),
@@ -47,7 +47,7 @@ KINDS = {
     ),
     "geometry_msgs/msg/PoseArray": Kind("PoseArray", "poses", "shapes_of_pose_array"),
     "geometry_msgs/msg/PointStamped": Kind("PointStamped", "poses", "shapes_of_point"),
-    "geometry_msgs/msg/PolygonStamped": Kind("Polygon", "paths", "shapes_of_polygon"),
+    "geometry_msgs/msg/PolygonStamped": Kind("Polygon", "poses", "shapes_of_polygon"),
     "turtlesim/msg/Pose": Kind("Turtle", "turtles", "TurtleDisplay"),
     "turtlesim_msgs/msg/Pose": Kind("Turtle", "turtles", "TurtleDisplay"),
 }

@@ -18,7 +18,7 @@ from tfloom.viewer.displays.display import (
     shown_text,
     stamp_of,
 )
-from tfloom.viewer.displays.paths import line_strip
+from tfloom.viewer.displays.poses import line_strip
 from tfloom.viewer.mesh_files import read_model
 from tfloom.viewer.page_command import fault_text
 from tfloom.viewer.shapes import (

@@ -1,4 +1,4 @@
-"""Poses, arrays of them, points, and odometry, with the covariance of a position."""
+"""Poses, arrays of them, points, paths and polygons, and odometry, with the covariance of a position."""
 
 from __future__ import annotations
 
@@ -9,11 +9,14 @@ import numpy as np
 
 from tfloom.tf2.transform import Transform
 from tfloom.viewer.displays.display import finite_points, pose_of, shown_text, stamp_of
-from tfloom.viewer.shapes import Arrows, Axes, Ball, Color, DisplayError, Placed, Text
+from tfloom.viewer.shapes import Arrows, Axes, Ball, Color, DisplayError, Lines, Placed, Text
 
 __all__ = [
+    "line_strip",
     "shapes_of_odometry",
+    "shapes_of_path",
     "shapes_of_point",
+    "shapes_of_polygon",
     "shapes_of_pose",
     "shapes_of_pose_array",
     "shapes_of_pose_with_covariance",
@@ -32,6 +35,10 @@ MAX_VARIANCE_M2 = 1e12
 """Least variance of a position that says nothing [m²]."""
 MAX_RADIUS_M = 1000.0
 """Radius of the largest ellipsoid of a covariance that is drawn [m]."""
+MAX_POINTS = 50_000
+"""Number of a path's points that are drawn; of more, every second one is, or every third."""
+GREEN = np.array((60, 220, 90), np.uint8)
+ORANGE = np.array((255, 170, 40), np.uint8)
 
 
 def _arrow(pose: Any, header: Any, color: Color) -> Placed:
@@ -115,3 +122,29 @@ def shapes_of_point(message: Any) -> list[Placed]:
         Placed(ball, message.header.frame_id, stamp_of(message.header), (float(x), float(y), float(z)))
         for x, y, z in points
     ]
+
+
+def line_strip(points: Any) -> Any:
+    """Return the lines between neighbouring points (N - 1, 2, 3)."""
+    return np.stack([points[:-1], points[1:]], axis=1)
+
+
+def shapes_of_path(message: Any) -> list[Placed]:
+    """Return the line of a `nav_msgs/msg/Path`.
+
+    The poses' own headers are not read, as RViz doesn't: they are in the frame of the path.
+    """
+    step = -(-len(message.poses) // MAX_POINTS) or 1
+    points = finite_points([stamped.pose.position for stamped in message.poses[::step]])
+    if len(points) < 2:
+        return []
+    return [Placed(Lines(line_strip(points), GREEN), message.header.frame_id, stamp_of(message.header))]
+
+
+def shapes_of_polygon(message: Any) -> list[Placed]:
+    """Return the closed line of a `geometry_msgs/msg/PolygonStamped`."""
+    points = finite_points(message.polygon.points[:MAX_POINTS])
+    if len(points) < 2:
+        return []
+    ends = line_strip(np.concatenate([points, points[:1]]))
+    return [Placed(Lines(ends, ORANGE), message.header.frame_id, stamp_of(message.header))]
