@@ -175,6 +175,15 @@ def test_stop_reaches_a_robot_that_is_found_after_other_subscriptions(
     assert (robot.velocities(), late.velocities()) == ([0.0], [])
 
 
+def test_stop_of_what_this_driver_has_moved_is_written_once(bench: Bench) -> None:
+    robot = Robot(bench.participant)
+    bench.go()
+    bench.driver.forget("a")
+    late = Robot(bench.participant)
+    bench.driver.step()
+    assert (robot.velocities(), late.velocities()) == ([1.0, 0.0], [])
+
+
 def test_stop_that_nobody_subscribes_to_is_given_up(bench: Bench, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(driver_module, "MATCH_S", 0.05)
     monkeypatch.setattr(driver_module, "KEPT_S", 0.05)

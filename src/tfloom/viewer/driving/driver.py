@@ -27,8 +27,8 @@ SILENCE_S = 0.5
 MATCH_S = 30.0
 """How long a stop is tried again whose writer has no subscription yet [s]."""
 SETTLE_S = 5.0
-"""How long after a writer was opened a stop is written again for each subscription that it finds [s]: the robot's may
-be found after those of others."""
+"""How long a writer whose first word is a stop writes it again for each subscription that it finds [s]: a driver before
+this one, which was killed, has moved a robot whose subscription may be found after those of others."""
 CLOSE_S = 2.0
 """How long a stop is tried again at the end of a driver [s]."""
 RETRY_S = 0.02
@@ -83,8 +83,8 @@ class _Topic:
         """When that ends [s, monotonic]."""
         self.told_count = 0
         """How many subscriptions there were when it was written last; -1 if it was not."""
-        self.settled_s = time.monotonic() + SETTLE_S
-        """From when on all subscriptions are known [s, monotonic]."""
+        self.settled_s = 0.0
+        """From when on the subscriptions of robots that a killed driver has moved are known [s, monotonic]."""
 
 
 class Driver:
@@ -166,7 +166,9 @@ class Driver:
         key = wish.topic, wish.type_name
         if key not in self._topics:
             named = topic_of(TWIST_TYPES[wish.type_name], wish.topic)
-            self._topics[key] = _Topic(self._participant.create_writer(self._node, named, QoS()))
+            opened = self._topics[key] = _Topic(self._participant.create_writer(self._node, named, QoS()))
+            if not wish.moves:
+                opened.settled_s = time.monotonic() + SETTLE_S
         return self._topics[key]
 
     def _write(self, topic: _Topic, wish: Wish) -> None:
