@@ -41,7 +41,8 @@ def expect_train(
         variables = {**os.environ, **COLCON_PYTHON, "PATH": path}
         return start_program("/bin/bash", "-c", script, cwd=folder, env=variables)
 
-    train = start("launch train_bringup train.launch.yaml gap:=0.6")
+    # Fourteen programs end at once, beside compilers.
+    train = start("launch train_bringup train.launch.yaml gap:=0.6 sigterm_timeout:=50")
     train.wait_for(f"The train has {WAGONS} wagons", STARTED_S)  # fourteen programs start at once
     echo = start("topic echo --once /train_state")
     echo.wait_for(f"- wagon{WAGONS}")
