@@ -103,7 +103,7 @@ def test_lookup_wakes_with_the_transform_from_the_wire(node: Node, broadcaster: 
         broadcaster.sendTransform(transform_stamped("map", f"child{attempt}", SECOND))
         thread.join(30)
         delays.append(woken[0] - sent)
-    assert min(delays) < 0.001
+    assert min(delays) < 0.005  # polling would find it after 10 ms on average
     listener.unregister()
 
 
