@@ -594,7 +594,7 @@ def test_a_program_that_is_interrupted_at_work_shows_where(launch: Launch) -> No
 @pytest.mark.parametrize("_round", range(5))
 def test_an_interpreter_that_starts_is_interrupted_when_it_has_started(launch: Launch, _round: int) -> None:
     """Otherwise Python prints `Fatal Python error`, because the interrupt comes while it imports `site`."""
-    program = python("import json, decimal, asyncio, http.client")
+    program = python("import json, decimal, asyncio, http.client, numpy, unittest.mock, multiprocessing.pool")
     ends = RegisterEventHandler(OnProcessStart(target_action=program, on_start=[Shutdown()]))
     screen = "\n".join(launch(ends, program).lines)
     assert "sending signal 'SIGINT'" in screen

@@ -240,7 +240,7 @@ def test_wait_ends_with_the_missing_transform() -> None:
         buffer.set("map", "base", SECOND, HERE, UPRIGHT)
         thread.join(30)
         delays.append(woken_at[attempt] - sent_at)
-    assert min(delays) < 0.001
+    assert min(delays) < 0.005  # polling would find it after 10 ms on average
 
 
 def test_wait_ends_at_its_timeout_or_at_once_if_hopeless(buffer: Buffer) -> None:
