@@ -758,6 +758,16 @@ def test_request_that_fails_while_it_is_held_does_not_hold_up_those_of_other_cli
     with pytest.raises(WireError, match=str(error)):
         first.send(HEADER + b"ask!")
     assert in_flight._held_size == 0
+    third, full = client_on_cyclone(broken, in_flight, b"client 3"), FakeEnd((CYCLONE, b""))
+    full.room = broken.room = 0
+    third.send(HEADER + b"ask!")
+    client_on_cyclone(full, in_flight, b"client 4").send(HEADER + b"ask!")
+    full.room = broken.room = 100
+    in_flight._room_timer.cancel()  # as if it had not been set yet
+    in_flight._room_timer = None
+    with pytest.raises(WireError, match=str(error)):
+        in_flight._send_held((third.client_gid, 1))
+    assert numbers_of(full) == [1]  # what waits behind the one that failed
 
 
 def test_requests_that_wait_for_room_leave_with_their_client(wait_until) -> None:

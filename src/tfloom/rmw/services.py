@@ -234,36 +234,51 @@ class RequestsInFlight:
         Raises:
             WireError: the caller's own request can't be sent.
         """
+        failed: dict[_RequestKey, WireError] = {}
         with self._lock:
-            # This call decides anew when to look again, so the timer of the call before it is of no use.
-            if self._timer is not None:
-                self._timer.cancel()
-                self._timer = None
-            if not self._held:
-                if self._room_timer is not None:
-                    self._room_timer.cancel()
-                    self._room_timer = None
-                return
-            # The servers are those of a client that is still there: `leave` takes what a client holds under this lock.
-            limit = next(iter(self._held.values()))[0].most_in_flight()
-            if limit is None:  # the last server with a limit has left, and with it what it kept
-                self._sent_s.clear()
-            # A server may have dropped a request, or may never answer it. After a time such a request makes room for
-            # another one; the first that is younger ends the search, because the oldest come first.
-            now_s = time.monotonic()
-            for key, sent_s in list(self._sent_s.items()):
-                if sent_s > now_s - UNANSWERED_S:
-                    break
-                del self._sent_s[key]
-            if not self._write_held(limit, now_s, own):
-                if self._room_timer is None:
-                    self._room_timer = _started_timer(self._room_s, self._look_for_room)
-            elif self._held:
-                # If no response arrives from now on, nothing calls this function again but the timer.
-                self._timer = _started_timer(UNANSWERED_S, self._send_held)
+            self._send_what_has_room(failed)
+        # Without the lock: stderr may be a pipe that nobody reads, or an object of the user's.
+        own_error = None if own is None else failed.pop(own, None)
+        for error in failed.values():
+            if not isinstance(error, ClosedError):
+                report(f"tfloom: a request that waited for room was not sent: {error}")
+        if own_error is not None:
+            raise own_error
 
-    def _write_held(self, limit: int | None, now_s: float, own: _RequestKey | None) -> bool:
-        """Write held requests up to the limit; return False if a writer has no room, or others shall get the lock."""
+    def _send_what_has_room(self, failed: dict[_RequestKey, WireError]) -> None:
+        """Send what `_send_held` does, and decide when to look again; the caller holds the lock."""
+        # This call decides anew when to look again, so the timer of the call before it is of no use.
+        if self._timer is not None:
+            self._timer.cancel()
+            self._timer = None
+        if not self._held:
+            if self._room_timer is not None:
+                self._room_timer.cancel()
+                self._room_timer = None
+            return
+        # The servers are those of a client that is still there: `leave` takes what a client holds under this lock.
+        limit = next(iter(self._held.values()))[0].most_in_flight()
+        if limit is None:  # the last server with a limit has left, and with it what it kept
+            self._sent_s.clear()
+        # A server may have dropped a request, or may never answer it. After a time such a request makes room for
+        # another one; the first that is younger ends the search, because the oldest come first.
+        now_s = time.monotonic()
+        for key, sent_s in list(self._sent_s.items()):
+            if sent_s > now_s - UNANSWERED_S:
+                break
+            del self._sent_s[key]
+        if not self._write_held(limit, now_s, failed):
+            if self._room_timer is None:
+                self._room_timer = _started_timer(self._room_s, self._look_for_room)
+        elif self._held:
+            # If no response arrives from now on, nothing calls this function again but the timer.
+            self._timer = _started_timer(UNANSWERED_S, self._send_held)
+
+    def _write_held(self, limit: int | None, now_s: float, failed: dict[_RequestKey, WireError]) -> bool:
+        """Write held requests up to the limit; return False if a writer has no room, or others shall get the lock.
+
+        Those that can't be written are no longer held: their errors are added to `failed`.
+        """
         # Written under the lock, which the caller holds: otherwise another thread could send a younger request between
         # the removal of this one and its write.
         sent_count = 0
@@ -274,10 +289,7 @@ class RequestsInFlight:
             except WireError as error:
                 # It would fail again, and those behind it, which may be other clients', would never be sent.
                 self._drop(key)
-                if key == own:
-                    raise
-                if not isinstance(error, ClosedError):
-                    report(f"tfloom: a request that waited for room was not sent: {error}")
+                failed[key] = error
                 continue
             if not is_written:
                 self._room_s = MIN_ROOM_S if sent_count else min(2 * self._room_s, MAX_ROOM_S)
