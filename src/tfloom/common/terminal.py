@@ -91,10 +91,14 @@ def _drop_what_stderr_refuses() -> None:
 def drop_unwritten(stream: TextIO | None) -> None:
     """Drop what a standard stream holds and could not write, or the interpreter's exit would try again, and fail."""
     if stream is not None:
-        null = os.open(os.devnull, os.O_WRONLY)
-        with suppress(OSError, ValueError):  # it has no descriptor, or is closed
-            os.dup2(null, stream.fileno())
-        os.close(null)
+        with suppress(
+            OSError, ValueError
+        ):  # it has no descriptor, or is closed; or the process has none left
+            null = os.open(os.devnull, os.O_WRONLY)
+            try:
+                os.dup2(null, stream.fileno())
+            finally:
+                os.close(null)
 
 
 def shown_part(name: str) -> str:
