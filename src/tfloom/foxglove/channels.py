@@ -125,7 +125,7 @@ class _TopicChannel:
         self._clients: set[int] = set()
         self._subscription: Subscription[Any] | None = None
         self._qos = QoSProfile(depth=1)
-        self._waiting: deque[tuple[int, bytes]] = deque(maxlen=KEPT_DEPTH)
+        self._waiting: deque[tuple[int, bytes]] = deque()
         """Time [ns] and data of kept messages that are not sent yet."""
         self._burst_s = 0.0
         """When the present burst of them began, on the monotonic clock [s]."""
@@ -155,13 +155,15 @@ class _TopicChannel:
     def _open(self) -> None:
         self._close_subscription()
         self._qos = self._wanted_qos()
+        self._waiting = deque(self._waiting, maxlen=max(self._qos.depth, KEPT_DEPTH))
         self._subscription = self._node.create_subscription(
             self._message_class, self._topic, self._log, self._qos, raw=True
         )
 
     def _log(self, data: bytes) -> None:
         now_ns = self._node.get_clock().now().nanoseconds
-        if self._qos.durability is DurabilityPolicy.TRANSIENT_LOCAL:
+        # What comes after publishers have changed their quality stays behind what waits.
+        if self._waiting or self._qos.durability is DurabilityPolicy.TRANSIENT_LOCAL:
             self._waiting.append((now_ns, bytes(data)))
             self._send_waiting()
         else:
