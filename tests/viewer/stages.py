@@ -31,6 +31,7 @@ class KeptTopics:
         self.logs: dict[str, TopicLog] = {}
         self.classes: dict[str, type[Any]] = {}
         self.numbers = count()
+        self.beginnings = 0
 
     def add(self, topic: str, message: Any, stamp_ns: int = S) -> None:
         self.classes[topic] = type(message)
@@ -54,6 +55,9 @@ class KeptTopics:
 
     def poll(self) -> None:
         pass
+
+    def begin_anew(self) -> None:
+        self.beginnings += 1
 
 
 class Stage:

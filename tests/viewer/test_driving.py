@@ -296,6 +296,24 @@ def test_robot_is_stopped_by_the_next_driver_although_that_one_can_not_be_starte
     wait_until(lambda: robot.is_stopped, what="the stop")
 
 
+def test_driver_that_ends_at_once_is_tried_for_a_time(
+    robot: Robot, viewer: Viewer, page: Page, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(link, "RESTART_S", 0.05)
+    monkeypatch.setattr(link, "MAX_TRY_S", 2.0)
+    driving: Any = viewer._live.driving
+    drive(page, robot)
+    driving._process._command[2] = "import sys; sys.exit(1)"
+    driving._process._process.kill()
+    wait_until(lambda: not driving._process._driven, what="the end of the tries")
+    last = driving._process._process
+    assert last.wait() == 1
+    driving._process._command[2] = link.PROGRAM
+    drive(page, robot)  # and another one is started for what a page wants then
+    assert driving._process._process is not last
+    wait_until(lambda: robot.is_stopped, what="the stop")
+
+
 @pytest.mark.parametrize("is_frozen", [True, False])
 def test_robot_is_stopped_whose_driver_is_killed_as_its_page_closes(
     is_frozen: bool, robot: Robot, viewer: Viewer, page: Page, monkeypatch: pytest.MonkeyPatch

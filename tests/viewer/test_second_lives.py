@@ -657,6 +657,7 @@ def test_scan_of_before_is_not_shown_after_a_reset(stage: Stage, monkeypatch: py
     stage.view.look_at_clock()
     stage.draw()
     assert stage.drawn("/pose") == []
+    assert stage.topics.beginnings == 1
     assert stage.reports == ["the time on /clock has gone back: what is shown begins anew"]
 
 
@@ -670,6 +671,7 @@ def test_message_of_the_run_before_that_comes_late_does_not_hide_the_new_run(
     topics = LiveTopics(participant, NODE, 60 * S, lambda: now_ns[0])
     topics.poll()
     now_ns[0] = 1 * S
+    topics.begin_anew()
     cursors = {topic: topics.open(topic) for topic in ("/pose", "/kept")}
 
     def newest(topic: str, *seconds: int) -> int:

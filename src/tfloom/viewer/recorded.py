@@ -79,6 +79,9 @@ class RecordedTopics:
     def poll(self) -> None:
         """Do nothing: all messages are there."""
 
+    def begin_anew(self) -> None:
+        """Do nothing: the time of a recording is that of its messages."""
+
 
 class RecordedLog:
     """The messages of one topic, by the times at which they were recorded, read a part at a time.

@@ -360,6 +360,7 @@ class SharedView:
         self._held_ns = None
         self.buffer.clear()
         self.plots.clear()
+        self.topics.begin_anew()
         for feed in self._feeds.values():
             feed.forget()
         if not self._is_suspended:

@@ -59,6 +59,9 @@ class Topics(Protocol):
     def poll(self) -> None:
         """Take what has come. Never waits."""
 
+    def begin_anew(self) -> None:
+        """Leave out, from now on for a while, what a simulation has sent that was reset."""
+
 
 class LiveTopics:
     """The topics of a graph, each with one log for all who read it. One thread may use it.
@@ -84,8 +87,6 @@ class LiveTopics:
         """The publishers of each topic, as the graph was when it was read last."""
         self._changes = -1
         self._searches = TypeSearches(participant, node)
-        self._polled_ns = 0
-        """The time when `poll` was called last [ns since epoch]."""
         self._old_run_end_s = -math.inf
         """Until when messages of a simulation's run before may come, on the monotonic clock [s]."""
 
@@ -175,14 +176,12 @@ class LiveTopics:
             Exception: a topic can't be read. In both cases the messages of the other topics are taken.
         """
         self._searches.poll()
-        now_ns = self._now_ns()
-        if now_ns < self._polled_ns - RESET_NS:
-            self._old_run_end_s = time.monotonic() + OLD_RUN_S
-        self._polled_ns = now_ns
+        is_after_reset = time.monotonic() < self._old_run_end_s
+        latest_ns = self._now_ns() + RESET_NS if is_after_reset else math.inf
         fault: Exception | None = None
         for (_, message_class), (reader, log) in self._logs.items():
             try:
-                self._take(reader, log, has_header=begins_with_header(message_class))
+                self._take(reader, log, latest_ns, has_header=begins_with_header(message_class))
                 if reader.refusal:
                     fault = DisplayError(reader.refusal)
             except Exception as error:  # of one topic: the others are read
@@ -190,15 +189,17 @@ class LiveTopics:
         if fault is not None:
             raise fault
 
-    def _take(self, reader: TopicReader, log: TopicLog, *, has_header: bool) -> None:
+    def begin_anew(self) -> None:
+        """Leave out, for `OLD_RUN_S`, what is stamped ahead of now: a simulation has sent it that was reset."""
+        self._old_run_end_s = time.monotonic() + OLD_RUN_S
+
+    def _take(self, reader: TopicReader, log: TopicLog, latest_ns: float, *, has_header: bool) -> None:
+        # A message of the run before that was on its way would be the newest one until this run is as old. What is kept
+        # for late subscriptions is sent again, whatever its stamp.
         for sample in reader.take():
-            now_ns = self._now_ns()
-            stamp_ns = (header_stamp_ns(sample.data) if has_header else 0) or now_ns
-            # A message of the run before that was on its way would be the newest one until this run is as old. What is
-            # kept for late subscriptions is sent again, whatever its stamp.
-            is_of_old_run = stamp_ns > now_ns + RESET_NS and time.monotonic() < self._old_run_end_s
-            if log.is_latched or not is_of_old_run:
-                log.add(stamp_ns, sample.data)
+            stamp_ns = header_stamp_ns(sample.data) if has_header else 0
+            if stamp_ns <= latest_ns or log.is_latched:
+                log.add(stamp_ns or self._now_ns(), sample.data)
 
 
 def begins_with_header(message_class: Any) -> bool:

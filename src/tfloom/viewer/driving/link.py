@@ -45,6 +45,8 @@ MAX_DRIFT = 1e-3
 """How far two clocks drift apart in a second at most [s]."""
 MAX_LEFT_S = 5.0
 """Age above which a wish needs no stop by a new process if the one before is killed [s]: that one has stopped it."""
+MAX_TRY_S = 60.0
+"""How long a process that can't be started, or that ends at once, is tried again to stop what was driven [s]."""
 
 
 class Driving:
@@ -278,9 +280,8 @@ class _Process:
 
     def send(self, command: Wish | str) -> None:
         """Let the process do a command: a wish, or the end of a page."""
-        if self._is_running():
-            since_s = time.monotonic() - MAX_LEFT_S
-            self._driven = {key: wish for key, wish in self._driven.items() if wish.told_s > since_s}
+        since_s = time.monotonic() - (MAX_LEFT_S if self._is_running() else MAX_TRY_S)
+        self._driven = {key: wish for key, wish in self._driven.items() if wish.told_s > since_s}
         if isinstance(command, Wish) and command.moves:
             self._driven[command.page, command.topic] = command
         if not self._is_running():

@@ -13,6 +13,7 @@ from tfloom.viewer.topic_log import START
 from tfloom.viewer.topics import TypeNotYetKnownError
 
 if TYPE_CHECKING:
+    from tfloom.rosidl.message import Message
     from tfloom.viewer.frames import Span
     from tfloom.viewer.plots.field_path import Path
     from tfloom.viewer.topic_log import Cursor, Entry
@@ -115,7 +116,8 @@ class Plots:
             TypeNotYetKnownError: its type is searched for.
         """
         try:
-            path = parse_path(self._topics.message_class(plot.topic), plot.field)
+            message_class = self._topics.message_class(plot.topic)
+            path = parse_path(message_class, plot.field)
             cursor = self._topics.open(plot.topic)
         except TypeNotYetKnownError:
             raise
@@ -127,11 +129,10 @@ class Plots:
         self._close(plot.topic)
         self._cursors[plot.topic] = cursor
         plot.path, plot.status = path, "" if len(plot.series) else "no message yet"
-        self._check_others(plot)
+        self._check_others(plot, message_class)
 
-    def _check_others(self, plot: _Plot) -> None:
+    def _check_others(self, plot: _Plot, message_class: type[Message]) -> None:
         """Look for the fields of a topic's other plots in its type, which may be another one than theirs was."""
-        message_class = self._topics.message_class(plot.topic)
         for other in self._plots.values():
             if other.topic == plot.topic and other is not plot and other.path is not None:
                 try:
