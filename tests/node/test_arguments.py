@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from pathlib import Path
 
 import pytest
@@ -129,6 +130,40 @@ def test_last_value_takes_precedence_and_a_node_can_be_named() -> None:
 def test_invalid_arguments_raise_with_the_reason(arguments: list[str], text: str) -> None:
     with pytest.raises(RCLInvalidROSArgsError, match=text):
         parse_arguments(["--ros-args", *arguments])
+
+
+LONG = "x" * 300
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["-p", f"x=:{LONG}"],
+        ["-p", f"{LONG} :=1"],
+        ["-p", f"x:=[1, {LONG}]"],
+        ["-r", LONG],
+        ["-r", f"a:={LONG}!"],
+        ["-r", f"{{{LONG}}}:=a"],
+        ["-e", LONG],
+        ["--log-level", LONG],
+        ["--log-file-name", f"a/{LONG}"],
+        ["<robot", *LONG],
+    ],
+    ids=lambda arguments: arguments[1][:10],
+)
+def test_an_error_shows_the_beginning_of_a_long_value(arguments: list[str]) -> None:
+    with pytest.raises((RCLInvalidROSArgsError, UnknownROSArgsError)) as caught:
+        parse_arguments(["--ros-args", *arguments])
+    said = str(caught.value)
+    assert max(map(len, re.findall("x+", said))) <= 200
+    assert len(said) < 700
+    assert "…" in said
+
+
+def test_a_description_is_a_value() -> None:
+    text = '<robot name="r">\n  <!-- a: b -->\n</robot>'
+    parsed = parse_arguments(["--ros-args", "-p", f"robot_description:={text}"])
+    assert parsed.parameter_overrides("/any/node") == {"robot_description": text}
 
 
 def test_all_unknown_arguments_are_named() -> None:

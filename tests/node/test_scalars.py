@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from tfloom.launch.ros.utilities.parameter_text import parameter_file_text, parameter_rule
+from tfloom.launch.ros.utilities.parameter_text import parameter_file_text, parameter_rule, untyped_value
 from tfloom.node.parameters.parameter import Parameter, get_parameter_value, parameter_value_to_python
 from tfloom.node.parameters.parameter_file import checked_value, read_parameter_file
 from tfloom.node.values.scalars import parse_documents, parse_scalar, parse_value
@@ -126,13 +126,35 @@ def test_yaml_has_rcls_value(text: str, value: Any) -> None:
         ("5\n---\n", "there is no value"),
         ("? [a]\n: 1", "a key is a list or a mapping at line 1, column 3"),
         ("a:\n- b: 1\na:\n  c: 1", "'a' is a list of mappings, and is there twice"),
-        ("<<: 5", "'<<' is there without a mapping at line 1, column 1"),
-        ("<<: [{a: 1}, 5]", "'<<' is there without a mapping"),
+        ("a: 1\n<<: 5", "'<<' is there without a mapping at line 2, column 1"),
+        ("{<<: [{a: 1}, 5]}", "'<<' is there without a mapping"),
     ],
 )
 def test_a_missing_value_is_refused_with_its_place(text: str, problem: str) -> None:
     with pytest.raises(ValueError, match=problem):
         parse_value(text)
+
+
+XML = """<?xml version="1.0"?>
+<!-- a note: with a colon, and "quotes" -->
+<robot name="r">	<link name="a"/>
+
+    # [text
+  <link name="b"/>   <!-- y: -->
+</robot>"""
+
+
+@pytest.mark.parametrize("text", [XML, f"\n\n{XML}\n", f"\ufeff{XML}", "<", "<a: b #c", "<<: 5"])
+def test_xml_is_its_text_as_it_is(text: str) -> None:
+    assert parse_value(text) == text
+    assert get_parameter_value(text).string_value == text
+    assert untyped_value(text) == text
+
+
+def test_xml_in_a_rule_is_yaml_that_a_stock_ros_2_reads_too() -> None:
+    _, _, text = parameter_rule("x", XML).partition(":=")
+    assert parse_documents(text) == [XML]
+    assert parse_value(text) == XML
 
 
 def test_all_documents_are_read() -> None:

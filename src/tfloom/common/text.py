@@ -4,12 +4,21 @@ from __future__ import annotations
 
 import reprlib
 
-__all__ = ["describe_machine_clock", "given_text", "utc_text"]
+__all__ = ["describe_machine_clock", "given_text", "shortened", "utc_text"]
+
+MAX_VALUE = 200
+"""Length of the part of a value that an error shows [characters]."""
 
 
 def given_text(value: object) -> str:
     """Return a value, cut where it is long, and its class, as `'1' of class str`."""
     return f"{reprlib.repr(value)} of class {type(value).__name__}"
+
+
+def shortened(value: object) -> str:
+    """Return the text of a value, cut where it is long, as a whole file given for a parameter is."""
+    text = str(value)
+    return text if len(text) <= MAX_VALUE else f"{text[:MAX_VALUE]}…"
 
 
 def utc_text(stamp_s: float) -> str:

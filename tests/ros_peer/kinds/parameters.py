@@ -473,6 +473,10 @@ def _is_read_here(case: Any, theirs: Any, ours: Any) -> bool:
     return ours != REFUSED and re.search(r"\*a|<<|!!binary|^%|\\0|\\x00|\0", text, re.MULTILINE) is not None
 
 
+def _is_xml(case: Any, theirs: Any, ours: Any) -> bool:
+    return case[0] == "rule" and re.search(r":=\s*<", _text_of(case)) is not None and "error" not in ours
+
+
 def _is_misread_there(case: Any, theirs: Any, ours: Any) -> bool:
     """Return whether a list has a list or a mapping in it, or a key only begins with `ros__parameters`."""
     is_longer = re.search(r"ros__parameters([^:\n]|:[^ \n])", _text_of(case)) is not None
@@ -536,6 +540,7 @@ KNOWN = {
     "param-mixed-numbers": _has_mixed_numbers,
     "param-empty": _is_empty,
     "param-yaml-read": _is_read_here,
+    "param-xml": _is_xml,
     "param-yaml-refused": _is_misread_there,
     "param-dotted-mapping": _is_dotted,
     "param-libyaml": _is_of_libyaml,

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
+from tfloom.common.text import shortened
 from tfloom.node.log.logging_severity import LoggingSeverity
 from tfloom.node.parameters.parameter_file import (
     EVERY_NODE,
@@ -79,7 +80,8 @@ class UnknownROSArgsError(RuntimeError):
     __module__ = ros_home("rclpy._rclpy_pybind11", __name__)
 
     def __init__(self, unknown: list[str]) -> None:
-        super().__init__(f"Found unknown ROS arguments: [{', '.join(repr(word) for word in unknown)}]")
+        words = shortened(", ".join(repr(word) for word in unknown))
+        super().__init__(f"Found unknown ROS arguments: [{words}]")
         self.unknown = unknown
 
 
@@ -199,7 +201,7 @@ def _parse_ros_part(parsed: Arguments, words: Iterator[str]) -> None:
 
 
 def _argument_error(flag: str, value: str, why: str) -> RCLInvalidROSArgsError:
-    return RCLInvalidROSArgsError(f"cannot understand '{flag} {value}': {why}")
+    return RCLInvalidROSArgsError(f"cannot understand '{flag} {shortened(value)}': {why}")
 
 
 def _split_assignment(flag: str, value: str) -> tuple[str, str]:
@@ -233,10 +235,11 @@ def _parse_remap(parsed: Arguments, flag: str, value: str) -> None:
             validate_topic_name(match)
             validate_topic_name(replacement)
     except NameValidationException as error:
-        raise _argument_error(flag, value, f"'{error.name}': {error.error_msg}") from None
+        raise _argument_error(flag, value, f"'{shortened(error.name)}': {error.error_msg}") from None
     for name in names:
         if not re.fullmatch(pattern, name):
-            raise _argument_error(flag, value, f"'{name}': a rule has no substitutions, and no '__' or '//'")
+            why = f"'{shortened(name)}': a rule has no substitutions, and no '__' or '//'"
+            raise _argument_error(flag, value, why)
     parsed.remaps.append(RemapRule(node, scheme, match, replacement))
 
 
@@ -268,7 +271,9 @@ def _parse_param(parsed: Arguments, flag: str, value: str) -> None:
     prefix = re.match(_NODES_PREFIX, left)
     name = left[prefix.end() :] if prefix else left
     if not re.fullmatch(_PARAMETER_NAME, name):
-        raise _argument_error(flag, value, f"{name!r} is not a parameter's name, as robot.max_speed")
+        raise _argument_error(
+            flag, value, f"{shortened(repr(name))} is not a parameter's name, as robot.max_speed"
+        )
     try:
         parameter = checked_value(name, parse_value(text, nothing=None))
     except ValueError as error:
@@ -302,7 +307,8 @@ def _parse_log_level(parsed: Arguments, flag: str, value: str) -> None:
         severity = LoggingSeverity[level.upper()]
     except KeyError:
         level_names = ", ".join(severity.name.lower() for severity in LoggingSeverity)
-        raise _argument_error(flag, value, f"'{level}' is not a level; known are {level_names}") from None
+        why = f"'{shortened(level)}' is not a level; known are {level_names}"
+        raise _argument_error(flag, value, why) from None
     if assign and not name:
         raise _argument_error(flag, value, f"expected {_EXPECTED['log_level']}")
     parsed.log_levels.append((name, severity))

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from tfloom.common.text import shortened
 from tfloom.ros_imports.guard import ros_home
 
 if TYPE_CHECKING:
@@ -79,7 +80,7 @@ class InvalidParameterTypeException(ParameterException):
 
     def __init__(self, desired_parameter: Parameter, expected_type: object, *args: object) -> None:
         super().__init__(
-            f"Trying to set parameter '{desired_parameter.name}' to '{desired_parameter.value}' of type "
+            f"Trying to set parameter '{desired_parameter.name}' to '{shortened(desired_parameter.value)}' of type "
             f"'{desired_parameter.type_.name}', expecting type '{expected_type}'",
             desired_parameter.name,
             *args,
@@ -93,7 +94,7 @@ class InvalidParameterValueException(ParameterException):
 
     def __init__(self, parameter: str, value: Any, reason: str, *args: object) -> None:
         super().__init__(
-            f"Invalid parameter value ({value}) for parameter. Reason: {reason}", parameter, *args
+            f"Invalid parameter value ({shortened(value)}) for parameter. Reason: {reason}", parameter, *args
         )
 
 

@@ -7,7 +7,7 @@ from enum import Enum
 from typing import TYPE_CHECKING, Any
 
 from tfloom.common.seconds import plain_value
-from tfloom.common.text import given_text
+from tfloom.common.text import given_text, shortened
 from tfloom.interfaces.rcl_interfaces import msg as rcl_msg
 from tfloom.node.parameters.parameter_file import (
     EVERY_NODE,
@@ -152,7 +152,7 @@ class Parameter:
         if not isinstance(type_, ParameterType):
             raise TypeError("type must be an instance of 'Parameter.Type'")
         if not type_.check(value):
-            raise ValueError(f"Type '{type_}' and value '{value}' do not agree")
+            raise ValueError(f"Type '{type_}' and value '{shortened(value)}' do not agree")
         self._name = name
         self._type_ = type_
         self._value = value

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from tfloom.common.text import shortened
 from tfloom.node.values.scalars import parse_documents
 
 if TYPE_CHECKING:
@@ -69,7 +70,7 @@ def read_parameter_file(path: str | Path, *, can_be_flat: bool = False) -> list[
 
 def _rules_of_document(content: Any, *, can_be_flat: bool) -> Iterator[ParameterRule]:
     if not isinstance(content, dict):
-        raise ValueError(f"it must hold a mapping of node names, not {content!r}")
+        raise ValueError(f"it must hold a mapping of node names, not {shortened(repr(content))}")
     if can_be_flat and _is_flat(content):
         yield from _rules_of_node(EVERY_NODE, "", content)
         return
@@ -97,7 +98,7 @@ def _join_namespace(namespace: str, key: str) -> str:
 
 def _rules_below(node: str, content: Any) -> Iterator[ParameterRule]:
     if not isinstance(content, dict):
-        raise ValueError(f"{node}: expected '{_KEY}' below it, found {content!r}")
+        raise ValueError(f"{node}: expected '{_KEY}' below it, found {shortened(repr(content))}")
     for key, value in content.items():
         if key == _KEY and node == "/":
             raise ValueError(f"'{_KEY}' is below '/', and not below the name of a node")
@@ -105,7 +106,7 @@ def _rules_below(node: str, content: Any) -> Iterator[ParameterRule]:
             yield from _rules_below(_join_namespace(node, key), value)
             continue
         if not isinstance(value, dict):
-            raise ValueError(f"{node}: '{_KEY}' must hold names and values, not {value!r}")
+            raise ValueError(f"{node}: '{_KEY}' must hold names and values, not {shortened(repr(value))}")
         yield from _rules_of_node(node, "", value)
 
 

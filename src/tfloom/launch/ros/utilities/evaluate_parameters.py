@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
+from tfloom.common.text import shortened
 from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.core.substitution import Substitution
 from tfloom.launch.ros.parameter_descriptions import Parameter, ParameterFile, ParameterValue
@@ -104,7 +105,8 @@ def _read(name: str, text: str) -> Any:
     if isinstance(value, dict):
         raise TypeError(
             "Allowed value types are bytes, bool, int, float, str, Sequence[bool], Sequence[int], "
-            f"Sequence[float], Sequence[str]. Got {type(value)} for parameter {name}, from {text!r}. {_WRAP}"
+            f"Sequence[float], Sequence[str]. Got {type(value)} for parameter {name}, from "
+            f"{shortened(repr(text))}. {_WRAP}"
         )
     return value
 
@@ -120,7 +122,7 @@ def _checked_array(name: str, items: list[Any]) -> list[Any]:
     if len(kinds) != 1 or not kinds <= {*_SCALARS, bytes}:
         raise TypeError(
             "Expected a non-empty sequence, with items of uniform type. Allowed sequence item types are bool, int, "
-            f'float, str. Got inconsistent input for "{name}": {items!r}. {_WRAP}'
+            f'float, str. Got inconsistent input for "{name}": {shortened(repr(items))}. {_WRAP}'
         )
     return items
 

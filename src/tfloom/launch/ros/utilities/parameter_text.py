@@ -39,7 +39,7 @@ def _has_bools_among_texts(value: Any) -> bool:
 def parameter_rule(name: str, value: Any) -> str:
     """Return `name:=value` for the option -p, such that the value is read with its type.
 
-    Python's text is used where the same value is read from it.
+    Python's text is used where the same value is read from it, also by a node of a stock ROS 2: there, XML is YAML.
     """
     from tfloom.node.values.scalars import parse_value
     from tfloom.node.values.value_text import value_text
@@ -50,6 +50,8 @@ def parameter_rule(name: str, value: Any) -> str:
         read = parse_value(text, nothing=None)
     except ValueError:
         read = None
+    if text.startswith("<"):
+        return f"{name}:={value_text(plain)}"
     # As texts, in which True and 1 differ, also within a list, and NaN is equal to itself.
     return f"{name}:={text if repr(read) == repr(plain) else value_text(plain)}"
 
