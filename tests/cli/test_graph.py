@@ -75,7 +75,9 @@ def waited(
 )
 def test_wait_lasts_until_nothing_new_arrives(changes_s: list[float], most_s: float) -> None:
     duration, changed_s = waited(changes_s, most_s)
-    at_least_s = min(most_s, max(graph.MIN_WAIT_S, *(when + graph.QUIET_S for when in [0.0, *changed_s])))
+    # What comes in the last moments may come when the wait has looked for the last time.
+    seen_s = [when for when in changed_s if when < duration - 0.05]
+    at_least_s = min(most_s, max(graph.MIN_WAIT_S, *(when + graph.QUIET_S for when in [0.0, *seen_s])))
     # On a busy machine the changes come late, and it may wait longer on purpose.
     assert at_least_s <= duration < at_least_s + 0.4 + graph.MAX_LATE_S
 

@@ -104,6 +104,8 @@ def wait_until_quiet(graph: Graph, most_s: float, *, goes_on: bool = False) -> N
         seen, changed, late_s = graph.changes(), start, 0.0
         while True:
             now = time.monotonic()
+            if (changes := graph.changes()) != seen:  # also what came while this thread was not scheduled
+                seen, changed = changes, now
             quiet = max(start + MIN_WAIT_S, changed + QUIET_S) + min(LATE_WEIGHT * late_s, MAX_LATE_S)
             until = min(quiet, start + most_s)
             if not has_told and now >= start + NOTICE_S and (late := graph.late_count()):
@@ -128,8 +130,6 @@ def wait_until_quiet(graph: Graph, most_s: float, *, goes_on: bool = False) -> N
             # A sleep that a token ended says nothing of lateness. One that ran its full time should have ended on time.
             if not came:
                 late_s += max(0.0, time.monotonic() - now - asked_s - PUNCTUAL_S)
-            if (changes := graph.changes()) != seen:
-                seen, changed = changes, time.monotonic()
     finally:
         graph.notify(None)
 
