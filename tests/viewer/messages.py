@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from tfloom.interfaces.builtin_interfaces.msg import Time
-from tfloom.interfaces.geometry_msgs.msg import Point, Pose, Quaternion, Vector3
+from tfloom.interfaces.geometry_msgs.msg import Point, Pose, Quaternion, Vector3, Wrench, WrenchStamped
 from tfloom.interfaces.sensor_msgs.msg import PointCloud2, PointField
 from tfloom.interfaces.std_msgs.msg import ColorRGBA, Header
 from tfloom.interfaces.visualization_msgs.msg import Marker
@@ -24,6 +24,16 @@ def pose(
         position=Point(x=x, y=y, z=z),
         orientation=Quaternion(x=turn[0], y=turn[1], z=turn[2], w=turn[3]),
     )
+
+
+def wrench(
+    force: tuple[float, float, float] = (0.0, 0.0, 0.0),
+    torque: tuple[float, float, float] = (0.0, 0.0, 0.0),
+    frame: str = "map",
+    sec: int = 1,
+) -> WrenchStamped:
+    first, second = (Vector3(x=x, y=y, z=z) for x, y, z in (force, torque))
+    return WrenchStamped(header=header(frame, sec), wrench=Wrench(force=first, torque=second))
 
 
 def cloud(points: np.ndarray, frame: str = "map") -> PointCloud2:

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from tests.viewer.messages import cloud, header, marker, pose
+from tests.viewer.messages import cloud, header, marker, pose, wrench
 
 from tfloom.interfaces.builtin_interfaces.msg import Duration
 from tfloom.interfaces.geometry_msgs.msg import (
@@ -24,6 +24,7 @@ from tfloom.interfaces.geometry_msgs.msg import (
     Twist,
     TwistWithCovariance,
     Vector3,
+    WrenchStamped,
 )
 from tfloom.interfaces.nav_msgs.msg import MapMetaData, OccupancyGrid, Odometry, Path
 from tfloom.interfaces.sensor_msgs.msg import CameraInfo, CompressedImage, Image, LaserScan, Range
@@ -35,6 +36,7 @@ from tfloom.viewer import shapes
 from tfloom.viewer.displays.camera_info import CameraDisplay, images_of
 from tfloom.viewer.displays.display import Display, rainbow, shown_text
 from tfloom.viewer.displays.kinds import KINDS, ROBOT, kind_of, make_display
+from tfloom.viewer.displays.settings import SETTINGS, SettingError
 from tfloom.viewer.pictures import picture_of, small_pixels
 from tfloom.viewer.topic_log import Entry
 
@@ -282,6 +284,97 @@ def test_turtle_is_on_its_water() -> None:
     assert display.shapes(S)[1].shape is before  # so that the page gets a pose, not a picture
     with pytest.raises(shapes.DisplayError, match="not finite"):
         display.take(TurtlePose(x=math.nan), S)
+
+
+# Wrenches.
+
+
+def wrench_shapes(message: WrenchStamped, **settings: Any) -> list[shapes.Placed]:
+    display = make_display(KINDS[message._TYPE_NAME], "/topic", settings)
+    assert display is not None
+    display.take(message, S)
+    return display.shapes(S)
+
+
+def test_force_is_an_arrow_as_long_and_as_wide_as_in_rviz() -> None:
+    (placed,) = wrench_shapes(wrench((0.0, -3.0, 0.0), frame="tool"))
+    assert (placed.frame_id, placed.stamp_ns, placed.position) == ("tool", S, (0.0, 0.0, 0.0))
+    arrow = placed.shape
+    assert (arrow.color, arrow.opacity) == ((204, 51, 51), 1.0)
+    # Twice its size, and three tenths of that for its head, which is a fifth of the width across.
+    assert arrow.vertices.min(axis=0) == pytest.approx((-0.05, -7.8, -0.05), abs=0.003)
+    assert arrow.vertices.max(axis=0) == pytest.approx((0.05, 0.0, 0.05), abs=0.003)
+    (placed,) = wrench_shapes(wrench(force=(0.0, 0.0, 0.5)), force_scale=10.0, width=2.0, opacity=0.25)
+    assert placed.shape.vertices[:, 2].max() == pytest.approx(6.5)
+    assert placed.shape.vertices[:, 0].max() == pytest.approx(0.2)
+    assert placed.shape.opacity == 0.25
+    (placed,) = wrench_shapes(wrench(force=(9.0, 0.0, 0.0)), force_color=(1, 2, 3))
+    assert placed.shape.color == (1, 2, 3)
+
+
+@pytest.mark.parametrize("direction", [(0, 0, 1), (0, 0, -1), (1, 0, 0), (-1, 2, -3), (1e-9, 0, -1)])
+def test_torque_is_an_arrow_with_a_ring_that_turns_by_the_right_hand(direction: tuple[float, ...]) -> None:
+    along = np.array(direction) / np.linalg.norm(direction)
+    x, y, z = 4.0 * along
+    (placed,) = wrench_shapes(wrench(torque=(x, y, z)), torque_scale=1.0, width=0.1)
+    assert placed.shape.color == (204, 204, 51)
+    heights = placed.shape.vertices @ along
+    assert (heights.min(), heights.max()) == pytest.approx((0.0, 5.2), abs=1e-5)
+    outwards = placed.shape.vertices - heights[:, np.newaxis] * along
+    is_ring = np.linalg.norm(outwards, axis=1) > 0.5
+    assert heights[is_ring] == pytest.approx(np.full(is_ring.sum(), 2.0), abs=0.011)
+    ring = outwards[is_ring]
+    assert np.linalg.norm(ring, axis=1) == pytest.approx(np.full(len(ring), 1.0), abs=0.011)
+    first, tip = ring[0], ring[-1]
+    # An eighth of it is open between the tip and the first end; from there it turns about the torque.
+    turned = math.atan2(np.cross(tip, first) @ along, tip @ first)
+    assert turned == pytest.approx(math.pi / 4.0, abs=0.02)
+    assert np.cross(ring[10], ring[20]) @ along > 0.0
+
+
+def test_wrench_is_drawn_as_far_as_it_is_longer_than_its_width() -> None:
+    both = wrench_shapes(wrench((1.0, 0.0, 0.0), (0.0, 1.0, 0.0)))
+    assert [placed.shape.color for placed in both] == [(204, 51, 51), (204, 204, 51)]
+    (force,) = wrench_shapes(wrench((1.0, 0.0, 0.0), (0.0, 0.25, 0.0)))
+    assert force.shape.color == (204, 51, 51)
+    with pytest.raises(shapes.DisplayError, match=r"its arrows would be shorter than their width of 0\.5$"):
+        wrench_shapes(wrench((0.25, 0.0, 0.0), (0.0, 0.25, 0.0)))
+    (small,) = wrench_shapes(wrench((3e-200, 4e-200, 0.0)), force_scale=1e6, width=1e-200)
+    assert small.shape.vertices.max() == 0.0  # of single precision, as pages have it
+
+
+@pytest.mark.parametrize("wrong", [math.nan, math.inf, -math.inf, 1e304, -1e12])
+def test_wrench_that_cant_be_drawn_is_a_sentence(wrong: float) -> None:
+    good = (1.0, 1.0, 1.0)
+    for place in range(3):
+        x, y, z = (wrong if axis == place else 1.0 for axis in range(3))
+        with pytest.raises(shapes.DisplayError, match="its force is not finite, or its arrow is longer"):
+            wrench_shapes(wrench((x, y, z), good))
+        with pytest.raises(shapes.DisplayError, match="its torque is not finite, or its arrow is longer"):
+            wrench_shapes(wrench(good, (x, y, z)))
+
+
+def test_each_setting_of_a_kind_may_be_what_it_usually_is() -> None:
+    usual = [item for kind in KINDS.values() for item in kind.settings.items()]
+    assert {name for name, _ in usual} == SETTINGS.keys()
+    for name, value in usual:
+        assert SETTINGS[name].taken(list(value) if isinstance(value, tuple) else value) == value
+
+
+@pytest.mark.parametrize(
+    ("name", "values"),
+    [
+        ("opacity", (-0.1, 1.1, math.nan, True, "1", None, [], 10**400)),
+        ("history", (0, 51, 1.5, math.nan, math.inf, -(10**400))),
+        ("force_color", ("red", "1; 2", "1; 2; 256", "٣; 1; 1", [1, 2], [1, 2, 3.0], [1, 2, True], 3, None)),
+    ],
+)
+def test_value_that_a_setting_cant_have_is_a_sentence(name: str, values: tuple[Any, ...]) -> None:
+    for value in values:
+        with pytest.raises(SettingError, match=r"^has to be .* from \d to \d+,.* not .*$") as refused:
+            SETTINGS[name].taken(value)
+        assert len(str(refused.value)) < 150
+    assert SETTINGS["force_color"].taken("204; 51;  7") == SETTINGS["force_color"].taken([204, 51, 7])
 
 
 # Markers.

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from tests.viewer.messages import cloud, header, marker, pose
+from tests.viewer.messages import cloud, header, marker, pose, wrench
 
 from tfloom.interfaces.geometry_msgs.msg import (
     Point,
@@ -64,6 +64,7 @@ MESSAGES: dict[str, Any] = {
     ),
     "/poses": PoseArray(header=header(), poses=[pose()] * 3),
     "/polygon": PolygonStamped(header=header(), polygon=Polygon(points=[Point32()] * 3)),
+    "/wrench": wrench((9.0, 0.0, 0.0), (0.0, 9.0, 0.0)),
     "/turtle": TurtlePose(x=1.0),
     "/robot_description": String(data=URDF),
 }

@@ -25,7 +25,11 @@ FULL = Layout(
     with_names=False,
     axes_m=0.5,
     trails=("base_link", "<b>"),
-    displays=(DisplayLayout("/points", "intensity"), DisplayLayout("/scan")),
+    displays=(
+        DisplayLayout("/points", "intensity"),
+        DisplayLayout("/scan"),
+        DisplayLayout("/wrench", settings=(("force_color", (1, 2, 3)), ("force_scale", 0.5), ("history", 4))),
+    ),
     plots=(PlotLayout("/odom", "twist.twist.linear.x"),),
     camera=ViewPoint((1.0, 2.0, 3.5), (0.0, 0.5, 0.0)),
     camera_frame="base_link",
@@ -125,11 +129,11 @@ def test_saved_layout_is_read_as_it_was(write: Write) -> None:
 
 
 def test_what_is_not_known_is_named_and_the_rest_is_read(write: Write) -> None:
-    layout, unknown = read_layout(
-        write("fixed_frame: map\ncolour: red\ndisplays:\n- /scan\n- {topic: /points, size: 3}\ncamera: {position: "
-              "[1, 2, 3], look_at: [0, 0, 0], zoom: 2}\n")
-    )  # fmt: skip
-    assert unknown == ["colour", "displays[1].size", "camera.zoom"]
+    points = "{topic: /points, size: 3, settings: {bright: 1}}"
+    camera = "{position: [1, 2, 3], look_at: [0, 0, 0], zoom: 2}"
+    text = f"fixed_frame: map\ncolour: red\ndisplays:\n- /scan\n- {points}\ncamera: {camera}\n"
+    layout, unknown = read_layout(write(text))
+    assert unknown == ["colour", "displays[1].size", "displays[1].settings.bright", "camera.zoom"]
     assert layout.displays == (DisplayLayout("/scan"), DisplayLayout("/points"))
     assert layout.camera == ViewPoint((1.0, 2.0, 3.0), (0.0, 0.0, 0.0))
 
@@ -147,6 +151,12 @@ BROKEN: list[tuple[str | bytes, str]] = [
     ("displays: {}\n", "displays has to be a list"),
     ("displays:\n- topic: /a\n-\n  choice: x\n", r"view\.yaml:4: topic is missing"),
     ("displays:\n- 3\n", r"view\.yaml:2: displays has to be a list of mappings"),
+    ("displays:\n- topic: /a\n  settings: 3\n", r"view\.yaml:2: settings has to be a mapping"),
+    (
+        "displays:\n- topic: /a\n  settings:\n    force_scale: .nan\n",
+        r"view\.yaml:4: force_scale has to be a number from 0 to 1e\+06, not nan",
+    ),
+    ("displays:\n- {topic: /a, settings: {force_color: [1, 2, 256]}}\n", "force_color has to be three"),
     ("plots:\n- topic: /a\n", r"view\.yaml:2: field is missing"),
     ("trails: [1]\n", "list of frames"),
     ("camera:\n  position: [1, 2]\n", r"view\.yaml:2: position has to be three numbers"),
@@ -191,6 +201,53 @@ def test_common_displays_of_an_rviz_file_are_read_and_the_others_named(write: Wr
     assert "robot.rviz" in unknown[1]
     assert "Value has to be a text, not [1]" in unknown[1]
     assert unknown[2] == "PublishPoint on /my_point, which publishes on /clicked_point here"
+
+
+WRENCH = """\
+Visualization Manager:
+  Displays:
+    - Accept NaN Values: false
+      Alpha: 0.5
+      Arrow Width: 0.25
+      Class: rviz_default_plugins/Wrench
+      Enabled: true
+      Force Arrow Scale: 0.01
+      Force Color: 255; 0; 10
+      History Length: 3
+      Name: Foot
+      Topic:
+        Depth: 5
+        Value: /foot/wrench
+      Torque Arrow Scale: 2
+      Torque Color: 204; 204; 51
+      Value: true
+"""
+
+
+@pytest.mark.parametrize(
+    "of_class", ["rviz_default_plugins/Wrench", "rviz_default_plugins/WrenchStamped", "rviz/WrenchStamped"]
+)
+def test_wrench_of_rviz_has_its_settings_that_are_not_the_usual_ones(write: Write, of_class: str) -> None:
+    text = WRENCH.replace("rviz_default_plugins/Wrench", of_class)
+    layout, unknown = read_layout(write(text, "foot.rviz"))
+    assert unknown == []
+    settings = {"force_color": (255, 0, 10), "opacity": 0.5, "force_scale": 0.01, "width": 0.25, "history": 3}
+    assert layout.displays == (DisplayLayout("/foot/wrench", settings=tuple(settings.items())),)
+    assert read_layout(write(layout_text(layout)))[0] == layout
+
+
+def test_wrench_of_rviz_is_shown_without_the_settings_that_cant_be_taken(write: Write) -> None:
+    text = WRENCH.replace("255; 0; 10", "reddish").replace("Length: 3", "Length: 1000")
+    a_color = "has to be three whole numbers from 0 to 255, as [204, 51, 51]"
+    layout, unknown = read_layout(write(text.replace("Alpha: 0.5", "Alpha: .inf"), "foot.rviz"))
+    assert layout.displays == (
+        DisplayLayout("/foot/wrench", settings=(("force_scale", 0.01), ("width", 0.25))),
+    )
+    assert unknown == [
+        f"Force Color of the display Foot, which {a_color}, not 'reddish'",
+        "Alpha of the display Foot, which has to be a number from 0 to 1, not inf",
+        "History Length of the display Foot, which has to be a whole number from 1 to 50, not 1000",
+    ]
 
 
 def test_file_of_rviz_that_repeats_a_key_is_read_by_its_last_value(write: Write) -> None:
@@ -272,7 +329,7 @@ def damaged(value: Any, chance: random.Random) -> Any:
 def test_odd_values_anywhere_are_a_sentence_or_are_passed_over(write: Write) -> None:
     chance = random.Random(4)
     outcomes = set()
-    for text in (RVIZ, layout_text(FULL)):
+    for text in (RVIZ, WRENCH, layout_text(FULL)):
         values = yaml.safe_load(text)
         for _ in range(40):
             path = write(yaml.safe_dump(damaged(values, chance)))

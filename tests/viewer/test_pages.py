@@ -22,12 +22,12 @@ import psutil
 import pytest
 from tests.conftest import Program, python_with, wait_until
 from tests.viewer.conftest import Page
-from tests.viewer.messages import cloud, header, marker, pose
+from tests.viewer.messages import cloud, header, marker, pose, wrench
 from tests.viewer.scenes import Scene, take_all
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import connect
 
-from tfloom.interfaces.geometry_msgs.msg import PoseStamped, TransformStamped, Twist
+from tfloom.interfaces.geometry_msgs.msg import PoseStamped, TransformStamped, Twist, WrenchStamped
 from tfloom.interfaces.sensor_msgs.msg import CameraInfo, Image, PointCloud2
 from tfloom.interfaces.std_msgs.msg import Int64
 from tfloom.interfaces.visualization_msgs.msg import Marker
@@ -690,6 +690,24 @@ def test_layout_is_applied_and_saved(node: Node, viewer: Viewer, open_page: Open
     assert (tmp_path / "written.yaml").read_text() == saved.read_text()
     viewer.layout_path = tmp_path / "no" / "such"
     assert "can't write" in page.ask("error", op="layout")
+
+
+def test_wrench_is_drawn_by_the_settings_of_a_file_of_rviz(
+    node: Node, viewer: Viewer, open_page: OpenPage, tmp_path: Path
+) -> None:
+    file = tmp_path / "foot.rviz"
+    display = "{Class: rviz_default_plugins/Wrench, Force Arrow Scale: 0.1, Topic: {Value: /wrench}}"
+    file.write_text(f"Visualization Manager: {{Displays: [{display}], Global Options: {{Fixed Frame: map}}}}")
+    viewer.apply(read_layout(file)[0])
+    publisher = node.create_publisher(WrenchStamped, "/wrench", 10)
+    open_page(viewer)
+    feed(node, viewer)
+    wait_until(lambda: publisher.get_subscription_count() == 1, what="the reader of the display")
+    publisher.publish(wrench((50.0, 0.0, 0.0), (0.0, 0.0, 1.0), "base", 111))
+    wait_until(lambda: shown(viewer, "/displays/0/1") is not None, what="the torque")
+    assert shown(viewer, "/displays/0/0").vertices[:, 0].max() == pytest.approx(6.5)
+    assert shown(viewer, "/displays/0/0").position[0] == 10.0
+    assert shown(viewer, "/displays/0/1").vertices[:, 2].max() == pytest.approx(2.6)
 
 
 def test_camera_of_a_layout_stands_at_its_frame_at_once_or_when_the_frame_is_known(

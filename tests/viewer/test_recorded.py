@@ -12,7 +12,7 @@ import pytest
 from tests.conftest import wait_until
 from tests.tf2_tools.recordings import START_NS, transform
 from tests.viewer.conftest import Page, running
-from tests.viewer.messages import pose
+from tests.viewer.messages import pose, wrench
 
 from tfloom.bag.errors import BagError
 from tfloom.bag.values import Topic
@@ -102,6 +102,28 @@ def test_message_of_a_time_is_found_however_long_it_is_ago(recording: Path) -> N
             found = many.newest(START_NS + second * S + 1)
             assert found is not None
             assert found.stamp_ns == START_NS + second // 10 * 10 * S
+
+
+def test_wrenches_of_a_time_are_the_last_ones_before_it(tmp_path: Path) -> None:
+    with closing(BagWriter(tmp_path / "wrenches")) as writer:
+        tf = writer.add_topic(Topic("/tf", "tf2_msgs/msg/TFMessage"))
+        wrenches = writer.add_topic(Topic("/wrench", "geometry_msgs/msg/WrenchStamped"))
+        for second in range(21):
+            stamp_ns = START_NS + second * S
+            moved = TFMessage(transforms=[transform("map", "base", stamp_ns, (float(second), 0.0, 0.0))])
+            writer.push(tf, cdr.encode(moved), stamp_ns, stamp_ns)
+            data = cdr.encode(wrench((0.0, 0.0, 1.0 + second), frame="base", sec=stamp_ns // S))
+            writer.push(wrenches, data, stamp_ns, stamp_ns)
+    with recorded_viewer(tmp_path / "wrenches", topics=("/tf", "/tf_static")) as viewer:
+        for history, seconds in ((1, [12]), (3, [12, 11, 10]), (50, [12, 11, 10, 9, 8, 7])):
+            viewer.view.set_display("/wrench", on=False)
+            viewer.view.want("/wrench", settings=(("history", history),))
+            viewer.view._next_look_s = 0.0
+            viewer.view.command({"op": "hold", "stamp_ns": str(START_NS + 12 * S + S // 2)})
+            viewer.view.draw()
+            nodes = [viewer._server.scene.get_handle_by_name(f"/displays/0/{index}") for index in range(7)]
+            drawn = [(node.position[0], node.vertices[:, 2].max()) for node in nodes if node is not None]
+            assert drawn == [(second, pytest.approx(2.6 * (1.0 + second))) for second in seconds]
 
 
 def test_what_is_no_recording_is_a_sentence(tmp_path: Path) -> None:

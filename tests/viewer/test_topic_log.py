@@ -59,6 +59,22 @@ def test_first_message_of_a_latched_topic_counts_for_the_time_before_it() -> Non
     assert [entry.from_ns for entry in Cursor(log).read()] == [0, 6 * S]
 
 
+def test_run_is_of_the_last_messages_by_their_stamps_and_none_of_long_ago() -> None:
+    log = filled(20)
+    log.add(18 * S + 1, b"late")
+
+    def run(stamp_ns: int, number: int) -> list[str]:
+        entry = log.newest(stamp_ns)
+        assert entry is not None
+        return [one.message()[-4:] for one in log.run(entry, number)]
+
+    assert run(19 * S, 3) == ["0018", "late", "0019"]
+    assert run(18 * S, 2) == ["0017", "0018"]
+    assert run(2 * S, 9) == ["0001", "0002"]
+    assert run(12 * S, 20) == ["0007", "0008", "0009", "0010", "0011", "0012"]
+    assert run(12 * S, 1) == ["0012"]
+
+
 def test_message_that_comes_late_is_put_in_its_place_and_read_by_its_arrival() -> None:
     log = filled(3)
     cursor = log.open()

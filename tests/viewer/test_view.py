@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
-from tests.viewer.messages import header, marker, pose
+from tests.viewer.messages import header, marker, pose, wrench
 from tests.viewer.stages import Stage
 
-from tfloom.interfaces.geometry_msgs.msg import Point, PoseStamped
+from tfloom.interfaces.geometry_msgs.msg import Point, PoseStamped, WrenchStamped
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.interfaces.visualization_msgs.msg import Marker, MarkerArray
 from tfloom.tf2.buffer import Buffer
-from tfloom.viewer.layout.layout import Layout
+from tfloom.viewer.layout.layout import DisplayLayout, Layout
 from tfloom.viewer.shapes import Ball, Box, Lines, Points, Shape
 
 S = 1_000_000_000
@@ -279,3 +281,95 @@ def test_frames_too_far_away_hide_what_is_in_them_alone(stage: Stage) -> None:
     assert "further than 1e+12 m from map" in stage.status("/there")
     (there,) = stage.drawn("/there")
     assert not there.visible
+
+
+# Settings of displays.
+
+
+def force(x: float, frame: str = "a", sec: int = 1) -> WrenchStamped:
+    return wrench((x, 0.0, 0.0), frame=frame, sec=sec)
+
+
+def lengths(stage: Stage) -> list[float]:
+    return [round(float(node.vertices[:, 0].max()), 3) for node in stage.drawn("/wrench")]
+
+
+def test_settings_of_a_layout_count_and_are_saved_with_the_display(
+    stage: Stage, capsys: pytest.CaptureFixture[str]
+) -> None:
+    stage.move("map", "a", 1.0, 2.0)
+    settings = (("force_color", (1, 2, 3)), ("force_scale", 10.0), ("opacity", 0.5))
+    layout = Layout(
+        displays=(DisplayLayout("/wrench", "", settings), DisplayLayout("/pose", "", settings[1:]))
+    )
+    stage.view.apply(layout)
+    assert stage.view.layout(None).displays == layout.displays
+    stage.topics.add("/wrench", force(2.0))
+    stage.topics.add("/pose", PoseStamped(header=header("a"), pose=pose()))
+    stage.draw()
+    (node,) = stage.drawn("/wrench")
+    assert (node.color, node.opacity, node.position[0]) == ((1, 2, 3), 0.5, 1.0)
+    assert lengths(stage) == [26.0]
+    assert len(stage.drawn("/pose")) == 1
+    assert capsys.readouterr().err == (
+        "tfloom: force_scale of /pose is not shown: Pose has no such setting\n"
+        "tfloom: opacity of /pose is not shown: Pose has no such setting\n"
+    )
+    assert stage.view.layout(None).displays == (
+        DisplayLayout("/wrench", "", settings),
+        DisplayLayout("/pose"),
+    )
+
+
+def test_settings_stay_where_a_topic_is_read_again_and_end_with_the_display(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    stage.move("map", "a", 1.0, 2.0)
+    stage.view.want("/wrench", settings=(("force_scale", 10.0),))
+    stage.topics.add("/wrench", force(2.0))
+    stage.draw()
+    stage.view.suspend()
+    with monkeypatch.context() as patch:
+        patch.setattr(stage.topics, "open", lambda _: 1 / 0)
+        stage.view.resume()
+    stage.topics.add("/wrench", force(2.0))
+    stage.draw()
+    stage.topics.add("/wrench", force(3.0), 2 * S)
+    stage.draw()
+    assert lengths(stage) == [39.0]
+    stage.view.set_display("/wrench", on=False)
+    stage.view.set_display("/wrench", on=True)
+    stage.topics.add("/wrench", force(3.0), 2 * S)
+    stage.draw()
+    assert lengths(stage) == [7.8]
+
+
+def test_history_is_that_of_the_time_that_is_shown_and_a_bad_message_hides_no_other(stage: Stage) -> None:
+    stage.move("map", "a", *map(float, range(1, 20)))
+    stage.view.want("/wrench", settings=(("history", 3), ("force_scale", 10.0)))
+    stage.topics.add("/wrench", force(0.0))
+    stage.draw()
+    assert stage.status("/wrench") == "its arrows would be shorter than their width of 0.5"
+    for second in range(2, 9):
+        size = math.nan if second == 7 else float(second)
+        stage.topics.add("/wrench", force(size, sec=second), second * S)
+    stage.draw()
+    assert (lengths(stage), stage.status("/wrench")) == ([104.0, 78.0], "")
+    assert [node.position[0] for node in stage.drawn("/wrench")] == [8.0, 6.0]
+    stage.view.command({"op": "hold", "stamp_ns": str(7 * S)})
+    stage.draw()
+    assert lengths(stage) == [78.0, 65.0]
+    assert "its force is not finite" in stage.status("/wrench")
+    stage.view.command({"op": "hold", "stamp_ns": str(3 * S)})
+    stage.draw()
+    assert (lengths(stage), stage.status("/wrench")) == ([39.0, 26.0], "")
+
+
+def test_wrench_in_a_frame_that_is_not_there_is_a_sentence(stage: Stage) -> None:
+    stage.move("map", "a", 1.0, 2.0)
+    stage.topics.add("/wrench", force(2.0, "nowhere"))
+    stage.view.set_display("/wrench", on=True)
+    stage.draw()
+    assert [node.visible for node in stage.drawn("/wrench")] == [False]
+    assert "nowhere" in stage.status("/wrench")
+    assert stage.reports == []

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import partial
 from typing import TYPE_CHECKING, cast
 
@@ -11,7 +11,7 @@ from tfloom.tf2.buffer import LATEST
 from tfloom.tf2.errors import TransformException
 from tfloom.tf2.transform import Transform
 from tfloom.viewer.displays.display import MAX_COORDINATE_M, shown_text
-from tfloom.viewer.displays.kinds import Kind, make_display
+from tfloom.viewer.displays.kinds import NO_SETTINGS, Kind, make_display
 from tfloom.viewer.page_command import fault_text
 from tfloom.viewer.replay import Replay
 from tfloom.viewer.shapes import DisplayError, Placed, Shape
@@ -20,6 +20,7 @@ from tfloom.viewer.topic_log import END, Cursor, TopicLog
 if TYPE_CHECKING:
     from tfloom.tf2.buffer import Buffer
     from tfloom.viewer.displays.display import KeepingDisplay
+    from tfloom.viewer.displays.settings import Value
     from tfloom.viewer.drawing import Pose
     from tfloom.viewer.topic_log import Entry
 
@@ -40,15 +41,21 @@ class Feed:
         topic: Its topic.
         kind: Its kind.
         cursor: A reader of its topic.
+        settings: Values for some of the kind's settings.
     """
 
-    def __init__(self, topic: str, kind: Kind, cursor: Cursor) -> None:
+    def __init__(
+        self, topic: str, kind: Kind, cursor: Cursor, settings: Mapping[str, Value] = NO_SETTINGS
+    ) -> None:
         self.topic = topic
         self.kind = kind
+        self.settings = {name: value for name, value in settings.items() if name in kind.settings}
         self.status = "" if not kind.module else "no message yet"
         """What the page says of it: why it shows nothing, or not all; empty if all is shown."""
         self.has_failed = False
-        self.display = make_display(kind, topic)
+        self.display = make_display(kind, topic, self.settings)
+        self._run = cast("int", {**kind.settings, **self.settings}.get("history", 1))
+        """How many messages the display shows that has not all of them."""
         self._last: Entry | None = None
         self._held_ns: int | None = None
         """The time that was shown last [ns since epoch]; None: the newest."""
@@ -74,7 +81,10 @@ class Feed:
             if self.display is None or not self.display.keeps_all:
                 cursor.number = END  # the history is enough
             else:
-                make = cast("Callable[[], KeepingDisplay]", partial(make_display, self.kind, self.topic))
+                make = cast(
+                    "Callable[[], KeepingDisplay]",
+                    partial(make_display, self.kind, self.topic, self.settings),
+                )
                 self._replay = Replay(make, cursor, base)
         except BaseException:
             cursor.close()
@@ -183,7 +193,7 @@ class Feed:
         return reached
 
     def _take(self, buffer: Buffer, fixed_frame: str, held_ns: int | None) -> None:
-        """Give the display the last message up to a time."""
+        """Give the display the last message up to a time, or the last ones."""
         display = self.display
         assert display is not None  # noqa: S101  # for the type checker; the caller has asked
         entry = self._newest(buffer, fixed_frame, held_ns)
@@ -194,10 +204,12 @@ class Feed:
         self._last, self._fault = entry, ""
         if entry is None:
             return
-        try:
-            display.take(entry.message(), entry.stamp_ns)
-        except Exception as error:  # of one message: the next one may be good
-            self._fault = fault_text(error)
+        for one in self._cursor.log.run(entry, self._run) if self._run > 1 else [entry]:
+            self._fault = ""
+            try:
+                display.take(one.message(), one.stamp_ns)
+            except Exception as error:  # of one message: the next one may be good
+                self._fault = fault_text(error)
 
     def _place(
         self, buffer: Buffer, fixed_frame: str, held_ns: int | None, placed: list[Placed]

@@ -17,7 +17,7 @@ from tfloom.tf2.buffer import Buffer
 from tfloom.tf2_tools.watch.sources import open_path
 from tfloom.viewer.program import Viewer
 from tfloom.viewer.shapes import DisplayError
-from tfloom.viewer.topic_log import Cursor, Entry
+from tfloom.viewer.topic_log import RUN_NS, Cursor, Entry
 
 if TYPE_CHECKING:
     from tfloom.bag.bag import Bag
@@ -122,6 +122,10 @@ class RecordedLog:
                 self._found = end_ns if newest is None else newest.stamp_ns, after_ns, newest
                 return newest
         return None
+
+    def run(self, entry: Entry, count: int) -> list[Entry]:
+        """Return up to so many messages of the last `RUN_NS` that end with this one, in the order of their times."""
+        return self._read(0, entry.stamp_ns - RUN_NS, entry.stamp_ns)[-count:] or [entry]
 
     def parts(self, number: int, until_ns: int | None) -> Iterator[tuple[int, list[Entry]]]:
         """Yield the messages behind a place, in parts; the place has the number of its part above `INDEX_BITS`."""

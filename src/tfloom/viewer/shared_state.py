@@ -45,6 +45,7 @@ if TYPE_CHECKING:
     from tfloom.tf2.buffer import Buffer
     from tfloom.tf2_tools.diagnosis.finding import Finding
     from tfloom.tf2_tools.watch.sources import Source
+    from tfloom.viewer.displays.settings import Value
     from tfloom.viewer.scene import Scene
     from tfloom.viewer.topic_log import Entry
     from tfloom.viewer.topics import Topics
@@ -115,8 +116,8 @@ class SharedView:
         """The frames of the finding that was clicked, as long as there is such a finding."""
         self._trails: list[str] = []
         self._feeds: dict[str, Feed] = {}
-        self._wanted: dict[str, str] = {}
-        """Topics to show as soon as they are there, each with what is chosen for it, or an empty text."""
+        self._wanted: dict[str, DisplayLayout] = {}
+        """What to show as soon as its topic is there, by the topic."""
         self.plots = Plots(topics, history_ns if is_live else None)
         self._with_names = True
         self._axes_m = DEFAULT_AXES_M
@@ -243,12 +244,15 @@ class SharedView:
         if self._is_suspended:  # the page that asked has gone
             self.want(topic)
             return
-        feed = self._feeds[topic] = self._opened_feed(topic)
-        choice = self._wanted.pop(topic, "")
-        if choice and feed.display is not None:
-            feed.display.choice = choice  # what there is to choose from is known by the first message
+        wanted = self._wanted.get(topic, DisplayLayout(topic))
+        feed = self._feeds[topic] = self._opened_feed(topic, dict(wanted.settings))
+        self._wanted.pop(topic, None)
+        if wanted.choice and feed.display is not None:
+            feed.display.choice = wanted.choice  # what there is to choose from is known by the first message
+        for name in sorted(dict(wanted.settings).keys() - feed.settings.keys()):
+            _print_missing(f"{name} of {topic}", PageError(f"{feed.kind.label} has no such setting"))
 
-    def _opened_feed(self, topic: str) -> Feed:
+    def _opened_feed(self, topic: str, settings: Mapping[str, Value]) -> Feed:
         type_name = self.topics.types().get(topic)
         if type_name is None:
             raise PageError(f"there is no topic {topic!r}")
@@ -262,7 +266,7 @@ class SharedView:
         except DisplayError as error:
             raise PageError(str(error)) from None
         try:
-            return Feed(topic, kind, cursor)
+            return Feed(topic, kind, cursor, settings)
         except BaseException:
             cursor.close()
             raise
@@ -279,9 +283,9 @@ class SharedView:
         ]
         return {topic: entry for topic, entry in images if entry is not None}
 
-    def want(self, topic: str, choice: str = "") -> None:
-        """Show a topic as soon as it is there, with what is chosen for it."""
-        self._wanted.setdefault(topic, choice)
+    def want(self, topic: str, choice: str = "", settings: tuple[tuple[str, Value], ...] = ()) -> None:
+        """Show a topic as soon as it is there, with what is chosen and set for it."""
+        self._wanted.setdefault(topic, DisplayLayout(topic, choice, settings))
 
     def apply(self, layout: Layout) -> None:
         """Show what a layout says, each topic as soon as it is there."""
@@ -290,7 +294,7 @@ class SharedView:
         self._axes_m = layout.axes_m
         self._trails = list(dict.fromkeys(map(_sendable, layout.trails[:MAX_TRAILS])))
         for display in layout.displays:
-            self.want(display.topic, display.choice)
+            self.want(*display)
         for plot in layout.plots:
             try:
                 self.plots.add(plot.topic, plot.field, is_there=False)
@@ -314,11 +318,7 @@ class SharedView:
 
     def layout(self, camera: ViewPoint | None) -> Layout:
         """Return what is shown now, with a page's camera."""
-        displays = [
-            DisplayLayout(topic, "" if feed.display is None else feed.display.choice)
-            for topic, feed in self._feeds.items()
-        ]
-        displays += [DisplayLayout(topic, choice) for topic, choice in self._wanted.items()]
+        displays = [*map(_layout_of, self._feeds.values()), *self._wanted.values()]
         return Layout(
             fixed_frame=self.fixed_frame,
             with_names=self._with_names,
@@ -343,9 +343,8 @@ class SharedView:
             try:
                 feed.read(self.topics.open(topic))
             except Exception:  # of one topic, which is tried again: the others are read
-                choice = "" if feed.display is None else feed.display.choice
                 self.set_display(topic, on=False)
-                self.want(topic, choice)
+                self.want(*_layout_of(feed))
 
     def look_at_clock(self) -> None:
         """Begin anew where the time on /clock has gone back, as that of a simulation does that is reset.
@@ -570,6 +569,11 @@ class SharedView:
             **{axis: _rounded(way.positions[chosen, column]) for column, axis in enumerate("xyz")},
             "yaw_deg": np.degrees(np.unwrap(yaws)).round(3).tolist(),
         }
+
+
+def _layout_of(feed: Feed) -> DisplayLayout:
+    choice = "" if feed.display is None else feed.display.choice
+    return DisplayLayout(feed.topic, choice, tuple(feed.settings.items()))
 
 
 def _print_missing(what: str, error: PageError) -> None:

@@ -20,12 +20,14 @@ from collections.abc import Callable, Iterator
 from itertools import count
 from typing import Any, NamedTuple, Protocol
 
-__all__ = ["END", "START", "Cursor", "Entry", "Log", "TopicLog", "header_stamp_ns"]
+__all__ = ["END", "RUN_NS", "START", "Cursor", "Entry", "Log", "TopicLog", "header_stamp_ns"]
 
 MAX_BYTES = 128 * 1024 * 1024
 """Size of the messages of one topic in its history [bytes]."""
 MAX_ENTRIES = 20_000
 """Number of messages of one topic in its history."""
+RUN_NS = 5_000_000_000
+"""How far before a message those are that are shown with it [ns]."""
 START = -1
 """The place before the first message."""
 END = 2**63
@@ -72,6 +74,9 @@ class Log(Protocol):
 
     def newest(self, stamp_ns: int | None) -> Entry | None:
         """Return the last message of a stamp up to this one [ns since epoch]; None: the last of all."""
+
+    def run(self, entry: Entry, count: int) -> list[Entry]:
+        """Return up to so many messages of the last `RUN_NS` that end with this one, in the order of their stamps."""
 
     def parts(self, number: int, until_ns: int | None) -> Iterator[tuple[int, list[Entry]]]:
         """Yield the messages behind a place, in parts, each with the place behind it.
@@ -226,6 +231,12 @@ class TopicLog:
             index = bisect.bisect_right(history, stamp_ns, key=lambda entry: entry.stamp_ns)
         index = max(index, int(self.is_latched and bool(history)))
         return history[index - 1] if index else None
+
+    def run(self, entry: Entry, count: int) -> list[Entry]:
+        """Return up to so many messages of the last `RUN_NS` that end with this one, in the order of their stamps."""
+        end = bisect.bisect_left(self._by_stamp, _order(entry), key=_order)
+        before = self._by_stamp[max(0, end + 1 - count) : end]
+        return [*(one for one in before if one.stamp_ns >= entry.stamp_ns - RUN_NS), entry]
 
     def parts(
         self,

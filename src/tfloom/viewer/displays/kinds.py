@@ -2,24 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from importlib import import_module
-from typing import NamedTuple
+from types import MappingProxyType
+from typing import TYPE_CHECKING, NamedTuple
 
 from tfloom.viewer.displays.display import Display, Latest
 
-__all__ = ["IMAGE_TYPES", "KEPT_TYPES", "KINDS", "Kind", "kind_of", "make_display"]
+if TYPE_CHECKING:
+    from tfloom.viewer.displays.settings import Value
+
+__all__ = ["IMAGE_TYPES", "KEPT_TYPES", "KINDS", "NO_SETTINGS", "Kind", "kind_of", "make_display"]
+
+NO_SETTINGS: Mapping[str, Value] = MappingProxyType({})
+"""Of a display that has none, or of which a layout sets none."""
 
 
 class Kind(NamedTuple):
     """A kind of display."""
 
     label: str
-    """As users of RViz know it."""
+    """The name of RViz's class, by which its files are read, too."""
     module: str
     """The file of this folder, imported when it is used."""
     name: str
     """A function from a message to shapes, or a class of displays."""
+    settings: Mapping[str, Value] = NO_SETTINGS
+    """Its settings, with the values that count where a layout sets none."""
 
 
 IMAGE_TYPES = frozenset(("sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage"))
@@ -27,6 +36,17 @@ IMAGE_TYPES = frozenset(("sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedIma
 
 KEPT_TYPES = frozenset(("visualization_msgs/msg/Marker", "visualization_msgs/msg/MarkerArray"))
 """Types whose displays keep what earlier messages made."""
+
+WRENCH_SETTINGS: Mapping[str, Value] = {
+    "force_color": (204, 51, 51),
+    "torque_color": (204, 204, 51),
+    "opacity": 1.0,
+    "force_scale": 2.0,
+    "torque_scale": 2.0,
+    "width": 0.5,
+    "history": 1,
+}
+"""As in RViz. The scales are the lengths of arrows of 1 N and 1 N m; one shorter than the width is hidden."""
 
 KINDS = {
     "sensor_msgs/msg/PointCloud2": Kind("PointCloud2", "point_cloud", "PointCloudDisplay"),
@@ -48,6 +68,7 @@ KINDS = {
     "geometry_msgs/msg/PoseArray": Kind("PoseArray", "poses", "shapes_of_pose_array"),
     "geometry_msgs/msg/PointStamped": Kind("PointStamped", "poses", "shapes_of_point"),
     "geometry_msgs/msg/PolygonStamped": Kind("Polygon", "poses", "shapes_of_polygon"),
+    "geometry_msgs/msg/WrenchStamped": Kind("Wrench", "wrench", "WrenchDisplay", WRENCH_SETTINGS),
     "turtlesim/msg/Pose": Kind("Turtle", "turtles", "TurtleDisplay"),
     "turtlesim_msgs/msg/Pose": Kind("Turtle", "turtles", "TurtleDisplay"),
 }
@@ -66,12 +87,13 @@ def kind_of(topic: str, type_name: str) -> Kind | None:
     return KINDS.get(type_name)
 
 
-def make_display(kind: Kind, topic: str) -> Display | None:
+def make_display(kind: Kind, topic: str, settings: Mapping[str, Value] = NO_SETTINGS) -> Display | None:
     """Return a new display; None for one that is shown beside the scene.
 
     Args:
         kind: Its kind.
         topic: The topic that it shows.
+        settings: Values for some of the kind's settings.
     """
     if not kind.module:
         return None
@@ -79,4 +101,6 @@ def make_display(kind: Kind, topic: str) -> Display | None:
     if not isinstance(made, type):
         return Latest(made)
     make: Callable[..., Display] = made
+    if kind.settings:
+        return make({**kind.settings, **settings})
     return make(topic) if kind.module == "turtles" else make()

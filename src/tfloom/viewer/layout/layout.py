@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    from tfloom.viewer.displays.settings import Value
 
 __all__ = ["DEFAULT_AXES_M", "DisplayLayout", "Layout", "LayoutError", "PlotLayout", "Point", "ViewPoint"]
 
@@ -29,6 +32,8 @@ class DisplayLayout(NamedTuple):
     topic: str
     choice: str = ""
     """What is chosen for it, as the field that colours a cloud; empty: what fits best."""
+    settings: tuple[tuple[str, Value], ...] = ()
+    """Names and values of the settings that are not as they usually are."""
 
 
 class PlotLayout(NamedTuple):

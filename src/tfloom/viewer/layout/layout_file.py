@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from tfloom.viewer.displays.settings import SETTINGS, SettingError, Value
 from tfloom.viewer.layout.layout import (
     DEFAULT_AXES_M,
     DisplayLayout,
@@ -18,6 +19,7 @@ from tfloom.viewer.layout.rviz_file import RVIZ_SECTION, rviz_layout
 __all__ = ["layout_text", "read_layout"]
 
 KEYS = ("fixed_frame", "names", "axes", "trails", "displays", "plots", "camera")
+DISPLAY_KEYS = frozenset(("topic", "choice", "settings"))
 
 
 def read_layout(path: Path) -> tuple[Layout, list[str]]:
@@ -41,8 +43,11 @@ def _own_layout(file: PlacedYaml) -> tuple[Layout, list[str]]:
     displays = []
     for number, row in enumerate(file.items(root, "displays")):
         entry = _entry(file, root, row, "displays")
-        unknown += [f"displays[{number}].{key}" for key in entry if key not in {"topic", "choice"}]
-        displays.append(DisplayLayout(_named(file, entry, "topic"), file.text(entry, "choice")))
+        unknown += [f"displays[{number}].{key}" for key in entry if key not in DISPLAY_KEYS]
+        values = file.mapping(entry, "settings")
+        unknown += [f"displays[{number}].settings.{key}" for key in values if key not in SETTINGS]
+        topic, choice = _named(file, entry, "topic"), file.text(entry, "choice")
+        displays.append(DisplayLayout(topic, choice, _settings(file, values)))
     plots = []
     for number, row in enumerate(file.items(root, "plots")):
         entry = _entry(file, root, row, "plots")
@@ -74,6 +79,17 @@ def _entry(file: PlacedYaml, root: dict[Any, Any], row: Any, key: str) -> dict[A
     return row
 
 
+def _settings(file: PlacedYaml, values: dict[Any, Any]) -> tuple[tuple[str, Value], ...]:
+    settings = []
+    for key, value in values.items():
+        if key in SETTINGS:
+            try:
+                settings.append((key, SETTINGS[key].taken(value)))
+            except SettingError as error:
+                raise file.error(values, f"{key} {error}") from None
+    return tuple(settings)
+
+
 def _named(file: PlacedYaml, entry: dict[Any, Any], key: str) -> str:
     value = file.text(entry, key)
     if not value:
@@ -89,10 +105,7 @@ def layout_text(layout: Layout) -> str:
     values |= {"names": layout.with_names, "axes": layout.axes_m}
     if layout.trails:
         values["trails"] = list(layout.trails)
-    values["displays"] = [
-        {"topic": display.topic, **({"choice": display.choice} if display.choice else {})}
-        for display in layout.displays
-    ]
+    values["displays"] = [_display_values(display) for display in layout.displays]
     if layout.plots:
         values["plots"] = [plot._asdict() for plot in layout.plots]
     if layout.camera is not None:
@@ -102,3 +115,14 @@ def layout_text(layout: Layout) -> str:
         if layout.camera_frame:
             values["camera"]["frame"] = layout.camera_frame
     return str(yaml.safe_dump(values, sort_keys=False, allow_unicode=True))
+
+
+def _display_values(display: DisplayLayout) -> dict[str, Any]:
+    values: dict[str, Any] = {"topic": display.topic}
+    if display.choice:
+        values["choice"] = display.choice
+    if display.settings:
+        values["settings"] = {
+            name: list(value) if isinstance(value, tuple) else value for name, value in display.settings
+        }
+    return values

@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from tfloom.viewer.displays.kinds import KINDS
+from tfloom.viewer.displays.kinds import KINDS, Kind
+from tfloom.viewer.displays.settings import SETTINGS, SettingError, Value
 from tfloom.viewer.layout.layout import (
     DEFAULT_AXES_M,
     DisplayLayout,
@@ -23,10 +24,12 @@ RVIZ_SECTION = "Visualization Manager"
 """The section of a file that tells RViz's from ours."""
 MAX_DEPTH = 20
 """How deep displays may be in groups."""
-TOPIC_DISPLAYS = frozenset(
-    kind.label for type_name, kind in KINDS.items() if not type_name.startswith("turtlesim")
-)
-"""Displays of one topic, which are the same here."""
+TOPIC_DISPLAYS = {
+    kind.label: kind for type_name, kind in KINDS.items() if not type_name.startswith("turtlesim")
+}
+"""Displays of one topic, which are the same here, by RViz's names."""
+OLD_NAMES = {"WrenchStamped": "Wrench"}
+"""Names that displays had in ROS 1."""
 TOPIC_KEYS = ("Topic", "Image Topic", "Marker Topic")
 """Where a display's topic is; the last two in files of ROS 1."""
 TOOL_TOPICS = {"SetGoal": GOAL_TOPIC, "SetInitialPose": INITIAL_TOPIC, "PublishPoint": POINT_TOPIC}
@@ -92,6 +95,7 @@ class _Reader:
             if not self._file.flag(display, "Enabled", default=True):
                 continue
             kind = str(display.get("Class", "")).rpartition("/")[2]
+            kind = OLD_NAMES.get(kind, kind)
             name = str(display.get("Name", kind))
             try:
                 is_known = self._take(kind, display, depth)
@@ -127,14 +131,32 @@ class _Reader:
                 self._add(topic)
                 self._add(f"{topic.rpartition('/')[0]}/camera_info")
         elif kind in TOPIC_DISPLAYS:
-            self._add(self._topic(display, TOPIC_KEYS), self._color_field(display))
+            settings = self._settings(display, TOPIC_DISPLAYS[kind])
+            self._add(self._topic(display, TOPIC_KEYS), self._color_field(display), settings)
         else:
             return kind == "Grid"  # the floor has one
         return True
 
-    def _add(self, topic: str, choice: str = "") -> None:
+    def _add(self, topic: str, choice: str = "", settings: tuple[tuple[str, Value], ...] = ()) -> None:
         if topic:
-            self.displays.append(DisplayLayout(topic if topic.startswith("/") else f"/{topic}", choice))
+            full = topic if topic.startswith("/") else f"/{topic}"
+            self.displays.append(DisplayLayout(full, choice, settings))
+
+    def _settings(self, display: dict[Any, Any], kind: Kind) -> tuple[tuple[str, Value], ...]:
+        """Return the settings of a display that are not as they usually are; those that can't be taken are named."""
+        settings = []
+        for name, usual in kind.settings.items():
+            setting = SETTINGS[name]
+            try:
+                value = setting.taken(display[setting.rviz]) if setting.rviz in display else usual
+            except SettingError as error:
+                self.unknown.append(
+                    f"{setting.rviz} of the display {display.get('Name', kind.label)}, which {error}"
+                )
+                continue
+            if value != usual:
+                settings.append((name, value))
+        return tuple(settings)
 
     def _topic(self, display: dict[Any, Any], keys: tuple[str, ...]) -> str:
         for key in keys:
