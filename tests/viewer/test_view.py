@@ -345,7 +345,7 @@ def test_settings_stay_where_a_topic_is_read_again_and_end_with_the_display(
 
 
 def test_history_is_that_of_the_time_that_is_shown_and_a_bad_message_hides_no_other(stage: Stage) -> None:
-    stage.move("map", "a", *map(float, range(1, 20)))
+    stage.move("map", "a", *map(float, range(1, 10)))
     stage.view.want("/wrench", settings=(("history", 3), ("force_scale", 10.0)))
     stage.topics.add("/wrench", force(0.0))
     stage.draw()
