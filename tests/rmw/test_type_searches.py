@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
+from tests.rosidl.test_described import described, individual
+from tests.rosidl.workspaces import write_files
 
 from tfloom._native import ReadyQueue
 from tfloom.rmw.base import EndpointInfo, NodeName, Topic
 from tfloom.rmw.errors import WireError
 from tfloom.rmw.qos import QoS
+from tfloom.rmw.shared import peer_types
 from tfloom.rmw.shared.peer_types import MAX_NODES, TypeSearch
 
 HASH = f"RIHS01_{64 * '0'}"
@@ -38,9 +43,22 @@ class Wire:
         self.asked.append(service.name)
         raise WireError(f"no place for {service.name}")
 
-    def add(self, node: NodeName | None) -> None:
-        topic = Topic("rt/plan", "secret_msgs::msg::dds_::Plan_", HASH)
+    def add(self, node: NodeName | None, type_hash: str = HASH) -> None:
+        topic = Topic("rt/plan", "secret_msgs::msg::dds_::Plan_", type_hash)
         self.ends.append(EndpointInfo(topic, node, is_writer=True, gid=bytes(16), qos=QoS()))
+
+
+class Answered:
+    """A request that has got a response."""
+
+    def __init__(self, response: Any) -> None:
+        self.take = lambda: response
+
+    def ask(self, _: bytes, **__: float) -> None:
+        pass
+
+    def close(self) -> None:
+        pass
 
 
 def search_on(wire: Any, patience_s: float = 60.0) -> TypeSearch:
@@ -57,6 +75,34 @@ def test_search_waits_for_the_node_of_an_endpoint_that_is_known_before_it() -> N
     assert search.step()
     assert wire.asked == ["/planner/get_type_description"]
     assert search.reasons == ["no place for /planner/get_type_description"]
+
+
+@pytest.mark.parametrize(
+    ("part", "reason"),
+    [
+        ("gone_msgs/Gone x\n", "there is no definition of 'gone_msgs/msg/Gone'"),
+        ("int33 x\n", "part_msgs/msg/Part.msg:1:1: 'int33' is neither"),
+    ],
+    ids=["missing", "invalid"],
+)
+def test_search_ends_with_a_reason_where_a_definition_here_can_not_be_used(
+    part: str, reason: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As where a workspace is not sourced that another one needs."""
+    write_files(tmp_path / "share" / "part_msgs" / "msg", {"Part.msg": part})
+    monkeypatch.setenv("AMENT_PREFIX_PATH", str(tmp_path))
+    description, hashes = described(
+        individual(PLAN, part=(1, 0, "part_msgs/msg/Part")), individual("part_msgs/msg/Part")
+    )
+    response = SimpleNamespace(successful=True, type_description=description)
+    monkeypatch.setattr(peer_types, "ServiceRequest", lambda *_: Answered(response))
+    wire = Wire()
+    wire.add(NodeName("/", "planner"), hashes[PLAN])
+    search = search_on(wire)
+    assert search.step()
+    (told,) = search.reasons
+    assert told.startswith("the description from /planner can't be used: ")
+    assert reason in told
 
 
 @pytest.mark.parametrize(("is_whole", "patience_s"), [(True, 60.0), (False, 0.0)])

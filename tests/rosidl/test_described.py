@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import json
 import re
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
+from tests.rosidl.workspaces import write_files
 
 from tfloom.rosidl import cdr, registry, sources, spec
 from tfloom.rosidl.class_factory import load
@@ -144,6 +146,28 @@ def test_a_definition_that_differs_from_the_one_here_is_an_error() -> None:
         registry.find_class("my_msgs/msg/Stamped")
 
 
+@pytest.mark.parametrize("local", [b"gone_msgs/Gone x\n", b"# \xff\n", b"int33 x\n"])
+def test_a_definition_here_that_can_not_be_used_is_an_error(
+    local: bytes, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    write_files(tmp_path / "share" / "part_msgs" / "msg", {"Part.msg": local})
+    monkeypatch.setenv("AMENT_PREFIX_PATH", str(tmp_path))
+    description, hashes = described(
+        individual("my_msgs/msg/Whole", part=(1, 0, "part_msgs/msg/Part")),
+        individual("part_msgs/msg/Part", x=(FLOAT64, 0, "")),
+    )
+    with pytest.raises(DescriptionError, match=r"gone_msgs/msg/Gone|Part\.msg"):
+        define_described("my_msgs/msg/Whole", description, hashes)
+    assert sources.find_source("my_msgs/msg/Whole") is None
+
+
+@pytest.mark.parametrize("name", ["foo", "a/b", "a/b/c", "a/msg", "a/msg/B/c"])
+def test_a_name_that_is_not_a_types_is_an_error(name: str) -> None:
+    description, hashes = described(individual(name, x=(FLOAT64, 0, "")))
+    with pytest.raises(DescriptionError, match=f"'{name}' is not a type's name"):
+        define_described(name, description, hashes)
+
+
 def test_a_description_without_the_announced_hash_is_an_error_and_leaves_nothing() -> None:
     description, _ = described(individual("my_msgs/msg/Number", x=(FLOAT64, 0, "")))
     with pytest.raises(DescriptionError, match=f"does not have the announced hash {HASH}"):
@@ -153,7 +177,7 @@ def test_a_description_without_the_announced_hash_is_an_error_and_leaves_nothing
 
 def test_hashes_that_do_not_cover_a_type_are_an_error() -> None:
     description, hashes = described(individual("my_msgs/srv/Set_Request", x=(FLOAT64, 0, "")))
-    with pytest.raises(ValueError, match="the hashes of my_msgs/srv/Set must be those of its parts"):
+    with pytest.raises(DescriptionError, match="the hashes of my_msgs/srv/Set must be those of its parts"):
         define_described("my_msgs/srv/Set", description, hashes)
 
 

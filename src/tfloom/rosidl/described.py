@@ -137,12 +137,14 @@ def define_described(name: str, description: TypeDescription, hashes: Mapping[st
 
     Raises:
         DescriptionError: the description is too large, incomplete or invalid, its hash is not the announced one, or it
-            differs from a definition here.
+            differs from a definition here, or refers to one that can't be used.
     """
-    kind = name.split("/")[1]
+    kind = name.split("/")[1] if name.count("/") == 2 else ""
+    if kind not in ANNOUNCED:
+        raise DescriptionError(f"{name!r} is not a type's name")
     forms = [{name + suffix for suffix in form[kind]} for form in (ANNOUNCED, ANNOUNCED_WITH_SERVICES)]
     if hashes.keys() not in forms:
-        raise ValueError(f"the hashes of {name} must be those of its parts, not of {', '.join(hashes)}")
+        raise DescriptionError(f"the hashes of {name} must be those of its parts, not of {', '.join(hashes)}")
     types = _table(description)
     for part, announced in hashes.items():
         check_size(part, types)
@@ -150,7 +152,14 @@ def define_described(name: str, description: TypeDescription, hashes: Mapping[st
             raise DescriptionError(f"the description of {part} does not have the announced hash {announced}")
     # All checks of the peer's words come before anything is registered. What exists here must agree, and is not
     # replaced.
-    texts = _missing_definitions(name, types, hashes)
+    try:
+        texts = _missing_definitions(name, types, hashes)
+    except (
+        LookupError,
+        ParseError,
+        OSError,
+    ) as error:  # of a definition here, as in a workspace half sourced
+        raise DescriptionError(str(error)) from None
     with LOCK:
         for type_name, text in texts.items():
             replace(type_name, Source(text, f"{type_name} (as described by a peer)"))
@@ -163,7 +172,7 @@ def define_described(name: str, description: TypeDescription, hashes: Mapping[st
             for type_name in texts:
                 replace(type_name, None)
                 forget(type_name)
-            if isinstance(error, (ParseError, LookupError)):
+            if isinstance(error, (LookupError, ParseError, OSError)):
                 raise DescriptionError(str(error)) from None
             raise
 
@@ -283,6 +292,9 @@ def _missing_definitions(
 
     Raises:
         DescriptionError: one is invalid, or differs from the definition here.
+        LookupError: a definition here refers to one that isn't.
+        ParseError: a definition here can't be parsed.
+        OSError: a definition here can't be read.
     """
     texts: dict[str, str] = {}
     for type_name in {name, *map(definition_name, _reachable(hashes, types))}:
