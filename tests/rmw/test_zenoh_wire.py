@@ -720,6 +720,28 @@ def test_a_server_that_leaves_and_keeps_its_request_is_awaited_for_a_limited_tim
     query.drop()
 
 
+def test_a_server_that_returns_is_awaited_for_an_unlimited_time(
+    asked: tuple[Requester, Any, Any, Any], domain_id: int, plain: Any
+) -> None:
+    """As behind a router that ends and begins anew, and then once more."""
+    client, _, token, _ = asked
+    servers = client.receiving_servers()
+    for _ in range(2):
+        token.undeclare()
+        wait_until(lambda: client._end_timers)
+        limits = {client._timers._checks[number] for number in client._end_timers.values()}
+        token = declare_token(plain, domain_id, Kind.SERVER, KILL_END)
+        wait_until(lambda: client.receiving_servers() == servers)
+        for limit in limits:
+            limit(0.0)  # the timers' thread may have come as far before the server returned
+        assert limits.isdisjoint(client._timers._checks.values())
+    client._limit_wait_for(*servers)  # its news may have been handled after that of the return
+    assert not client._end_timers
+    token.undeclare()
+    wait_until(lambda: not client.receiving_servers())
+    assert client.connected_servers() == servers
+
+
 def test_a_client_that_closes_ends_its_wait_for_a_server(asked: tuple[Requester, Any, Any, Any]) -> None:
     client, _, token, _ = asked
     token.undeclare()

@@ -111,7 +111,7 @@ class ZenohRequester(_ServiceEnd):
         self._open: dict[int, frozenset[str]] = {}
         """The servers of each request whose end Zenoh hasn't told, by its number. Guarded by the own lock."""
         self._end_timers: dict[str, int] = {}
-        """The timer that ends the wait for a server that has left, by its id."""
+        """The timer that ends the wait for a server that has left, by its id. Guarded by the own lock."""
         self._querier: Any = None
         self._is_awaiting_route = False
         """Whether a timer looks for the route to a server, which may be on the graph before."""
@@ -135,7 +135,9 @@ class ZenohRequester(_ServiceEnd):
         """Note a server that was discovered, or why it is none for this client."""
         is_same_type = self._is_same_type(peer)
         if is_same_type:
-            self._servers = self._servers | {peer.gid.hex()}
+            server = peer.gid.hex()
+            self._servers = self._servers | {server}
+            self._end_limit(server)
         else:
             self._others = {**self._others, peer.gid: self._difference(peer, "a server")}
         self._post_ready()
@@ -190,14 +192,28 @@ class ZenohRequester(_ServiceEnd):
         """
         end_s = time.monotonic() + MAX_WAIT_FOR_END_S
         try:
-            self._end_timers[server] = self._timers.add(end_s, lambda _now_s: self._end_wait_for(server))
+            number = self._timers.add(end_s, lambda _now_s: self._end_wait_for(server))
         except RuntimeError:  # the system has no thread
             self._end_wait_for(server)
+            return
+        with self._lock:
+            self._end_timers[server] = number
+        if server in self._servers or self._is_closed:  # it has returned meanwhile
+            self._end_limit(server)
+
+    def _end_limit(self, server: str) -> None:
+        """Wait without a limit for responses of a server that has returned, as behind a router that began anew."""
+        with self._lock:
+            number = self._end_timers.pop(server, None)
+        if number is not None:
+            self._timers.remove(number)
 
     def _end_wait_for(self, server: str) -> float:
         """Expect no response of a server that has left; return that it is done once [s]."""
-        self._end_timers.pop(server, None)
         with self._lock:
+            self._end_timers.pop(server, None)
+            if server in self._servers:  # it has returned while the timer's thread came here
+                return math.inf
             for number, servers in self._open.items():
                 self._open[number] = servers - {server}
         self._post_ready()
