@@ -690,6 +690,20 @@ def test_server_forgets_clients_that_have_left() -> None:
     assert len(server._gids) <= 64
 
 
+def test_server_remembers_few_keys_of_a_client_that_stays() -> None:
+    fickle, steady = (bytes.fromhex(CYCLONE) + bytes(13) + number for number in (b"\1", b"\2"))
+    reader = FakeEnd()
+    reader.peers = [(fickle, b""), (steady, b"")]
+    server = HeaderResponder(reader, FakeEnd(), CycloneClients(reader, FakeEnd(), "/kill", Vendors()))
+    for number in range(10_000):
+        gid = fickle if number else steady
+        reader.samples.append(Sample(HEADER + struct.pack("<Qq", number, 1) + b"ask!", 1, 1, gid))
+        assert server.take() is not None
+        assert len(server._gids) <= 64
+    assert server._gids[bytes(8)] == steady
+    assert server._gids[struct.pack("<Q", 9_999)] == fickle
+
+
 def test_requests_of_another_vendor_are_dropped() -> None:
     reader = FakeEnd((OTHER, b""), (CYCLONE, b"clientid=1;"))
     ask = HEADER + struct.pack("<Qq", 1, 1) + b"ask!"

@@ -49,6 +49,8 @@ _DATA_START = _ENCAPSULATION_SIZE + _HEADER.size
 _KEY_SIZE = 8
 _GID_PADDING = bytes(8)
 _MIN_REMEMBERED = 64
+_MAX_KEYS = 16
+"""The most keys of one writer that are remembered when a server looks through them: a client has one."""
 
 _RequestKey = tuple[bytes, int]
 """A request, by the gid of its client and its number."""
@@ -457,7 +459,7 @@ class HeaderResponder:
         self._gids: dict[bytes, bytes] = {}
         """The gid of each client's writer, by its key in the header."""
         self._forget_at = _MIN_REMEMBERED
-        """Number of them at which the clients that have left are forgotten."""
+        """Number of them at which the clients that have left, and the older ones of many keys, are forgotten."""
         self._closed = False
         self._last_drop_reason = ""
 
@@ -482,7 +484,13 @@ class HeaderResponder:
         # request.
         if key not in self._gids and len(self._gids) >= self._forget_at:
             present = self._clients.connected()
-            self._gids = {client_key: gid for client_key, gid in self._gids.items() if gid in present}
+            left = dict.fromkeys(present, _MAX_KEYS)
+            newest: dict[bytes, bytes] = {}
+            for client_key, gid in reversed(self._gids.items()):
+                if left.get(gid, 0) > 0:
+                    left[gid] -= 1
+                    newest[client_key] = gid
+            self._gids = dict(reversed(newest.items()))
             self._forget_at = max(_MIN_REMEMBERED, 2 * len(self._gids))
         self._gids[key] = publisher_gid
 
