@@ -201,6 +201,35 @@ def test_messages_and_transforms_from_many_threads() -> None:
     assert watched.dropped == []
 
 
+def test_messages_that_wait_for_the_executor_are_dropped_by_clear_and_failures_are_not(
+    node: Node, executor: SingleThreadedExecutor
+) -> None:
+    watched = Watched(node=node)
+    watched.filter.add(point(5 * SECOND))
+    watched.filter.add(point(7 * SECOND, ""))
+    watched.set(5 * SECOND)
+    watched.filter.clear()
+    watched.filter.add(point(6 * SECOND))
+    watched.set(6 * SECOND)
+    while not watched.out:
+        executor.spin_once(timeout_sec=30)
+    assert (watched.out, watched.dropped) == ([6 * SECOND], [(7 * SECOND, "EmptyFrameID")])
+
+
+def test_a_message_that_is_added_during_clear_is_not_held() -> None:
+    watched = Watched()
+    add_request = watched.buffer.add_request
+
+    def clear_before(*query: object) -> int | None:
+        watched.filter.clear()
+        return add_request(*query)
+
+    watched.buffer.add_request = clear_before  # type: ignore[assignment,method-assign]
+    watched.filter.add(point(5 * SECOND))
+    watched.set(5 * SECOND)
+    assert (watched.out, watched.dropped, watched.filter._held) == ([], [], {})
+
+
 @pytest.mark.parametrize("is_fed_by_subscriber", [True, False])
 def test_messages_are_forgotten_when_time_jumps_backward(
     is_fed_by_subscriber: bool, node: Node, executor: SingleThreadedExecutor

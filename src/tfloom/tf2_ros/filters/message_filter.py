@@ -53,11 +53,12 @@ def get_filter_failure_reason_string(reason: int) -> str:
 
 
 class _Held:
-    """A held message, and the requests for its transforms."""
+    """A held message, the requests for its transforms, and how often the filter was cleared before it came."""
 
-    def __init__(self, message: Any, missing: int) -> None:
+    def __init__(self, message: Any, missing: int, clears: int) -> None:
         self.message = message
         self.missing = missing
+        self.clears = clears
         self.handles: list[int] = []
         self.is_settled = False
 
@@ -95,6 +96,7 @@ class MessageFilter(SimpleFilter):
         self._failure_callbacks: list[Callable[[Any, FilterFailureReason], Any]] = []
         self._lock = threading.Lock()
         self._held: dict[int, _Held] = {}  # by identity, oldest first
+        self._clears = 0
         self._calls: deque[Callable[[], None]] = deque()
         self._guard: GuardCondition | None = None
         self.setTargetFrames([target_frame] if isinstance(target_frame, str) else target_frame)
@@ -139,8 +141,9 @@ class MessageFilter(SimpleFilter):
         self._failure_callbacks.append(callback)
 
     def clear(self) -> None:
-        """Drop all held messages."""
+        """Drop all held messages, and those that wait for the executor."""
         with self._lock:
+            self._clears += 1
             forgotten = list(self._held.values())
             self._held.clear()
             for held in forgotten:
@@ -155,6 +158,7 @@ class MessageFilter(SimpleFilter):
 
     def add(self, msg: Any) -> None:
         """Add a message, which is passed on as soon as the buffer can transform it."""
+        clears = self._clears
         header = msg.header
         frame = header.frame_id.removeprefix("/")
         if not frame:
@@ -165,7 +169,7 @@ class MessageFilter(SimpleFilter):
         queries = [(target, frame, at) for target in self._targets for at in stamps]
         # A request may be answered at once, on another thread, while the others are still being made. So the count of
         # what is missing starts at one more than the requests; `_hold` takes that one away when all are made.
-        held = _Held(msg, len(queries) + 1)
+        held = _Held(msg, len(queries) + 1, clears)
         for query in queries:
             handle = self._buffer.add_request(*query, partial(self._answer, held))
             if handle is None:
@@ -184,6 +188,8 @@ class MessageFilter(SimpleFilter):
         crowded_out = []
         with self._lock:
             held.missing -= 1
+            if held.clears != self._clears:
+                held.is_settled = True
             is_settled = held.is_settled
             is_ready = not is_settled and held.missing == 0
             if is_ready:
@@ -198,7 +204,7 @@ class MessageFilter(SimpleFilter):
             self._cancel(evicted)
             self._drop(evicted.message, FilterFailureReason.QueueFull)
         if is_settled:
-            self._cancel(held)  # the requests made after the failure
+            self._cancel(held)  # the requests made after the failure, or before `clear`
         elif is_ready:
             self.signalMessage(held.message)
         elif self._timeout_s is not None:
@@ -218,7 +224,11 @@ class MessageFilter(SimpleFilter):
                 return
             held.is_settled = True
             self._held.pop(id(held), None)
-        self._call(partial(self.signalMessage, held.message))
+        self._call(partial(self._pass_on, held))
+
+    def _pass_on(self, held: _Held) -> None:
+        if held.clears == self._clears:
+            self.signalMessage(held.message)
 
     def _fail(self, held: _Held, reason: FilterFailureReason) -> None:
         with self._lock:
