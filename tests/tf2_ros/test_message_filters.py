@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import gc
 import random
+import sys
 import weakref
 from collections.abc import Callable
 from functools import partial
-from types import SimpleNamespace
+from types import FrameType, SimpleNamespace
 from typing import Any
 
 import pytest
@@ -19,10 +20,12 @@ from tfloom.node.clock.clock import ROSClock
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.values.time import ClockType, Time
+from tfloom.tf2_ros.filters import message_filters
 from tfloom.tf2_ros.filters.message_filters import (
     ApproximateTimeSynchronizer,
     Cache,
     Chain,
+    JumpBack,
     SimpleFilter,
     Subscriber,
     TimeSynchronizer,
@@ -113,6 +116,61 @@ def test_callbacks_can_be_unregistered() -> None:
     assert source.registerCallback(lambda _: got.append("third")) not in (first, second)
     source.signalMessage(point(1))
     assert got == ["second", "third"]
+
+
+def test_callbacks_may_be_registered_on_another_thread_while_messages_come() -> None:
+    source = SimpleFilter()
+    passed_on: list[float] = []
+    source.registerCallback(lambda message: passed_on.append(seconds(message)))
+
+    def register(frame: FrameType, _: str, __: object) -> Any:
+        if frame.f_code.co_filename != message_filters.__file__:
+            return None
+        frame.f_trace_opcodes = True
+        source.registerCallback(lambda _: None)
+        return register
+
+    former = sys.gettrace()
+    sys.settrace(register)
+    try:
+        source.signalMessage(point(1))
+    finally:
+        sys.settrace(former)
+    assert len(source.callbacks) > 3
+    assert passed_on == [1]
+
+
+def test_a_number_of_a_callback_is_not_given_again() -> None:
+    source = SimpleFilter()
+    former = source.registerCallback(print)
+    source.unregisterCallback(former)
+    source.registerCallback(print)
+    source.unregisterCallback(former)
+    assert len(source.callbacks) == 1
+
+
+@pytest.mark.parametrize("meanwhile", ["add", "jump"])
+def test_a_question_to_a_cache_is_answered_for_one_moment(meanwhile: str, sim: Sim) -> None:
+    class Asked:
+        """A stamp that is read while another thread changes the cache."""
+
+        @property
+        def nanoseconds(self) -> int:
+            if meanwhile == "add":
+                cache.add(point(5))
+            else:
+                cache.clear_after_jump(JumpBack(sim.clock, 0))
+            return 3_000_000_000
+
+    for question, answer in (("getElemBeforeTime", 3), ("getElemAfterTime", 3)):
+        cache = Cache(None, 3)
+        for at in (1, 2, 3):
+            cache.add(point(at))
+        assert seconds(getattr(cache, question)(Asked())) == answer
+    cache = Cache(None, 3)
+    for at in (1, 2, 3):
+        cache.add(point(at))
+    assert [seconds(message) for message in cache.getInterval(Time(seconds=1), Asked())] == [1, 2, 3]
 
 
 def test_chain_passes_messages_through_its_filters() -> None:

@@ -13,7 +13,7 @@ import weakref
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterable, Sequence
 from functools import partial
-from itertools import product
+from itertools import count, product
 from time import monotonic
 from typing import TYPE_CHECKING, Any
 
@@ -52,12 +52,14 @@ class SimpleFilter:
 
     def __init__(self) -> None:
         self.callbacks: dict[int, tuple[Callable[..., Any], tuple[Any, ...]]] = {}
+        """Changed by one call at a time and copied by one, because messages come on other threads."""
+        self._numbers = count()
 
     def registerCallback(self, cb: Callable[..., Any], *args: Any) -> int:
         """Register `cb(*messages, *args)` and return its number; TypeError if it can't be called."""
         if not callable(cb):
             raise TypeError(f"registerCallback() needs a callback, {not_callable(cb)}")
-        number = max(self.callbacks, default=-1) + 1
+        number = next(self._numbers)
         self.callbacks[number] = cb, args
         return number
 
@@ -67,7 +69,7 @@ class SimpleFilter:
 
     def signalMessage(self, *msg: Any) -> None:
         """Call all callbacks; if one raises, the others first."""
-        call_all([partial(callback, *msg, *args) for callback, args in self.callbacks.values()])
+        call_all([partial(callback, *msg, *args) for callback, args in list(self.callbacks.values())])
 
     def clear_after_jump(self, jump: JumpBack) -> None:
         """Forget the messages from before a jump of time, here and in all filters that this one's messages go to."""
@@ -177,7 +179,7 @@ class Cache(SimpleFilter):
         self.cache_msgs: list[Any] = []
         self.cache_times: list[Time] = []
         self._lock = threading.Lock()
-        """Guards both lists, between messages and jumps of time."""
+        """Guards both lists, between messages, jumps of time and questions."""
         self._jump: JumpBack | None = None
         self.cache_size = cache_size
         self.allow_headerless = allow_headerless
@@ -214,34 +216,45 @@ class Cache(SimpleFilter):
             self.cache_times.clear()
         super().clear_after_jump(jump)
 
+    def _kept(self) -> tuple[list[int], list[Any]]:
+        """Return the times [ns] and the messages, which belong together."""
+        with self._lock:
+            times, messages = self.cache_times.copy(), self.cache_msgs.copy()
+        return [time.nanoseconds for time in times], messages
+
     def getInterval(self, from_stamp: Any, to_stamp: Any) -> list[Any]:
         """Return the messages from one time to another, both included, oldest first."""
-        times = [time.nanoseconds for time in self.cache_times]
-        return self.cache_msgs[
+        times, messages = self._kept()
+        return messages[
             bisect_left(times, from_stamp.nanoseconds) : bisect_right(times, to_stamp.nanoseconds)
         ]
 
     def getElemAfterTime(self, stamp: Any) -> Any:
         """Return the oldest message at a time or after it, or None."""
-        place = bisect_left([time.nanoseconds for time in self.cache_times], stamp.nanoseconds)
-        return self.cache_msgs[place] if place < len(self.cache_msgs) else None
+        times, messages = self._kept()
+        place = bisect_left(times, stamp.nanoseconds)
+        return messages[place] if place < len(messages) else None
 
     def getElemBeforeTime(self, stamp: Any) -> Any:
         """Return the newest message at a time or before it, or None."""
-        place = bisect_right([time.nanoseconds for time in self.cache_times], stamp.nanoseconds)
-        return self.cache_msgs[place - 1] if place else None
+        times, messages = self._kept()
+        place = bisect_right(times, stamp.nanoseconds)
+        return messages[place - 1] if place else None
 
     def getLastestTime(self) -> Time | None:
         """Return the newest time, or None."""
-        return self.cache_times[-1] if self.cache_times else None
+        with self._lock:
+            return self.cache_times[-1] if self.cache_times else None
 
     def getOldestTime(self) -> Time | None:
         """Return the oldest time, or None."""
-        return self.cache_times[0] if self.cache_times else None
+        with self._lock:
+            return self.cache_times[0] if self.cache_times else None
 
     def getLast(self) -> Any:
         """Return the newest message, or None."""
-        return self.cache_msgs[-1] if self.cache_msgs else None
+        with self._lock:
+            return self.cache_msgs[-1] if self.cache_msgs else None
 
 
 class Chain(SimpleFilter):
