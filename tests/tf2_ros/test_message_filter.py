@@ -15,6 +15,7 @@ from tfloom.node.node import Node
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.time import ClockType, Time
 from tfloom.tf2_ros.buffer import Buffer
+from tfloom.tf2_ros.filters import message_filters
 from tfloom.tf2_ros.filters.message_filter import (
     FilterFailureReason,
     MessageFilter,
@@ -251,3 +252,22 @@ def test_messages_are_forgotten_when_time_jumps_backward(
         watched.set(stamp * SECOND)
         executor.spin_once(timeout_sec=0.1)
     assert (watched.out, watched.dropped) == ([10 * SECOND], [])
+
+
+def test_a_message_from_before_a_jump_that_comes_after_it_crowds_out_none(
+    node: Node, executor: SingleThreadedExecutor, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(message_filters, "monotonic", lambda: 0.0)  # the time of such messages isn't over
+    clock = node.get_clock()
+    assert isinstance(clock, ROSClock)
+    clock.set_ros_time_is_active(True)
+    clock.set_ros_time_override(Time(seconds=100, clock_type=ClockType.ROS_TIME))
+    watched = Watched(queue_size=1, node=node)
+    clock.set_ros_time_override(Time(seconds=10, clock_type=ClockType.ROS_TIME))
+    watched.filter.add(point(11 * SECOND))
+    watched.filter.add(point(100 * SECOND))
+    watched.set(11 * SECOND)
+    watched.filter.add(point(11 * SECOND, ""))
+    while not watched.dropped:
+        executor.spin_once(timeout_sec=30)
+    assert (watched.out, watched.dropped) == ([11 * SECOND], [(11 * SECOND, "EmptyFrameID")])

@@ -97,6 +97,7 @@ class MessageFilter(SimpleFilter):
         self._lock = threading.Lock()
         self._held: dict[int, _Held] = {}  # by identity, oldest first
         self._clears = 0
+        self._jump: JumpBack | None = None
         self._calls: deque[Callable[[], None]] = deque()
         self._guard: GuardCondition | None = None
         self.setTargetFrames([target_frame] if isinstance(target_frame, str) else target_frame)
@@ -152,7 +153,8 @@ class MessageFilter(SimpleFilter):
             self._cancel(held)
 
     def clear_after_jump(self, jump: JumpBack) -> None:
-        """Drop all held messages, which wait for transforms of a time that is now in the future."""
+        """Drop all held messages, and those that are sent before the jump and arrive now; see `SimpleFilter`."""
+        self._jump = jump
         self.clear()
         super().clear_after_jump(jump)
 
@@ -165,6 +167,9 @@ class MessageFilter(SimpleFilter):
             self._drop(msg, FilterFailureReason.EmptyFrameID)
             return
         stamp = time_ns(header.stamp)
+        jump = self._jump
+        if jump is not None and jump.has_overtaken(stamp):
+            return
         stamps = (stamp, stamp + self._tolerance_ns) if self._tolerance_ns else (stamp,)
         queries = [(target, frame, at) for target in self._targets for at in stamps]
         # A request may be answered at once, on another thread, while the others are still being made. So the count of
