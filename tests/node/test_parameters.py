@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import array
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -28,6 +29,7 @@ from tfloom.node.parameters.exceptions import (
     ParameterImmutableException,
     ParameterUninitializedException,
 )
+from tfloom.node.parameters.node_parameters import NodeParameters
 from tfloom.node.parameters.parameter import (
     Parameter,
     get_parameter_value,
@@ -223,6 +225,83 @@ def test_callbacks_reject_modify_and_receive_changes(node: Node) -> None:
     node.remove_on_set_parameters_callback(check)
     node.remove_post_set_parameters_callback(post)
     assert node.set_parameters([Parameter("x", value=10)])[0].successful
+
+
+def test_a_callback_that_removes_itself_hides_no_other(node: Node) -> None:
+    refused = SetParametersResult(successful=False, reason="no")
+
+    def once(_: list[Parameter]) -> SetParametersResult:
+        node.remove_on_set_parameters_callback(once)
+        return SetParametersResult(successful=True)
+
+    def first(parameters: list[Parameter]) -> list[Parameter]:
+        node.remove_pre_set_parameters_callback(first)
+        return parameters
+
+    node.declare_parameter("speed", 1)
+    node.add_pre_set_parameters_callback(
+        lambda parameters: [Parameter("speed", value=parameters[0].value + 1)]
+    )
+    node.add_pre_set_parameters_callback(first)
+    node.set_parameters([Parameter("speed", value=2)])
+    assert node.get_parameter("speed").value == 3
+    node.add_on_set_parameters_callback(lambda _: refused)
+    node.add_on_set_parameters_callback(once)
+    (result,) = node.set_parameters([Parameter("speed", value=5)])
+    assert (result.reason, node.get_parameter("speed").value) == ("no", 3)
+
+
+class UndeclaredMeanwhile(str):
+    """A name of which the parameter is undeclared, as by another thread, before it is looked up for a second time."""
+
+    __slots__ = ("lookups", "undeclare")
+
+    def __hash__(self) -> int:
+        self.lookups = getattr(self, "lookups", 0) + 1
+        if self.lookups == 2:
+            self.undeclare()
+        return super().__hash__()
+
+
+@pytest.mark.parametrize("default", [None, 3])
+def test_a_parameter_that_is_undeclared_meanwhile_is_read_as_before(default: int | None) -> None:
+    def read(how: str) -> Any:
+        parameters = NodeParameters({}, allow_undeclared=False, publish_event=lambda _: None)
+        declaration = ("a", default) if default else ("a", Type.INTEGER)
+        parameters.declare_parameters("", [declaration])
+        name = UndeclaredMeanwhile("a")
+        name.undeclare = lambda: parameters.undeclare_parameter("a")
+        return getattr(parameters, how)(name)
+
+    assert read("get_parameter_type") == (Type.INTEGER if default else Type.NOT_SET).value
+    if default:
+        assert read("get_parameter").value == default
+    else:
+        with pytest.raises(ParameterUninitializedException):
+            read("get_parameter")
+
+
+def test_callbacks_of_parameters_may_be_added_on_another_thread_while_events_come(node: Node) -> None:
+    handler = ParameterEventHandler(node)
+    got: list[str] = []
+
+    class Event:
+        """An event that is read while another thread adds callbacks."""
+
+        new_parameters: Sequence[Any] = ()
+        changed_parameters: Sequence[Any] = tuple(
+            Parameter(name, value=1).to_parameter_msg() for name in "ab"
+        )
+
+        @property
+        def node(self) -> str:
+            handler.add_parameter_callback(f"p{len(handler._callbacks.parameter_callbacks)}", "/n", print)
+            return "/n"
+
+    for name in ("a", "b"):
+        handler.add_parameter_callback(name, "/n", lambda parameter: got.append(parameter.name))
+    handler._callbacks.event_callback(cast("ParameterEvent", Event()))
+    assert got == ["a", "b"]
 
 
 def test_atomic_set_is_all_or_none(node: Node) -> None:

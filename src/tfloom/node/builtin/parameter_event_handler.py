@@ -48,9 +48,9 @@ class _Callbacks:
 
     def event_callback(self, event: ParameterEvent) -> None:
         """Call the callbacks of the parameters that an event set, then those for every event."""
-        # Collected before any is called, because a callback may add or remove others.
+        # Collected before any is called, because a callback may add or remove others. Another thread may, too.
         calls: list[Callable[[], None]] = []
-        for (parameter_name, node_name), handles in self.parameter_callbacks.items():
+        for (parameter_name, node_name), handles in list(self.parameter_callbacks.items()):
             parameter = ParameterEventHandler.get_parameter_from_event(event, parameter_name, node_name)
             if parameter is not None:
                 calls += [partial(handle.callback, parameter) for handle in handles]

@@ -64,6 +64,7 @@ class NodeParameters:
         self.overrides = overrides
         self.allow_undeclared = allow_undeclared
         self._publish_event = publish_event
+        # Copied before they are called, because a callback, or another thread, may remove some.
         self.pre_set_callbacks: list[_PreCallback] = []
         self.on_set_callbacks: list[_SetCallback] = []
         self.post_set_callbacks: list[_PostCallback] = []
@@ -83,8 +84,10 @@ class NodeParameters:
             if self.allow_undeclared:
                 return Parameter(name, ParameterType.NOT_SET, None)
             raise ParameterNotDeclaredException(name)
-        if parameter.type_ is ParameterType.NOT_SET and not self.descriptors[name].dynamic_typing:
-            raise ParameterUninitializedException(name)
+        if parameter.type_ is ParameterType.NOT_SET:
+            descriptor = self.descriptors.get(name)
+            if descriptor is None or not descriptor.dynamic_typing:  # None: undeclared meanwhile
+                raise ParameterUninitializedException(name)
         return parameter
 
     def get_parameter_or(self, name: str, alternative_value: Parameter | None = None) -> Parameter:
@@ -108,8 +111,9 @@ class NodeParameters:
 
     def get_parameter_type(self, name: str) -> int:
         """Return the number of a parameter's type."""
-        if name in self.parameters:
-            return self.parameters[name].type_.value
+        parameter = self.parameters.get(name)
+        if parameter is not None:
+            return parameter.type_.value
         if self.allow_undeclared:
             return ParameterType.NOT_SET.value
         raise ParameterNotDeclaredException(name)
@@ -227,7 +231,7 @@ class NodeParameters:
     def set_atomically(self, parameters: list[Parameter]) -> rcl_msg.SetParametersResult:
         """Set all parameters, or none of them if one is rejected; `setting_error` has none of them."""
         with self._lock:
-            for pre_callback in self.pre_set_callbacks:
+            for pre_callback in list(self.pre_set_callbacks):
                 parameters = pre_callback(parameters)
                 if not parameters:
                     reason = (
@@ -259,7 +263,7 @@ class NodeParameters:
             if reason is not None:
                 return rcl_msg.SetParametersResult(successful=False, reason=reason)
         result = rcl_msg.SetParametersResult(successful=True)
-        for callback in self.on_set_callbacks:
+        for callback in list(self.on_set_callbacks):
             result = _answer(callback, parameters)
             if not result.successful:
                 return result
