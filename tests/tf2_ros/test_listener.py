@@ -6,13 +6,14 @@ import gc
 import threading
 import time
 import weakref
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 
 import pytest
 from tests.conftest import wait_until
 from tests.tf2_ros.conftest import SECOND, transform_stamped
 
+from tfloom.interfaces.geometry_msgs.msg import TransformStamped
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.interfaces.tf2_msgs.srv import FrameGraph
 from tfloom.node.executing.events_executor import EventsExecutor
@@ -81,6 +82,29 @@ def test_late_subscriptions_receive_all_static_transforms(node: Node) -> None:
     buffer = Buffer()
     TransformListener(buffer, node)
     assert all(buffer.can_transform("base", f"s{index}", NOW) for index in range(3))
+
+
+def test_static_transforms_of_several_threads_are_all_in_the_last_message(
+    node: Node, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    broadcaster = StaticTransformBroadcaster(node)
+    sent: list[list[str]] = []
+    others = [transform_stamped("base", "c", 0)]
+
+    def publish(message: TFMessage) -> None:
+        while others:  # another thread, between the change of the message and its publication
+            broadcaster.sendTransform(others.pop())
+        sent.append(sorted(stamped.child_frame_id for stamped in message.transforms))
+
+    def given() -> Iterator[TransformStamped]:
+        yield transform_stamped("base", "a", 0)
+        broadcaster.sendTransform(transform_stamped("base", "b", 0))  # another thread, before the change
+
+    monkeypatch.setattr(broadcaster.pub_tf, "publish", publish)
+    broadcaster.sendTransform(transform_stamped("base", "d", 0))
+    assert sent[-1] == ["c", "d"]
+    broadcaster.sendTransform(given())
+    assert sent[-1] == ["a", "b", "c", "d"]
 
 
 def test_a_static_transform_sent_again_replaces_the_first(node: Node, buffer: Buffer) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import reprlib
+import threading
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
@@ -46,6 +47,8 @@ class StaticTransformBroadcaster:
             TFMessage, "/tf_static", qos, qos_overriding_options=qos_overriding_options
         )
         self.net_message = TFMessage()
+        """All transforms that were sent. Replaced, never changed, under the lock."""
+        self._lock = threading.Lock()
 
     def send_transform(self, transform: TransformStamped | Iterable[TransformStamped]) -> None:
         """Publish one transform or several, together with all that were sent before.
@@ -53,10 +56,15 @@ class StaticTransformBroadcaster:
         Raises:
             TypeError: one is not a TransformStamped.
         """
-        by_child = {
-            stamped.child_frame_id: stamped for stamped in [*self.net_message.transforms, *as_list(transform)]
-        }
-        self.net_message = TFMessage(transforms=list(by_child.values()))
-        self.pub_tf.publish(self.net_message)
+        added = as_list(transform)
+        with self._lock:
+            by_child = {stamped.child_frame_id: stamped for stamped in [*self.net_message.transforms, *added]}
+            message = self.net_message = TFMessage(transforms=list(by_child.values()))
+        self.pub_tf.publish(message)
+        # Published without the lock, so another thread's later message may be out before this one. The last one has to
+        # be the whole, because a late subscription receives that alone.
+        while message is not self.net_message:
+            message = self.net_message
+            self.pub_tf.publish(message)
 
     sendTransform = send_transform
