@@ -268,3 +268,24 @@ def test_a_node_that_ends_is_not_warned_of(silence: Silence, make_node: Callable
     end_s = time.monotonic() + 0.4
     silence.spin_until(lambda: time.monotonic() > end_s)
     assert silence.warnings() == []
+
+
+def test_a_clock_may_be_attached_on_another_thread_while_time_comes() -> None:
+    source = time_source.TimeSource()
+    source.ros_time_is_active = True
+    first, second = ROSClock(), ROSClock()
+    others = [second]
+
+    class Watched(ROSClock):
+        """A clock that is set while another thread attaches one."""
+
+        @property
+        def set_ros_time_override(self) -> Callable[[Time], None]:  # type: ignore[override]
+            while others:
+                source.attach_clock(others.pop())
+            return super().set_ros_time_override
+
+    source.attach_clock(first)
+    first.__class__ = Watched
+    source.clock_callback(ClockMessage(clock=Time(seconds=5).to_msg()))
+    assert [clock.now().nanoseconds for clock in (first, second)] == [5_000_000_000] * 2

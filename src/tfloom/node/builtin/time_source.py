@@ -40,7 +40,9 @@ class TimeSource:
     def __init__(self, *, node: NodeBase | None = None) -> None:
         self._node: NodeBase | None = None
         # These names are rclpy's, because tests of other people's programs look at them.
-        self._associated_clocks: set[ROSClock] = set()
+        self._associated_clocks: set[ROSClock] = (
+            set()
+        )  # copied to be looked through: another thread may add one
         self._clock_sub: Subscription[rosgraph_msg.Clock] | None = None
         self._last_time_set = Time(clock_type=ClockType.ROS_TIME)
         self._ros_time_is_active = False
@@ -71,7 +73,7 @@ class TimeSource:
             return
         self._ros_time_is_active = enabled
         # A jump callback may raise: the other clocks are set nevertheless, and /clock is heard.
-        calls = [partial(clock.set_ros_time_is_active, enabled) for clock in self._associated_clocks]
+        calls = [partial(clock.set_ros_time_is_active, enabled) for clock in list(self._associated_clocks)]
         call_all([*calls, self._subscribe if enabled else self._unsubscribe])
 
     def attach_node(self, node: NodeBase) -> None:
@@ -120,7 +122,10 @@ class TimeSource:
         self._end_wait()
         self._last_time_set = Time.from_msg(msg.clock)
         call_all(
-            [partial(clock.set_ros_time_override, self._last_time_set) for clock in self._associated_clocks]
+            [
+                partial(clock.set_ros_time_override, self._last_time_set)
+                for clock in list(self._associated_clocks)
+            ]
         )
 
     def _on_parameters(self, parameters: list[Parameter]) -> rcl_msg.SetParametersResult:
