@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
+import threading
 from collections.abc import Callable
 from functools import partial
 
 import pytest
+from tests.conftest import wait_until
 
 from tfloom import _native
 from tfloom.interfaces.example_interfaces.action import Fibonacci
@@ -14,6 +16,7 @@ from tfloom.interfaces.rcl_interfaces.msg import Log, SetParametersResult
 from tfloom.interfaces.std_msgs.msg import Int32, String
 from tfloom.interfaces.std_srvs.srv import SetBool
 from tfloom.node.context.context import Context
+from tfloom.node.executing.executor import executor_of
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import QoSPolicyKind, QoSProfile, qos_profile_rosout_default, qos_profile_sensor_data
@@ -194,6 +197,25 @@ def test_wait_for_message_returns_the_next_message(make_node: MakeNode) -> None:
     assert message.data == "kept"
     assert wait_for_message(String, listener, "silence", time_to_wait=0.01) == (False, None)
     assert listener.count_subscribers("chatter") == 0
+
+
+def test_threads_that_wait_for_messages_of_one_node_each_get_theirs(make_node: MakeNode) -> None:
+    listener, talker = make_node("listener"), make_node("talker")
+    got: list[str] = []
+
+    def wait(topic: str) -> None:
+        got.append(wait_for_message(String, listener, topic)[1].data)
+
+    waits = []
+    for topic in ("first", "second"):
+        thread = threading.Thread(target=wait, args=(topic,), daemon=True)
+        thread.start()
+        wait_until(lambda topic=topic: listener.count_subscribers(topic) and executor_of(listener))
+        waits.append((topic, thread))
+    for topic, thread in waits:  # the first thread spins for both, and leaves
+        talker.create_publisher(String, topic, 10).publish(String(data=topic))
+        thread.join(30)
+    assert got == ["first", "second"]
 
 
 def test_node_arguments_remap_names(make_node: MakeNode) -> None:

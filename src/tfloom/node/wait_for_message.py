@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import threading
+import math
+import time
 from typing import TYPE_CHECKING, Any
 
 from tfloom.common.seconds import checked_timeout
 from tfloom.node.executing.callback_groups import MutuallyExclusiveCallbackGroup
 from tfloom.node.executing.executor import executor_of
-from tfloom.node.executing.executors import SingleThreadedExecutor
+from tfloom.node.executing.lone_spin import wait_for_future
 from tfloom.node.executing.task import Future
 from tfloom.node.qos.qos import QoSProfile
 
@@ -28,8 +29,8 @@ def wait_for_message(
 ) -> tuple[bool, Any]:
     """Wait for the next message of a topic.
 
-    A node that is in no executor is spun here during the wait. Otherwise another thread must spin it, so this must
-    not be called from one of its callbacks.
+    A node that is in no executor is spun here during the wait; several threads may wait at once. Otherwise another
+    thread must spin it, so this must not be called from one of its callbacks.
 
     Args:
         msg_type: Class of the message.
@@ -62,24 +63,9 @@ def wait_for_message(
         msg_type, topic, on_message, qos_profile, callback_group=MutuallyExclusiveCallbackGroup()
     )
     try:
-        # In an executor, the node is spun by another thread, and this one only waits. Otherwise nothing would call the
-        # callback, so the node is spun here.
-        if executor is not None:
-            _wait_for_future(future, timeout_s, node)
-        else:
-            with SingleThreadedExecutor(context=node.context) as own:
-                own.add_node(node)
-                own.spin_until_future_complete(future, timeout_s)
+        wait_for_future(
+            node, future, math.inf if timeout_s is None or timeout_s < 0 else time.monotonic() + timeout_s
+        )
     finally:
         node.destroy_subscription(subscription)
     return future.done(), future.result()
-
-
-def _wait_for_future(future: Future[Any], timeout_s: float | None, node: Node) -> None:
-    ended = threading.Event()
-    future.when_complete(ended.set)
-    node.context.add_shutdown_hook(ended.set)
-    try:
-        ended.wait(None if timeout_s is None or timeout_s < 0 else timeout_s)
-    finally:
-        node.context.remove_shutdown_hook(ended.set)

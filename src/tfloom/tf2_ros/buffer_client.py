@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import math
-import threading
 import time as steady
-import weakref
 from typing import TYPE_CHECKING, Any
 
 from tfloom.common.seconds import checked_timeout
@@ -14,7 +12,7 @@ from tfloom.interfaces.builtin_interfaces.msg import Time as TimeMessage
 from tfloom.interfaces.tf2_msgs.msg import TF2Error
 from tfloom.node.endpoints.client import NoResponseError
 from tfloom.node.executing.executor import executor_of
-from tfloom.node.executing.executors import SingleThreadedExecutor
+from tfloom.node.executing.lone_spin import wait_for_future
 from tfloom.node.executing.task import Future
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.names import name_error
@@ -51,11 +49,6 @@ ERRORS: dict[int, type[TransformException]] = {
     TF2Error.TIMEOUT_ERROR: TimeoutException,
 }
 """The exception for each error code of a result; other codes raise TransformException."""
-LOOK_AGAIN_S = 0.1
-"""Period at which a query checks whether its node is still spun elsewhere [s]."""
-
-_lock = threading.Lock()
-_spinning: weakref.WeakKeyDictionary[Node, threading.Lock] = weakref.WeakKeyDictionary()
 
 
 class BufferClient(BufferInterface):
@@ -181,19 +174,7 @@ class BufferClient(BufferInterface):
         Raises:
             TimeoutException: it isn't complete at `end_s`, by the steady clock, or at shutdown, or the server has left.
         """
-        # A node in an executor is spun by another thread, and this one sleeps until the future or the shutdown wakes
-        # it. It also looks again at short intervals, because the node may leave its executor during the wait: from then
-        # on nobody would receive the result, and this thread must spin.
-        ended = threading.Event()
-        future.when_complete(ended.set)
-        context = self.node.context
-        context.add_shutdown_hook(ended.set)
-        try:
-            while context.ok() and not future.done() and (left_s := end_s - steady.monotonic()) > 0.0:
-                if executor_of(self.node) is not None or not self._spin_alone(future, left_s):
-                    ended.wait(min(left_s, LOOK_AGAIN_S))
-        finally:
-            context.remove_shutdown_hook(ended.set)
+        wait_for_future(self.node, future, end_s)
         if not future.done():
             raise TimeoutException(
                 f"The LookupTransform goal sent to the BufferServer did not come back in the specified time. {WRONG}"
@@ -204,22 +185,6 @@ class BufferClient(BufferInterface):
             raise TimeoutException(
                 f"The LookupTransform goal sent to the BufferServer did not come back: {error}. {WRONG}"
             ) from None
-
-    def _spin_alone(self, future: Future[Any], timeout_s: float) -> bool:
-        """Spin the node, which is in no executor, until a future is complete; False if another query spins it."""
-        # Several threads may query at once through a node in no executor. One of them spins, for all; the others wait
-        # for their futures, and look again in case that the spinning one has its own result and leaves.
-        with _lock:
-            alone = _spinning.setdefault(self.node, threading.Lock())
-        if not alone.acquire(blocking=False):
-            return False
-        try:
-            with SingleThreadedExecutor(context=self.node.context) as executor:
-                executor.add_node(self.node)
-                executor.spin_until_future_complete(future, timeout_s)
-        finally:
-            alone.release()
-        return True
 
 
 def _padding_s(padding: Any) -> float:
