@@ -344,6 +344,30 @@ def test_robot_that_is_no_longer_chosen_is_stopped(driven: DrivenTab, spun: Node
     wait_until(lambda: others[-1].linear.x == 0.0, TIMEOUT_S, "its stop")
 
 
+@pytest.mark.parametrize("is_held", [True, False])
+def test_key_moves_no_other_robot_when_nobody_listens_on_the_chosen_topic(
+    driven: DrivenTab, spun: Node, is_held: bool
+) -> None:
+    others: list[Twist] = []
+    first = spun.create_subscription(Twist, "/a/cmd_vel", lambda _: None, 10)
+    spun.create_subscription(Twist, "/b/cmd_vel", others.append, 10)
+    driven.wait_for("state.drive_topics.length === 3")
+    driven.js("$('drive-topic').value = '/a/cmd_vel'")
+    if is_held:
+        driven.hold_key()
+        driven.wait_for("driven === '/a/cmd_vel'")
+    spun.destroy_subscription(first)
+    driven.wait_for("state.drive_topics.length === 2")
+    driven.hold_key()  # again, as a keyboard does
+    run_on(driven, 2 * SILENCE_S)
+    assert driven.js("[tool, driven]") == ["", ""]
+    said = driven.js("$('message').textContent")  # by the page, or by the server
+    assert said.startswith("nobody subscribes to velocities on ")
+    assert "/a/cmd_vel" in said
+    moved = [twist.linear.x for twist in others if twist.linear.x]
+    assert moved + [velocity for velocity in driven.robot.velocities if velocity != (0.0, 0.0)] == []
+
+
 def test_robot_is_stopped_when_the_browser_is_killed(
     viewer: Viewer, robot: Robot, start_program: Callable[..., Program], tmp_path: Path
 ) -> None:

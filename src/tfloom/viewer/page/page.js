@@ -495,7 +495,12 @@ function moveKnob(x, y) {
 }
 
 function showDriveTopics() {
-  const topics = state.drive_topics || [];
+  const topics = state.drive_topics || [], chosen = $("drive-topic").value;
+  // The list would choose another robot, which a key that is held, or the next one, would drive.
+  if (tool === "drive" && chosen && !topics.includes(chosen)) {
+    say(`nobody subscribes to velocities on ${chosen} any more`);
+    chooseTool("");
+  }
   setOptions($("drive-topic"), topics, topics.includes($("drive-topic").value) ? $("drive-topic").value : topics[0]);
 }
 
