@@ -451,7 +451,7 @@ def test_form_publishes_at_a_rate_until_stop_is_clicked(
     tab: Tab, node: Node, spin_until: Callable[..., None]
 ) -> None:
     heard: list[PointStamped] = []
-    subscription = node.create_subscription(PointStamped, "/steady", heard.append, 50)
+    subscription = node.create_subscription(PointStamped, "/steady", heard.append, 1000)
     form = Form(tab, "topic", "/steady")
     tab.page.fill("#form-rate", "20")
     form.set("frame_id", "odom")
@@ -464,14 +464,22 @@ def test_form_publishes_at_a_rate_until_stop_is_clicked(
     assert {one.header.frame_id for one in heard} == {"odom"}
     assert tab.text("#form-state") == "publishing"
     tab.keep("form_rate")
+    # What is refused ends nothing, and can be stopped as before.
+    for rate, text, reason in (("-3", "odom", "a rate is a number"), ("20", "x" * 60_000, "60,000")):
+        tab.page.fill("#form-rate", rate)
+        form.set("frame_id", text)
+        tab.click("#form-send")
+        wait_until(lambda reason=reason: reason in tab.text("#form-answer"), what="the refusal")
+    count = len(heard)
+    spin_until(lambda: len(heard) > count + 10)
+    assert "60,000" in tab.text("#form-answer")
+    assert tab.text("#form-state") == "publishing"
     tab.click("#form-cancel")
     wait_until(lambda: not tab.page.is_visible("#form-cancel"), what="the end of publishing")
     said = re.fullmatch(r"published (\d+) messages on /steady", tab.text("#form-answer"))
     assert said is not None
     spin_until(lambda: len(heard) == int(said[1]))
-    tab.page.fill("#form-rate", "-3")
-    tab.click("#form-send")
-    wait_until(lambda: "a rate is a number" in tab.text("#form-answer"), what="the refusal")
+    form.set("frame_id", "odom")
     tab.page.fill("#form-rate", "500")
     form.send("above 0 and at most 100 Hz")
     tab.page.fill("#form-rate", "")

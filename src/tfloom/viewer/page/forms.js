@@ -176,16 +176,18 @@ function formSay(text, isError = false) {
 
 function sendForm() {
   if (!form) return;
-  formKey = `${page}-${++formCount}`;
-  formSay("…");
-  $("form-state").textContent = "";
-  const command = { op: "send", key: formKey, what: form.what, name: form.name, type: form.type, values: form.read() };
+  const key = `${page}-${++formCount}`;
+  const command = { op: "send", key, what: form.what, name: form.name, type: form.type, values: form.read() };
   const rate = form.what === "topic" ? Number($("form-rate").value) : 0;
   if (!(rate >= 0)) { formSay("a rate is a number, in Hz", true); return; }
   if (rate) command.rate_hz = rate;
   if (JSON.stringify(command).length > 60000) { formSay("a form may be 60,000 characters long", true); return; }
+  // What is refused above leaves what is published at a rate as it is, and "Stop" is of that.
   if (sendingKey) send({ op: "cancel", key: sendingKey });
-  sendingKey = rate ? formKey : "";
+  formKey = key;
+  sendingKey = rate ? key : "";
+  formSay("…");
+  $("form-state").textContent = "";
   $("form-cancel").hidden = form.what !== "action" && !rate;
   $("form-cancel").textContent = rate ? "Stop" : "Cancel";
   send(command);
@@ -196,7 +198,8 @@ takers.sent = ({ key, state: sentState, text }) => {
   if (key !== formKey) return;
   if (sentState === "accepted") { $("form-state").textContent = text; return; }
   if (sentState === "waiting") return;
-  formSay(text, sentState === "error");
+  // A count doesn't hide why a further form was refused.
+  if (sentState !== "feedback" || !$("form-answer").classList.contains("error")) formSay(text, sentState === "error");
   if (sentState === "feedback") $("form-state").textContent = sendingKey === key ? "publishing" : "feedback";
   if (["done", "error"].includes(sentState)) {
     sendingKey = "";
