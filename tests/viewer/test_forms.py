@@ -45,6 +45,7 @@ from tfloom.viewer.program import Viewer
 OpenPage = Callable[[Viewer], Page]
 FIBONACCI = "example_interfaces/action/Fibonacci"
 SET_BOOL = "std_srvs/srv/SetBool"
+MOVING = {"linear": {"x": 2.0}, "angular": {"z": -1.0}}
 
 
 def sent(page: Page, state: str) -> str:
@@ -263,7 +264,7 @@ def test_velocity_at_a_rate_ends_with_zero(spun: Node, viewer: Viewer, page: Pag
         name="cmd_vel",
         type="geometry_msgs/msg/Twist",
         key="1",
-        values={"linear": {"x": 2.0}, "angular": {"z": -1.0}},
+        values=MOVING,
         rate_hz=50.0,
     )
     wait_until(lambda: robot.is_moved, what="a velocity")
@@ -294,7 +295,7 @@ def test_publication_of_a_page_that_is_closed_ends_while_a_picture_takes_its_tim
                 name="cmd_vel",
                 type="geometry_msgs/msg/Twist",
                 key="1",
-                values={"linear": {"x": 2.0}, "angular": {"z": -1.0}},
+                values=MOVING,
                 rate_hz=50.0,
             )
         wait_until(lambda: robot.is_moved, what="a velocity")
@@ -303,6 +304,34 @@ def test_publication_of_a_page_that_is_closed_ends_while_a_picture_takes_its_tim
         wait_until(lambda: not viewer._live.forms._tasks, what="its end")
     finally:
         goes_on.set()
+
+
+def test_velocity_at_a_rate_keeps_its_writer_while_many_others_are_used(
+    spun: Node, viewer: Viewer, page: Page, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sending, "MAX_WRITERS", 3)
+    robot = Robot(spun)
+    twist: dict[str, Any] = {"what": "topic", "type": "geometry_msgs/msg/Twist", "rate_hz": 50.0}
+    page.send(op="send", name="cmd_vel", key="drive", values=MOVING, **twist)
+    wait_until(lambda: robot.is_moved, what="a velocity")
+    for number in range(2 * sending.MAX_WRITERS):
+        said = ask(page, "topic", f"/other_{number}", {"data": "x"}, "std_msgs/msg/String", key=str(number))
+        assert said == f"published on /other_{number}: 0 subscriptions"
+    count = len(robot.velocities)
+    wait_until(lambda: len(robot.velocities) > count, what="a further velocity")
+    for number in range(1, sending.MAX_WRITERS):
+        page.send(op="send", name=f"/held_{number}", key=f"held {number}", values={}, **twist)
+        page.wait_for(
+            lambda number=number: any(
+                one["sent"]["key"] == f"held {number}" and one["sent"]["state"] == "feedback"
+                for one in page.answers
+                if "sent" in one
+            )
+        )
+    said = ask(page, "topic", "/other", {"data": "x"}, "std_msgs/msg/String", key="other", state="error")
+    assert said == "3 topics are published on already"
+    page.send(op="cancel", key="drive")
+    wait_until(lambda: robot.is_stopped, what="the stop")
 
 
 class SlowWriter:

@@ -41,6 +41,10 @@ class Publication(Task):
         self._tell = tell
         self._end_s = time.monotonic() + MATCH_S
 
+    def uses(self, writer: Writer) -> bool:
+        """Return whether it is this writer that writes."""
+        return writer is self._writer
+
     def step(self) -> bool:
         """Write the message if that can be done now; return whether it was written."""
         matched = self._writer.matched_count()
@@ -100,6 +104,10 @@ class Repetition(Task):
     def last_word(self) -> tuple[str, str]:
         """Return how many messages were published, as what is done."""
         return "done", f"published {self._count} message{'s' * (self._count != 1)} on {self._first.name}"
+
+    def uses(self, writer: Writer) -> bool:
+        """Return whether it is this writer that writes."""
+        return self._first.uses(writer)
 
     def step(self) -> bool:
         """Write a message if it is time for it; return False, because it goes on."""

@@ -41,7 +41,7 @@ MAX_COMMANDS = 50
 MAX_OPEN = 50
 """Number of calls and goals that wait for a server; a further one is refused."""
 MAX_WRITERS = 50
-"""Number of topics that are published on at a time; of more, the first one is left."""
+"""Number of topics that are published on at a time; of more, the first one that nothing under way uses is left."""
 MAX_NAMES = 3000
 """Number of names that a page gets."""
 MAX_ANSWER = 20_000
@@ -393,7 +393,7 @@ class Sending:
         writer = self._writers.get(key)
         if writer is None:
             if len(self._writers) >= MAX_WRITERS:
-                self._writers.pop(next(iter(self._writers))).close()
+                self._close_a_writer()
             # A writer that keeps its last messages serves both kinds of subscriptions, but what it keeps also comes to
             # those that begin later; so it does that only where a subscription asks for it.
             wants_kept = any(
@@ -405,6 +405,20 @@ class Sending:
             self._writers[key] = writer
         own = sum(end.node == self._node for end in readers)
         return Publication(writer, name, data, (len(readers), own), tell)
+
+    def _close_a_writer(self) -> None:
+        """Close the first writer that nothing under way uses.
+
+        Raises:
+            PageError: all are used.
+        """
+        tasks = [*(opened.task for opened in self._tasks), *(task for task, _ in self._orphans)]
+        for key, writer in self._writers.items():
+            if not any(task.uses(writer) for task in tasks):
+                del self._writers[key]
+                writer.close()
+                return
+        raise PageError(f"{MAX_WRITERS} topics are published on already")
 
 
 def _class_of(what: str, type_name: str) -> type[Any]:

@@ -8,8 +8,8 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from tfloom.rmw.base import Writer
     from tfloom.rmw.shared.peer_types import TypeSearch
-
 
 __all__ = ["Learning", "Task"]
 
@@ -26,6 +26,10 @@ class Task(ABC):
     def last_word(self) -> tuple[str, str]:
         """What a page is told when it has ended this: a state (`done` or `error`), and a text."""
         return "error", "it was given up"
+
+    def uses(self, writer: Writer) -> bool:
+        """Return whether it will still write with a writer."""
+        return False
 
     @abstractmethod
     def step(self) -> bool:
