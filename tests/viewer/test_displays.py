@@ -36,6 +36,7 @@ from tfloom.viewer import shapes
 from tfloom.viewer.displays.camera_info import CameraDisplay, images_of
 from tfloom.viewer.displays.display import Display, rainbow, shown_text
 from tfloom.viewer.displays.kinds import KINDS, ROBOT, kind_of, make_display
+from tfloom.viewer.displays.markers import MAX_MARKERS
 from tfloom.viewer.displays.settings import SETTINGS, SettingError
 from tfloom.viewer.pictures import picture_of, small_pixels
 from tfloom.viewer.topic_log import Entry
@@ -415,6 +416,19 @@ def test_markers_are_added_changed_deleted_and_end() -> None:
     assert len(display.shapes(12 * S)) == 1
     display.take(MarkerArray(markers=[marker(0, action=Marker.DELETEALL)]), 12 * S)
     assert display.shapes(12 * S) == []
+
+
+def test_markers_whose_lifetime_is_over_make_room_for_new_ones() -> None:
+    display = display_of("visualization_msgs/msg/MarkerArray")
+    lasting = marker(Marker.CUBE, -1)
+    for number in range(MAX_MARKERS + 1):
+        passing = marker(Marker.CUBE, number, lifetime=Duration(nanosec=100_000_000))
+        display.take(MarkerArray(markers=[passing, lasting]), number * S)
+    assert len(display.shapes(MAX_MARKERS * S)) == 2
+    more = [marker(Marker.CUBE, number, ns="more") for number in range(MAX_MARKERS)]
+    with pytest.raises(shapes.DisplayError, match=f"more than {MAX_MARKERS} markers"):
+        display.take(MarkerArray(markers=more), MAX_MARKERS * S)
+    assert len(display.shapes(MAX_MARKERS * S)) == MAX_MARKERS
 
 
 def test_points_of_markers_have_their_own_colours() -> None:

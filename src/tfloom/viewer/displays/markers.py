@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 __all__ = ["MarkerDisplay"]
 
 MAX_MARKERS = 2000
-"""Number of markers that are kept; further ones are not shown."""
+"""Number of markers that are kept; of more, those whose lifetime is over are dropped, and further ones not shown."""
 MAX_POINTS = 200_000
 """Number of a marker's points that are drawn."""
 KIND_NAMES = {
@@ -73,7 +73,10 @@ class MarkerDisplay:
             DisplayError: one of them can't be shown.
         """
         faults = []
-        for marker in message.markers if hasattr(message, "markers") else [message]:
+        markers = message.markers if hasattr(message, "markers") else [message]
+        if len(self._markers) + len(markers) > MAX_MARKERS:
+            self._drop_ended(stamp_ns)
+        for marker in markers:
             key = str(marker.ns), int(marker.id)
             if marker.action == Marker.DELETEALL:
                 self._markers.clear()
@@ -91,6 +94,9 @@ class MarkerDisplay:
                 faults.append(f"there are more than {MAX_MARKERS} markers")
         if faults:
             raise DisplayError(faults[0] if len(faults) == 1 else f"{faults[0]} (and {len(faults) - 1} more)")
+
+    def _drop_ended(self, stamp_ns: int) -> None:
+        self._markers = {key: kept for key, kept in self._markers.items() if not 0 < kept[0] < stamp_ns}
 
     def clear(self) -> None:
         """Forget all markers."""
