@@ -636,6 +636,23 @@ def test_what_the_page_shows_of_a_parameter_can_be_set_again(spun: Node, page: P
         assert spun.get_parameter(name).type_ is Parameter(name, value=others[name]).type_
 
 
+def test_parameter_that_is_shown_in_part_is_not_editable(spun: Node, page: Page) -> None:
+    given = {"short": "x" * 2000, "long": "x" * 3000, "n" * 300: "of a long name"}
+    for name, value in given.items():
+        spun.declare_parameter(name, value)
+
+    def rows() -> dict[str, bool]:
+        page.answers.clear()
+        page.send(op="parameters", node="/feeder")
+        page.wait_for(lambda: page.answers)
+        found = page.answers[0].get("parameters", {"values": []})
+        return {value["name"][:5]: value["is_editable"] for value in found["values"]}
+
+    wait_until(lambda: "short" in rows(), what="the parameters")
+    found = rows()
+    assert (found["short"], found["long"], found["n" * 5]) == (True, False, False)
+
+
 def test_tools_publish_what_was_dragged(spun: Node, viewer: Viewer) -> None:
     goals: list[PoseStamped] = []
     spun.create_subscription(PoseStamped, "/goal_pose", goals.append, 10)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from tfloom._native import ReadyQueue
 from tfloom.interfaces.rcl_interfaces import srv
-from tfloom.interfaces.rcl_interfaces.msg import Parameter
+from tfloom.interfaces.rcl_interfaces.msg import Parameter, ParameterDescriptor, ParameterValue
 from tfloom.node.parameters.empty_lists import give_types, untyped_names
 from tfloom.node.parameters.parameter import get_parameter_value, parameter_value_to_python
 from tfloom.node.values.value_text import value_text as _value_text
@@ -29,6 +29,8 @@ MAX_QUESTIONS = 20
 """Number of questions that wait; a further one is refused."""
 MAX_PARAMETERS = 500
 """Number of a node's parameters that are shown."""
+MAX_VALUE = 2000
+"""Length of a value that is shown whole [characters]; of a longer one, the beginning is shown."""
 LIST_SERVICE = "/list_parameters"
 
 Answer = Callable[[dict[str, Any]], None]
@@ -107,14 +109,7 @@ class Parameters:
         described = list(self._call(node, "describe_parameters", srv.DescribeParameters, asked).descriptors)
         if not len(values) == len(described) == len(names):
             raise PageError(f"{node} did not respond with all of its parameters")
-        return [
-            {
-                "name": shown_text(name),
-                "value": shown_text(_value_text(parameter_value_to_python(value)), 2000),
-                "is_editable": not descriptor.read_only,
-            }
-            for name, value, descriptor in zip(names, values, described, strict=True)
-        ]
+        return [_row(*found) for found in zip(names, values, described, strict=True)]
 
     def _set(self, node: str, name: str, value: str) -> dict[str, Any]:
         try:
@@ -144,3 +139,11 @@ class Parameters:
             raise PageError(str(error)) from None
         finally:
             asked.close()
+
+
+def _row(name: str, value: ParameterValue, descriptor: ParameterDescriptor) -> dict[str, Any]:
+    whole = _value_text(parameter_value_to_python(value))
+    shown = {"name": shown_text(name), "value": shown_text(whole, MAX_VALUE)}
+    # What is shown in part would be set in part.
+    is_whole = (name, whole) == (shown["name"], shown["value"])
+    return {**shown, "is_editable": is_whole and not descriptor.read_only}
