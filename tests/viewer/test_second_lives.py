@@ -314,6 +314,22 @@ def test_display_of_a_page_that_has_gone_is_read_when_the_next_one_comes(
     assert readers_of(participant, "/marker") == 0
 
 
+def test_plot_of_a_page_that_has_gone_is_read_when_the_next_one_comes(
+    stage: Stage, participant: Participant, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(stage, "topics", LiveTopics(participant, NODE, 60 * S, lambda: 5 * S))
+    stage.move("map", "base", 1.0, 2.0)
+    writer_of(participant, "/number", Float64)
+    stage.view.suspend()
+    stage.view.command({"op": "plot", "topic": "/number", "field": "data", "on": True})
+    assert readers_of(participant, "/number") == 0
+    stage.view.resume()
+    stage.draw()
+    assert readers_of(participant, "/number") == 1
+    stage.view.suspend()
+    assert readers_of(participant, "/number") == 0
+
+
 @pytest.mark.parametrize("failing", ["tfloom.viewer.feed.make_display", "tfloom.viewer.feed.Replay"])
 def test_display_that_can_not_be_made_leaves_no_reader(
     failing: str, stage: Stage, participant: Participant, monkeypatch: pytest.MonkeyPatch

@@ -185,7 +185,7 @@ class SharedView:
     def _set_plot(self, command: Mapping[str, Any]) -> None:
         topic, field = text(command, "topic"), text(command, "field").strip()
         if flag(command, "on"):
-            self.plots.add(topic, field)
+            self.plots.add(topic, field, is_there=not self._is_suspended)  # the page that asked may have gone
         else:
             self.plots.remove(topic, field)
 
