@@ -388,12 +388,15 @@ def test_program_serves_until_it_is_stopped(domain_id: int, start_bridge: StartB
 
 
 class LeavingClient:
-    """The client of a service whose server leaves after it was looked for."""
+    """The client of a service whose server leaves while, or after, it is looked for."""
 
-    def __init__(self, error: Exception) -> None:
+    def __init__(self, error: Exception, *, is_found: bool = True) -> None:
         self._error = error
+        self._is_found = is_found
 
     def service_is_ready(self) -> bool:
+        if not self._is_found:
+            raise self._error
         return True
 
     def call_async(self, _: object) -> None:
@@ -412,13 +415,14 @@ def test_server_that_leaves_during_a_call_ends_no_other_call(monkeypatch: pytest
     clients: dict[str, Any] = {
         "/destroyed": LeavingClient(InvalidHandle("it was destroyed")),
         "/closed": LeavingClient(ClosedError("it is closed")),
+        "/gone": LeavingClient(InvalidHandle("it was destroyed"), is_found=False),
         "/there": Ready(),
     }
     node: Any = argparse.Namespace(context=argparse.Namespace(ok=lambda: True))
     calls = Calls(node)
     monkeypatch.setattr(calls, "_client", lambda call: clients[call.name])
     asked = [Call(SetBool, name, name) for name in clients]
-    assert calls.call_all(asked, 5.0) == [None, None, "/there"]
+    assert calls.call_all(asked, 5.0) == [None, None, None, "/there"]
 
 
 def test_program_that_can_not_serve_says_why_in_one_sentence(

@@ -60,13 +60,15 @@ class Calls:
         waiting = dict(enumerate(clients))
         while waiting and time.monotonic() < end_s and self._node.context.ok():
             for index, client in list(waiting.items()):
-                if client.service_is_ready():
-                    del waiting[index]
-                    try:
-                        futures[index] = client.call_async(calls[index].request)
-                    except (InvalidHandle, WireError):  # the server has just left: this one has no response
+                try:
+                    if not client.service_is_ready():
                         continue
-                    futures[index].add_done_callback(lambda _: done.set())
+                    futures[index] = client.call_async(calls[index].request)
+                except (InvalidHandle, WireError):  # the server has just left: this one has no response
+                    del waiting[index]
+                    continue
+                del waiting[index]
+                futures[index].add_done_callback(lambda _: done.set())
             if waiting:
                 time.sleep(SLEEP_S)
         while not all(future is None or future.done() for future in futures):
