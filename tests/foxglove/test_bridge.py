@@ -164,6 +164,18 @@ def test_client_publishes(domain_id: int, node: Node) -> None:
         wait_until(lambda: subscription.get_publisher_count() == 0)
 
 
+def test_patterns_are_of_the_names_that_other_nodes_see(domain_id: int, node: Node) -> None:
+    parameter = "client_topic_whitelist:=['(?!/cmd_vel|/foxglove_bridge/).*']"
+    with connected(domain_id, parameter) as client:
+        for channel, topic in enumerate(("cmd_vel", "/cmd_vel", "~/x", "{node}/x", "/cmd_vel/", "//cmd_vel")):
+            client.advertise(channel, topic, "std_msgs/msg/String")
+        client.advertise(9, "said", "std_msgs/msg/String")
+        wait_until(lambda: node.count_publishers("/said") == 1)
+        topics = {topic for topic, _ in node.get_topic_names_and_types()}
+        assert topics.isdisjoint({"/cmd_vel", "/foxglove_bridge/x"})
+        client.wait_for(lambda: "clients may not publish to /cmd_vel" in client.statuses())
+
+
 def test_client_calls_services(domain_id: int, node: Node) -> None:
     def switch(request: Any, response: Any) -> Any:
         response.success, response.message = request.data, "switched"

@@ -46,8 +46,12 @@ class ClientTopics:
         Raises:
             ClientTopicError: the client may not, or its type or encoding can't be used.
         """
-        if topic.name not in self._settings.client_topics:
-            raise ClientTopicError(f"clients may not publish to {topic.name}")
+        try:
+            full_name = self._node.resolve_topic_name(topic.name)  # what other nodes see
+        except ValueError as error:  # no name of a topic
+            raise ClientTopicError(f"{topic.name} can't be advertised: {error}") from None
+        if full_name not in self._settings.client_topics:
+            raise ClientTopicError(f"clients may not publish to {full_name}")
         if topic.encoding != "cdr":
             raise ClientTopicError(f"messages to {topic.name} have to be cdr, not {topic.encoding}")
         if len(self._publishers) >= MAX_TOPICS:
@@ -57,10 +61,7 @@ class ClientTopics:
         except (LookupError, ValueError, OSError) as error:
             raise ClientTopicError(f"{topic.name} can't be advertised: {error}") from None
         self.unadvertise(client, channel_id)
-        try:
-            publisher = self._node.create_publisher(message_class, topic.name, QoSProfile(depth=DEPTH))
-        except ValueError as error:  # no name of a topic
-            raise ClientTopicError(f"{topic.name} can't be advertised: {error}") from None
+        publisher = self._node.create_publisher(message_class, topic.name, QoSProfile(depth=DEPTH))
         self._publishers[client, channel_id] = publisher, message_class
 
     def publish(self, client: int, channel_id: int, data: bytes) -> None:
