@@ -27,6 +27,7 @@ from tests.foxglove.clients import (
 )
 from tests.viewer.conftest import running_node
 
+from tfloom.foxglove import commands
 from tfloom.foxglove.assets import AssetError, read_asset
 from tfloom.foxglove.bridge import BridgeError
 from tfloom.foxglove.calls import Call, Calls
@@ -383,10 +384,31 @@ def test_failed_request_is_logged_and_the_next_one_is_done(node: Node) -> None:
     def fail() -> None:
         raise LookupError("planted")
 
-    commands = Commands(node)
-    commands.put(fail)
-    commands.put(lambda: done.append(1))
+    queue = Commands(node)
+    queue.put(fail)
+    queue.put(lambda: done.append(1))
     wait_until(lambda: done)
+
+
+@pytest.mark.parametrize("size", [1, commands.MAX_BYTES // 4])
+def test_client_that_sends_too_many_messages_keeps_nobody_from_subscribing(size: int) -> None:
+    node: Any = argparse.Namespace(
+        create_guard_condition=lambda _: argparse.Namespace(trigger=lambda: None),
+        get_logger=lambda: argparse.Namespace(warning=lambda *_, **__: warnings.append(1)),
+    )
+    warnings: list[int] = []
+    done: list[str] = []
+    queue = Commands(node)
+    for _ in range(2):  # what was done has its place back
+        done.clear()
+        warnings.clear()
+        for _ in range(commands.MAX_MESSAGES + 1):
+            queue.put(lambda: done.append("message"), size)
+        queue.put(lambda: done.append("subscribe"))
+        queue._run()
+        count = min(commands.MAX_MESSAGES, commands.MAX_BYTES // size)
+        assert done == [*["message"] * count, "subscribe"]
+        assert len(warnings) == commands.MAX_MESSAGES + 1 - count
 
 
 def test_program_serves_until_it_is_stopped(domain_id: int, start_bridge: StartBridge) -> None:

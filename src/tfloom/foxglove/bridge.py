@@ -315,17 +315,17 @@ class _Listener(ServerListener):
 
     def on_message_data(self, client: Client, client_channel_id: int, data: bytes) -> None:
         self._queue_command(
-            partial(self._bridge.client_topics.publish, client.id, client_channel_id, bytes(data))
+            partial(self._bridge.client_topics.publish, client.id, client_channel_id, bytes(data)), len(data)
         )
 
-    def _queue_command(self, command: partial[None]) -> None:
+    def _queue_command(self, command: partial[None], message_size: int | None = None) -> None:
         def run() -> None:
             try:
                 command()
             except ClientTopicError as error:
                 self._bridge.warn(str(error))
 
-        self._bridge.commands.put(run)
+        self._bridge.commands.put(run, message_size)
 
     def on_get_parameters(
         self,
