@@ -459,6 +459,26 @@ def test_server_that_leaves_during_a_call_ends_no_other_call(monkeypatch: pytest
     assert calls.call_all(asked, 5.0) == [None, None, None, "/there"]
 
 
+def test_server_that_leaves_after_it_was_asked_is_not_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Left:
+        service_is_ready = staticmethod(lambda: True)
+        remove_pending_request = staticmethod(lambda _: None)
+
+        def call_async(self, _: object) -> Future[str]:
+            future: Future[str] = Future()
+            future.cancel()
+            return future
+
+    node: Any = argparse.Namespace(context=argparse.Namespace(ok=lambda: True))
+    calls = Calls(node)
+    monkeypatch.setattr(calls, "_client", lambda _: Left())
+    found: list[Any] = []
+    asked = [Call(SetBool, "/left", "")]
+    threading.Thread(target=lambda: found.append(calls.call_all(asked, 3600.0)), daemon=True).start()
+    wait_until(lambda: found)
+    assert found == [[None]]
+
+
 def test_program_that_can_not_serve_says_why_in_one_sentence(
     domain_id: int, start_program: Callable[..., Program]
 ) -> None:

@@ -71,7 +71,8 @@ class Calls:
                 futures[index].add_done_callback(lambda _: done.set())
             if waiting:
                 time.sleep(SLEEP_S)
-        while not all(future is None or future.done() for future in futures):
+        # The requests to a server that leaves are cancelled with their client.
+        while not all(future is None or future.done() or future.cancelled() for future in futures):
             left_s = end_s - time.monotonic()
             if left_s <= 0.0 or not done.wait(left_s):
                 break
