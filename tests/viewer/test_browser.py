@@ -486,6 +486,22 @@ def test_form_publishes_at_a_rate_until_stop_is_clicked(
     node.destroy_subscription(subscription)
 
 
+def test_form_whose_connection_was_lost_says_that_it_has_ended(tab: Tab, node: Node) -> None:
+    subscription = node.create_subscription(PointStamped, "/steady", lambda _: None, 1)
+    form = Form(tab, "topic", "/steady")
+    tab.page.fill("#form-rate", "20")
+    form.send("messages on /steady")
+    tab.page.evaluate("socket.close()")
+    wait_until(lambda: "the connection was lost" in tab.text("#form-answer"), what="the end")
+    assert not tab.page.is_visible("#form-cancel")
+    assert tab.text("#form-state") == ""
+    form.send("messages on /steady")  # what is sent from now on is of the new connection
+    tab.click("#form-cancel")
+    wait_until(lambda: not tab.page.is_visible("#form-cancel"), what="the end of publishing")
+    tab.page.fill("#form-rate", "")
+    node.destroy_subscription(subscription)
+
+
 def test_field_is_plotted_and_a_drag_in_its_plot_turns_the_time_back(tab: Tab) -> None:
     tab.click("[data-panel=plot-panel]")
     for topic, field in (("/odom", "pose.pose.position.x"), ("/scan", "ranges[3]")):

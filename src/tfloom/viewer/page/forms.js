@@ -202,8 +202,13 @@ takers.sent = ({ key, state: sentState, text }) => {
   if (sentState !== "feedback" || !$("form-answer").classList.contains("error")) formSay(text, sentState === "error");
   if (sentState === "feedback") $("form-state").textContent = sendingKey === key ? "publishing" : "feedback";
   if (["done", "error"].includes(sentState)) {
-    sendingKey = "";
+    formKey = sendingKey = "";
     $("form-cancel").hidden = true; $("form-state").textContent = ""; }
+};
+
+// A connection that is opened anew is another page for the server, which has ended what that before had begun.
+takers.page = () => {
+  if (formKey) takers.sent({ key: formKey, state: "error", text: "the connection was lost, which has ended it" });
 };
 
 openers.send = askFormNames;
