@@ -97,8 +97,8 @@ FORGED: dict[str, tuple[Callable[[], PointCloud2], str]] = {
         f"field 'far' with the offset {MOST} and the count 1 takes {MOST + 4} bytes",
     ),
     "unknown datatype": (
-        lambda: cloud_of([*XYZT, field("odd", 0, 9)]),
-        "field 'odd' has the unknown datatype 9",
+        lambda: cloud_of([*XYZT, field("odd", 0, 12)]),
+        "field 'odd' has the unknown datatype 12",
     ),
     "datatype of none": (
         lambda: cloud_of([*XYZT, field("odd", 0, 0)]),

@@ -308,6 +308,8 @@ def test_clouds_of_fitting_and_of_no_points_read_back() -> None:
         (PointField.UINT8, -1.0, False),
         (PointField.INT16, math.nan, False),
         (PointField.UINT32, 12.75, True),
+        (PointField.INT64, -(2.0**62), True),
+        (PointField.UINT64, -1.0, False),
     ],
 )
 @pytest.mark.filterwarnings("error")
@@ -325,6 +327,16 @@ def test_a_number_beyond_its_fields_type_is_refused(datatype: int, number: float
     if datatype == PointField.FLOAT32:
         with pytest.raises(ValueError, match="points: a number is beyond its field's type"):
             create_cloud(HEADER, fields, points.tolist())
+
+
+def test_a_field_of_bools_holds_bools_alone() -> None:
+    fields = [field("valid", 0, PointField.BOOL)]
+    cloud = create_cloud(HEADER, fields, np.array([[0.0], [1.0]]))
+    assert (cloud.point_step, bytes(cloud.data)) == (1, b"\0\1")
+    assert read_points_list(cloud) == [(False,), (True,)]
+    for number in (2.0, 0.5, math.nan):
+        with pytest.raises(ValueError, match="valid: a number is beyond its field's type, bool"):
+            create_cloud(HEADER, fields, np.array([[number]]))
 
 
 def test_cloud_with_too_few_bytes_raises() -> None:

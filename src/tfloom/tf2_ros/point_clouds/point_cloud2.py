@@ -43,6 +43,9 @@ _DATATYPES = {
     PointField.UINT32: "u4",
     PointField.FLOAT32: "f4",
     PointField.FLOAT64: "f8",
+    PointField.INT64: "i8",
+    PointField.UINT64: "u8",
+    PointField.BOOL: "?",
 }
 
 
@@ -274,7 +277,7 @@ def _structured(points: NDArray[Any], dtype: np.dtype[Any]) -> NDArray[Any]:
         numbers = points[..., column]
         with _refusing(name):
             table[name] = numbers
-        if dtype[name].kind in "iu" and (np.trunc(numbers) != table[name]).any():
+        if dtype[name].kind in "biu" and (np.trunc(numbers) != table[name]).any():
             raise ValueError(f"{name}: a number is beyond its field's type, {dtype[name].name}")
     return table
 

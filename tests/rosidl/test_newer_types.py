@@ -1,0 +1,90 @@
+"""Interfaces that today's Jazzy, Kilted and Lyrical have beside those of `tests/golden/jazzy_types.jsonl`.
+
+The hashes are in `tests/golden/newer_type_hashes.jsonl`, by the first distribution that has a definition of this form.
+"""
+
+from __future__ import annotations
+
+import importlib
+import json
+from enum import IntEnum
+from pathlib import Path
+
+import pytest
+from rosbags.typesys import Stores, get_types_from_msg, get_typestore
+from tests.each import for_each
+
+from tfloom.interfaces.rosgraph_msgs.msg import QoSProfile, TypeHash
+from tfloom.interfaces.sensor_msgs.msg import PointField
+from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, ReliabilityPolicy
+from tfloom.rosidl import cdr
+from tfloom.rosidl.registry import find_class, get_message_class
+from tfloom.workspace.get_interfaces import get_interfaces
+
+GOLDEN = Path(__file__).parents[1] / "golden"
+ROWS = [json.loads(line) for line in (GOLDEN / "newer_type_hashes.jsonl").read_text("utf-8").splitlines()]
+OLDER = {
+    entry["type"]: entry["type_hash"]
+    for entry in map(json.loads, (GOLDEN / "jazzy_types.jsonl").read_text("utf-8").splitlines())
+}
+HASHES = OLDER | {row["type"]: row["hash"] for row in reversed(ROWS) if row["type"] not in OLDER}
+"""Of each type, that of the first distribution which has it."""
+LATER = {
+    "lifecycle_msgs/msg/TransitionEvent",
+    "rosbag2_interfaces/srv/Record",
+    "rosbag2_interfaces/srv/Resume",
+    "rosbag2_interfaces/srv/SplitBagfile",
+    "rosbag2_interfaces/srv/Stop",
+}
+"""What Lyrical has in another form. They are Jazzy's here."""
+VELOCITY = """std_msgs/Header header
+string body_frame_id
+string reference_frame_id
+geometry_msgs/TwistWithCovariance velocity
+"""
+
+
+@for_each(sorted({row["type"] for row in ROWS}))
+def test_hash_is_that_of_the_first_distribution(name: str) -> None:
+    assert HASHES[name] == find_class(name)._TYPE_HASH
+
+
+def test_what_is_later_in_another_form() -> None:
+    assert {row["type"] for row in ROWS if row["hash"] != find_class(row["type"])._TYPE_HASH} == LATER
+    assert {row["distribution"] for row in ROWS if row["type"] in LATER} == {"jazzy", "lyrical"}
+
+
+@for_each(sorted({row["type"] for row in ROWS} | {"geometry_msgs/msg/VelocityWithCovarianceStamped"}))
+def test_each_is_listed_and_imported(name: str) -> None:
+    package, kind, base = name.split("/")
+    assert getattr(importlib.import_module(f"{package}.{kind}"), base) is find_class(name)
+    assert f"{kind}/{base}" in get_interfaces()[package]
+    if kind == "msg":
+        made = get_message_class(name)()
+        assert cdr.decode(type(made), cdr.encode(made)) == made
+
+
+def test_hash_of_a_type_that_only_a_changelog_names() -> None:
+    store = get_typestore(Stores.ROS2_JAZZY)
+    name = "geometry_msgs/msg/VelocityWithCovarianceStamped"
+    store.register(get_types_from_msg(VELOCITY, name))
+    assert store.hash_rihs01(name) == get_message_class(name)._TYPE_HASH
+
+
+def test_types_of_a_point_that_pcl_has() -> None:
+    assert (PointField.INT64, PointField.UINT64, PointField.BOOL) == (9, 10, 11)
+
+
+@pytest.mark.parametrize(
+    "policy",
+    [HistoryPolicy, ReliabilityPolicy, DurabilityPolicy, LivelinessPolicy],
+    ids=lambda policy: policy.__name__,
+)
+def test_policies_have_the_numbers_of_rmw(policy: type[IntEnum]) -> None:
+    kind = policy.__name__.removesuffix("Policy").upper()
+    constants = {name: value for name, value in vars(QoSProfile).items() if name.startswith(f"{kind}_")}
+    assert constants == {f"{kind}_{choice.name}": choice.value for choice in policy}
+
+
+def test_hash_of_a_type_has_the_version_of_rihs01() -> None:
+    assert TypeHash().version == 1
