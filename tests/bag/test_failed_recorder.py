@@ -12,11 +12,13 @@ from tests.bag.recordings import rows_of
 from tests.bag.written_bags import CHATTER, START_NS, STEP_NS, push, raising, row, text
 from tests.conftest import wait_until
 
+from tfloom._native import Chunk
 from tfloom.bag.errors import BagError
 from tfloom.bag.metadata import read_metadata
 from tfloom.bag.recording import recorder as recorder_module
 from tfloom.bag.recording.record_options import RecordOptions
 from tfloom.bag.recording.recorder import Recorder
+from tfloom.bag.recording.recorder_services import answers_of
 from tfloom.bag.topic_choice import TopicChoice
 from tfloom.bag.writing.bag_writer import WriterSettings
 from tfloom.node.context.context import Context
@@ -133,8 +135,8 @@ def test_duration_of_a_file_is_counted_from_the_split(started: Start, tmp_path: 
 def test_first_failure_is_told(started: Start, capfd: Any) -> None:
     recorder, _ = started(WriterSettings())
     first, second = (BagError(recorder.writer.folder, text_) for text_ in ("first", "second"))
-    recorder._fail(first)
-    recorder._fail(second)
+    recorder.fail(first)
+    recorder.fail(second)
     assert recorder.failure is first
     assert capfd.readouterr().err.count("Recording ends: ") == 1
 
@@ -144,7 +146,7 @@ def test_failed_service_ends_the_recording(started: Start, monkeypatch: pytest.M
     fail = raising(BagError(recorder.writer.folder, "full"))
     monkeypatch.setattr(recorder.writer, "write_present", fail)
     monkeypatch.setattr(recorder.writer, "split", fail)
-    answers = {name: answer for name, (_, answer) in recorder._answers().items()}
+    answers = {name: answer for name, (_, answer) in answers_of(recorder).items()}
     assert answers["snapshot"](None) == {"success": False}
     assert "full" in str(recorder.failure)
     recorder.failure = None
@@ -161,7 +163,7 @@ def test_bag_that_cannot_be_completed(
     with monkeypatch.context() as patched:
         patched.setattr(recorder.writer, "close", fail)
         if has_failed:
-            recorder._fail(BagError(recorder.writer.folder, "before"))
+            recorder.fail(BagError(recorder.writer.folder, "before"))
             recorder.stop()
         else:
             with pytest.raises(BagError, match="full"):
@@ -178,30 +180,41 @@ def test_error_in_discovery_after_the_end_is_none(started: Start, monkeypatch: p
 
     with monkeypatch.context() as patched:
         patched.setattr(recorder._topics, "subscribe_changed", end)
-        wait_until(lambda: not recorder._threads[1].is_alive())
+        wait_until(lambda: not recorder.is_discovery_running)
     assert recorder.failure is None
 
 
 def test_bag_is_completed_when_the_threads_have_ended(
     started: Start, monkeypatch: pytest.MonkeyPatch, capfd: Any
 ) -> None:
-    recorder, _ = started(WriterSettings())
-    discovering, closed = threading.Event(), threading.Event()
+    recorder, channel = started(WriterSettings())
+    discovering, writing, closed = threading.Event(), threading.Event(), threading.Event()
     alive: list[bool] = []
-    close = recorder._topics.close
+    close, write = recorder._topics.close, recorder.writer.write_chunk
 
+    # Only a stop that doesn't wait for these threads comes to `close_topics` while they wait.
     def discover() -> None:
         discovering.set()
-        closed.wait(0.2)  # only a stop that doesn't wait for this thread comes to `close_topics` meanwhile
+        closed.wait(0.2)
+
+    def write_chunk(chunk: Chunk) -> None:
+        writing.set()
+        closed.wait(0.6)  # longer than the other thread, for which the stop waits first
+        write(chunk)
 
     def close_topics() -> None:
-        alive.extend(thread.is_alive() for thread in recorder._threads)
+        thread = recorder._writing
+        assert thread is not None
+        alive.extend((thread.is_alive(), recorder.is_discovery_running))
         closed.set()
         close()
 
     monkeypatch.setattr(recorder._topics, "subscribe_changed", discover)
+    monkeypatch.setattr(recorder.writer, "write_chunk", write_chunk)
     monkeypatch.setattr(recorder._topics, "close", close_topics)
+    push(recorder.writer.queue, channel, 0)
     assert discovering.wait(10)
+    assert writing.wait(10)
     recorder.stop()
     recorder.stop()
     assert alive == [False, False]

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from tests.bag.written_bags import START_NS, STEP_NS, text, topic, transforms, write_bag
+from tests.bag.written_bags import START_NS, STEP_NS, begin_bag, push, text, topic, transforms, write_bag
 
 from tfloom.bag import open_bag
 from tfloom.bag.bag import Bag
@@ -26,6 +26,7 @@ from tfloom.bag.topic_choice import TopicChoice
 from tfloom.bag.values import RawMessage
 from tfloom.bag.writing.bag_writer import BagWriter
 from tfloom.interfaces.builtin_interfaces.msg import Time as TimeMessage
+from tfloom.interfaces.rosbag2_interfaces.msg import ReadSplitEvent
 from tfloom.interfaces.rosbag2_interfaces.srv import (
     Burst,
     GetRate,
@@ -231,6 +232,25 @@ def test_services_steer_it(bag: Bag, listener: Listener, local_context: Context)
         assert not call(PlayNext, "play_next").success
         listener.executor.remove_node(node)
     listener.expect([0, 2, 4, 96, 98])
+
+
+def test_change_of_the_file_is_announced(tmp_path: Path, listener: Listener, local_context: Context) -> None:
+    writer, channel = begin_bag(tmp_path / "bag")
+    for number in range(3):
+        push(writer, channel, number)
+        writer.write_present()
+        if number < 2:
+            writer.split()
+    writer.close()
+    events: list[ReadSplitEvent] = []
+    listener.node.create_subscription(ReadSplitEvent, "events/read_split", events.append, 10)
+    with open_bag(tmp_path / "bag") as bag, player(bag, local_context):
+        listener.wait_until(lambda: len(events) == 2)
+    paths = [str(tmp_path / "bag" / f"bag_{number}.mcap") for number in range(3)]
+    assert events == [
+        ReadSplitEvent(closed_file=closed, opened_file=opened, node_name="/rosbag2_player")
+        for closed, opened in pairwise(paths)
+    ]
 
 
 def test_clock_jumps_back_once_a_loop(bag: Bag, listener: Listener, local_context: Context) -> None:

@@ -22,7 +22,19 @@ from tfloom.bag.recording.record_options import RecordOptions
 from tfloom.bag.recording.recorder import Recorder
 from tfloom.bag.topic_choice import TopicChoice
 from tfloom.bag.writing.bag_writer import WriterSettings
-from tfloom.interfaces.rosbag2_interfaces.srv import IsPaused, Pause, Resume, Snapshot, SplitBagfile
+from tfloom.interfaces.rosbag2_interfaces.msg import WriteSplitEvent
+from tfloom.interfaces.rosbag2_interfaces.srv import (
+    IsDiscoveryRunning,
+    IsPaused,
+    Pause,
+    Record,
+    Resume,
+    Snapshot,
+    SplitBagfile,
+    StartDiscovery,
+    Stop,
+    StopDiscovery,
+)
 from tfloom.interfaces.rosgraph_msgs.msg import Clock
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.node import client_library
@@ -98,38 +110,116 @@ def test_messages_are_discarded_while_paused(node: Node, record: Any, tmp_path: 
     assert texts(tmp_path / "bag") == ["b"]
 
 
-def test_services_pause_split_and_resume(
-    node: Node, record: Any, local_context: Context, tmp_path: Path
-) -> None:
-    publisher = node.create_publisher(String, "chatter", 10)
-    with (
-        record(TopicChoice(["/chatter"])) as recorder,
-        SingleThreadedExecutor(context=local_context) as executor,
-    ):
-        executor.add_node(recorder)
+@pytest.fixture
+def call(node: Node, local_context: Context) -> Iterator[Callable[..., Any]]:
+    """Call a service of a recorder whose node is in the same context."""
+    with SingleThreadedExecutor(context=local_context) as executor:
         executor.add_node(node)
 
-        def call(kind: Any, name: str) -> Any:
+        def call(recorder: Recorder, kind: Any, name: str, **fields: Any) -> Any:
+            executor.add_node(recorder)
             client = node.create_client(kind, f"/rosbag2_recorder/{name}")
             assert client.wait_for_service(5.0)
-            future = client.call_async(kind.Request())
+            future = client.call_async(kind.Request(**fields))
             executor.spin_until_future_complete(future, 5.0)
             return future.result()
 
+        yield call
+
+
+def test_services_pause_split_and_resume(
+    node: Node, record: Any, call: Callable[..., Any], tmp_path: Path
+) -> None:
+    publisher = node.create_publisher(String, "chatter", 10)
+    events: list[WriteSplitEvent] = []
+    node.create_subscription(WriteSplitEvent, "events/write_split", events.append, 1)
+    with record(TopicChoice(["/chatter"])) as recorder:
         publisher.publish(String(data="a"))
-        call(SplitBagfile, "split_bagfile")
+        call(recorder, SplitBagfile, "split_bagfile")
         publisher.publish(String(data="b"))
-        call(Pause, "pause")
-        assert call(IsPaused, "is_paused").paused
+        call(recorder, Pause, "pause")
+        assert call(recorder, IsPaused, "is_paused").paused
         publisher.publish(String(data="lost"))
-        call(Resume, "resume")
-        assert not call(IsPaused, "is_paused").paused
+        call(recorder, Resume, "resume")
+        assert not call(recorder, IsPaused, "is_paused").paused
         publisher.publish(String(data="c"))
-        assert not call(Snapshot, "snapshot").success
+        assert not call(recorder, Snapshot, "snapshot").success
     assert sorted(path.name for path in (tmp_path / "bag").glob("*.mcap")) == ["bag_0.mcap", "bag_1.mcap"]
     with open_bag(tmp_path / "bag") as bag:
         assert [file.message_count for file in bag.files] == [1, 2]
     assert texts(tmp_path / "bag") == ["a", "b", "c"]
+    paths = [str(tmp_path / "bag" / f"bag_{number}.mcap") for number in range(2)]
+    (event,) = events
+    assert event == WriteSplitEvent(closed_file=paths[0], opened_file=paths[1], node_name="/rosbag2_recorder")
+
+
+def test_services_stop_and_record_again(
+    node: Node, record: Any, call: Callable[..., Any], tmp_path: Path, capfd: Any
+) -> None:
+    publisher = node.create_publisher(String, "chatter", 10)
+    again = str(tmp_path / "again")
+    with record(TopicChoice(["/chatter"])) as recorder:
+        publisher.publish(String(data="a"))
+        refused = call(recorder, Record, "record", uri=again)
+        assert (refused.return_code, refused.error_string) == (1, "Recorder is already recording.")
+        call(recorder, Stop, "stop")
+        assert not recorder.is_recording
+        assert texts(tmp_path / "bag") == ["a"]
+        # None of these ends the program, although there is no file to write into.
+        call(recorder, Stop, "stop")
+        call(recorder, SplitBagfile, "split_bagfile")
+        recorder.toggle_paused()
+        recorder.toggle_paused()
+        failed = call(recorder, Record, "record")
+        assert failed.return_code == 1
+        assert failed.error_string == f"{tmp_path / 'bag'}: it exists already; choose another folder"
+        begun = call(recorder, Record, "record", uri=again)
+        assert (begun.return_code, begun.error_string) == (0, "")
+        assert call(recorder, IsPaused, "is_paused").paused
+        publisher.publish(String(data="lost"))
+        call(recorder, Resume, "resume")
+        publisher.publish(String(data="b"))
+        call(recorder, Stop, "stop")
+        assert recorder.failure is None
+    assert texts(tmp_path / "again") == ["b"]
+    said = capfd.readouterr().err
+    for refusal in (
+        "Record request while already recording",
+        "Stop request while not in recording",
+        "SplitBagfile request while not in recording",
+    ):
+        assert said.count(f"Received {refusal}. Ignoring request.") == 1
+    assert f"Error during Record request: {tmp_path / 'bag'}: it exists already" in said
+
+
+def test_services_start_and_stop_discovery(node: Node, record: Any, call: Callable[..., Any]) -> None:
+    def ask(kind: Any, name: str) -> tuple[int, str]:
+        response = call(recorder, kind, name)
+        return response.return_code, response.error_string
+
+    with record(TopicChoice(["/early", "/late"]), is_discovery_disabled=True) as recorder:
+        assert not call(recorder, IsDiscoveryRunning, "is_discovery_running").running
+        assert ask(StopDiscovery, "stop_discovery") == (1, "Discovery is not running.")
+        assert ask(StartDiscovery, "start_discovery") == (0, "")
+        assert call(recorder, IsDiscoveryRunning, "is_discovery_running").running
+        assert ask(StartDiscovery, "start_discovery") == (1, "Discovery is already running.")
+        node.create_publisher(String, "early", 10)
+        wait_until(lambda: recorder._topics._recorded.keys() == {"/early"})
+        assert ask(StopDiscovery, "stop_discovery") == (0, "")
+        assert not call(recorder, IsDiscoveryRunning, "is_discovery_running").running
+        node.create_publisher(String, "late", 10)
+        assert ask(StartDiscovery, "start_discovery") == (0, "")
+        wait_until(lambda: not recorder.is_discovery_running)  # because all topics are found
+        assert recorder._topics._recorded.keys() == {"/early", "/late"}
+        call(recorder, Stop, "stop")
+        assert ask(StartDiscovery, "start_discovery") == (1, "Recorder is not currently recording.")
+
+
+def test_snapshot_is_refused_when_the_recording_has_stopped(record: Any, call: Callable[..., Any]) -> None:
+    with record(TopicChoice(["/chatter"]), WriterSettings(is_snapshot=True)) as recorder:
+        recorder.stop()
+        assert not call(recorder, Snapshot, "snapshot").success
+        assert recorder.failure is None
 
 
 def test_snapshot_has_the_newest_messages(node: Node, record: Any, tmp_path: Path) -> None:
@@ -334,8 +424,13 @@ def test_simulated_time_stamps_messages(
             while recorder.get_clock().now().nanoseconds == 0:
                 executor.spin_once(1.0)
         publisher.publish(String(data="a"))
-    with open_bag(tmp_path / "bag") as bag:
-        assert [message.log_time_ns for message in bag.messages()] == [5 * 10**9]
+        recorder.stop()
+        recorder.record(str(tmp_path / "again"))
+        recorder.resume()
+        publisher.publish(String(data="b"))
+    for folder in ("bag", "again"):
+        with open_bag(tmp_path / folder) as bag:
+            assert [message.log_time_ns for message in bag.messages()] == [5 * 10**9]
 
 
 def test_node_without_a_bag_leaves(node: Node, local_context: Context, tmp_path: Path) -> None:

@@ -67,6 +67,7 @@ PLACES = {
     "bag/key_presses.py": ["keys"],
     "bag/playing/player.py": ["player"],
     "bag/playing/read_ahead.py": ["read_ahead"],
+    "bag/recording/discovery.py": ["recorder"],
     "bag/recording/recorder.py": ["recorder"],
     "cli/shared/child.py": ["child"],
     "demos/child.py": [TOLD],

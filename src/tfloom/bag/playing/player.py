@@ -204,7 +204,10 @@ class Player(Node):
         files = self.bag.files
         while self._file + 1 < len(files) and message.log_time_ns > files[self._file].end_ns:
             closed, opened = files[self._file].path, files[self._file + 1].path
-            self._split_events.publish(ReadSplitEvent(closed_file=str(closed), opened_file=str(opened)))
+            name = self.get_fully_qualified_name()
+            self._split_events.publish(
+                ReadSplitEvent(closed_file=str(closed), opened_file=str(opened), node_name=name)
+            )
             self._file += 1
 
     def _clock_publisher(self) -> Callable[[int], None]:

@@ -8,12 +8,13 @@ from pathlib import Path
 from typing import Any
 
 from tfloom.bag.errors import BagError
-from tfloom.bag.node_running import Answer, serve
+from tfloom.bag.recording.discovery import Discovery
 from tfloom.bag.recording.record_options import RecordOptions
 from tfloom.bag.recording.recorded_topics import RecordedTopics
+from tfloom.bag.recording.recorder_services import RefusedError, serve_recorder
 from tfloom.bag.writing.bag_writer import BagWriter, WriterSettings
 from tfloom.interfaces.rosbag2_interfaces.msg import WriteSplitEvent
-from tfloom.interfaces.rosbag2_interfaces.srv import IsPaused, Pause, Resume, Snapshot, SplitBagfile
+from tfloom.node.clock.clock import JumpHandle
 from tfloom.node.clock.time_jump import JumpThreshold
 from tfloom.node.context.context import Context
 from tfloom.node.log.logging import get_logger
@@ -31,9 +32,11 @@ Learn = Callable[[Participant, str], object]
 
 
 class Recorder(Node):
-    """Records topics into a bag, from `start` to `stop`.
+    """Records topics into a bag, from `start` to `stop`, and after that into others, from `record` to `stop`.
 
-    Its services are those of rosbag2_recorder: ~/is_paused, ~/pause, ~/resume, ~/snapshot, ~/split_bagfile.
+    Its services are those of rosbag2_recorder: ~/is_paused, ~/pause, ~/resume, ~/snapshot, ~/split_bagfile, ~/record,
+    ~/stop, ~/start_discovery, ~/stop_discovery, ~/is_discovery_running. Any thread may call its methods; `_lock` guards
+    what writes, and `_transition` what begins and ends.
 
     Args:
         folder: The bag's folder, which must not exist.
@@ -61,24 +64,25 @@ class Recorder(Node):
         self.options = options
         self.failure: BagError | None = None
         """Why recording ended, if it could not go on."""
+        self._settings = settings
+        self._learn = learn
         self._is_paused = options.is_start_paused
         self._lock = threading.Lock()
         """Guards the writer: one thread uses it at a time."""
+        self._transition = threading.RLock()
+        """Guards the threads, the pause, the writer's replacement and that of the topics: one change at a time."""
         self._ended = threading.Event()
-        self._threads: list[threading.Thread] = []
+        self._writing: threading.Thread | None = None
+        self._jump_handle: JumpHandle | None = None
         self._split_events = self.create_publisher(WriteSplitEvent, "events/write_split", 1)
         if options.has_keyboard:
             self.get_logger().info("Press SPACE for pausing/resuming")
         try:
-            self.writer = BagWriter(folder, settings, self._on_split)
+            self._open(folder)
         except BagError:
             self.destroy_node()
             raise
-        if settings.storage_id == "sqlite3":
-            get_logger("rosbag2_storage").info(f"Opened database '{self.writer.file_path}' for READ_WRITE.")
-        self.writer.queue.set_paused(self._is_paused)
-        self._topics = RecordedTopics(self, self.writer, options, learn)
-        serve(self.create_service, self._answers())
+        serve_recorder(self)
 
     def start(self) -> None:
         """Subscribe to the topics that exist, and go on in threads: with discovery, and with writing.
@@ -86,20 +90,39 @@ class Recorder(Node):
         Raises:
             BagError: a thread can't be started; the recording has ended.
         """
-        self.get_logger().info("Listening for topics...")
-        self.get_logger().info("Event publisher thread: Starting")
-        if self.options.use_sim_time:
-            self._follow_clock()
-        self._topics.subscribe_all()
-        self.get_logger().info("Recording...")
-        for run in (self._write, self._discover):
-            thread = threading.Thread(target=run, daemon=True)
+        with self._transition:
+            self.get_logger().info("Listening for topics...")
+            self.get_logger().info("Event publisher thread: Starting")
+            if self.options.use_sim_time:
+                self._follow_clock()
+            self._topics.subscribe_all()
+            self._say_what_begins()
+            writing = threading.Thread(target=self._write, daemon=True)
             try:
-                thread.start()
+                writing.start()
+                self._writing = writing
+                if not self.options.is_discovery_disabled:
+                    self._discovery.start()
             except RuntimeError as error:
                 self.stop()
                 raise BagError(self.writer.folder, f"recording needs two threads: {error}") from error
-            self._threads.append(thread)
+
+    def record(self, uri: str = "") -> None:
+        """Record into another bag, after `stop`. Messages are discarded until `resume`, because `stop` pauses.
+
+        Args:
+            uri: The bag's folder, which must not exist; empty: that of the last one.
+
+        Raises:
+            RefusedError: this is recording.
+            BagError: the folder exists, or can't be written, or a thread can't be started.
+        """
+        with self._transition:
+            if self.is_recording:
+                raise RefusedError("Recorder is already recording.", "while already recording")
+            self._open(Path(uri) if uri else self.writer.folder)
+            self._ended.clear()
+            self.start()
 
     def stop(self) -> None:
         """End the threads, write what is left, and complete the bag. Stopping again does nothing.
@@ -107,16 +130,38 @@ class Recorder(Node):
         Raises:
             BagError: the bag can't be completed, and there was no `failure` before; what was written stays readable.
         """
-        if self._ended.is_set():
-            return
+        with self._transition:
+            if self.is_recording:
+                self._stop()
+
+    def _open(self, folder: Path) -> None:
+        """Create the bag, and begin with no topics."""
+        self.writer = BagWriter(folder, self._settings, self._on_split)
+        if self._settings.storage_id == "sqlite3":
+            get_logger("rosbag2_storage").info(f"Opened database '{self.writer.file_path}' for READ_WRITE.")
+        self.writer.queue.set_paused(self._is_paused)
+        self._topics = RecordedTopics(self, self.writer, self.options, self._learn)
+        self._discovery = Discovery(
+            self._subscribe_to_new, self.options.polling_interval_s, self._on_failed_discovery
+        )
+
+    def _say_what_begins(self) -> None:
+        if not self._is_paused:
+            self.get_logger().info("Recording...")
+        elif self.options.has_keyboard:
+            self.get_logger().info("Wait for recording: Press SPACE to start.")
+
+    def _stop(self) -> None:
         # First no more messages get into the queue. Then both threads end: the event ends the wait between two looks at
-        # the graph, and a closed queue wakes the thread that waits for a chunk. No lock is held meanwhile, because that
-        # thread may need it for its last chunk. Only then can no thread subscribe any more, and the readers are closed.
+        # the graph, and a closed queue wakes the thread that waits for a chunk. `_lock` is not held meanwhile, because
+        # that thread may need it for its last chunk. Only then can no thread subscribe any more, and the readers are
+        # closed.
         self.pause()
         self._ended.set()
         self.writer.queue.close()
-        for thread in self._threads:
-            thread.join()
+        self._discovery.stop()
+        if self._writing is not None:
+            self._writing.join()
         self._topics.close()
         get_logger("rosbag2_cpp").info(
             "Writing remaining messages from cache to the bag. It may take a while"
@@ -136,38 +181,85 @@ class Recorder(Node):
 
     def pause(self) -> None:
         """Discard messages from now on."""
-        self._is_paused = True
-        self.writer.queue.set_paused(True)
-        self.get_logger().info("Pausing recording.")
+        with self._transition:
+            self._is_paused = True
+            self.writer.queue.set_paused(True)
+            self.get_logger().info("Pausing recording.")
 
     def resume(self) -> None:
         """Record messages again."""
-        self._is_paused = False
-        self.writer.queue.set_paused(False)
-        self.get_logger().info("Resuming recording.")
+        with self._transition:
+            self._is_paused = False
+            self.writer.queue.set_paused(False)
+            self.get_logger().info("Resuming recording.")
 
     def toggle_paused(self) -> None:
         """Pause, or resume."""
-        if self._is_paused:
-            self.resume()
-        else:
-            self.pause()
+        with self._transition:
+            if self._is_paused:
+                self.resume()
+            else:
+                self.pause()
 
     @property
     def is_paused(self) -> bool:
         """Whether messages are discarded."""
         return self._is_paused
 
+    @property
+    def is_recording(self) -> bool:
+        """Whether the bag is not completed yet."""
+        return not self._ended.is_set()
+
+    def check_recording(self) -> None:
+        """Raise RefusedError unless this is recording."""
+        if not self.is_recording:
+            raise RefusedError("Recorder is not currently recording.", "while not in recording")
+
+    @property
+    def is_discovery_running(self) -> bool:
+        """Whether topics are looked for."""
+        return self._discovery.is_running
+
+    def start_discovery(self) -> None:
+        """Subscribe to topics as they appear, also if the options say not to.
+
+        Raises:
+            RefusedError: they are looked for already, or this isn't recording.
+            BagError: a thread can't be started.
+        """
+        with self._transition:
+            self.check_recording()
+            if self.is_discovery_running:
+                raise RefusedError("Discovery is already running.", "while discovery is already running")
+            try:
+                self._discovery.start()
+            except RuntimeError as error:
+                raise BagError(self.writer.folder, f"discovery needs a thread: {error}") from error
+
+    def stop_discovery(self) -> None:
+        """Subscribe to no more topics; those that are recorded go on.
+
+        Raises:
+            RefusedError: no topics are looked for.
+        """
+        with self._transition:
+            if not self.is_discovery_running:
+                raise RefusedError("Discovery is not running.", "while discovery is not running")
+            self._discovery.stop()
+
     def split_bagfile(self) -> None:
         """Write what was received into the present file, and begin the next one.
 
         Raises:
+            RefusedError: this isn't recording.
             BagError: one of them can't be written.
         """
         # The order matters: messages that arrive from now on count for the duration of the next file, those that wait
         # are written into the present one, and then it is completed. Without the lock, the writing thread could take
         # one of their chunks meanwhile, which would get into the next file.
         with self._lock:
+            self.check_recording()
             self.writer.queue.restart_file()
             if not self.writer.settings.is_snapshot:
                 self.writer.write_present()
@@ -177,30 +269,23 @@ class Recorder(Node):
         """Write the messages in the cache; return False unless this is a recording in snapshot mode.
 
         Raises:
+            RefusedError: this isn't recording.
             BagError: they can't be written.
         """
-        if not self.writer.settings.is_snapshot:
+        if not self._settings.is_snapshot:
             return False
         with self._lock:
+            self.check_recording()
             self.writer.write_present()
         return True
 
-    def _answers(self) -> dict[str, tuple[Any, Answer]]:
-        return {
-            "is_paused": (IsPaused, lambda _: {"paused": self._is_paused}),
-            "pause": (Pause, lambda _: self.pause()),
-            "resume": (Resume, lambda _: self.resume()),
-            "snapshot": (Snapshot, lambda _: {"success": self._try_to_write(self.take_snapshot)}),
-            "split_bagfile": (SplitBagfile, lambda _: self._try_to_write(self.split_bagfile)),
-        }
-
-    def _try_to_write(self, write: Callable[[], bool | None]) -> bool:
-        """Return whether `write` has written, as it says itself; an error of it ends the recording."""
-        try:
-            return bool(write())
-        except BagError as error:
-            self._fail(error)
-            return False
+    def fail(self, failure: BagError, cause: Exception | None = None) -> None:
+        """End the recording because of an error; what was written stays readable."""
+        self.writer.queue.close()
+        if self.failure is None:
+            failure.__cause__ = cause
+            self.failure = failure
+            self.get_logger().error(f"Recording ends: {failure}")
 
     def _on_split(self, closed: Path, opened: Path) -> None:
         get_logger("rosbag2_cpp").info(
@@ -208,7 +293,10 @@ class Recorder(Node):
         )
         if self.context.ok():
             try:
-                self._split_events.publish(WriteSplitEvent(closed_file=str(closed), opened_file=str(opened)))
+                name = self.get_fully_qualified_name()
+                self._split_events.publish(
+                    WriteSplitEvent(closed_file=str(closed), opened_file=str(opened), node_name=name)
+                )
             except Exception as error:  # noqa: BLE001  # the context may end meanwhile; the files are whole
                 self.get_logger().warning(f"The split was not announced: {error}")
 
@@ -217,9 +305,9 @@ class Recorder(Node):
         try:
             self._write_chunks()
         except BagError as error:
-            self._fail(error)
+            self.fail(error)
         except Exception as error:  # noqa: BLE001  # nobody else would stop a recording that writes nothing
-            self._fail(BagError(self.writer.folder, f"writing has ended: {_error_text(error)}"), error)
+            self.fail(BagError(self.writer.folder, f"writing has ended: {_error_text(error)}"), error)
 
     def _write_chunks(self) -> None:
         queue = self.writer.queue
@@ -237,44 +325,31 @@ class Recorder(Node):
                 if chunk is not None:
                     self.writer.write_chunk(chunk)
 
-    def _fail(self, failure: BagError, cause: Exception | None = None) -> None:
-        """End the recording because of an error; what was written stays readable."""
-        self.writer.queue.close()
-        if self.failure is None:
-            failure.__cause__ = cause
-            self.failure = failure
-            self.get_logger().error(f"Recording ends: {failure}")
+    def _on_failed_discovery(self, error: Exception) -> None:
+        """End the recording because topics that appear can't be subscribed to."""
+        if self.context.ok() and self.is_recording:
+            reason = f"no more topics can be subscribed to: {_error_text(error)}"
+            self.fail(BagError(self.writer.folder, reason), error)
 
-    def _discover(self) -> None:
-        """Subscribe to topics as they appear, until that fails or the recording ends."""
-        if self.options.is_discovery_disabled:
-            return
-        try:
-            self._subscribe_to_new()
-        except Exception as error:  # noqa: BLE001  # else topics that come later would be missing in silence
-            if self.context.ok() and not self._ended.is_set():
-                failure = BagError(
-                    self.writer.folder, f"no more topics can be subscribed to: {_error_text(error)}"
-                )
-                self._fail(failure, error)
-
-    def _subscribe_to_new(self) -> None:
-        while not self._ended.wait(self.options.polling_interval_s):
-            if self._topics.is_complete:
-                self.get_logger().info("All requested topics are subscribed. Stopping discovery...")
-                return
-            self._topics.subscribe_changed()
+    def _subscribe_to_new(self) -> bool:
+        """Subscribe to what has appeared; return whether all topics are recorded that may ever be wanted."""
+        if self._topics.is_complete:
+            self.get_logger().info("All requested topics are subscribed. Stopping discovery...")
+            return True
+        self._topics.subscribe_changed()
+        return False
 
     def _follow_clock(self) -> None:
         """Stamp messages with the simulated time."""
-        queue = self.writer.queue
         clock = self.get_clock()
+
+        def follow(_: Any = None) -> None:
+            self.writer.queue.set_simulated_time(clock.now().nanoseconds)
+
         # 0 is an unknown time: until the first message of /clock, nothing is recorded rather than with wrong stamps.
-        queue.set_simulated_time(0)
-
-        def follow(_: Any) -> None:
-            queue.set_simulated_time(clock.now().nanoseconds)
-
+        follow()
+        if self._jump_handle is not None:
+            return
         # With this threshold, each change of the clock is a jump. The queue keeps the time, because it stamps messages
         # on the threads of the wire, which run no Python.
         threshold = JumpThreshold(
