@@ -773,8 +773,8 @@ def test_images_of_a_camera_are_exchanged_in_its_pyramid_at_the_time_that_is_sho
     page.show("/camera/image", images)
 
     def level_shown() -> int | None:
-        handle = shown(viewer, "/displays/0/1")
-        return None if handle is None else int(handle.image[0, 0, 0])
+        image = getattr(shown(viewer, "/displays/0/1"), "image", None)  # a new handle has none for a moment
+        return None if image is None else int(image[0, 0, 0])
 
     k = [2.0, 0, 1.0, 0, 2.0, 1.0, 0, 0, 1]
     nodes = set()
