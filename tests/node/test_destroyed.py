@@ -258,16 +258,11 @@ def test_a_destroyed_lifecycle_node_changes_its_state(make_node: Make) -> None:
 def test_every_sleep_returns_when_the_rate_is_destroyed(make_node: Make, end: str) -> None:
     node = make_node("handled")
     rate = node.create_rate(0.001)
-    errors: list[BaseException] = []
-
-    def sleep() -> None:
-        with pytest.raises(RuntimeError, match="destroyed") as caught:
-            rate.sleep()
-        errors.append(caught.value)
-
-    threads = [threading.Thread(target=sleep) for _ in range(3)]
+    returned: list[None] = []
+    threads = [threading.Thread(target=lambda: returned.append(rate.sleep())) for _ in range(3)]
     for thread in threads:
         thread.start()
+    wait_until(lambda: len(rate._ticked._cond._waiters) == 3)
     if end == "rate":
         assert node.destroy_rate(rate)
         assert not node.destroy_rate(rate)
@@ -275,7 +270,7 @@ def test_every_sleep_returns_when_the_rate_is_destroyed(make_node: Make, end: st
         node.destroy_node()
     for thread in threads:
         thread.join(20)
-    assert len(errors) == 3
+    assert returned == [None] * 3
     with pytest.raises(RuntimeError, match="destroyed"):
         rate.sleep()
 

@@ -312,8 +312,7 @@ def test_a_rate_that_is_destroyed_ends_its_sleeps_and_another_one_ticks(node: No
     ended = threading.Event()
 
     def sleep() -> None:
-        with pytest.raises(RuntimeError, match="destroyed while it slept"):
-            slow.sleep()
+        slow.sleep()
         ended.set()
 
     sleeper = threading.Thread(target=sleep, daemon=True)

@@ -247,7 +247,7 @@ class Rate:
         Raises:
             ROSInterruptException: the context is shut down, before or during the wait.
             ForkedProcessError: this process is a fork of the one that created the rate.
-            RuntimeError: the rate was destroyed.
+            RuntimeError: the rate was destroyed before; a wait during which it is destroyed just ends.
         """
         if self._destroyed:
             raise RuntimeError("Rate cannot sleep because it has been destroyed")
@@ -258,7 +258,7 @@ class Rate:
         self._ticked.clear()
         if self._destroyed:
             self._ticked.set()  # as below
-            raise RuntimeError("Rate was destroyed while it slept")
+            return
         if not self._context.ok():
             self._ticked.set()  # `clear` has undone that of the shutdown, for which another thread may wait, too
             raise ROSInterruptException
