@@ -107,3 +107,10 @@ def test_timers_describe_their_period() -> None:
     ]
     by_ros = ROSTimer(period=LaunchConfiguration("p"), actions=[action])
     assert by_ros.describe() == "ROSTimer(period=LaunchConfig('p'), actions=<actions>)"
+
+
+def test_an_action_describes_itself_by_its_repr_and_an_entity_not_at_all() -> None:
+    action = Action()
+    assert action.describe() == repr(action)
+    with pytest.raises(NotImplementedError, match="LaunchDescriptionEntity has no method 'describe'"):
+        LaunchDescriptionEntity().describe()

@@ -27,8 +27,12 @@ class LaunchDescriptionEntity(HasPrivateNames):
         return ros_repr(self)
 
     def describe(self) -> str:
-        """Return a description for people."""
-        return repr(self)
+        """Return a description for people; derived classes implement it.
+
+        Raises:
+            NotImplementedError: the class has no `describe` of its own.
+        """
+        raise NotImplementedError(f"{type(self).__name__} has no method 'describe'")
 
     def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
         """Return the entities under this one, as far as they are known before it is visited."""

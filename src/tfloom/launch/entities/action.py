@@ -42,7 +42,7 @@ class Action(LaunchDescriptionEntity):
 
     def describe(self) -> str:
         """Return a description for people."""
-        return f"Action('{self!r}')"
+        return repr(self)
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
         """Return the entities under this one; derived classes override it, in place of the two below."""
