@@ -69,13 +69,13 @@ def test_csv_of_a_byte(node: None) -> None:
     assert run("topic", "echo", "--once", "--csv", "/octet") == (0, "b'\\x05'\n", "")
 
 
-def test_longest_wait_without_a_wait(capsys: pytest.CaptureFixture[str]) -> None:
+def test_longest_wait_without_a_wait(node: None) -> None:
     none = {"wait_matching_subscriptions": None, "once": False, "times": 0}
     assert pub._wanted_subscriptions(Namespace(**none, max_wait_time_secs=None)) == 0
-    assert capsys.readouterr().err == ""
-    assert pub._wanted_subscriptions(Namespace(**none, max_wait_time_secs=1.0)) == 0
     needed = "--wait-matching-subscriptions, --once or --times"
-    assert capsys.readouterr().err == f"--max-wait-time-secs has no effect without {needed}\n"
+    for alone in ((), ("-1", "-w", "0")):
+        done = run("topic", "pub", *alone, "--max-wait-time-secs", "1", "/x", "std_msgs/msg/Empty")
+        assert done == (1, "", f"--max-wait-time-secs option is only effective with {needed}\n")
     assert pub._wanted_subscriptions(Namespace(**{**none, "once": True}, max_wait_time_secs=1.0)) == 1
 
 

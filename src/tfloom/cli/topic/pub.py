@@ -117,15 +117,18 @@ class _Draft:
 
 
 def _wanted_subscriptions(args: argparse.Namespace) -> int:
-    """Return for how many subscriptions to wait."""
-    if args.wait_matching_subscriptions is not None:
-        return int(args.wait_matching_subscriptions)
-    if args.once or args.times:
-        return 1
-    if args.max_wait_time_secs is not None:
+    """Return for how many subscriptions to wait.
+
+    Raises:
+        CommandError: a longest wait is given, but nothing to wait for.
+    """
+    wanted = args.wait_matching_subscriptions
+    if wanted is None:
+        wanted = int(bool(args.once or args.times))
+    if not wanted and args.max_wait_time_secs is not None:
         needed = "--wait-matching-subscriptions, --once or --times"
-        report(f"--max-wait-time-secs has no effect without {needed}")
-    return 0
+        raise CommandError(f"--max-wait-time-secs option is only effective with {needed}")
+    return int(wanted)
 
 
 def _wait_for_subscriptions(
