@@ -6,11 +6,16 @@ import pytest
 
 from tfloom.launch.actions.event_actions import EmitEvent, Shutdown
 from tfloom.launch.actions.include_launch_description import IncludeLaunchDescription
+from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.entities.conditions import IfCondition
 from tfloom.launch.entities.launch_description import LaunchDescription
 from tfloom.launch.entities.launch_description_source import LaunchDescriptionSource
 from tfloom.launch.launch_service import LaunchService
+from tfloom.launch.ros.actions.composable_nodes import ComposableNodeContainer, LoadComposableNodes
 from tfloom.launch.ros.actions.node import Node
+from tfloom.launch.ros.descriptions.composable_node import ComposableNode
+from tfloom.launch.ros.parameter_descriptions import ParameterFile, ParameterValue
+from tfloom.launch.substitutions.variables import LaunchConfiguration
 
 
 class Derived(Node):
@@ -56,6 +61,29 @@ def test_sources_descriptions_and_services_have_their_private_names() -> None:
     assert LaunchDescription([include])._LaunchDescription__entities == [include]
     service = LaunchService()
     assert service._LaunchService__context is service.context
+
+
+def test_substitutions_contexts_and_composable_nodes_have_their_private_names() -> None:
+    assert LaunchConfiguration("a")._LaunchConfiguration__variable_name[0]._TextSubstitution__text == "a"
+    assert LaunchContext()._LaunchContext__launch_configurations == {}
+    assert ParameterFile("a.yaml")._ParameterFile__param_file[0].text == "a.yaml"
+    assert ParameterValue(1)._ParameterValue__value == 1
+    assert Derived()._Node__expanded_node_namespace == Node.UNSPECIFIED_NODE_NAMESPACE
+    assert Derived()._Node__expanded_node_name == Node.UNSPECIFIED_NODE_NAME
+    node = ComposableNode(
+        package="p", plugin="q", name="n", namespace="ns", parameters=[{"a": 1}], remappings=[("b", "c")]
+    )
+    names = ("package", "node_plugin", "node_name", "node_namespace")
+    assert [getattr(node, f"_ComposableNode__{name}")[0].text for name in names] == ["p", "q", "n", "ns"]
+    assert node._ComposableNode__parameters is node.parameters
+    assert node._ComposableNode__remappings is node.remappings
+    nodes = [node]
+    loading = LoadComposableNodes(target_container="c", composable_node_descriptions=nodes)
+    assert loading._LoadComposableNodes__composable_node_descriptions is nodes
+    container = ComposableNodeContainer(
+        package="p", executable="e", name="n", namespace="", composable_node_descriptions=nodes
+    )
+    assert container._ComposableNodeContainer__composable_node_descriptions is nodes
 
 
 @pytest.mark.parametrize(

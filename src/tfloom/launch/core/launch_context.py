@@ -8,6 +8,7 @@ from queue import SimpleQueue
 from typing import TYPE_CHECKING, Any, Protocol
 
 from tfloom.launch.core.event import Event
+from tfloom.launch.core.private_names import HasPrivateNames
 from tfloom.launch.core.run_state import HandlesEvents, RunState
 from tfloom.launch.logs.logging import get_logger
 from tfloom.ros_imports.guard import ros_repr
@@ -40,7 +41,7 @@ class Locals:
         raise AttributeError(f"can't set attribute '{name}', locals are read-only")
 
 
-class LaunchContext:
+class LaunchContext(HasPrivateNames):
     """The state that entities share while a description is launched.
 
     All members are used by the thread that runs the launch.

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Sequence
 from typing import Any, ClassVar, Union
 
 from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.private_names import HasPrivateNames
 from tfloom.ros_imports.guard import ros_home, ros_repr
 
 __all__ = [
@@ -22,7 +23,7 @@ __all__ = [
 ]
 
 
-class Substitution:
+class Substitution(HasPrivateNames):
     """A text that is only known when the launch runs."""
 
     def __repr__(self) -> str:

@@ -9,6 +9,7 @@ from typing import Any, List, Union, cast
 
 from tfloom.common.seconds import plain_value
 from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.private_names import HasPrivateNames
 from tfloom.launch.core.substitution import (
     SomeSubstitutionsType,
     SomeSubstitutionsType_types_tuple,
@@ -35,7 +36,7 @@ EvaluatedParameterValue = Union[
 """A value of a parameter."""
 
 
-class ParameterValue:
+class ParameterValue(HasPrivateNames):
     """A parameter's value, with the type that it will have.
 
     Args:
@@ -114,7 +115,7 @@ def _perform_untyped(context: LaunchContext, value: Any) -> Any:
     return checked_value("value", performed)
 
 
-class Parameter:
+class Parameter(HasPrivateNames):
     """A parameter's name and value.
 
     Args:
@@ -162,7 +163,7 @@ class Parameter:
         return self._evaluated_name, self._parameter_value.evaluate(context)
 
 
-class ParameterFile:
+class ParameterFile(HasPrivateNames):
     """A file of parameters.
 
     Args:

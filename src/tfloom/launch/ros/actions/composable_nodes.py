@@ -69,7 +69,7 @@ class LoadComposableNodes(Action):
             "LoadComposableNodes",
         )
         super().__init__(**kwargs)
-        self._composable_nodes = composable_node_descriptions
+        self._composable_node_descriptions = composable_node_descriptions
         self._target_container = target_container
         self._logger = get_logger("launch_ros.actions.load_composable_nodes")
 
@@ -97,7 +97,7 @@ class LoadComposableNodes(Action):
         container = self._container_name(context)
         requests = [
             request
-            for node in self._composable_nodes
+            for node in self._composable_node_descriptions
             if (request := get_composable_node_load_request(node, context)) is not None
         ]
         if requests:
@@ -233,7 +233,7 @@ class ComposableNodeContainer(Node):
         **kwargs: Any,
     ) -> None:
         super().__init__(name=name, namespace=namespace, **kwargs)
-        self._composable_nodes = composable_node_descriptions
+        self._composable_node_descriptions = composable_node_descriptions
 
     @classmethod
     def parse(
@@ -258,9 +258,9 @@ class ComposableNodeContainer(Node):
             raise marked_as_missing(
                 RuntimeError(f"ComposableNodeContainer: {NEEDS_CPP} ({error})")
             ) from error
-        if self._composable_nodes:
+        if self._composable_node_descriptions:
             load = LoadComposableNodes(
-                composable_node_descriptions=self._composable_nodes, target_container=self
+                composable_node_descriptions=self._composable_node_descriptions, target_container=self
             )
             on_start = OnProcessStart(target_action=self, on_start=[load], handle_once=True)
             context.register_event_handler(on_start)

@@ -60,6 +60,8 @@ class Node(ExecuteProcess):
     """
 
     _other_names: ClassVar = {
+        "expanded_node_name": "_expanded_name",
+        "expanded_node_namespace": "_expanded_namespace",
         "node_executable": "_executable",
         "node_name": "_given_name",
         "node_namespace": "_given_namespace",

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
+from typing import Any, ClassVar
 
 from tfloom.launch.core.condition import Condition
 from tfloom.launch.core.entity import Entity, ParsesActions
+from tfloom.launch.core.private_names import HasPrivateNames
 from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution
 from tfloom.launch.ros.parameters_type import Parameters, SomeParameters
 from tfloom.launch.ros.utilities.names import RemapRules, SomeRemapRules, normalize_remap_rules
@@ -17,7 +18,7 @@ from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitut
 __all__ = ["ComposableNode", "parse_composable_nodes"]
 
 
-class ComposableNode:
+class ComposableNode(HasPrivateNames):
     """A node that a container would load.
 
     Args:
@@ -30,6 +31,12 @@ class ComposableNode:
         extra_arguments: Arguments of the container for this node.
         condition: Decides whether the node is loaded.
     """
+
+    _other_names: ClassVar = {
+        "node_plugin": "_plugin",
+        "node_name": "_name",
+        "node_namespace": "_namespace",
+    }
 
     def __init__(
         self,
