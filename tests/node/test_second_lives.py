@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
+from decimal import Decimal
 from typing import Any
 
+import numpy as np
 import pytest
 from tests.conftest import wait_until
 
@@ -532,3 +534,8 @@ def test_the_next_node_of_a_name_is_whole_and_alone(
         with pytest.raises(InvalidHandle):
             node.create_publisher(Int32, "numbers", 10)
     witness.destroy_node()
+
+
+@pytest.mark.parametrize("kind", [np.float16, np.float32, Decimal, int])
+def test_a_rate_of_any_number_has_the_exact_period(node: Node, kind: Callable[[int], Any]) -> None:
+    assert node.create_rate(kind(5)).timer.timer_period_ns == 200_000_000

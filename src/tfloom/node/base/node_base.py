@@ -1009,9 +1009,10 @@ class NodeBase:
         """
         if not hasattr(frequency, "__float__"):
             raise TypeError(f"create_rate() {not_a_number('a frequency in Hz', frequency)}")
-        if not frequency > 0:
+        hertz = float(frequency)  # a float16 would round the period, too
+        if not hertz > 0:
             raise ValueError("frequency must be > 0")
-        period_ns = to_nanoseconds(1.0 / frequency)
+        period_ns = to_nanoseconds(1.0 / hertz)
         if period_ns > INT64_MAX:
             raise ValueError(f"create_rate() {too_long('period', frequency)}")
         timer = self.__entities.add(self.__timer(period_ns, None, MutuallyExclusiveCallbackGroup(), clock))
