@@ -539,3 +539,10 @@ def test_the_next_node_of_a_name_is_whole_and_alone(
 @pytest.mark.parametrize("kind", [np.float16, np.float32, Decimal, int])
 def test_a_rate_of_any_number_has_the_exact_period(node: Node, kind: Callable[[int], Any]) -> None:
     assert node.create_rate(kind(5)).timer.timer_period_ns == 200_000_000
+
+
+def test_a_client_names_its_context_also_when_it_is_destroyed(node: Node, context: Context) -> None:
+    client = node.create_client(SetBool, "switch")
+    assert client.context is context
+    node.destroy_client(client)
+    assert client.context is context

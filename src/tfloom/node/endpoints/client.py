@@ -394,6 +394,11 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         for future in futures:
             future.cancel()
 
+    @property
+    def context(self) -> Context:
+        """The context of its node."""
+        return self._context
+
     def service_is_ready(self) -> bool:
         """Return whether a server is matched in both directions, so that it receives a request sent now.
 
