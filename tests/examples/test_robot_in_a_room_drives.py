@@ -58,6 +58,13 @@ class Observer(SpunNode):
     def wait_for(self, condition: Callable[[], object], what: str = "") -> None:
         self.spin_until(condition, what, TIMEOUT_S)
 
+    def wait_for_position(self, frame: str, child: str) -> np.ndarray:
+        """Return a position, which may not be known for moments in which other frames are."""
+        self.wait_for(lambda: self.position(frame, child) is not None, f"{child} in {frame}")
+        position = self.position(frame, child)
+        assert position is not None
+        return position
+
     def position(self, frame: str, child: str = "base_link") -> np.ndarray | None:
         if not self.buffer.can_transform(frame, child, Time()):
             return None
@@ -118,8 +125,12 @@ def test_robot_maps_its_room_and_the_correction_is_better_than_the_odometry(
     for parent, child in (("map", "odom"), ("odom", "base_link"), ("base_link", "laser")):
         assert observer.position(parent, child) is not None
     np.testing.assert_allclose(observer.position("base_link", "laser"), [0.12, 0.0, 0.26], atol=1e-9)
-    tool = observer.position("base_link", "tool")
-    observer.wait_for(lambda: np.linalg.norm(observer.position("base_link", "tool") - tool) > 0.1, "the arm")
+    tool = observer.wait_for_position("base_link", "tool")
+
+    def has_arm_moved() -> bool:
+        return np.linalg.norm(observer.wait_for_position("base_link", "tool") - tool) > 0.1
+
+    observer.wait_for(has_arm_moved, "the arm")
     check_second_robot(observer, start_program)
     # At one time, not at the first: on a busy machine, the mapper may have scans to catch up with.
     observer.wait_for(

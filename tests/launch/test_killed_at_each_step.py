@@ -127,7 +127,12 @@ class Launched:
 
     def processes(self) -> list[psutil.Process]:
         """Return the processes of the launch that are alive, itself and its guardian included."""
-        return [psutil.Process(pid) for pid in psutil.pids() if pid not in self._others and self._has(pid)]
+        found = []
+        for pid in psutil.pids():
+            with suppress(psutil.NoSuchProcess):  # it has ended since
+                if pid not in self._others and self._has(pid):
+                    found.append(psutil.Process(pid))
+        return found
 
     def _has(self, pid: int) -> bool:
         with suppress(psutil.Error, OSError):  # it has ended

@@ -217,6 +217,18 @@ def test_messages_that_wait_for_the_executor_are_dropped_by_clear_and_failures_a
     assert (watched.out, watched.dropped) == ([6 * SECOND], [(7 * SECOND, "EmptyFrameID")])
 
 
+def test_nothing_is_passed_on_or_raised_after_the_end_of_the_node(
+    node: Node, capfd: pytest.CaptureFixture[str]
+) -> None:
+    watched = Watched(node=node)
+    watched.filter.add(point(5 * SECOND))
+    node.destroy_node()
+    watched.set(5 * SECOND)
+    watched.filter.add(point(7 * SECOND, ""))
+    assert watched.out == watched.dropped == []
+    assert "InvalidHandle" not in capfd.readouterr().err
+
+
 def test_a_message_that_is_added_during_clear_is_not_held() -> None:
     watched = Watched()
     add_request = watched.buffer.add_request

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from tfloom.node.log.logging import get_logger
 from tfloom.node.values.callback_errors import call_all
+from tfloom.node.values.exceptions import InvalidHandle
 from tfloom.tf2_ros.buffer_core import duration_ns, time_ns
 from tfloom.tf2_ros.deadlines import call_after
 from tfloom.tf2_ros.filters.message_filters import JumpBack, SimpleFilter, clear_with
@@ -261,9 +262,12 @@ class MessageFilter(SimpleFilter):
     def _call(self, function: Callable[[], Any]) -> None:
         if self._guard is None:
             function()
-        else:
-            self._calls.append(function)
+            return
+        self._calls.append(function)
+        try:
             self._guard.trigger()
+        except InvalidHandle:  # the node was destroyed, and with it what would run them
+            self._calls.clear()
 
     def _call_all(self) -> None:
         while self._calls:
