@@ -30,6 +30,7 @@ collect_ignore = (
     if HAS_VISER
     else [
         "test_busy_pages.py",
+        "test_described.py",
         "test_driving.py",
         "test_drive_in_browser.py",
         "test_field_plots.py",

@@ -1,4 +1,4 @@
-"""`tfloom demo robot` in a real browser: the robot maps its room, and the page drives it."""
+"""Robots in a real browser: one maps its room and is driven by the page; one of a file is moved by sliders."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from tests.spun import SpunNode, spun
 from tests.viewer.test_browser import TIMEOUT_S, Tab, browser, wait_until
@@ -17,6 +18,10 @@ from tfloom.interfaces.nav_msgs.msg import Odometry
 __all__ = ["browser"]
 # A browser that draws without a graphics card takes a core for itself: beside compilers it would take minutes.
 pytestmark = [pytest.mark.slow, pytest.mark.timing]
+POLE = """<robot name="pole"><link name="base"/><link name="pole"><visual><origin xyz="0 0 5"/>
+<geometry><box size="0.6 0.6 10"/></geometry><material name="red"><color rgba="1 0 0 1"/></material></visual></link>
+<joint name="tilt" type="revolute"><parent link="base"/><child link="pole"/><axis xyz="0 1 0"/>
+<limit lower="-1" upper="1" effort="1" velocity="1"/></joint></robot>"""
 
 
 def test_robot_maps_its_room_and_is_driven_by_keys(
@@ -74,3 +79,45 @@ def test_robot_maps_its_room_and_is_driven_by_keys(
     ]
     assert errors[1] < 0.15
     assert errors[1] < errors[0]
+
+
+def test_robot_of_a_file_is_moved_by_sliders_and_clicked(
+    browser: Any, start_program: Callable[..., Any], tmp_path: Path
+) -> None:
+    path = tmp_path / "pole.urdf"
+    path.write_text(POLE)
+    view = start_program("tfloom", "view", str(path), "--no-open", "--port", "0")
+    tab = Tab(browser, view.wait_for("Open http://127.0.0.1:").removeprefix("Open "))
+    wait_until(lambda: "tilt" in tab.text("#joint-rows"), what="the joint")
+    assert "-1.000 rad, -57.3° to 1.000 rad, 57.3°" in tab.text("#joint-rows")
+    assert not tab.page.is_visible("[data-tool=drive]")
+
+    def red() -> Any:
+        pixels = tab.pixels()
+        return np.argwhere((pixels[:, :, 0] > 120) & (pixels[:, :, 1] < 90) & (pixels[:, :, 2] < 90))
+
+    def is_whole() -> bool:
+        places = red()
+        return len(places) > 300 and np.ptp(places[:, 0]) > 100
+
+    wait_until(is_whole, what="the robot, as large as the picture")
+    upright = np.ptp(red()[:, 1])
+    tab.page.fill(".joint-slider", "1")
+    wait_until(lambda: np.ptp(red()[:, 1]) > upright + 30, what="the robot, tilted")
+    assert tab.text(".joint-value") == "1.000 rad, 57.3°"
+    tab.click("#pose-rest")
+    wait_until(lambda: tab.text(".joint-value") == "0.000 rad, 0.0°", what="the position of rest")
+    wait_until(lambda: np.ptp(red()[:, 1]) < upright + 10, what="the robot, upright")
+    down, across = np.median(red(), axis=0)
+    box = tab.page.query_selector("#scene").bounding_box()
+    height, width = tab.pixels().shape[:2]
+    tab.page.mouse.click(box["x"] + across / width * box["width"], box["y"] + down / height * box["height"])
+    wait_until(
+        lambda: "pole is on base by the revolute joint tilt" in tab.text("#selection-text"), what="the link"
+    )
+    assert tab.text("#selection-title") == "pole in base"
+    tab.keep("robot_of_a_file")
+    tab.page.close()
+    assert tab.faults == []
+    view.signal(signal.SIGINT)
+    assert view.wait() == 0, view.output

@@ -17,7 +17,7 @@ from tfloom.cli.shared.names import full_topic_name
 from tfloom.cli.shared.numbers import seconds
 from tfloom.common.terminal import report, shown_part
 from tfloom.tf2_tools.watch.model import STATIC_TOPIC, TF_TOPIC
-from tfloom.viewer.extra import MISSING, is_installed
+from tfloom.viewer.extra import MISSING, is_description, is_installed
 
 if TYPE_CHECKING:
     from tfloom.viewer.layout.layout import Layout
@@ -39,7 +39,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "-b", "--bag", metavar="PATH", type=Path, help="a recording, in place of the live graph"
     )
-    parser.add_argument("bag_path", metavar="PATH", nargs="?", type=Path, help="the same as --bag PATH")
+    parser.add_argument(
+        "path",
+        metavar="PATH",
+        nargs="?",
+        help="a recording, as --bag PATH; or a robot's description: a file that ends in .urdf or .xacro, also as "
+        "package://PACKAGE/PATH",
+    )
     parser.add_argument(
         "-c",
         "--config",
@@ -97,14 +103,29 @@ def _recording(args: argparse.Namespace) -> Path | None:
     Raises:
         CommandError: two are named, or a file of RViz.
     """
-    path: Path | None = args.bag_path
-    if path is None:
+    if args.path is None:
         return args.bag  # type: ignore[no-any-return]
+    path = Path(args.path)
     if args.bag is not None:
         raise CommandError(f"two recordings, {args.bag} and {path}: the page shows one")
     if path.suffix == ".rviz":
         raise CommandError(f"{path} is not a recording; to show a layout: --config {path}")
     return path
+
+
+def _robot_name(args: argparse.Namespace) -> str | None:
+    """Return the name of the robot's description that is to be shown; None without one.
+
+    Raises:
+        CommandError: there is also a recording, or an option that a description has no use for.
+    """
+    if args.path is None or not is_description(args.path):
+        return None
+    if args.bag is not None:
+        raise CommandError(f"a recording, {args.bag}, and a robot, {args.path}: the page shows one")
+    if args.use_sim_time:
+        raise CommandError("a description has no time: leave out --use-sim-time")
+    return str(args.path)
 
 
 def serve(args: argparse.Namespace, *, needs_terminal: bool) -> int:
@@ -117,13 +138,15 @@ def serve(args: argparse.Namespace, *, needs_terminal: bool) -> int:
     Raises:
         CommandError: it can't be served.
     """
-    args.bag = _recording(args)
+    robot = _robot_name(args)
+    args.bag = _recording(args) if robot is None else None
     if not args.history > 0.0:
         raise CommandError(f"argument --history: must be above 0, not {args.history:g}")
     if not is_installed():
         raise CommandError(MISSING.format(name="`tfloom view`"))
     layout = None if args.config is None else read_config(args.config)
-    with _set_by_signals() as over, _open_viewer(args) as viewer:
+    opened = _open_viewer(args) if robot is None else _open_robot(robot, args)
+    with _set_by_signals() as over, opened as viewer:
         _interrupt_by_alarm(viewer)
         viewer.layout_path = args.save_config
         if layout is not None:
@@ -222,6 +245,21 @@ def _open_viewer(args: argparse.Namespace) -> Iterator[Viewer]:
             yield viewer
     except BagError as error:
         raise CommandError(str(error)) from None
+
+
+@contextmanager
+def _open_robot(name: str, args: argparse.Namespace) -> Iterator[Viewer]:
+    from tfloom.viewer.described import DESCRIPTION_TOPIC, DescriptionError, described_viewer, read_robot
+
+    try:
+        robot = read_robot(name)
+    except DescriptionError as error:
+        raise CommandError(str(error)) from None
+    for remark in robot.model.description.remarks[:MAX_UNKNOWN]:
+        report(f"{name}, {remark}")
+    with described_viewer(robot, fixed_frame=args.fixed_frame) as viewer:
+        viewer.view.want(DESCRIPTION_TOPIC)
+        yield viewer
 
 
 def start_pages(viewer: Viewer, host: str, port: int | None) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import dataclass
 
 from tfloom._native import Transform
@@ -9,7 +10,16 @@ from tfloom.robot.urdf_faults import UrdfError
 from tfloom.robot.urdf_values import number, origin_of, required, vector
 from tfloom.robot.xml_elements import Element, read_xml
 
-__all__ = ["BallForm", "BoxForm", "CylinderForm", "Form", "MeshForm", "Visual", "read_visuals"]
+__all__ = [
+    "BallForm",
+    "BoxForm",
+    "CylinderForm",
+    "Form",
+    "MeshForm",
+    "Visual",
+    "read_collisions",
+    "read_visuals",
+]
 
 GREY = (180, 180, 180)
 """Colour of what has none."""
@@ -98,12 +108,35 @@ def read_visuals(text: str | bytes) -> list[Visual]:
     return visuals
 
 
-def _visual(element: Element, link: str, materials: dict[str, tuple[float, ...]]) -> Visual:
-    what = f"a visual of the link '{link}'"
+def read_collisions(text: str | bytes) -> list[Visual]:
+    """Return the forms with which the links of a robot collide, in the order of its URDF, without colours.
+
+    They stand in for what can't be seen, so one that is not valid is left out.
+
+    Raises:
+        UrdfError: the text is not XML; its message has the line.
+    """
+    collisions = []
+    for link in read_xml(text).all_of("link"):
+        name = link.attributes.get("name", "")
+        for collision in link.all_of("collision"):
+            what = f"a collision of the link '{name}'"
+            with suppress(UrdfError):
+                collisions.append(Visual(name, origin_of(collision, what), _form_of(collision, what)))
+    return collisions
+
+
+def _form_of(element: Element, what: str) -> Form:
     geometry = element.first("geometry")
     form = next((_form(child, what) for child in geometry.children), None) if geometry else None
     if form is None:
         raise UrdfError(element.line, f"{what} has no geometry")
+    return form
+
+
+def _visual(element: Element, link: str, materials: dict[str, tuple[float, ...]]) -> Visual:
+    what = f"a visual of the link '{link}'"
+    form = _form_of(element, what)
     material = element.first("material")
     rgba = None
     if material is not None:

@@ -48,12 +48,20 @@ class Drawn:
         scene: The scene.
         name: The node's name; a node of this name is replaced.
         shape: The shape.
+        on_click: Called when it is clicked, on a thread of viser, with viser's event; None: it can't be clicked.
     """
 
     fault = ""
 
-    def __init__(self, scene: SceneApi, name: str, shape: shapes.Shape) -> None:
+    def __init__(
+        self,
+        scene: SceneApi,
+        name: str,
+        shape: shapes.Shape,
+        on_click: Callable[[object], None] | None = None,
+    ) -> None:
         self._scene = scene
+        self._on_click = on_click
         self._name = name
         self._shape = shape
         self._offset = np.zeros(3)
@@ -69,7 +77,10 @@ class Drawn:
         if isinstance(shape, shapes.Picture):
             # Pictures begin at their corner, viser's are around their middle.
             self._offset = np.array((shape.size[0] / 2.0, shape.size[1] / 2.0, 0.0))
-        return _ADDERS[type(shape)](self._scene, self._name, shape)
+        handle = _ADDERS[type(shape)](self._scene, self._name, shape)
+        if self._on_click is not None:
+            handle.on_click(self._on_click)
+        return handle
 
     def change(self, shape: shapes.Shape) -> None:
         """Draw another shape at the same place."""

@@ -12,6 +12,7 @@ from tfloom.tf2.errors import TransformException
 from tfloom.tf2.transform import Transform
 from tfloom.viewer.displays.display import MAX_COORDINATE_M, shown_text
 from tfloom.viewer.displays.kinds import NO_SETTINGS, Kind, make_display
+from tfloom.viewer.displays.robot_model import RobotDisplay
 from tfloom.viewer.page_command import fault_text
 from tfloom.viewer.replay import Replay
 from tfloom.viewer.shapes import DisplayError, Placed, Shape
@@ -164,13 +165,19 @@ class Feed:
             return []
         if placed and self._last is not None and placed[0].stamp_ns == self._last.stamp_ns:
             self._frame = placed[0].frame_id.removeprefix("/")
-        fault = self._fault
+        fault = self._fault or (display.status if isinstance(display, RobotDisplay) else "")
         if len(placed) > MAX_SHAPES:
             fault = fault or f"{len(placed)} shapes, of which {MAX_SHAPES} are shown"
             placed = placed[:MAX_SHAPES]
         drawn, obstacle = self._place(buffer, fixed_frame, held_ns, placed)
         self.status = shown_text(fault or obstacle)
         return drawn
+
+    def frames(self) -> list[str]:
+        """Return the frame of each shape of a robot, which a click on it selects; none of what can't be clicked."""
+        if not isinstance(self.display, RobotDisplay):
+            return []
+        return [placed.frame_id for placed in self._poses_of[1]]
 
     def _newest(self, buffer: Buffer, fixed_frame: str, held_ns: int | None) -> Entry | None:
         """Return the message to show: the last one that the transforms have reached.

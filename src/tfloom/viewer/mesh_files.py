@@ -9,20 +9,17 @@ from collections.abc import Callable
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
-from urllib.parse import unquote, urlparse
 from xml.parsers.expat import ExpatError
 
 import numpy as np
 
 from tfloom.common.files import open_regular, read_at_most
 from tfloom.common.xml import make_parser
+from tfloom.viewer.mesh_places import find_mesh
 from tfloom.viewer.shapes import Color, DisplayError, Model
-from tfloom.workspace.ament import PackageNotFoundError, get_package_share_path
 
 __all__ = ["read_model"]
 
-ENDINGS = (".stl", ".obj", ".ply", ".glb", ".dae")
-"""Of the files that are read. A description comes from the wire, and no other file is its business."""
 MAX_FILE_BYTES = 64 * 1024 * 1024
 MAX_KEPT_BYTES = 256 * 1024 * 1024
 """Size of all meshes that are kept, of which the last one stays in any case."""
@@ -36,20 +33,23 @@ _kept: dict[_Key, bytes | DisplayError] = {}
 """The meshes that were used last, and why others can't be read, by path, time of change, size and colour."""
 
 
-def read_model(uri: str, scale: tuple[float, float, float], color: Color | None = None) -> Model:
+def read_model(
+    uri: str, scale: tuple[float, float, float], color: Color | None = None, near: Path | None = None
+) -> Model:
     """Return the mesh of a file. One thread may call it.
 
     Args:
-        uri: `package://PACKAGE/PATH`, or `file://PATH`.
+        uri: `package://PACKAGE/PATH`, or `file://PATH`; of a description from a file also a path.
         scale: Along x, y and z.
         color: The colour of all of it; None: those of the file.
+        near: The folder of the description, if that is a file's; None: it came over the wire.
 
     Raises:
         DisplayError: there is no such file, or it is not a mesh that can be read.
     """
     if not all(math.isfinite(part) and abs(part) < MAX_SCALE for part in scale):
         raise DisplayError(f"the scale of {uri} is not finite")
-    path = _path(uri)
+    path = find_mesh(uri, near)
     try:
         with open_regular(path) as file:
             status = os.fstat(file.fileno())
@@ -94,26 +94,6 @@ def _remembered(key: _Key, make: Callable[[], bytes]) -> bytes:
     if isinstance(made, DisplayError):
         raise DisplayError(str(made))
     return made
-
-
-def _path(uri: str) -> Path:
-    try:
-        parsed = urlparse(uri)
-    except ValueError as error:
-        raise DisplayError(f"{uri} is not a URI: {error}") from None
-    if not parsed.path.lower().endswith(ENDINGS):
-        raise DisplayError(f"{uri} is not a file of a mesh: its name ends in none of {', '.join(ENDINGS)}")
-    if parsed.scheme == "file":
-        return Path(unquote(parsed.path))
-    if parsed.scheme not in {"package", "model"}:
-        raise DisplayError(f"{uri} begins neither with package:// nor with file://")
-    try:
-        share = get_package_share_path(parsed.netloc)
-    except (PackageNotFoundError, ValueError):
-        raise DisplayError(
-            f"there is no package '{parsed.netloc}', which {uri} is in: source its workspace before"
-        ) from None
-    return share / unquote(parsed.path).lstrip("/")
 
 
 def _glb(path: Path, data: bytes, color: Color | None) -> bytes:

@@ -54,7 +54,8 @@ FILES = {
     "/": ("index.html", "text/html; charset=utf-8"),
     "/page.css": ("page.css", "text/css; charset=utf-8"),
     **{
-        f"/{name}.js": (f"{name}.js", "text/javascript; charset=utf-8") for name in ("page", "forms", "plots")
+        f"/{name}.js": (f"{name}.js", "text/javascript; charset=utf-8")
+        for name in ("page", "forms", "plots", "joints")
     },
 }
 PAGE_POLICY = (

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import queue
 import threading
 import time
@@ -11,7 +12,9 @@ from typing import TYPE_CHECKING, Any
 from tfloom.common.files import write_file
 from tfloom.viewer.camera import floor_point
 from tfloom.viewer.displays.display import shown_text
+from tfloom.viewer.extents import view_of
 from tfloom.viewer.forms.sending import FORM_COMMANDS
+from tfloom.viewer.joints import joint_command, joint_rows
 from tfloom.viewer.layout.layout import Layout
 from tfloom.viewer.layout.layout_file import layout_text
 from tfloom.viewer.log_lines import MAX_LINES
@@ -30,6 +33,7 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
     from tfloom.tf2_tools.watch.sources import Source
+    from tfloom.viewer.joints import Joints
     from tfloom.viewer.layout.layout import ViewPoint
     from tfloom.viewer.live_only import LiveOnly
     from tfloom.viewer.topic_log import Entry
@@ -48,6 +52,8 @@ MAX_NOTE = 2000
 """Length of a line that the viewer itself adds to the log [characters]."""
 WARN = 30
 """The level of such a line."""
+MOVED_CAMERA = 0.01
+"""A camera that has moved by this part of its distance was moved by its user."""
 TICK_S = 0.5
 """Longest wait for a command while no page is open [s]: so long takes an end."""
 
@@ -55,6 +61,12 @@ LIVE_COMMANDS = FORM_COMMANDS | {"floor", "drive", "graph", "parameters", "set_p
 """Commands that a recording has nobody for."""
 AT_ONCE = FORM_COMMANDS | {"drive"}
 """Commands that other threads do, for which nobody waits until a picture is drawn."""
+
+
+def _are_near(first: ViewPoint, second: ViewPoint) -> bool:
+    """Return whether two view points are the same, but for what is lost on the way to a page."""
+    apart_m = max(math.dist(first.position, second.position), math.dist(first.look_at, second.look_at))
+    return apart_m < MOVED_CAMERA * math.dist(first.position, first.look_at)
 
 
 class _InterruptedError(BaseException):
@@ -67,7 +79,8 @@ class Viewer:
     Args:
         source: The transforms, with a buffer.
         topics: The topics.
-        live: What else a graph has; None for a recording.
+        live: What else a graph has; None for a recording or a description.
+        joints: The joints that pages move; None without a robot whose joints are to be moved.
         is_simulated: Whether the time is that of /clock.
         history_ns: How long the numbers of plots are kept [ns], if they are of a graph.
         fixed_frame: The fixed frame; empty: a usual one, or the root of the largest tree.
@@ -79,11 +92,13 @@ class Viewer:
         topics: Topics,
         live: LiveOnly | None = None,
         *,
+        joints: Joints | None = None,
         is_simulated: bool = False,
         history_ns: int = 60_000_000_000,
         fixed_frame: str = "",
     ) -> None:
         self._live = live
+        self._joints = joints
         self._topics = topics
         self._noted: set[str] = set()
         """What pages were told since one was opened, so that it isn't told with each picture."""
@@ -102,6 +117,8 @@ class Viewer:
             fixed_frame=fixed_frame,
             report=self._note_once,
         )
+        if joints is not None:
+            self.view.about = joints.about
         self.pages = PageServer(self._server, self._queue_command, self._image_of)
         self._image_lock = threading.Lock()
         self._images: dict[str, tuple[Any, tuple[str, bytes] | None]] = {}
@@ -120,6 +137,8 @@ class Viewer:
         """What is shown from the start."""
         self._unplaced: set[str] = set()
         """Pages whose camera is to stand at a frame that is not known yet."""
+        self._unfitted: dict[str, ViewPoint | None] = {}
+        """Pages whose camera is to see a robot whole, once all of it is read; and from where they look until then."""
         self.pages.view_point = self._view_point
         if live is not None:
             live.driving.on_refusal = self._note_refusal
@@ -188,6 +207,7 @@ class Viewer:
             if now_s >= next_state_s:
                 next_state_s = now_s + STATE_S
                 self._try("cameras can't be placed", self._place_cameras)
+                self._try("cameras can't see all that is shown", self._fit_new_pages)
                 asked, self._asked_fields = self._asked_fields, {}
                 for page, topic in asked.items():
                     self._do(page, {"op": "plot_fields", "topic": topic})
@@ -235,6 +255,8 @@ class Viewer:
 
     def _publish(self) -> None:
         state = self.view.snapshot()
+        state["is_recording"] = self._live is None and self._joints is None
+        state["joints"] = None if self._joints is None else joint_rows(self._joints)
         if self._live is not None:
             state["drive_topics"] = [shown_text(topic) for topic in self._live.driving.topics()]
             self.pages.add_lines(self._live.log.take(), MAX_LINES)
@@ -262,16 +284,12 @@ class Viewer:
 
     def _run_command(self, page: str, command: Mapping[str, Any]) -> None:
         operation = text(command, "op")
-        if operation == "opened":
-            return
-        if operation == "place":
-            self._unplaced.add(page)
-            return
-        if operation == "closed":
-            self._asked_fields.pop(page, None)
-            self._unplaced.discard(page)
+        if operation in {"opened", "place", "fit_robot", "closed"}:
+            self._follow_page(page, operation)
         elif operation == "layout":
             self._save_layout(page)
+        elif operation in {"fit", "joint", "pose"}:
+            self._show_robot(page, operation, command)
         elif operation == "plot_topics":
             self.pages.answer(page, {"plot_topics": self.view.plots.topics()})
         elif operation == "plot_fields":
@@ -279,9 +297,34 @@ class Viewer:
         elif operation not in LIVE_COMMANDS:
             self.view.command(command)
         elif self._live is None:
-            raise PageError("this is a recording: there is nobody to ask")
+            what = "recording" if self._joints is None else "file"
+            raise PageError(f"this is a {what}: there is nobody to ask")
         else:
             self._run_live_command(self._live, page, operation, command)
+
+    def _follow_page(self, page: str, operation: str) -> None:
+        """Note what a page is to be given as soon as it is known, or that the page was closed."""
+        if operation == "place":
+            self._unplaced.add(page)
+        elif operation == "fit_robot":
+            self._unfitted.setdefault(page, None)
+        elif operation == "closed":
+            self._asked_fields.pop(page, None)
+            self._unplaced.discard(page)
+            self._unfitted.pop(page, None)
+
+    def _show_robot(self, page: str, operation: str, command: Mapping[str, Any]) -> None:
+        """Let a page see all there is, or move joints.
+
+        Raises:
+            PageError: it can't be done.
+        """
+        if operation == "fit":
+            self._fit(page)
+        elif self._joints is None:
+            raise PageError("there is no robot here whose joints can be moved")
+        else:
+            joint_command(self._joints, command)
 
     def _list_fields(self, page: str, topic: str) -> None:
         """Give a page the numeric fields of a topic, as soon as its type is known."""
@@ -305,12 +348,43 @@ class Viewer:
         placed = self.view.placed(self._layout)
         if placed is None and self._layout.camera is not None:
             self._queue_command(page, {"op": "place"})
+        if self._joints is not None and self._layout.camera is None:
+            self._queue_command(page, {"op": "fit_robot"})
         return placed or self._layout.camera
 
     def _place_cameras(self) -> None:
         """Let pages look from their frame, as soon as it is known."""
         if self._unplaced and (placed := self.view.placed(self._layout)) is not None:
             self._unplaced -= {page for page in self._unplaced if self._server.look(page, placed)}
+
+    def _fit_new_pages(self) -> None:
+        """Let new pages of a robot see it whole, until all of it is read, or their user has moved the camera."""
+        for page, before in list(self._unfitted.items()):
+            now = self._server.view_point(page)
+            if before is not None and now is not None and not _are_near(before, now):
+                del self._unfitted[page]
+            elif (fitted := self._fitted(page)) is not None and self._server.look(page, fitted):
+                self._unfitted[page] = fitted
+                if self.view.is_whole:
+                    del self._unfitted[page]
+
+    def _fit(self, page: str) -> None:
+        """Let a page see all that is shown, from the side from which it looks.
+
+        Raises:
+            PageError: nothing is shown, or the page has no camera yet.
+        """
+        fitted = self._fitted(page)
+        if fitted is None or not self._server.look(page, fitted):
+            raise PageError("nothing is shown yet")
+
+    def _fitted(self, page: str) -> ViewPoint | None:
+        """Return from where a page sees all that is shown; None where nothing is, or it has not told its camera."""
+        extent, camera, now = self.view.extent(), self._server.camera(page), self._server.view_point(page)
+        if extent is None or camera is None or now is None:
+            return None
+        x, y, z = (there - here for there, here in zip(now.position, now.look_at, strict=True))
+        return view_of(extent, camera.fov_rad, camera.aspect, (x, y, z))
 
     def _save_layout(self, page: str) -> None:
         """Give a page its layout as a file, or write it where the program was told to."""

@@ -66,6 +66,8 @@ class Scene:
         self._marks: Any = None
         self._displays: dict[str, list[Drawn | _Undrawable]] = {}
         self._display_numbers: dict[str, int] = {}
+        self._display_frames: dict[str, Sequence[str]] = {}
+        """The frame of each shape of a display whose shapes can be clicked."""
         scene.set_up_direction("+z")
         scene.add_grid(
             "/floor",
@@ -210,8 +212,15 @@ class Scene:
         ends = (points[:, np.newaxis, np.newaxis] + 1.1 * self._axes_m * BOX_EDGES).reshape(-1, 2, 3)
         self._marks = self._set_lines("/marks", self._marks, ends.astype(np.float32), ORANGE, 3.0)
 
-    def draw_display(self, topic: str, placed: Sequence[tuple[Shape, Pose | None]]) -> str:
+    def draw_display(
+        self, topic: str, placed: Sequence[tuple[Shape, Pose | None]], frames: Sequence[str] = ()
+    ) -> str:
         """Draw what a display shows, in place of what it showed before; shapes without a pose are hidden.
+
+        Args:
+            topic: The display's topic.
+            placed: The shapes, each with its pose in the fixed frame.
+            frames: The frame of each shape, which a click on it selects; empty: clicks do nothing.
 
         Returns:
             Why one of the shapes can't be drawn, which doesn't hide the others; empty if all are.
@@ -221,10 +230,12 @@ class Scene:
         while len(drawn) > len(placed):
             drawn.pop().remove()
         fault = ""
+        self._display_frames[topic] = frames
         for index, (shape, pose) in enumerate(placed):
             now = drawn[index] if index < len(drawn) else None
             try:
-                now = self._drawn(f"/displays/{number}/{index}", now, shape)
+                on_click = partial(self._shape_clicked, topic, index) if frames else None
+                now = self._drawn(f"/displays/{number}/{index}", now, shape, on_click)
                 now.place(pose)
             except Exception as error:  # of one shape: the others are drawn
                 if now is not None:
@@ -234,13 +245,24 @@ class Scene:
             fault = fault or now.fault
         return fault
 
-    def _drawn(self, name: str, before: Drawn | _Undrawable | None, shape: Shape) -> Drawn | _Undrawable:
+    def _shape_clicked(self, topic: str, index: int, _: object) -> None:
+        frames = self._display_frames.get(topic, ())
+        if index < len(frames):
+            self._on_frame(frames[index])
+
+    def _drawn(
+        self,
+        name: str,
+        before: Drawn | _Undrawable | None,
+        shape: Shape,
+        on_click: Callable[[object], None] | None,
+    ) -> Drawn | _Undrawable:
         if isinstance(before, Drawn):
             before.change(shape)
             return before
         if before is not None and before.shape is shape:
             return before
-        return Drawn(self._scene, name, shape)
+        return Drawn(self._scene, name, shape, on_click)
 
 
 class _Undrawable(NamedTuple):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 import time
 from collections.abc import Callable, Iterable, Mapping
@@ -22,6 +23,8 @@ from tfloom.tf2_tools.watch.model import stored_name
 from tfloom.viewer.displays.camera_info import CameraDisplay, images_of
 from tfloom.viewer.displays.display import MAX_COORDINATE_M, shown_text
 from tfloom.viewer.displays.kinds import kind_of
+from tfloom.viewer.displays.robot_model import RobotDisplay
+from tfloom.viewer.extents import Extent, extent_of
 from tfloom.viewer.feed import Feed
 from tfloom.viewer.frames import (
     FramePoses,
@@ -40,13 +43,17 @@ from tfloom.viewer.shapes import DisplayError
 from tfloom.viewer.topics import RESET_NS
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from numpy.typing import NDArray
 
     from tfloom.tf2.buffer import Buffer
     from tfloom.tf2_tools.diagnosis.finding import Finding
     from tfloom.tf2_tools.watch.sources import Source
     from tfloom.viewer.displays.settings import Value
+    from tfloom.viewer.drawing import Pose
     from tfloom.viewer.scene import Scene
+    from tfloom.viewer.shapes import Shape
     from tfloom.viewer.topic_log import Entry
     from tfloom.viewer.topics import Topics
 
@@ -116,6 +123,12 @@ class SharedView:
         """The frames of the finding that was clicked, as long as there is such a finding."""
         self._trails: list[str] = []
         self._feeds: dict[str, Feed] = {}
+        self._drawn: dict[str, list[tuple[Shape, Pose | None]]] = {}
+        """What each display showed last."""
+        self.near: Path | None = None
+        """The folder of the robot's description, around which meshes are looked for; None where it is not known."""
+        self.about: Callable[[str], str] = lambda _: ""
+        """Returns a line about a selected frame, or an empty text."""
         self._wanted: dict[str, DisplayLayout] = {}
         """What to show as soon as its topic is there, by the topic."""
         self.plots = Plots(topics, history_ns if is_live else None)
@@ -237,6 +250,7 @@ class SharedView:
             self._wanted.pop(topic, None)
             if (feed := self._feeds.pop(topic, None)) is not None:
                 feed.close()
+            self._drawn.pop(topic, None)
             self._scene.draw_display(topic, [])
             return
         if topic in self._feeds:
@@ -266,10 +280,13 @@ class SharedView:
         except DisplayError as error:
             raise PageError(str(error)) from None
         try:
-            return Feed(topic, kind, cursor, settings)
+            feed = Feed(topic, kind, cursor, settings)
         except BaseException:
             cursor.close()
             raise
+        if isinstance(feed.display, RobotDisplay):
+            feed.display.near = self.near
+        return feed
 
     def feed(self, topic: str) -> Feed | None:
         """Return what a display shows; None if the topic isn't shown."""
@@ -410,11 +427,25 @@ class SharedView:
         now_ns = self._source.now_ns() if held_ns is None else held_ns
         for topic, feed in self._feeds.items():
             try:
-                fault = self._scene.draw_display(topic, feed.draw(self.buffer, fixed, held_ns, now_ns))
+                drawn = self._drawn[topic] = feed.draw(self.buffer, fixed, held_ns, now_ns)
+                fault = self._scene.draw_display(topic, drawn, feed.frames())
                 feed.status = feed.status or shown_text(fault)
             except Exception as error:  # of one display: the others are drawn
                 feed.fail(error)
                 self._try(f"{topic} can't be taken away", partial(self._scene.draw_display, topic, []))
+
+    def extent(self) -> Extent | None:
+        """Return the box around all that is shown, in the fixed frame; None where nothing is."""
+        drawn = itertools.chain.from_iterable(self._drawn.values())
+        return extent_of(self._poses.positions, drawn)
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether all that was asked for is shown: nothing is still read."""
+        displays = [feed.display for feed in self._feeds.values()]
+        return not self._wanted and all(
+            display.is_whole for display in displays if isinstance(display, RobotDisplay)
+        )
 
     def _try(self, failure: str, do: Callable[[], object]) -> None:
         """Do a part. What it raises is reported, and ends no other part."""
@@ -539,13 +570,14 @@ class SharedView:
         if not self._selected:
             return None
         frames = list(map(_sendable, self._selected))
-        if len(frames) < 2:
-            return {"frames": frames, "text": "", "plot": None}
-        first, second = self._selected
+        first, second = self._selected if len(frames) == 2 else (self.fixed_frame, self._selected[0])
+        about = [line for line in map(self.about, self._selected) if line]
+        if first == second:
+            return {"frames": frames, "text": "\n".join([*about, "It is the fixed frame."]), "plot": None}
         try:
             transform = self.buffer.lookup(first, second, LATEST if held_ns is None else held_ns)
             echo = transform_text(transform.stamp_ns, transform.translation, transform.rotation_xyzw)
-            return {"frames": frames, "text": echo, "plot": self._plot(first, second)}
+            return {"frames": frames, "text": "\n".join([*about, echo]), "plot": self._plot(first, second)}
         except Exception as error:  # of these frames: pages get the other panels
             return {"frames": frames, "text": shown_text(fault_text(error), 1000), "plot": None}
 

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import itertools
+import time
+from collections import deque
+from collections.abc import Iterable, Sequence
+from pathlib import Path
 from typing import Any
 
 from tfloom.robot.urdf_faults import UrdfError
-from tfloom.robot.visuals import BallForm, BoxForm, CylinderForm, Visual, read_visuals
+from tfloom.robot.visuals import BallForm, BoxForm, CylinderForm, Visual, read_collisions, read_visuals
 from tfloom.viewer.mesh_files import read_model
 from tfloom.viewer.page_command import fault_text
 from tfloom.viewer.shapes import Ball, Box, Cylinder, DisplayError, Placed, Shape
@@ -15,61 +19,123 @@ __all__ = ["RobotDisplay"]
 
 MAX_VISUALS = 2000
 """Number of shapes of a robot that are drawn."""
+LOAD_S = 0.1
+"""How long files of meshes are read for one picture [s]; one file is in any case."""
+STAND_IN_OPACITY = 0.6
+"""Of a form that stands in for what can't be seen."""
 
 
 class RobotDisplay:
-    """Shows the robot of the last `std_msgs/msg/String` with a URDF. Each link is where its frame is."""
+    """Shows the robot of the last `std_msgs/msg/String` with a URDF. Each link is where its frame is.
+
+    Files of meshes are read a few at a time, as `shapes` is called. A link of which one can't be read has the forms
+    with which it collides.
+
+    Attributes:
+        near: The folder of the description, if that is a file's: meshes are looked for around it, too.
+        status: What is not shown, and why; empty if all is.
+    """
 
     keeps_all = False
     choices: Sequence[str] = ()
     choice = ""
+    near: Path | None = None
 
     def __init__(self) -> None:
-        self._text = ""
-        self._shapes: list[Placed] = []
-
-    def take(self, message: Any, stamp_ns: int) -> None:  # a description holds at all times
-        """Take a description. What can be read of its meshes is shown, even where others can't.
-
-        Raises:
-            DisplayError: it is not a URDF, or one of its meshes can't be read.
-        """
-        if message.data == self._text:
-            return
-        self._text, self._shapes = message.data, []
-        try:
-            visuals = read_visuals(message.data)
-        except UrdfError as error:
-            raise DisplayError(f"it is not a URDF: {error}") from None
-        faults = []
-        for visual in visuals[:MAX_VISUALS]:
-            try:
-                self._shapes.extend(_placed(visual))
-            except Exception as error:  # of one form: the others are shown
-                faults.append(fault_text(error))
-        if faults:
-            raise DisplayError(faults[0] if len(faults) == 1 else f"{faults[0]} (and {len(faults) - 1} more)")
+        self.clear()
 
     def clear(self) -> None:
         """Forget the robot."""
-        self._text, self._shapes = "", []
+        self._text = ""
+        self._shapes: list[Placed] = []
+        self._waiting: deque[Visual] = deque()
+        """The forms of which there are no shapes yet."""
+        self._count = 0
+        self._stand_ins: dict[str, list[Visual]] = {}
+        """The forms of collisions that were not asked for yet, by link."""
+        self._faults: list[str] = []
+        self._has_stand_in = False
+        self.status = ""
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether each file was read, or can't be."""
+        return not self._waiting
+
+    def take(self, message: Any, stamp_ns: int) -> None:  # a description holds at all times
+        """Take a description.
+
+        Raises:
+            DisplayError: it is not a URDF.
+        """
+        if message.data == self._text:
+            return
+        self.clear()
+        self._text = message.data
+        try:
+            visuals = read_visuals(message.data)
+            for form in read_collisions(message.data):
+                self._stand_ins.setdefault(form.link, []).append(_as_stand_in(form))
+        except UrdfError as error:
+            raise DisplayError(f"it is not a URDF: {error}") from None
+        self._wait_for(visuals)
+        if not visuals:
+            self._faults.append("nothing of it is visual")
+            self._wait_for(itertools.chain.from_iterable(self._stand_ins.values()))
+            self._stand_ins.clear()
+
+    def _wait_for(self, forms: Iterable[Visual]) -> None:
+        added = list(itertools.islice(forms, MAX_VISUALS - self._count))
+        self._count += len(added)
+        self._waiting.extend(added)
 
     def shapes(self, now_ns: int) -> list[Placed]:  # a description holds at all times
-        """Return the shapes of the links."""
+        """Return the shapes of the links that are there so far; new ones are behind the others."""
+        end_s = time.monotonic() + LOAD_S
+        while self._waiting:
+            self._make(self._waiting.popleft())
+            if time.monotonic() > end_s:
+                break
+        self.status = self._said()
         return self._shapes
 
+    def _make(self, form: Visual) -> None:
+        """Make the shape of a form, or note why that can't be done, and let its link have its stand-ins."""
+        try:
+            self._shapes.append(_placed(form, self.near))
+            self._has_stand_in |= form.opacity == STAND_IN_OPACITY and not form.has_color
+        except Exception as error:  # of one form: the others are shown
+            self._faults.append(fault_text(error))
+            self._wait_for(self._stand_ins.pop(form.link, ()))
+        if not self._waiting and not self._shapes:  # then another link may have what is to be seen
+            self._wait_for(itertools.chain.from_iterable(self._stand_ins.values()))
+            self._stand_ins.clear()
 
-def _placed(visual: Visual) -> Iterator[Placed]:
+    def _said(self) -> str:
+        if self._waiting:
+            return f"{self._count - len(self._waiting)} of {self._count} forms are read"
+        if not self._faults:
+            return ""
+        more = f" (and {len(self._faults) - 1} more)" if len(self._faults) > 1 else ""
+        stand_in = "forms of collisions stand in: " if self._has_stand_in else ""
+        return f"{stand_in}{self._faults[0]}{more}"
+
+
+def _as_stand_in(form: Visual) -> Visual:
+    return Visual(form.link, form.origin, form.form, opacity=STAND_IN_OPACITY)
+
+
+def _placed(visual: Visual, near: Path | None) -> Placed:
     origin = visual.origin
-    yield Placed(
-        _shape(visual),
+    return Placed(
+        _shape(visual, near),
         visual.link,
         position=(origin.translation[0], origin.translation[1], origin.translation[2]),
         rotation_xyzw=origin.rotation_xyzw,
     )
 
 
-def _shape(visual: Visual) -> Shape:
+def _shape(visual: Visual, near: Path | None) -> Shape:
     form, (color, opacity) = visual.form, (visual.color, visual.opacity)
     if isinstance(form, BoxForm):
         return Box(form.size, color, opacity)
@@ -77,4 +143,4 @@ def _shape(visual: Visual) -> Shape:
         return Cylinder(form.radius, form.length, color, opacity)
     if isinstance(form, BallForm):
         return Ball((form.radius, form.radius, form.radius), color, opacity)
-    return read_model(form.uri, form.scale, color if visual.has_color else None)
+    return read_model(form.uri, form.scale, color if visual.has_color else None, near)

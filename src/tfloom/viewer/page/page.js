@@ -242,8 +242,9 @@ function showSelection() {
   $("selection").hidden = !selection;
   $("right").classList.toggle("on", Boolean(selection) || state.displays.some((row) => row.on && row.is_image));
   if (!selection) return;
-  setText($("selection-title"), selection.frames.length === 2 ? `tf2_echo ${selection.frames.join(" ")}` : selection.frames[0]);
-  setText($("selection-text"), selection.frames.length === 2 ? selection.text : "Click another frame.");
+  const isPair = selection.frames.length === 2;
+  setText($("selection-title"), isPair ? `tf2_echo ${selection.frames.join(" ")}` : `${selection.frames[0]} in ${state.fixed_frame}`);
+  setText($("selection-text"), isPair ? selection.text : `${selection.text}\n\nClick another frame for the transform between them.`);
   $("plot").hidden = !selection.plot;
   if (selection.plot) drawPlot(selection.plot);
 }

@@ -1,0 +1,179 @@
+"""The viewer of a robot's description, a file, without a graph."""
+
+from __future__ import annotations
+
+import tempfile
+import time
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from typing import NamedTuple
+
+from tfloom.common.files import open_regular, read_at_most
+from tfloom.interfaces.std_msgs.msg import String
+from tfloom.robot.mended_xml import decoded
+from tfloom.robot.model import RobotModel
+from tfloom.robot.urdf import parse_urdf
+from tfloom.robot.urdf_faults import Remarks, UrdfError
+from tfloom.robot.xacro_program import main as expand_xacro
+from tfloom.rosidl import cdr
+from tfloom.tf2.buffer import Buffer
+from tfloom.tf2_tools.static_transforms.file import encoded
+from tfloom.tf2_tools.static_transforms.transform import StaticTransform
+from tfloom.tf2_tools.watch.recorded import observe_recorded
+from tfloom.tf2_tools.watch.sources import Still
+from tfloom.viewer.joints import AUTHORITY, DescribedJoints
+from tfloom.viewer.layout.layout import Layout
+from tfloom.viewer.program import Viewer
+from tfloom.viewer.shapes import DisplayError
+from tfloom.viewer.topic_log import Cursor, TopicLog
+from tfloom.workspace.ament import PackageNotFoundError
+from tfloom.workspace.resource_retriever import PACKAGE_PREFIX, get_filename
+
+__all__ = [
+    "DESCRIPTION_TOPIC",
+    "DescriptionError",
+    "RobotFile",
+    "described_viewer",
+    "read_robot",
+    "robot_layout",
+]
+
+MAX_BYTES = 64 * 1024 * 1024
+"""Size of the largest file [bytes]."""
+DESCRIPTION_TOPIC = "/robot_description"
+MIN_AXES_M = 0.01
+AXES_PER_EXTENT = 0.06
+"""Length of the axes of frames, for each meter of the robot."""
+
+
+class DescriptionError(Exception):
+    """A file is not a robot's description; the text has the file and the reason."""
+
+
+class RobotFile(NamedTuple):
+    """A robot's description from a file."""
+
+    text: str
+    model: RobotModel
+    folder: Path
+    """Where the file is: its meshes are looked for around it."""
+
+
+def read_robot(name: str) -> RobotFile:
+    """Read a robot's description; one of xacro is expanded.
+
+    Args:
+        name: A path, or `package://PACKAGE/PATH`.
+
+    Raises:
+        DescriptionError: it can't be read, or is not valid.
+    """
+    try:
+        path = Path(get_filename(name, use_protocol=False) if name.startswith(PACKAGE_PREFIX) else name)
+        with open_regular(path) as file:
+            content = read_at_most(file, MAX_BYTES)
+        if content is None:
+            raise DescriptionError(f"{name} has more than {MAX_BYTES} bytes")
+        if path.suffix.lower() == ".xacro":
+            content = _expanded(path)
+        text = decoded(content, Remarks())
+        return RobotFile(text, RobotModel(parse_urdf(text)), path.absolute().parent)
+    except UrdfError as error:
+        raise DescriptionError(f"{name}: {error}") from None
+    except PackageNotFoundError as error:
+        raise DescriptionError(f"{name}: there is no package {error}: source its workspace before") from None
+    except (OSError, ValueError) as error:
+        raise DescriptionError(f"{name} can't be read: {getattr(error, 'strerror', None) or error}") from None
+
+
+def _expanded(path: Path) -> bytes:
+    """Return the URDF of a file of xacro.
+
+    Raises:
+        DescriptionError: it can't be expanded; the library has printed why.
+    """
+    with tempfile.TemporaryDirectory(prefix="tfloom_view_") as folder:
+        out = Path(folder, "robot.urdf")
+        try:
+            code = expand_xacro([str(path), "-o", str(out)])
+        except SystemExit as end:
+            code = 1 if end.code is None else int(end.code)
+        if code:
+            raise DescriptionError(f"{path} can't be expanded: the reason is above")
+        return out.read_bytes()
+
+
+class DescribedTopics:
+    """The one topic of a description that nobody publishes.
+
+    Args:
+        text: The description.
+    """
+
+    def __init__(self, text: str) -> None:
+        self._log = TopicLog(0, lambda data: cdr.decode(String, data))
+        self._log.add(time.time_ns(), cdr.encode(String(data=text)))
+
+    def types(self) -> Mapping[str, str]:
+        """Return the type of each topic, by its name."""
+        return {DESCRIPTION_TOPIC: "std_msgs/msg/String"}
+
+    def open(self, topic: str) -> Cursor:
+        """Return a reader of the topic."""
+        return self._log.open()
+
+    def message_class(self, topic: str) -> type[String]:
+        """Return the class of the topic's message.
+
+        Raises:
+            DisplayError: it is another topic.
+        """
+        if topic != DESCRIPTION_TOPIC:
+            raise DisplayError(f"there is no topic {topic}")
+        return String
+
+    def poll(self) -> None:
+        """Do nothing: the description is there."""
+
+    def begin_anew(self) -> None:
+        """Do nothing: a description holds at all times."""
+
+
+@contextmanager
+def described_viewer(robot: RobotFile, *, fixed_frame: str = "") -> Iterator[Viewer]:
+    """Open a viewer of a robot, whose joints pages move, for the block.
+
+    Args:
+        robot: The robot.
+        fixed_frame: The fixed frame; empty: the robot's root.
+    """
+    buffer = Buffer(None)
+    buffer.set_log_callback(None)
+    joints = DescribedJoints(robot.model, buffer)
+    now_ns = time.time_ns()
+    message = "/tf_static", now_ns, encoded(_statics(buffer), now_ns)
+    source = Still(observe_recorded([message], AUTHORITY), buffer)
+    root = robot.model.description.root
+    with Viewer(
+        source, DescribedTopics(robot.text), fixed_frame=fixed_frame or root, joints=joints
+    ) as viewer:
+        viewer.view.near = robot.folder
+        viewer.apply(robot_layout(robot, fixed_frame or root))
+        yield viewer
+
+
+def robot_layout(robot: RobotFile, fixed_frame: str) -> Layout:
+    """Return how a robot is shown from the start: its frames small, so that they don't hide it, and without names."""
+    poses = robot.model.forward([0.0] * len(robot.model.variables))[:, :3]
+    size_m = float((poses.max(axis=0) - poses.min(axis=0)).max())
+    return Layout(fixed_frame, with_names=False, axes_m=min(max(AXES_PER_EXTENT * size_m, MIN_AXES_M), 0.3))
+
+
+def _statics(buffer: Buffer) -> list[StaticTransform]:
+    statics = []
+    for edge in buffer.edges():
+        frames = edge.frame_id, edge.child_frame_id
+        transform = buffer.lookup(*frames).transform
+        statics.append(StaticTransform(*frames, transform.translation, transform.rotation_xyzw))
+    return statics
