@@ -48,6 +48,15 @@ class TabScanner(Reader, Scanner):
             if not self.flow_level:
                 self.allow_simple_key = True
 
+    def scan_directive(self) -> Any:
+        """Return the token of a directive, whose parts a tab separates as a space does."""
+        length = 0
+        while self.peek(length) not in _ENDS:
+            length += 1
+        line = self.prefix(length).replace("\t", " ")
+        self.buffer = f"{self.buffer[: self.pointer]}{line}{self.buffer[self.pointer + length :]}"
+        return super().scan_directive()
+
     def scan_directive_ignored_line(self, start_mark: Any) -> None:
         """Skip the rest of a directive's line."""
         self._skip_line("a directive", start_mark)
