@@ -165,6 +165,11 @@ def test_order_is_checked(output: IoHandler) -> None:
             checker.assertInStdout("first")
         checker.assertInText("third")
     assert checker.get_nearby_lines() == "first\nsecond\nthird"
+    checker = SequentialTextChecker([f"line {number}\n" for number in range(20)])
+    checker.assertInStdout("line 5")
+    assert checker.get_nearby_lines() == "\n".join(f"line {number}" for number in range(3, 9))
+    checker.assertInStdout("li")
+    assert checker.get_nearby_lines() == "\n".join(f"line {number}" for number in range(4, 9))
     with pytest.raises(Exception, match="multiple processes"), assertSequentialStdout(output, None):
         pass
 

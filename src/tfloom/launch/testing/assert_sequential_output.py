@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 
@@ -11,6 +12,7 @@ from tfloom.launch.testing.proc_lookup import CmdArgs, Process, resolveProcesses
 __all__ = ["SequentialTextChecker", "assertSequentialStdout"]
 
 _NEARBY = 3
+"""Number of line breaks before a text, and of those after it, between which the lines near it are."""
 
 
 class SequentialTextChecker:
@@ -44,9 +46,12 @@ class SequentialTextChecker:
         self.assertInStdout(msg)
 
     def get_nearby_lines(self) -> str:
-        """Return the lines around the last text that was found, as one text."""
-        before = self._output.count("\n", 0, self._at)
-        return "\n".join(self._output.splitlines()[max(before - _NEARBY, 0) : before + _NEARBY + 1])
+        """Return the lines around the last text that was found, as one text: two before it, and up to three after."""
+        breaks = [found.start() for found in re.finditer("\n", self._output)]
+        before = [place for place in breaks if place < self._at][-_NEARBY:]
+        after = [place for place in breaks if place > self._at][:_NEARBY]
+        begin = before[0] + 1 if len(before) == _NEARBY else 0
+        return self._output[begin : after[-1] if after else self._at]
 
 
 @contextmanager
