@@ -12,6 +12,7 @@ import sys
 import threading
 from collections.abc import Callable
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -27,15 +28,16 @@ from tests.foxglove.clients import (
 )
 from tests.viewer.conftest import running_node
 
-from tfloom.foxglove import commands
+from tfloom.foxglove import channels, commands
 from tfloom.foxglove.assets import AssetError, read_asset
 from tfloom.foxglove.bridge import BridgeError
 from tfloom.foxglove.calls import Call, Calls
 from tfloom.foxglove.commands import Commands
-from tfloom.foxglove.settings import SettingsError
+from tfloom.foxglove.settings import Settings, SettingsError
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.interfaces.std_srvs.srv import SetBool
 from tfloom.interfaces.visualization_msgs.msg import MarkerArray
+from tfloom.node.context.context import Context
 from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import QoSProfile
@@ -123,6 +125,25 @@ def test_client_that_leaves_while_kept_messages_wait_leaves_none_to_the_next(
             got = [cdr.decode(String, data).data for _, data in client.messages]
             assert got == texts[: len(got)]
             wait_until(lambda: publisher.get_subscription_count() == 0)
+
+
+def test_kept_messages_that_wait_are_as_many_as_the_subscription_may_have(local_context: Context) -> None:
+    """A client that reads nothing costs no more."""
+    node = Node("bridge", context=local_context)
+    node.create_publisher(String, "/kept", QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL))
+    sent: list[bytes] = []
+    sdk: Any = SimpleNamespace(
+        id=lambda: 1, topic=lambda: "/kept", log=lambda data, log_time: sent.append(data), close=lambda: None
+    )
+    channel = channels._TopicChannel(node, sdk, String, Settings(node))
+    channel.subscribe(1)
+    # More than go out in the meantime, at a quarter of a backlog of 128 each 50 ms.
+    for number in range(3 * channels.KEPT_DEPTH):
+        channel._log(b"%d" % number)
+    assert len(channel._waiting) == channels.KEPT_DEPTH
+    assert channel._waiting[-1][1] == b"%d" % (3 * channels.KEPT_DEPTH - 1)
+    channel.close()
+    node.destroy_node()
 
 
 def test_best_effort_publisher_that_comes_later_is_heard(domain_id: int, node: Node) -> None:
