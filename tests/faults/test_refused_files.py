@@ -52,6 +52,7 @@ WRITERS = {
     "tf2_tools/view_frames.py": OF_A_COMMAND,
     "turtlesim/picture.py": "picture_of_a_simulation",
     "turtlesim/record.py": "picture_of_a_simulation",
+    "viewer/described.py": "- what xacro makes of a description: who asks for it gets the error",
     "viewer/pictures.py": "- into memory",
     "viewer/program.py": "layout_of_a_page",
     "common/files.py": OF_THE_CALLER,
