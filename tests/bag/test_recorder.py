@@ -395,6 +395,26 @@ def test_ctrl_c_does_not_interrupt_the_completion_of_a_bag(
     assert signal.getsignal(signal.SIGINT) is before
 
 
+def test_ctrl_c_while_a_bag_is_completed_comes_when_it_is(
+    node: Node, record: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    publisher = node.create_publisher(String, "chatter", 10)
+    with record(TopicChoice(["/chatter"])) as recorder:
+        publisher.publish(String(data="first"))
+        wait_until(lambda: recorder.writer.queue.message_count + recorder.writer.message_count > 0)
+        close = recorder.writer.close
+
+        def interrupted_close() -> None:
+            signal.raise_signal(signal.SIGINT)
+            close()
+
+        monkeypatch.setattr(recorder.writer, "close", interrupted_close)
+        with pytest.raises(KeyboardInterrupt):
+            recorder.stop()
+        assert not recorder.is_recording
+        assert texts(tmp_path / "bag") == ["first"]
+
+
 def test_full_cache_drops_and_counts(node: Node, record: Any, tmp_path: Path, capfd: Any) -> None:
     publisher = node.create_publisher(String, "chatter", 10)
     settings = WriterSettings(cache_size=500)

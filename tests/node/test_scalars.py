@@ -151,10 +151,11 @@ def test_xml_is_its_text_as_it_is(text: str) -> None:
     assert untyped_value(text) == text
 
 
-def test_xml_in_a_rule_is_yaml_that_a_stock_ros_2_reads_too() -> None:
-    _, _, text = parameter_rule("x", XML).partition(":=")
-    assert parse_documents(text) == [XML]
-    assert parse_value(text) == XML
+@pytest.mark.parametrize("xml", [XML, f"\n \t{XML}", f"\ufeff\n{XML}"])
+def test_xml_in_a_rule_is_yaml_that_a_stock_ros_2_reads_too(xml: str) -> None:
+    _, _, text = parameter_rule("x", xml).partition(":=")
+    assert parse_documents(text) == [xml]
+    assert parse_value(text) == xml
 
 
 def test_all_documents_are_read() -> None:

@@ -139,6 +139,17 @@ def test_camera_sees_the_robot_whole_until_its_user_moves_it(bot: Path, open_pag
         scene.abort()
 
 
+def test_camera_is_let_go_though_a_display_waits_for_a_topic(bot: Path, open_page: PageOpener) -> None:
+    with shown(bot) as viewer:
+        viewer.view.want("/scan")
+        page = open_page(viewer)
+        scene = scene_of(viewer, page)
+        scene.tell_camera(position=(3.0, 0.0, 0.0))
+        page.wait_for(lambda: page.name in viewer._unfitted)
+        page.wait_for(lambda: not viewer._unfitted)
+        scene.abort()
+
+
 def test_picture_of_nothing_is_not_fitted(bot: Path, open_page: PageOpener) -> None:
     with shown(bot) as viewer:
         page = open_page(viewer)

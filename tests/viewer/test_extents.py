@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import json
 import math
+import tracemalloc
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 import pytest
 
 from tfloom.tf2.transform import Transform
-from tfloom.viewer import shapes
+from tfloom.viewer import extents, shapes
 from tfloom.viewer.extents import Extent, extent_of, view_of
 
 HERE = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0)
@@ -62,6 +65,43 @@ def test_model_reaches_as_far_as_its_nodes_are_moved() -> None:
     extent = extent_of(NOTHING, [(shapes.Model(scene.export(file_type="glb"), (1.0, 1.0, 2.0)), HERE)])
     assert extent is not None
     np.testing.assert_allclose([extent.low, extent.high], [[4, -0.5, -6], [6, 0.5, 6]], atol=1e-6)
+
+
+def model(content: str) -> shapes.Model:
+    text = content.encode()
+    return shapes.Model(
+        b"glTF" + bytes(8) + len(text).to_bytes(4, "little") + b"JSON" + text, (1.0, 1.0, 1.0)
+    )
+
+
+def content_of(least: int = 0, children: Sequence[int] = (), primitives: int = 1) -> dict[str, Any]:
+    return {
+        "nodes": [{"mesh": 0, "children": children}],
+        "scenes": [{"nodes": [0]}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}] * primitives}],
+        "accessors": [{"min": [least, 0, 0], "max": [1, 1, 1]}],
+    }
+
+
+@pytest.mark.parametrize(
+    "content",
+    ["[" * 100_000, json.dumps(content_of(least=10**400)), '{"scenes": 5}'],
+    ids=["deep", "a number of 400 digits", "no scenes"],
+)
+def test_model_that_says_nothing_sensible_has_no_reach(content: str) -> None:
+    assert extent_of(NOTHING, [(model(content), HERE)]) is None
+
+
+def test_model_of_more_nodes_than_are_looked_at_costs_no_more(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(extents, "MAX_NODES", 100)
+    shape = model(json.dumps(content_of(children=[0] * 1000, primitives=30)))
+    tracemalloc.start()
+    extent = extent_of(NOTHING, [(shape, HERE)])
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert extent is not None
+    np.testing.assert_allclose(extent.high, 1.0)
+    assert peak < 1_000_000
 
 
 @pytest.mark.parametrize("aspect", [0.3, 1.0, 3.0])

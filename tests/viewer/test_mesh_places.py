@@ -54,6 +54,18 @@ def test_package_of_the_name_counts_before_a_folder_without(tmp_path: Path) -> N
     assert find_mesh("package://parts/meshes/a.stl", near) == path
 
 
+@pytest.mark.parametrize("has_checkout", [False, True])
+def test_installed_package_counts_before_what_is_above_the_description(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, has_checkout: bool
+) -> None:
+    path = made(tmp_path / "install" / "gripper" / REST)
+    monkeypatch.setattr(mesh_places, "get_package_share_path", lambda _: tmp_path / "install" / "gripper")
+    made(tmp_path / "src" / "bot" / REST)  # of the same name, of another package
+    if has_checkout:
+        (tmp_path / "src" / "gripper").mkdir()  # its meshes are only in what was installed
+    assert find_mesh("package://gripper/meshes/a.stl", tmp_path / "src" / "bot" / "urdf") == path
+
+
 def test_paths_of_a_file_are_beside_it(tmp_path: Path) -> None:
     assert find_mesh("meshes/a.stl", tmp_path) == tmp_path / REST
     assert find_mesh("../a.STL", tmp_path) == tmp_path / ".." / "a.STL"

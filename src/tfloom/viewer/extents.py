@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import math
 from collections.abc import Callable, Iterable, Sequence
@@ -118,8 +119,8 @@ def _points_of_model(model: shapes.Model) -> NDArray[np.float64] | None:
     try:
         length = int.from_bytes(model.glb[12:16], "little")
         content = json.loads(model.glb[20 : 20 + length])
-        parts = list(_meshes(content))
-    except (ValueError, LookupError, TypeError, AttributeError):
+        parts = list(itertools.islice(_meshes(content), MAX_NODES))
+    except (ValueError, LookupError, TypeError, AttributeError, ArithmeticError, RecursionError):
         return None
     return np.concatenate(parts) * model.scale if parts else None
 
@@ -128,17 +129,18 @@ def _meshes(content: Any) -> Iterable[NDArray[np.float64]]:
     """Yield the corners of each mesh of a scene of glTF.
 
     Raises:
-        ValueError, LookupError, TypeError, AttributeError: it is not glTF.
+        ValueError, LookupError, TypeError, AttributeError, ArithmeticError, RecursionError: it is not glTF.
     """
     nodes = content["nodes"]
-    waiting = [(root, np.eye(4)) for root in content["scenes"][content.get("scene", 0)]["nodes"]]
+    roots = content["scenes"][content.get("scene", 0)]["nodes"]
+    waiting = [(root, np.eye(4)) for root in roots[:MAX_NODES]]
     for _ in range(MAX_NODES):
         if not waiting:
             return
         number, parent = waiting.pop()
         node = nodes[number]
         matrix = parent @ _matrix(node)
-        waiting += [(child, matrix) for child in node.get("children", ())]
+        waiting += [(child, matrix) for child in node.get("children", [])[: MAX_NODES - len(waiting)]]
         for primitive in content["meshes"][node["mesh"]]["primitives"] if "mesh" in node else ():
             accessor = content["accessors"][primitive["attributes"]["POSITION"]]
             corners = _box(np.array(accessor["min"], np.float64), np.array(accessor["max"], np.float64))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import itertools
 import re
 from collections.abc import Iterator
@@ -49,12 +50,20 @@ def find_mesh(uri: str, near: Path | None) -> Path:
     if not package:  # one slash too many, which readers of URDF leave out
         package, _, rest = rest.partition("/")
     # The packages around a file are a user's own, and more are there than are installed.
-    named = [] if near is None else list(_packages_around(near, package))
+    named = () if near is None else _packages_around(near, package)
     # Last what is above the file: a package whose folder has another name, and no manifest.
-    for place in [*named, *([] if near is None else _folders_above(near))]:
+    for place in [*named, *_installed(package), *([] if near is None else _folders_above(near))]:
         if (place / rest).exists():
             return place / rest
     return (named[0] if named else _share(package, uri, near)) / rest
+
+
+def _installed(package: str) -> list[Path]:
+    """Return the share folder of an installed package, if there is one."""
+    try:
+        return [get_package_share_path(package)]
+    except (PackageNotFoundError, ValueError):
+        return []
 
 
 def _share(package: str, uri: str, near: Path | None) -> Path:
@@ -77,8 +86,13 @@ def _folders_above(near: Path) -> list[Path]:
     return list(itertools.islice((near.absolute(), *near.absolute().parents), MAX_LEVELS))
 
 
-def _packages_around(near: Path, package: str) -> Iterator[Path]:
-    """Yield the folders of a package of this name: one that a folder is in, then those beside it."""
+@functools.lru_cache(MAX_FOLDERS)
+def _packages_around(near: Path, package: str) -> tuple[Path, ...]:
+    """Return the folders of a package of this name: one that a folder is in, then those beside it."""
+    return tuple(_find_packages(near, package))
+
+
+def _find_packages(near: Path, package: str) -> Iterator[Path]:
     if not re.fullmatch(r"[\w.-]+", package) or not package.strip("."):
         return
     above = _folders_above(near)

@@ -443,7 +443,7 @@ class SharedView:
     def is_whole(self) -> bool:
         """Whether all that was asked for is shown: nothing is still read."""
         displays = [feed.display for feed in self._feeds.values()]
-        return not self._wanted and all(
+        return self._wanted.keys().isdisjoint(self.topics.types()) and all(
             display.is_whole for display in displays if isinstance(display, RobotDisplay)
         )
 

@@ -27,7 +27,12 @@ function makeJointRow(joint) {
 function showJoints() {
   const joints = state.joints;
   const tab = document.querySelector("#tabs [data-panel=joints]");
-  if (!joints) return;
+  // What nobody is there for.
+  document.body.classList.toggle("alone", Boolean(joints) && !state.is_live && !state.is_recording);
+  if (!joints) {  // also of a page that was one of a robot, of a viewer that has ended
+    if (!tab.hidden) { tab.hidden = true; jointRows.clear(); $("joint-rows").replaceChildren(); openPanel("frames"); }
+    return;
+  }
   if (tab.hidden) { tab.hidden = false; openPanel("joints"); }
   const keys = new Set(joints.map((joint) => joint.key));
   for (const key of [...jointRows.keys()]) if (!keys.has(key)) jointRows.delete(key);
@@ -49,8 +54,6 @@ function showJoints() {
   }
   const robot = state.displays.find((row) => row.kind === "RobotModel" && row.on);
   setText($("robot-status"), robot ? robot.status : joints.length ? "" : "no robot yet");
-  // What nobody is there for.
-  document.body.classList.toggle("alone", !state.is_live && !state.is_recording);
 }
 
 showers.push(showJoints);

@@ -50,7 +50,7 @@ def parameter_rule(name: str, value: Any) -> str:
         read = parse_value(text, nothing=None)
     except ValueError:
         read = None
-    if text.startswith("<"):
+    if text.lstrip("\ufeff \t\r\n").startswith("<"):
         return f"{name}:={value_text(plain)}"
     # As texts, in which True and 1 differ, also within a list, and NaN is equal to itself.
     return f"{name}:={text if repr(read) == repr(plain) else value_text(plain)}"
