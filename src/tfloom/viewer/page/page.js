@@ -243,7 +243,8 @@ function showSelection() {
   $("right").classList.toggle("on", Boolean(selection) || state.displays.some((row) => row.on && row.is_image));
   if (!selection) return;
   const isPair = selection.frames.length === 2;
-  setText($("selection-title"), isPair ? `tf2_echo ${selection.frames.join(" ")}` : `${selection.frames[0]} in ${state.fixed_frame}`);
+  const first = selection.frames[0];
+  setText($("selection-title"), isPair ? `tf2_echo ${selection.frames.join(" ")}` : first === state.fixed_frame ? first : `${first} in ${state.fixed_frame}`);
   setText($("selection-text"), isPair ? selection.text : `${selection.text}\n\nClick another frame for the transform between them.`);
   $("plot").hidden = !selection.plot;
   if (selection.plot) drawPlot(selection.plot);
