@@ -102,10 +102,14 @@ def start_nodes(start: Callable[..., Any], *faults: str) -> Any:
 
 @pytest.fixture(scope="module")
 def findings(module_domain_id: int, start_module_program: Callable[..., Any]) -> list[dict[str, Any]]:
-    """Return the findings on a graph that has all the faults."""
+    """Return the findings on a graph that has all the faults.
+
+    Without those of uneven periods of other nodes: where the machine pauses their process, they are true.
+    """
     start_nodes(start_module_program)
     found: list[dict[str, Any]] = run_doctor(start_module_program, code=1)["findings"]
-    return found
+    uneven = {f"/faults/{fault}" for fault, expected in EXPECTED.items() if "TF405" in expected.codes}
+    return [finding for finding in found if finding["code"] != "TF405" or uneven & set(finding["nodes"])]
 
 
 def test_each_code_has_a_fault() -> None:
