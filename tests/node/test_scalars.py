@@ -151,7 +151,7 @@ def test_xml_is_its_text_as_it_is(text: str) -> None:
     assert untyped_value(text) == text
 
 
-@pytest.mark.parametrize("xml", [XML, f"\n \t{XML}", f"\ufeff\n{XML}"])
+@pytest.mark.parametrize("xml", [XML, f"\n \t{XML}", f"\ufeff\n{XML}", f"\u2003{XML}"])
 def test_xml_in_a_rule_is_yaml_that_a_stock_ros_2_reads_too(xml: str) -> None:
     _, _, text = parameter_rule("x", xml).partition(":=")
     assert parse_documents(text) == [xml]

@@ -24,6 +24,8 @@ from tests.rmw.conftest import Peer, outputs_by_end
 from tests.zenoh_ports import use_port_of
 
 from tfloom._native import ReadyQueue, SampleQueue
+from tfloom.common import signals as signals_module
+from tfloom.common.signals import signals_deferred
 from tfloom.rmw.base import NodeName, Participant, Reader, Requester, Sample, Service, Topic
 from tfloom.rmw.endpoint_events import READER_EVENTS, EndpointEvents
 from tfloom.rmw.errors import ClosedError, ForeignPeerError, NoBackendError, WireError
@@ -41,12 +43,10 @@ from tfloom.rmw.zenoh import announced as zenoh_announced
 from tfloom.rmw.zenoh import attachment as zenoh_attachment
 from tfloom.rmw.zenoh import config as zenoh_config
 from tfloom.rmw.zenoh import graph as zenoh_graph
-from tfloom.rmw.zenoh import library as zenoh_library
 from tfloom.rmw.zenoh import services as zenoh_services
 from tfloom.rmw.zenoh.endpoints import MAX_REPORTS, ZenohReader, _Lease
 from tfloom.rmw.zenoh.events import MIN_PERIOD_S, Timers
 from tfloom.rmw.zenoh.graph import ZenohGraph
-from tfloom.rmw.zenoh.library import signals_deferred
 from tfloom.rmw.zenoh.services import ServiceEndpoint, ZenohRequester, ZenohResponder
 from tfloom.rmw.zenoh.session import open_session
 from tfloom.rmw.zenoh.tokens import PREFIX, End, Kind, Token, data_key, gid_of, token_key
@@ -599,7 +599,7 @@ def test_signals_of_a_nested_deferred_call_come_after_the_outer_one(signals: Sig
 def test_signal_that_comes_while_handlers_are_set_again_is_not_the_last_that_is_heard(
     signals: Signals, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    set_handler = zenoh_library._signal.signal
+    set_handler = signals_module._signal.signal
 
     def set_and_send(number: int, handler: Any) -> None:
         set_handler(number, handler)
@@ -609,7 +609,7 @@ def test_signal_that_comes_while_handlers_are_set_again_is_not_the_last_that_is_
 
     with pytest.raises(KeyboardInterrupt), signals_deferred():  # noqa: PT012
         signal.raise_signal(signal.SIGTERM)
-        monkeypatch.setattr(zenoh_library._signal, "signal", set_and_send)
+        monkeypatch.setattr(signals_module._signal, "signal", set_and_send)
     assert sorted(signals.handled) == [signal.SIGINT, signal.SIGTERM]
     signal.raise_signal(signal.SIGTERM)  # its handler wasn't set again, but is called
     assert signals.handled[2:] == [signal.SIGTERM]

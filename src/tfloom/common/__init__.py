@@ -4,6 +4,7 @@
 - yaml, yaml_scanner, written_values: the one door for reading YAML, with limits; tabs as libyaml takes them
 - xml: the one door for XML: launch files, package.xml, URDF
 - terminal, keyboard: what a terminal would obey, shown; single keys from a terminal
+- signals: handlers of signals that run after a block
 - text, seconds: values, times and durations in the texts of errors and in output
 - notebook: tables and drawings that objects show in notebooks
 - access: who may open a page or a WebSocket;  inner_port: ports of libraries, closed to other processes

@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Container, Sequence
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tfloom.node.values.exceptions import InvalidHandle
@@ -60,15 +61,12 @@ class Calls:
         waiting = dict(enumerate(clients))
         while waiting and time.monotonic() < end_s and self._node.context.ok():
             for index, client in list(waiting.items()):
-                try:
+                with suppress(InvalidHandle, WireError):  # the server has just left: this one has no response
                     if not client.service_is_ready():
                         continue
                     futures[index] = client.call_async(calls[index].request)
-                except (InvalidHandle, WireError):  # the server has just left: this one has no response
-                    del waiting[index]
-                    continue
+                    futures[index].add_done_callback(lambda _: done.set())
                 del waiting[index]
-                futures[index].add_done_callback(lambda _: done.set())
             if waiting:
                 time.sleep(SLEEP_S)
         # The requests to a server that leaves are cancelled with their client.

@@ -6,6 +6,7 @@ import functools
 import itertools
 import re
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 from urllib.parse import unquote, urlparse
 
@@ -49,36 +50,24 @@ def find_mesh(uri: str, near: Path | None) -> Path:
     package, rest = parsed.netloc, unquote(parsed.path).lstrip("/")
     if not package:  # one slash too many, which readers of URDF leave out
         package, _, rest = rest.partition("/")
+    return _find_in_package(package, rest, near, uri)
+
+
+def _find_in_package(package: str, rest: str, near: Path | None, uri: str) -> Path:
     # The packages around a file are a user's own, and more are there than are installed.
-    named = () if near is None else _packages_around(near, package)
+    places = [] if near is None else list(_packages_around(near, package))
+    with suppress(PackageNotFoundError, ValueError):
+        places.append(get_package_share_path(package))
     # Last what is above the file: a package whose folder has another name, and no manifest.
-    for place in [*named, *_installed(package), *([] if near is None else _folders_above(near))]:
+    for place in [*places, *([] if near is None else _folders_above(near))]:
         if (place / rest).exists():
             return place / rest
-    return (named[0] if named else _share(package, uri, near)) / rest
-
-
-def _installed(package: str) -> list[Path]:
-    """Return the share folder of an installed package, if there is one."""
-    try:
-        return [get_package_share_path(package)]
-    except (PackageNotFoundError, ValueError):
-        return []
-
-
-def _share(package: str, uri: str, near: Path | None) -> Path:
-    """Return the share folder of an installed package.
-
-    Raises:
-        DisplayError: there is no such package.
-    """
-    try:
-        return get_package_share_path(package)
-    except (PackageNotFoundError, ValueError):
-        around = "" if near is None else f", and none around {near}"
-        raise DisplayError(
-            f"there is no package '{package}'{around}, which {uri} is in: source its workspace before"
-        ) from None
+    if places:
+        return places[0] / rest
+    around = "" if near is None else f", and none around {near}"
+    raise DisplayError(
+        f"there is no package '{package}'{around}, which {uri} is in: source its workspace before"
+    )
 
 
 def _folders_above(near: Path) -> list[Path]:

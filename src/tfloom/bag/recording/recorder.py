@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import signal
 import threading
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +13,7 @@ from tfloom.bag.recording.record_options import RecordOptions
 from tfloom.bag.recording.recorded_topics import RecordedTopics
 from tfloom.bag.recording.recorder_services import RefusedError, serve_recorder
 from tfloom.bag.writing.bag_writer import BagWriter, WriterSettings
+from tfloom.common.signals import signals_deferred
 from tfloom.interfaces.rosbag2_interfaces.msg import WriteSplitEvent
 from tfloom.node.clock.clock import JumpHandle
 from tfloom.node.clock.time_jump import JumpThreshold
@@ -132,7 +131,7 @@ class Recorder(Node):
         Raises:
             BagError: the bag can't be completed, and there was no `failure` before; what was written stays readable.
         """
-        with self._transition, _interrupted_later():
+        with self._transition, signals_deferred():
             if self.is_recording:
                 self._stop()
 
@@ -373,19 +372,3 @@ class Recorder(Node):
 
 def _error_text(error: Exception) -> str:
     return f"{type(error).__name__}: {error}"
-
-
-@contextmanager
-def _interrupted_later() -> Iterator[None]:
-    """Let Ctrl-C within the block come at its end, because the bag is being completed."""
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    came: list[int] = []
-    before = signal.signal(signal.SIGINT, lambda number, _frame: came.append(number))
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGINT, before)
-        if came:
-            signal.raise_signal(signal.SIGINT)

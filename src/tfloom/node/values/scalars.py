@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from typing import Any
 
-__all__ = ["parse_documents", "parse_scalar", "parse_value"]
+__all__ = ["is_markup", "parse_documents", "parse_scalar", "parse_value"]
 
 _TRUE = {"y", "Y", "yes", "Yes", "YES", "true", "True", "TRUE", "on", "On", "ON"}
 _FALSE = {"n", "N", "no", "No", "NO", "false", "False", "FALSE", "off", "Off", "OFF"}
@@ -125,10 +125,15 @@ def parse_value(text: str, *, nothing: Any = "", letters: bool = True) -> Any:
     """
     if re.match(_WORDS, text):
         return parse_scalar(text, letters=letters)
-    if re.match(_MARKUP, text):
+    if is_markup(text):
         return text
     documents = parse_documents(text, letters=letters)
     return documents[-1] if documents else nothing
+
+
+def is_markup(text: str) -> bool:
+    """Return whether a text is XML, whose first character that isn't blank is `<`."""
+    return re.match(_MARKUP, text) is not None
 
 
 def parse_documents(text: str, *, letters: bool = True) -> list[Any]:

@@ -7,9 +7,9 @@ from collections.abc import Callable
 from contextlib import suppress
 from typing import Any
 
+from tfloom.common.signals import signals_deferred
 from tfloom.rmw.errors import ClosedError
 from tfloom.rmw.zenoh.graph import Peer, ZenohGraph
-from tfloom.rmw.zenoh.library import signals_deferred
 from tfloom.rmw.zenoh.session import refuse_fork
 from tfloom.rmw.zenoh.tokens import Kind
 

@@ -15,6 +15,7 @@ from contextlib import nullcontext
 from typing import Any
 
 from tfloom._native import ReadyQueue, Sink
+from tfloom.common.signals import signals_deferred
 from tfloom.common.terminal import report, shown_part
 from tfloom.rmw.base import EndpointInfo, Sample
 from tfloom.rmw.compatibility import incompatible_policies
@@ -35,7 +36,7 @@ from tfloom.rmw.zenoh.end import ZenohEnd
 from tfloom.rmw.zenoh.events import LostSamples, Timers
 from tfloom.rmw.zenoh.feeder import Feeder
 from tfloom.rmw.zenoh.graph import Peer, ZenohGraph, peer_name
-from tfloom.rmw.zenoh.library import open_library, signals_deferred
+from tfloom.rmw.zenoh.library import open_library
 from tfloom.rmw.zenoh.tokens import Kind
 
 __all__ = ["ZenohEndpoint", "ZenohReader", "ZenohWriter"]

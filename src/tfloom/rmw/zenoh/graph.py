@@ -11,12 +11,13 @@ from contextlib import suppress
 from typing import Any, Protocol
 
 from tfloom._native import ReadyQueue
+from tfloom.common.signals import signals_deferred
 from tfloom.common.terminal import report, shown_part
 from tfloom.rmw.base import EndpointInfo, NodeName, ParticipantInfo, ServiceEndInfo, Topic
 from tfloom.rmw.postponed_interrupt import uninterrupted_files
 from tfloom.rmw.topic_names import type_to_dds
 from tfloom.rmw.zenoh.announced import AnnouncedTokens
-from tfloom.rmw.zenoh.library import open_library, signals_deferred
+from tfloom.rmw.zenoh.library import open_library
 from tfloom.rmw.zenoh.session import refuse_fork
 from tfloom.rmw.zenoh.tokens import PREFIX, End, Kind, Token, TokenError, gid_of, parse_token, token_pattern
 

@@ -10,6 +10,7 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from tfloom._native import ReadyQueue
+from tfloom.common.signals import signals_deferred
 from tfloom.common.terminal import shown_part
 from tfloom.rmw.action_names import GET_RESULT
 from tfloom.rmw.base import NodeName, Request, RequestId, Response, Service
@@ -23,7 +24,7 @@ from tfloom.rmw.zenoh.end import ZenohEnd
 from tfloom.rmw.zenoh.endpoints import HEADER_SIZE
 from tfloom.rmw.zenoh.events import Timers
 from tfloom.rmw.zenoh.graph import Peer, ZenohGraph, peer_name
-from tfloom.rmw.zenoh.library import open_library, signals_deferred
+from tfloom.rmw.zenoh.library import open_library
 from tfloom.rmw.zenoh.tokens import Kind
 
 __all__ = ["ServiceEndpoint", "ZenohRequester", "ZenohResponder"]

@@ -10,6 +10,7 @@ import time
 import weakref
 from typing import Any, NoReturn
 
+from tfloom.common.signals import signals_deferred
 from tfloom.common.terminal import report
 from tfloom.rmw.errors import ClosedError, ForkedError, WireError
 from tfloom.rmw.zenoh.config import (
@@ -20,7 +21,7 @@ from tfloom.rmw.zenoh.config import (
     router_checks,
     session_configuration,
 )
-from tfloom.rmw.zenoh.library import open_library, signals_deferred
+from tfloom.rmw.zenoh.library import open_library
 from tfloom.rmw.zenoh.links import why_no_links
 from tfloom.rmw.zenoh.meeting_point import MeetingPoint
 

@@ -12,6 +12,7 @@ from itertools import count
 from typing import Any, TypeVar
 from weakref import WeakSet
 
+from tfloom.common.signals import signals_deferred
 from tfloom.rmw.base import EndpointInfo, NodeName, Participant, Service, Topic
 from tfloom.rmw.compatibility import chosen_qos
 from tfloom.rmw.errors import ClosedError, WireError
@@ -22,7 +23,7 @@ from tfloom.rmw.zenoh.end import end_declarations
 from tfloom.rmw.zenoh.endpoints import ZenohReader, ZenohWriter
 from tfloom.rmw.zenoh.events import Timers
 from tfloom.rmw.zenoh.graph import ZenohGraph
-from tfloom.rmw.zenoh.library import open_library, signals_deferred
+from tfloom.rmw.zenoh.library import open_library
 from tfloom.rmw.zenoh.services import ServiceEndpoint, ZenohRequester, ZenohResponder
 from tfloom.rmw.zenoh.session import FORK_ADVICE, ZenohSession, open_session, refuse_fork
 from tfloom.rmw.zenoh.tokens import End, Kind, Token, data_key, gid_of, token_key, wire_qos

@@ -41,17 +41,17 @@ def parameter_rule(name: str, value: Any) -> str:
 
     Python's text is used where the same value is read from it, also by a node of a stock ROS 2: there, XML is YAML.
     """
-    from tfloom.node.values.scalars import parse_value
+    from tfloom.node.values.scalars import is_markup, parse_value
     from tfloom.node.values.value_text import value_text
 
     plain = list(value) if isinstance(value, tuple) else value
     text = str(plain)
+    if is_markup(text):
+        return f"{name}:={value_text(plain)}"
     try:
         read = parse_value(text, nothing=None)
     except ValueError:
         read = None
-    if text.lstrip("\ufeff \t\r\n").startswith("<"):
-        return f"{name}:={value_text(plain)}"
     # As texts, in which True and 1 differ, also within a list, and NaN is equal to itself.
     return f"{name}:={text if repr(read) == repr(plain) else value_text(plain)}"
 
