@@ -150,7 +150,7 @@ def test_best_effort_publisher_that_comes_later_is_heard(domain_id: int, node: N
     reliable = node.create_publisher(String, "/mixed", 1)
     with connected(domain_id) as client:
         client.subscribe("/mixed", 1)
-        wait_until(lambda: reliable.get_subscription_count() == 1)
+        client.wait_for(lambda: reliable.get_subscription_count() == 1, "the subscription")
         late = node.create_publisher(
             String, "/mixed", QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
         )

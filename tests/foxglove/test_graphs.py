@@ -16,7 +16,7 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
-from tests.conftest import Program, wait_until
+from tests.conftest import Program
 from tests.foxglove.clients import (
     Client,
     bridging,
@@ -56,7 +56,9 @@ def test_many_topics(domain_id: int, node: Node) -> None:
         publishers = {name: node.create_publisher(String, name, 1) for name in names}
         for number, name in enumerate(names):
             client.subscribe(name, number)
-        wait_until(lambda: all(one.get_subscription_count() == 1 for one in publishers.values()))
+        client.wait_for(
+            lambda: all(one.get_subscription_count() == 1 for one in publishers.values()), "the subscription"
+        )
         heard: dict[int, str] = {}
 
         def are_all_heard() -> bool:
@@ -99,7 +101,7 @@ def test_topic_of_an_unknown_type_is_said_once(
     known = node.create_publisher(String, "/known", 1)
     with connected(domain_id) as client:
         client.subscribe("/known", 1)
-        wait_until(lambda: known.get_subscription_count() == 1)
+        client.wait_for(lambda: known.get_subscription_count() == 1, "the subscription")
         known.publish(String(data="x"))
         client.wait_for(lambda: client.messages, "the message of the known type")
         later = node.create_publisher(String, "/later", 1)
@@ -231,7 +233,7 @@ def test_encrypted_connections(certificate: tuple[Path, Path], node: Node, start
         client = Client(port, trust)
         stack.enter_context(closing(client.socket))
         client.subscribe("/big", 1)
-        wait_until(lambda: publisher.get_subscription_count() == 1)
+        client.wait_for(lambda: publisher.get_subscription_count() == 1, "the subscription")
         data = cdr.encode(UInt8MultiArray(data=random.Random(1).randbytes(5_000_000)))
         publisher.publish(data)
         client.wait_for(lambda: client.messages, "the message")

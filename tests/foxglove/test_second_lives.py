@@ -56,7 +56,7 @@ def test_client_that_comes_again_is_served_as_before(way: str, domain_id: int, n
                 client = connect_to(bridge)
             client.messages.clear()
             client.subscribe("/chatter", 5)
-            wait_until(lambda: publisher.get_subscription_count() == 1)
+            client.wait_for(lambda: publisher.get_subscription_count() == 1, "the subscription")
             data = cdr.encode(String(data=f"number {number:04}"))
             messages = client.messages
 
@@ -81,7 +81,7 @@ def test_topic_that_comes_again_is_another_channel(domain_id: int, node: Node) -
             publisher = node.create_publisher(kind, "/chatter", 1)
             client.messages.clear()
             client.subscribe("/chatter", 5)
-            wait_until(lambda publisher=publisher: publisher.get_subscription_count() == 1)
+            client.wait_for(lambda publisher=publisher: publisher.get_subscription_count() == 1, "a reader")
             assert client.channels["/chatter"]["schemaName"] == kind._TYPE_NAME
             ids.add(client.channels["/chatter"]["id"])
             publisher.publish(message)

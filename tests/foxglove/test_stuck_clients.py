@@ -57,7 +57,7 @@ def test_client_that_takes_nothing_delays_nobody(domain_id: int, node: Node) -> 
     with connected(domain_id) as reader:
         reader.subscribe("/big", 2)
         with stuck_client(reader.bridge.port):
-            wait_until(lambda: publisher.get_subscription_count() == 1)
+            reader.wait_for(lambda: publisher.get_subscription_count() == 1, "the subscription")
             publish(publisher, reader, MESSAGES)
 
 
@@ -72,7 +72,7 @@ def test_close_returns_while_a_client_takes_nothing(
         reader = Client(port)
         reader.subscribe("/big", 2)
         with closing(reader.socket), stuck_client(port):
-            wait_until(lambda: publisher.get_subscription_count() == 1)
+            reader.wait_for(lambda: publisher.get_subscription_count() == 1, "the subscription")
             publish(publisher, reader, MESSAGES)
             closed = threading.Thread(target=bridge.close, daemon=True)
             closed.start()
@@ -120,7 +120,7 @@ def test_program_ends_and_is_bounded_while_a_client_takes_nothing(
     reader = Client(port)
     reader.subscribe("/big", 2)
     with closing(reader.socket), stuck_client(port):
-        wait_until(lambda: publisher.get_subscription_count() == 1)
+        reader.wait_for(lambda: publisher.get_subscription_count() == 1, "the subscription")
         processes = [psutil.Process(program.process.pid)]
         processes += processes[0].children(recursive=True)
 
