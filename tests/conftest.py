@@ -54,12 +54,14 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
 def pytest_configure() -> None:
     """Make SIGTERM, which `timeout` sends, end the tests as Ctrl-C does, together with the processes they started.
 
-    Background jobs of a shell script ignore Ctrl-C and SIGQUIT, and so would the programs that tests start.
+    Background jobs of a shell script ignore Ctrl-C and SIGQUIT, what nohup runs ignores SIGHUP, and so would the
+    programs that tests start.
     """
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     signal.signal(signal.SIGINT, signal.default_int_handler)
-    if hasattr(signal, "SIGQUIT"):
-        signal.signal(signal.SIGQUIT, signal.SIG_DFL)
+    for name in ("SIGQUIT", "SIGHUP"):
+        if hasattr(signal, name):
+            signal.signal(getattr(signal, name), signal.SIG_DFL)
 
 
 @pytest.hookimpl(wrapper=True)

@@ -21,6 +21,7 @@ from tfloom.bag.recording import recorder as recorder_module
 from tfloom.bag.recording.record_options import RecordOptions
 from tfloom.bag.recording.recorder import Recorder
 from tfloom.bag.topic_choice import TopicChoice
+from tfloom.bag.values import Definition
 from tfloom.bag.writing.bag_writer import WriterSettings
 from tfloom.interfaces.rosbag2_interfaces.msg import WriteSplitEvent
 from tfloom.interfaces.rosbag2_interfaces.srv import (
@@ -301,20 +302,61 @@ def test_topic_that_appears_while_others_are_listed_is_recorded(
         assert topics._recorded.keys() == {"/late"}
 
 
-def test_type_that_is_unknown_is_asked_for_once(local_context: Context, tmp_path: Path, capfd: Any) -> None:
+@pytest.fixture
+def record_odd(local_context: Context, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., Any]:
+    """Record a topic whose type gets a definition after some searches; return the recorder and its searches."""
     wire = local.open_participant(local_context.get_domain_id())
-    odd = Topic("/odd", "odd_msgs/msg/Odd", "")
-    wire.create_writer(NodeName("/", "odd"), odd, QoS())
+    wire.create_writer(NodeName("/", "odd"), Topic("/odd", "odd_msgs/msg/Odd", ""), QoS())
     asked: list[str] = []
-    options = RecordOptions(TopicChoice(["/odd"]), has_keyboard=False)
-    learn = lambda _, type_name: asked.append(type_name)  # noqa: E731
-    recorder = Recorder(tmp_path / "bag", WriterSettings(), options, learn=learn, context=local_context)
-    recorder.start()
+
+    def start(found_at: int) -> tuple[Recorder, list[str]]:
+        def find(_: str) -> Definition | None:
+            return Definition("ros2msg", "int32 x") if len(asked) >= found_at else None
+
+        monkeypatch.setattr(recorded_topics, "find_definition", find)
+        options = RecordOptions(TopicChoice(["/odd"]), has_keyboard=False)
+        learn = lambda _, type_name: asked.append(type_name)  # noqa: E731
+        recorder = Recorder(tmp_path / "bag", WriterSettings(), options, learn=learn, context=local_context)
+        recorder.start()
+        return recorder, asked
+
+    return start
+
+
+def definition_of_odd(recorder: Recorder) -> Any:
     recorder.stop()
     recorder.destroy_node()
-    wire.close()
-    assert asked == ["odd_msgs/msg/Odd"]
-    assert "There is no definition of 'odd_msgs/msg/Odd' here" in capfd.readouterr().err
+    with open_bag(recorder.writer.folder) as bag:
+        return bag.topics["/odd"].definition
+
+
+@pytest.mark.parametrize("found_at", [2, 9])
+def test_type_that_is_unknown_is_asked_for_again_at_the_end(
+    record_odd: Callable[..., Any], monkeypatch: pytest.MonkeyPatch, capfd: Any, found_at: int
+) -> None:
+    monkeypatch.setattr(recorded_topics, "SEARCH_S", 1e6)
+    recorder, asked = record_odd(found_at)
+    assert len(asked) == 1
+    definition = definition_of_odd(recorder)
+    assert asked == 2 * ["odd_msgs/msg/Odd"]
+    is_found = found_at == 2
+    assert (definition is not None) == is_found
+    assert ("There is no definition of 'odd_msgs/msg/Odd' here" in capfd.readouterr().err) != is_found
+
+
+@pytest.mark.parametrize("found_at", [3, 99])
+def test_type_that_is_unknown_is_asked_for_again_some_times(
+    record_odd: Callable[..., Any], monkeypatch: pytest.MonkeyPatch, capfd: Any, found_at: int
+) -> None:
+    monkeypatch.setattr(recorded_topics, "SEARCH_S", 0.0)
+    recorder, asked = record_odd(found_at)
+    wait_until(lambda: not recorder.is_discovery_running, what="the end of all searches")
+    is_found = found_at == 3
+    assert len(asked) == (3 if is_found else 1 + recorded_topics.SEARCHES)
+    definition = definition_of_odd(recorder)
+    assert len(asked) == (3 if is_found else 1 + recorded_topics.SEARCHES)
+    assert (definition and definition.text) == ("int32 x" if is_found else None)
+    assert ("There is no definition of" in capfd.readouterr().err) != is_found
 
 
 def test_overridden_profile_keeps_all_and_what_it_refuses_is_told_once(

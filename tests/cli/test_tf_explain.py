@@ -10,8 +10,15 @@ from typing import Any
 
 import pytest
 
-from tfloom.tf2_tools.static_transforms.file import file_text
+from tfloom.cli.shared.graph import joined_participant
+from tfloom.cli.tf import explain as explain_module
+from tfloom.interfaces.tf2_msgs.msg import TFMessage
+from tfloom.rmw.base import NodeName
+from tfloom.rmw.qos import DurabilityPolicy, QoS
+from tfloom.rmw.shared.typed_names import topic_of
+from tfloom.tf2_tools.static_transforms.file import encoded, file_text
 from tfloom.tf2_tools.static_transforms.transform import StaticTransform
+from tfloom.tf2_tools.watch.model import Observation
 
 MAX_EXPLANATIONS = 12
 """Explanations until one receives the transforms in the other order."""
@@ -73,6 +80,28 @@ def test_a_time_in_the_past_is_there_after_listening(explain: Explain) -> None:
     assert (code, "(0.500 s ago) succeeds" in text) == (0, True)
     code, text = explain("map", "laser", "--at", "-100", "--wait", "1", "--listen", "0.1")
     assert (code, "This command has listened for" in text) == (1, True)
+
+
+def test_node_that_is_listed_after_its_transforms_is_named(
+    domain_id: int, run_tf: Explain, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    node = NodeName("/", "late")
+    latched = QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL)
+    has_names = explain_module._has_names
+    with joined_participant() as participant:
+        writer = participant.create_writer(node, topic_of(TFMessage, "/tf_static"), latched)
+        writer.write(encoded(STATICS, 1))
+
+        def list_then(seen: Observation) -> bool:
+            if seen.edges and node not in participant.graph.nodes():
+                assert not has_names(seen)
+                participant.add_node(node)
+            return has_names(seen)
+
+        monkeypatch.setattr(explain_module, "_has_names", list_then)
+        code, text = run_tf("explain", "base", "laser")
+    assert code == 0
+    assert " /late\n" in text
 
 
 @pytest.mark.parametrize("parents", [("left", "right"), ("right", "left")])

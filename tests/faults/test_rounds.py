@@ -8,6 +8,7 @@ import re
 import time
 import warnings
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any, NamedTuple
 
 import psutil
@@ -41,6 +42,8 @@ class Usage(NamedTuple):
     threads: int
     objects: int
     memory: int
+    thread_names: tuple[str, ...]
+    """Of the threads, where the system tells them; they say of which one was left behind."""
 
     @classmethod
     def now(cls) -> Usage:
@@ -48,7 +51,9 @@ class Usage(NamedTuple):
         for _ in range(2):  # what finalizers have let go of, too
             gc.collect()
         descriptors = process.num_fds() if hasattr(process, "num_fds") else 0
-        return cls(descriptors, process.num_threads(), len(gc.get_objects()), process.memory_info().rss)
+        names = sorted(path.read_text("utf-8").strip() for path in Path("/proc/self/task").glob("*/comm"))
+        threads, objects, memory = process.num_threads(), len(gc.get_objects()), process.memory_info().rss
+        return cls(descriptors, threads, objects, memory, tuple(names))
 
     def exceeds(self, before: Usage) -> bool:
         """Return whether something has been left behind, but for memory; the peer works meanwhile."""

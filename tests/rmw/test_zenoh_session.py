@@ -73,6 +73,14 @@ def sees(program: Program, *names: str) -> bool:
     return bool(graphs) and graphs[-1] == f"sees {' '.join(names)}"
 
 
+def wait_for(condition: Callable[[], object], *members: Program) -> None:
+    """Wait for a condition; fail with what the members have printed."""
+    try:
+        wait_until(condition)
+    except pytest.fail.Exception:
+        pytest.fail("\n\n".join("\n".join(member.lines[-30:]) for member in members))
+
+
 def is_owner(program: Program) -> bool:
     return ask(program, "owner")[1] == "True"
 
@@ -115,9 +123,10 @@ def test_another_takes_over_within_two_seconds(end: str, start: Callable[..., Pr
     else:
         tell(owner, "close")
     late = start("late")
+    members = first, second, late
     # A router that is closed may still serve for a moment, also the late program.
-    wait_until(lambda: [is_owner(member) for member in (first, second, late)].count(True) == 1)
-    wait_until(lambda: sees(late, "first", "late", "second"))
+    wait_until(lambda: [is_owner(member) for member in members].count(True) == 1)
+    wait_for(lambda: sees(late, "first", "late", "second"), *members)
     took_s = time.monotonic() - started
     wait_until(lambda: sees(first, "first", "late", "second"))
     assert (

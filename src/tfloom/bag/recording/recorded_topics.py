@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
@@ -22,6 +23,11 @@ if TYPE_CHECKING:
     from tfloom.node.node import Node
 
 __all__ = ["RecordedTopics"]
+
+SEARCHES = 5
+"""How often a definition is searched for again, where no node had one."""
+SEARCH_S = 1.0
+"""Time between two searches [s]."""
 
 
 class _TopicInfo:
@@ -79,17 +85,25 @@ class RecordedTopics:
         self._reported: set[str] = set()
         self._changes = -1
         self._participant: base.Participant | None = None
+        self._undefined: dict[int, tuple[Topic, int]] = {}
+        """By number, topics whose types have no definition yet, and how many searches for it are left."""
+        self._search_s = 0.0
+        """When the definitions are searched for again, on the monotonic clock [s]."""
 
     @property
     def is_complete(self) -> bool:
         """Whether all topics are recorded that may ever be wanted."""
         choice = self._options.choice
-        return choice.is_by_name_only and choice.wanted_names() <= self._recorded.keys()
+        has_all = choice.is_by_name_only and choice.wanted_names() <= self._recorded.keys()
+        return has_all and not self._undefined
 
     def subscribe_changed(self) -> None:
         """Subscribe to what has appeared since the last call."""
         if self._graph().changes() != self._changes:
             self.subscribe_all()
+        if self._undefined and time.monotonic() >= self._search_s:
+            for number, (topic, left) in list(self._undefined.items()):
+                self._define(number, topic, left - 1)
 
     def subscribe_all(self) -> None:
         """Subscribe to all wanted topics that exist."""
@@ -106,9 +120,15 @@ class RecordedTopics:
         return sum(topic.count_lost() for topic in self._recorded.values())
 
     def close(self) -> None:
-        """Close the readers of all topics."""
-        for topic in self._recorded.values():
-            topic.destroy()
+        """Close the readers of all topics. A definition that was searched for only once is searched for again."""
+        for number, (topic, left) in list(self._undefined.items()):
+            if left == SEARCHES:
+                self._define(number, topic, 0)
+            else:
+                self._report_undefined(topic)
+        self._undefined.clear()
+        for recorded in self._recorded.values():
+            recorded.destroy()
 
     def _graph(self) -> base.Graph:
         if self._participant is None:
@@ -171,16 +191,24 @@ class RecordedTopics:
         self._node.get_logger().info(f"Subscribed to topic '{name}'")
         # Asking peers for the definition takes time: messages are recorded meanwhile, and the definition comes later.
         if topic.definition is None:
-            self._define(number, topic)
+            self._define(number, topic, SEARCHES)
 
-    def _define(self, number: int, topic: Topic) -> None:
-        """Look for the definition of a type that is unknown here."""
+    def _define(self, number: int, topic: Topic, searches_left: int) -> None:
+        """Look for the definition of a type that is unknown here, and again later where there is none."""
         if self._learn is not None and self._participant is not None:
             self._learn(self._participant, topic.type)
         definition = find_definition(topic.type)
+        self._undefined.pop(number, None)
         if definition is not None:
             self._writer.set_topic(number, topic._replace(definition=definition))
-            return
+        elif searches_left and self._learn is not None:
+            # A node may be known after its endpoints, or too busy to respond in time.
+            self._undefined[number] = topic, searches_left
+            self._search_s = time.monotonic() + SEARCH_S
+        else:
+            self._report_undefined(topic)
+
+    def _report_undefined(self, topic: Topic) -> None:
         self._report(
             f"There is no definition of '{topic.type}' here, and no node describes it. The messages of '{topic.name}' "
             "are recorded without it."

@@ -18,10 +18,13 @@ from tfloom.cli.tf import source
 
 if TYPE_CHECKING:
     from tfloom.tf2.buffer import Buffer
+    from tfloom.tf2_tools.watch.model import Observation
     from tfloom.tf2_tools.watch.sources import Source
 
 LISTEN_S = 1.0
 """How long to listen for rates and delays once the chain is known, without --listen [s]."""
+NAMES_S = 1.0
+"""How long to wait for the names of nodes, which come after their transforms [s]."""
 BUFFER_S = 10.0
 MARGIN_S = 0.2
 """How much longer than the requested time is ago to listen [s]."""
@@ -122,6 +125,11 @@ def _cache_time_ns(args: argparse.Namespace) -> int | None:
     return round(BUFFER_S * 1e9) if source.is_live(args.bag) else None
 
 
+def _has_names(seen: Observation) -> bool:
+    """Return whether the node is known of each publisher of which transforms have come."""
+    return all(edge.publisher.node is not None or edge.publisher.has_left for edge in seen.edges)
+
+
 def _listen(args: argparse.Namespace, opened: Source, buffer: Buffer) -> None:
     """Wait until the chain is known, and then for its rates, and for as much history as --at requests."""
     from tfloom.tf2_tools.lookups.chain import find_chain
@@ -131,7 +139,8 @@ def _listen(args: argparse.Namespace, opened: Source, buffer: Buffer) -> None:
         if time.monotonic() >= end_s:
             return
         opened.wait(end_s)
-    chain = find_chain(buffer, opened.observation(), args.target_frame, args.source_frame)
+    seen = source.wait_for(opened, _has_names, min(args.wait, NAMES_S))
+    chain = find_chain(buffer, seen, args.target_frame, args.source_frame)
     if chain is not None and chain.moving:
         now_ns = opened.now_ns()
         history_s = (now_ns - args.at(now_ns)) / 1e9 if args.at(now_ns) else 0.0
