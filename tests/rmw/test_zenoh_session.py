@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
+import random
 import signal
+import socket
 import subprocess
 import sys
 import threading
@@ -28,8 +30,9 @@ from tfloom.rmw.errors import ClosedError, ConfigurationError, WireError
 from tfloom.rmw.zenoh import meeting_point as zenoh_meeting_point
 from tfloom.rmw.zenoh import router as zenoh_router
 from tfloom.rmw.zenoh import session as zenoh_session
-from tfloom.rmw.zenoh.config import meeting_point_configuration, router_configuration
+from tfloom.rmw.zenoh.config import meeting_point_configuration, router_configuration, session_configuration
 from tfloom.rmw.zenoh.meeting_point import MeetingPoint
+from tfloom.rmw.zenoh.port_holder import end_connections
 from tfloom.rmw.zenoh.session import ZenohSession, open_session
 
 zenoh = pytest.importorskip("zenoh", reason="eclipse-zenoh is not installed: pip install 'tfloom[zenoh]'")
@@ -108,6 +111,54 @@ def test_a_session_that_finds_a_router_does_not_seek_who_holds_its_port(
         monkeypatch.setattr(module, "find_port_owner", None)
     with closing(open_session()), closing(open_session()) as guest:
         assert not guest.is_meeting_point
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="a process can't find its connections there")
+def test_no_link_stays_that_is_made_while_the_router_closes(port: int) -> None:
+    """The library leaves such a link open; it did so in one round of three to five."""
+    delays = random.Random(7)
+    for _ in range(25):
+        point = MeetingPoint()
+        assert point.is_owner
+        guests: list[Any] = []
+
+        def join(delay_s: float, guests: list[Any] = guests) -> None:
+            time.sleep(delay_s)
+            guests.append(zenoh.open(session_configuration()))
+
+        threads = [threading.Thread(target=join, args=(delays.uniform(0.0, 0.02),)) for _ in range(4)]
+        for thread in threads:
+            thread.start()
+        time.sleep(0.01)  # in the middle of when they come
+        point.close()
+        for thread in threads:
+            thread.join()
+        wait_until(
+            lambda guests=guests: not any(guest.info.routers_zid() for guest in guests), 10.0, "the end"
+        )
+        for guest in guests:
+            guest.close()
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="a process can't find its connections there")
+def test_only_connections_that_were_accepted_at_the_port_are_ended() -> None:
+    with socket.create_server(("127.0.0.1", 0)) as listener, socket.create_server(("127.0.0.1", 0)) as other:
+        ours, theirs = listener.getsockname()[1], other.getsockname()[1]
+        with (
+            socket.create_connection(("127.0.0.1", ours)) as client,
+            socket.create_connection(("127.0.0.1", theirs)) as bystander,
+            listener.accept()[0],
+            other.accept()[0] as accepted,
+        ):
+            assert end_connections(ours) == 1
+            client.settimeout(10.0)
+            assert client.recv(1) == b""
+            accepted.sendall(b"x")
+            assert bystander.recv(1) == b"x"
+        assert end_connections(ours) == 0
+        with socket.create_connection(("127.0.0.1", ours)) as again, listener.accept()[0] as next_one:
+            next_one.sendall(b"y")  # it listens as before
+            assert again.recv(1) == b"y"
 
 
 @pytest.mark.timing

@@ -30,7 +30,7 @@ from tfloom.rmw.zenoh.config import (
     session_settings,
 )
 from tfloom.rmw.zenoh.library import open_library
-from tfloom.rmw.zenoh.port_holder import find_port_owner
+from tfloom.rmw.zenoh.port_holder import end_connections, find_port_owner
 from tfloom.rmw.zenoh.router import open_router, open_where_free
 
 __all__ = ["MeetingPoint", "open_lone_router"]
@@ -70,6 +70,8 @@ class MeetingPoint:
     def __init__(self) -> None:
         self._lock = threading.Lock()
         self._router: Any = None
+        self._port = 0
+        """The port of the router that was opened last."""
         self._is_closed = threading.Event()
         self._thread: threading.Thread | None = None
         self._is_reported = False
@@ -128,6 +130,7 @@ class MeetingPoint:
         report(f"tfloom: {text}: until it goes on or ends, new programs don't discover each other")
 
     def _open_router(self) -> None:
+        self._port = port()
         config = meeting_point_configuration()
         if _links_routers(config):
             self._takeover_s = LINK_GAP_S
@@ -143,6 +146,9 @@ class MeetingPoint:
                 router.close()
             except open_library().ZError as error:  # as where a program that is linked takes nothing
                 report(f"tfloom: the Zenoh router of this process can't be closed: {reason_of(error)}")
+            # A link that is accepted while the router closes stays open in the library: who has it would take it for
+            # that of a router, and never be linked to the next one.
+            end_connections(self._port)
 
     def _on_request(self, query: Any) -> None:
         """Note that a router asks for the port; called on a thread of Zenoh, which must not close a session."""

@@ -1,12 +1,14 @@
-"""The process that holds a port of this machine, for messages about a router that doesn't answer or can't be opened."""
+"""Who holds a port of this machine: the process, for messages about a router; and this one's connections there."""
 
 from __future__ import annotations
 
 import os
+import socket
 import sys
+from contextlib import suppress
 from typing import NamedTuple
 
-__all__ = ["PortOwner", "find_port_owner"]
+__all__ = ["PortOwner", "end_connections", "find_port_owner"]
 
 _LISTENING = "0A"
 _STOPPED = ("T", "t")
@@ -39,6 +41,27 @@ def find_port_owner(port: int) -> PortOwner | None:
         ):
             return PortOwner(int(name), _command(name), _state(name) in _STOPPED)
     return None
+
+
+def end_connections(port: int) -> int:
+    """End the connections that this process has accepted at a TCP port; return their number. On Windows it can't."""
+    return sum(_ends_connection(int(name), port) for name in _names_in("/dev/fd") if name.isdigit())
+
+
+def _ends_connection(descriptor: int, port: int) -> bool:
+    with suppress(OSError):  # it is closed by now, is no socket, or has no peer
+        copy = os.dup(descriptor)
+        try:
+            found = socket.socket(fileno=copy)
+        except OSError:
+            os.close(copy)
+            return False
+        with found:
+            is_tcp = found.family in {socket.AF_INET, socket.AF_INET6} and found.type == socket.SOCK_STREAM
+            if is_tcp and found.getsockname()[1] == port and found.getpeername():
+                found.shutdown(socket.SHUT_RDWR)  # of the connection, whoever has other descriptors of it
+                return True
+    return False
 
 
 def _listening_inodes(port: int) -> set[str]:
