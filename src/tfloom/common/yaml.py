@@ -75,6 +75,7 @@ class _Loader(TabScanner, Parser, Composer, SafeConstructor, Resolver):
         self._copied = 0
         self.marks_quoted = False
         self.marks_plain = False
+        self.is_text: Callable[[str], bool] | None = None
         self.lines: dict[int, int] = {}  # of each mapping and list: its line from 1, by the id of its value
         self._measured: dict[str, tuple[int, int]] = {}  # of each complete anchor: its size and its levels
 
@@ -122,6 +123,7 @@ class _Loader(TabScanner, Parser, Composer, SafeConstructor, Resolver):
         node = super().compose_scalar_node(anchor)
         if event.tag == _STRING_TAG and event.value:
             node.style = "'"
+        node.has_tag = event.tag is not None  # type: ignore[attr-defined]
         return node
 
     def _enter(self, levels: int, mark: Any) -> None:
@@ -158,12 +160,18 @@ class _Loader(TabScanner, Parser, Composer, SafeConstructor, Resolver):
             ) from None
         if self.marks_quoted and isinstance(value, str) and node.style in ("'", '"'):
             return QuotedText(value)
+        if self.is_text is not None and _is_plain(node) and not isinstance(value, (str, type(None))):
+            return node.value if self.is_text(node.value) else value
         if self.marks_plain and isinstance(node, yaml.ScalarNode) and not isinstance(value, str):
             is_merge = node.tag == "tag:yaml.org,2002:merge"
             return value if is_merge or node.style is not None else PlainValue(node.value, value)
         if isinstance(value, (dict, list)):
             self.lines[id(value)] = node.start_mark.line + 1
         return value
+
+
+def _is_plain(node: Any) -> bool:
+    return isinstance(node, yaml.ScalarNode) and node.style is None and not node.has_tag  # type: ignore[attr-defined]
 
 
 def load(text: str) -> Any:
@@ -187,7 +195,12 @@ def load_plain(text: str) -> Any:
 
 
 def load_placed(
-    text: str, repeating: str | None = None, *, mark_quoted: bool = False, max_values: int | None = None
+    text: str,
+    repeating: str | None = None,
+    *,
+    mark_quoted: bool = False,
+    max_values: int | None = None,
+    is_text: Callable[[str], bool] | None = None,
 ) -> tuple[Any, dict[int, int]]:
     """Return the value of a YAML text, and the line of each mapping and list, from 1, by the id of its value.
 
@@ -196,6 +209,7 @@ def load_placed(
         repeating: A key of the outermost mapping by which files are known that may repeat keys; the last value counts.
         mark_quoted: Whether texts in quotes are QuotedText.
         max_values: Number of keys and values that it may have, aliases not expanded.
+        is_text: Returns whether a plain scalar is a text, though YAML 1.1 takes it for a number or a date, as 12:30.
 
     Raises:
         YamlError: as `load`, or a mapping has the same key twice.
@@ -205,6 +219,7 @@ def load_placed(
 
     def read(loader: _Loader) -> Any:
         loader.marks_quoted = mark_quoted
+        loader.is_text = is_text
         node = loader.get_single_node()
         if node is None:
             return None

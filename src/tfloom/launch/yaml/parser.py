@@ -37,11 +37,18 @@ class Parser(BaseParser):
         return _root(content, name), cls()
 
 
+def _is_text(plain: str) -> bool:
+    """Return whether a plain scalar is a text in ROS's files of parameters: 12:30, 0b11, 1_000, 2026-01-31."""
+    from tfloom.node.values.scalars import parse_scalar
+
+    return isinstance(parse_scalar(plain), str)
+
+
 def _root(content: bytes, name: str) -> Entity:
     from tfloom.common.yaml import YamlError, load_placed  # loads yaml
 
     try:
-        tree, lines = load_placed(content.decode(), mark_quoted=True)
+        tree, lines = load_placed(content.decode(), mark_quoted=True, is_text=_is_text)
     except YamlError as error:
         message = f"{name}:{error.line}: {error}" if error.line is not None else f"{name}: {error}"
         raise InvalidFrontendLaunchFileError.with_message(message, error) from error
