@@ -91,7 +91,7 @@ def test_table_has_each_module_that_opens_a_port() -> None:
 
 
 def test_nobody_listens_at_the_locks_of_domains() -> None:
-    with own_domain() as shown, domains.hold_domain() as tested:
+    with own_domain(lambda _: True) as shown, domains.hold_domain() as tested:
         for port in (
             7400 + 250 * shown,
             domains.FIRST_LOCK_PORT + domains.PORTS_OF_A_DOMAIN * tested,

@@ -40,7 +40,7 @@ def test_demonstration_prints_what_its_page_says_records_and_ends(
         r"odometry is off by \d\.\d\d m, the corrected pose off by 0\.\d\d m$", demo.output, re.MULTILINE
     )
     (recording,) = tmp_path.iterdir()
-    assert f"The recording is in {recording}" in demo.lines
+    assert any(re.fullmatch(rf"The recording is in {recording} \(\d+\.\d MB\)", line) for line in demo.lines)
     assert re.match(r"odometry alone +\d+\.\d m +0\.\d{3} m", demo.lines[-2]), demo.output
     assert re.match(r"corrected +\d+\.\d m +0\.\d{3} m", demo.lines[-1]), demo.output
     assert "Traceback" not in demo.output
@@ -107,6 +107,58 @@ def test_mapper_that_does_not_work_is_reported(monkeypatch: pytest.MonkeyPatch, 
     show = RobotShow(lambda *_: Stopped(), example_folder(), tmp_path / "x", has_page=False)
     with show, pytest.raises(ShowError, match="the robot's pose was not corrected in 0 s"):
         show.run(1.0)
+
+
+class Working(Stopped):
+    """A program that does not end, and reports that the mapper works."""
+
+    def __init__(self, command: list[str], on_line: Callable[[str], object] | None) -> None:
+        super().__init__()
+        self.command = command
+        if on_line is not None:
+            on_line(f"After 1.0 m: {robot_show.IS_CORRECTED} 0.01 m")
+
+
+def test_full_recording_ends_and_the_robot_drives_on(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(robot_show, "MAX_RECORDING_MB", 1)
+    monkeypatch.setattr(robot_show, "LOOK_S", 0.0)
+    recording = tmp_path / "x"
+    recording.mkdir()
+    (recording / "x_0.mcap").write_bytes(bytes(999_999))
+    programs: list[Working] = []
+
+    def start(command: list[str], on_line: Callable[[str], object] | None) -> Working:
+        programs.append(Working(command, on_line))
+        return programs[-1]
+
+    def ended() -> list[str]:
+        return [program.command[2] for program in programs if program.code is not None]
+
+    with RobotShow(start, example_folder(), recording, has_page=False) as show:
+        show.run(0.0)
+        assert ended() == []
+        (recording / "x_1.mcap").write_bytes(b"1")
+        for _ in range(2):
+            show.run(0.3)
+            assert ended() == ["record"]
+        others = next(program for program in programs if "robot.py" in program.command[0])
+        others.code = 7
+        with pytest.raises(ShowError, match="robot ended unexpectedly with exit code 7"):
+            show.run(0.3)
+    said = "The recording has 1 MB, and ends; the robot drives on."
+    assert capsys.readouterr().out.count(said) == 1
+
+
+def test_nothing_is_recorded_where_nobody_wants_it(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert "recorder" not in robot_show.robot_programs(example_folder(), None, has_page=False)
+    with RobotShow(Working, example_folder(), None, has_page=False) as show:
+        show.run(0.0)
+    show.compare()
+    assert "recording" not in capsys.readouterr().out
 
 
 def test_a_page_that_is_slow_is_awaited(

@@ -206,9 +206,16 @@ def test_end_is_as_requested(
     stream: Terminal | None,
     expected: tuple[float | None, str],
 ) -> None:
+    monkeypatch.delenv("MAKELEVEL", raising=False)
     monkeypatch.setattr(sys, "stdin", stream)
     monkeypatch.setattr(sys, "stdout", None)  # as for a program without a console
     assert describe_end(requested_s, opens_page=opens_page) == expected
+
+
+def test_under_make_it_says_what_make_prints(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("MAKELEVEL", "1")
+    _, said = describe_end(None, opens_page=True)
+    assert said == "Ctrl-C ends the demonstration. (`make` then prints `Interrupt`, which is not a failure.)"
 
 
 def test_processes_are_used_if_the_library_is_installed(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -219,7 +226,8 @@ def test_processes_are_used_if_the_library_is_installed(monkeypatch: pytest.Monk
     monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
     assert describe_wire() == (CHOSEN, False)
     monkeypatch.setenv("RMW_IMPLEMENTATION", "rmw_zenoh_cpp")
-    assert describe_wire() == ("They meet over Zenoh.", True)
+    said = "RMW_IMPLEMENTATION is left aside: over Zenoh they would need a router."
+    assert describe_wire() == (f"They meet over DDS, by libddsc 0.10.5 of the system. {said}", True)
 
 
 def test_environment_and_streams_are_restored(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -17,11 +17,27 @@ from tfloom.demos.program_group import END_GRACE_S, LOG_LINES, ShowError, StartP
 
 DOMAINS = range(1, 101)
 """Domains whose ports, by DDS's formula, are outside the system's range of ephemeral ports."""
+MAX_TRIES = 5
+"""Number of domains that are looked at."""
+
+
+ENVIRONMENT = {"ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST", "RMW_IMPLEMENTATION": "rmw_cyclonedds_cpp"}
+"""What the programs find in their environment, so that they meet on this machine alone."""
+UNSET = "CYCLONEDDS_URI"
+"""What they don't find there."""
 
 
 @contextlib.contextmanager
-def own_domain() -> Iterator[int]:
-    """Reserve, for the block, a DDS domain that no other demonstration on this machine uses; a TCP port is the lock."""
+def own_domain(is_free: Callable[[int], bool]) -> Iterator[int]:
+    """Reserve, for the block, a DDS domain that no other demonstration on this machine uses; a TCP port is the lock.
+
+    Args:
+        is_free: Whether nobody else is on a domain.
+
+    Raises:
+        ShowError: there is none.
+    """
+    tries = MAX_TRIES
     for domain in random.sample(DOMAINS, len(DOMAINS)):
         lock = socket.socket()
         try:
@@ -30,19 +46,21 @@ def own_domain() -> Iterator[int]:
             lock.close()
             continue
         with lock:
-            yield domain
-        return
+            if is_free(domain):
+                yield domain
+                return
+        tries -= 1
+        if not tries:
+            raise ShowError(
+                f"others are on each of {MAX_TRIES} DDS domains: set ROS_DOMAIN_ID, and add --here"
+            )
     raise ShowError("all DDS domains from 1 to 100 are in use")
 
 
 def process_starter(domain_id: int) -> StartProgram:
     """Return a function that starts a program as a process on a DDS domain, on the loopback interface alone."""
-    environment = os.environ | {
-        "ROS_DOMAIN_ID": str(domain_id),
-        "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
-        "RMW_IMPLEMENTATION": "rmw_cyclonedds_cpp",
-    }
-    environment.pop("CYCLONEDDS_URI", None)
+    environment = os.environ | ENVIRONMENT | {"ROS_DOMAIN_ID": str(domain_id)}
+    environment.pop(UNSET, None)
     return lambda command, on_line: ProcessProgram(command, environment, on_line)
 
 

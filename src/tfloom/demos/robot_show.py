@@ -5,6 +5,7 @@ The programs are those of the example, which a wheel holds beside this file. The
 
 from __future__ import annotations
 
+import contextlib
 import math
 import time
 from pathlib import Path
@@ -19,6 +20,11 @@ TOPICS = (
 """What is recorded."""
 SHOWN_TOPICS = ("/map", "/scan", "/robot_description")
 """What the page shows from the start."""
+RECORDER = "recorder"
+MAX_RECORDING_MB = 500
+"""Size at which the recording ends [MB]: that of some hours."""
+LOOK_S = 1.0
+"""Period at which its size is looked at [s]."""
 PERIOD_S = 5.0
 """Time between the lines on the robot's errors."""
 IS_CORRECTED = "the corrected pose off by"
@@ -47,17 +53,28 @@ def new_recording(folder: Path) -> Path:
     return next(path for name in names if not (path := folder / name).exists())
 
 
-def robot_programs(folder: Path, recording: Path, *, has_page: bool) -> dict[str, list[str]]:
+def size_mb(folder: Path) -> float:
+    """Return the size of the files in a folder [MB]; 0 if there is none."""
+    total = 0
+    for path in folder.glob("*"):
+        with contextlib.suppress(OSError):  # it is being renamed
+            total += path.stat().st_size
+    return total / 1e6
+
+
+def robot_programs(folder: Path, recording: Path | None, *, has_page: bool) -> dict[str, list[str]]:
     """Return the programs of the demonstration by their names, with their arguments.
 
     Args:
         folder: The folder of the example.
-        recording: The path of the recording.
+        recording: The path of the recording; None: without one.
         has_page: Whether to serve the page of `tfloom view`.
     """
     description = (folder / "robot.urdf").read_text("utf-8")
-    programs = {
-        "recorder": ["tfloom.cli.main:main", "bag", "record", "-o", str(recording), *TOPICS],
+    programs = {}
+    if recording is not None:
+        programs[RECORDER] = ["tfloom.cli.main:main", "bag", "record", "-o", str(recording), *TOPICS]
+    programs |= {
         "robot": [str(folder / "robot.py")],
         "robot_state_publisher": [
             "tfloom.robot.robot_state_publisher:main",
@@ -79,19 +96,28 @@ class RobotShow(ProgramGroup):
     Args:
         start: Starts a program.
         folder: The folder of the example.
-        recording: The path of the recording.
+        recording: The path of the recording; None: without one.
         has_page: Whether to serve the page of `tfloom view`.
         opens_page: Whether to open it in a browser.
     """
 
     def __init__(
-        self, start: StartProgram, folder: Path, recording: Path, *, has_page: bool, opens_page: bool = False
+        self,
+        start: StartProgram,
+        folder: Path,
+        recording: Path | None,
+        *,
+        has_page: bool,
+        opens_page: bool = False,
     ) -> None:
         programs = robot_programs(folder, recording, has_page=has_page)
         super().__init__(start, programs, ["pose_errors"], opens_page=opens_page)
         self._recording = recording
         self._comparison = [str(folder / "compare.py"), str(recording)]
         self._works = False
+        self._is_full = False
+        """Whether the recording has ended before the robot."""
+        self._next_look_s = 0.0
 
     def run(self, seconds: float | None) -> None:
         """Print how far the robot is from where it is taken to be.
@@ -106,14 +132,26 @@ class RobotShow(ProgramGroup):
         end = math.inf if seconds is None else started + seconds
         while not self._works or self._awaits_page or time.monotonic() < end:
             for name, program in self._programs.items():
-                if program.exit_code() is not None:
+                if program.exit_code() is not None and not (name == RECORDER and self._is_full):
                     raise unexpected_end(name, program)
             self._print_line()
+            self._end_full_recording()
             if time.monotonic() > started + PATIENCE_S:
                 if not self._works:
                     raise ShowError(f"the robot's pose was not corrected in {PATIENCE_S:.0f} s")
                 if self._awaits_page:
                     raise ShowError(f"the page was not there in {PATIENCE_S:.0f} s")
+
+    def _end_full_recording(self) -> None:
+        """End the recorder as soon as its files have `MAX_RECORDING_MB`; the robot drives on."""
+        now_s = time.monotonic()
+        if self._recording is None or self._is_full or now_s < self._next_look_s:
+            return
+        self._next_look_s = now_s + LOOK_S
+        if size_mb(self._recording) >= MAX_RECORDING_MB:
+            self._is_full = True
+            self._programs[RECORDER].request_end()
+            print(f"The recording has {MAX_RECORDING_MB} MB, and ends; the robot drives on.", flush=True)
 
     def _note(self, line: str) -> None:
         self._works |= IS_CORRECTED in line
@@ -124,9 +162,11 @@ class RobotShow(ProgramGroup):
         Raises:
             ShowError: the recording can't be compared; the text has the reason.
         """
+        if self._recording is None:
+            return
         if not self._works:
             print("It ended before the mapper worked, so there is nothing to compare.")
             return
-        print(f"The recording is in {self._recording}", flush=True)
+        print(f"The recording is in {self._recording} ({size_mb(self._recording):.1f} MB)", flush=True)
         with ProgramGroup(self._start_program, {"compare": self._comparison}) as group:
             print(group.output_of("compare", PATIENCE_S))
